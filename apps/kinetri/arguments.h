@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The values of command line options. Options are read as text and judged here, so that numbers
+// mean on the command line what they mean in files, and so that every message says what was
+// expected.
+#ifndef KINETRI_APPS_ARGUMENTS_H
+#define KINETRI_APPS_ARGUMENTS_H
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace kinetri::app {
+
+/// The command line cannot be used. `what()` reads `OPTION: what is wrong; what was expected`.
+class Usage_error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The finite number that `text` is; see parse_number. Throws Usage_error.
+double number_argument(std::string_view option, std::string_view text);
+
+/// As number_argument, from `lowest` to `highest`, or 0 if `zero_allowed`.
+double size_argument(std::string_view option, std::string_view text, double lowest, double highest,
+                     bool zero_allowed);
+
+/// The whole number that `text` is, from 0 to `highest`. Throws Usage_error.
+std::uint64_t count_argument(std::string_view option, std::string_view text, std::uint64_t highest);
+
+/// The index of `text` in `choices`. Throws Usage_error.
+std::size_t choice_argument(std::string_view option, std::string_view text,
+                            std::span<const std::string_view> choices);
+
+/// "a, b or c".
+std::string alternatives(std::span<const std::string_view> choices);
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_ARGUMENTS_H

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Interruption by the user (SIGINT) or by the system (SIGTERM).
+//
+// Normally it ends the process at once, with exit code 130, and removes the temporaries of output
+// files. While a run is under way the first one only asks it to stop, so that it writes what it
+// has; the second one ends the process.
+#ifndef KINETRI_APPS_INTERRUPT_H
+#define KINETRI_APPS_INTERRUPT_H
+
+namespace kinetri::app {
+
+/// Installs the handlers. Also makes writing to a closed pipe an error instead of a signal.
+void install_signal_handlers();
+
+/// From now on the first signal only makes interrupted() true.
+void stop_gracefully_from_now_on();
+
+/// Whether a signal has asked the run to stop.
+bool interrupted() noexcept;
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_INTERRUPT_H

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The program kinetri: chooses the command, and turns every exception into a message and an exit
+// code.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "arguments.h"
+#include "exit_code.h"
+#include "generate_command.h"
+#include "interrupt.h"
+#include "kinetri/base/error.h"
+#include "kinetri/io/output_file.h"
+#include "kinetri/version.h"
+#include "simulate_command.h"
+
+namespace kinetri::app {
+namespace {
+
+// The command that the command line got to, and its full name.
+struct Command {
+  const CLI::App* app;
+  std::string name;
+};
+
+Command chosen_command(const CLI::App& program) {
+  Command command = {&program, "kinetri"};
+  for (auto chosen = program.get_subcommands(); !chosen.empty();
+       chosen = command.app->get_subcommands()) {
+    command = {chosen.back(), command.name + " " + chosen.back()->get_name()};
+  }
+  return command;
+}
+
+// What is wrong with a command line that CLI11 rejects when it has got to `app`.
+std::string usage_problem(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> rest = app.remaining();
+  const auto commands = app.get_subcommands(nullptr);
+  if (commands.empty()) {
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !rest.empty()) {
+      return fmt::format("'{}' is unknown; expected only what --help lists", rest.front());
+    }
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+      return fmt::format("{}; expected each option once, with one value", error.what());
+    }
+    return error.what();
+  }
+  std::vector<std::string> storage;
+  for (const CLI::App* command : commands) storage.push_back(command->get_name());
+  const std::vector<std::string_view> names(storage.begin(), storage.end());
+  return fmt::format("{}; expected {}",
+                     rest.empty() ? "nothing to do" : fmt::format("'{}' is unknown", rest.front()),
+                     alternatives(names));
+}
+
+Exit_code report_usage(const CLI::App& program, const std::string& problem) {
+  const std::string name = chosen_command(program).name;
+  fmt::print(stderr, "{}: {}\nRun '{} --help' for what is possible.\n", name, problem, name);
+  return Exit_code::bad_input;
+}
+
+Exit_code report(Exit_code code, std::string_view message) {
+  fmt::print(stderr, "{}\n", message);
+  return code;
+}
+
+Exit_code run(int argc, char** argv) {
+  CLI::App program("Exact kinetic Delaunay triangulation of moving points in the plane.",
+                   "kinetri");
+  program.set_version_flag("--version", fmt::format("kinetri {}", version));
+  program.require_subcommand(1);
+  program.footer(
+      "Example:\n"
+      "  kinetri generate uniform --points 100 --seed 1 > points.csv\n"
+      "  kinetri simulate points.csv --until 10 --events events.csv --audit end");
+  Generate_command generate(program);
+  Simulate_command simulate(program);
+  try {
+    program.parse(argc, argv);
+    return generate.chosen() ? generate.run() : simulate.run();
+  } catch (const CLI::Success& success) {
+    program.exit(success, std::cout, std::cerr);
+    return Exit_code::done;
+  } catch (const CLI::ParseError& error) {
+    return report_usage(program, usage_problem(*chosen_command(program).app, error));
+  } catch (const Usage_error& error) {
+    return report_usage(program, error.what());
+  }
+}
+
+Exit_code guarded_run(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const Input_error& error) {
+    return report(Exit_code::bad_input, error.what());
+  } catch (const Output_error& error) {
+    return report(Exit_code::bad_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return report(Exit_code::bad_input,
+                  "kinetri: there is not enough memory; expected fewer points, or more memory");
+  } catch (const Error& error) {
+    return report(Exit_code::internal_error, fmt::format("kinetri: {}", error.what()));
+  } catch (const std::exception& error) {
+    return report(Exit_code::internal_error,
+                  fmt::format("kinetri: unexpected error: {}; please report this with the input "
+                              "that caused it",
+                              error.what()));
+  }
+}
+
+}  // namespace
+}  // namespace kinetri::app
+
+int main(int argc, char** argv) {
+  kinetri::app::install_signal_handlers();
+  return static_cast<int>(kinetri::app::guarded_run(argc, argv));
+}

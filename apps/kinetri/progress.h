@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The progress line of a run: one line on standard error that is written over and over.
+#ifndef KINETRI_APPS_PROGRESS_H
+#define KINETRI_APPS_PROGRESS_H
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace kinetri::app {
+
+enum class Progress_mode {
+  automatic,  ///< if standard error is a terminal
+  always,
+  never,
+};
+
+/// Whole seconds as "12 s", "3 min 07 s" or "2 h 05 min".
+std::string readable_duration(double seconds);
+
+/// The text of the progress line at simulated time `time`, `seconds` after the start.
+std::string progress_text(double from, double until, double time, std::uint64_t events,
+                          double seconds);
+
+/// Shows the progress line until it is destroyed.
+class Progress {
+ public:
+  Progress(Progress_mode mode, double from, double until);
+  ~Progress() { clear(); }
+
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Shows what is being done, and starts the time by which events are counted.
+  void show_stage(std::string_view stage);
+
+  /// Whether the line is to be shown anew now: five times a second, if at all. Cost: a look at the
+  /// clock.
+  bool due() const;
+
+  void show(double time, std::uint64_t events);
+
+  /// Removes the line, as before writing anything else to standard error.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void show_line(std::string text);
+
+  bool enabled_;
+  bool shown_ = false;
+  double from_;
+  double until_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_ = start_;
+};
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_PROGRESS_H

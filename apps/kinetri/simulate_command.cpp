@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string_view>
+
+#include "arguments.h"
+
+namespace kinetri::app {
+namespace {
+
+// In the order of the enumerators that they name.
+constexpr std::array<std::string_view, 3> audit_modes = {"none", "end", "events"};
+constexpr std::array<std::string_view, 3> progress_modes = {"auto", "always", "never"};
+constexpr std::array<std::string_view, 6> collision_modes = {"none",    "log",  "swap",
+                                                             "elastic", "stop", "remove"};
+
+}  // namespace
+
+Simulate_command::Simulate_command(CLI::App& program)
+    : command_(program.add_subcommand(
+          "simulate", "Keep the Delaunay triangulation of moving points, and log its events")) {
+  const auto add = [this](const char* option, auto& value, const char* type, const char* help) {
+    return command_->add_option(option, value, help)->type_name(type);
+  };
+  add("POINTS", points_, "FILE", "The moving points, at time 0; - is standard input")->required();
+  add("--until", until_, "T", "Execute every event at or before this time")->required();
+  add("--from", from_, "T", "Start just after this time (default 0)");
+  add("--events", events_, "FILE", "Write the events here; - is standard output");
+  add("--initial-edges", initial_edges_, "FILE", "Write the edges just after the start here");
+  add("--edges", edges_, "FILE", "Write the edges at the end here");
+  add("--stats", stats_, "FILE", "Write counts and times here, as JSON");
+  add("--audit", audit_, "none|end|events",
+      "Check everything exactly, never (default), at the end, or after every event too");
+  add("--box", box_, "XMIN,YMIN,XMAX,YMAX", "Reflect points at these walls (not supported yet)");
+  add("--collisions", collisions_, "none|log|...",
+      "What points with a radius do that touch (only none, the default, is supported yet)");
+  add("--progress", progress_, "auto|always|never",
+      "Show a progress line; auto (default): on a terminal");
+  command_->add_flag("--quiet", quiet_, "Neither a progress line nor a summary");
+  command_->footer(
+      "The file POINTS has a header line x,y,vx,vy and one point a line. Interrupted, the command\n"
+      "stops at the next event and writes what it has.\n\n"
+      "Exit codes: 0 done; 1 an audit failed; 2 bad usage or input; 3 an internal check failed;\n"
+      "130 interrupted.\n\n"
+      "Example:\n"
+      "  kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv --audit end");
+}
+
+Exit_code Simulate_command::run() const {
+  return run_simulation(settings());
+}
+
+Simulation_settings Simulate_command::settings() const {
+  Simulation_settings result;
+  result.points = points_;
+  result.from = number_argument("--from", from_);
+  result.until = number_argument("--until", until_);
+  if (result.until < result.from) {
+    throw Usage_error(fmt::format(
+        "--until: {} is before the start; expected at least {}, which is --from", until_, from_));
+  }
+  if (box_) throw Usage_error("--box is not supported yet; expected a run without it");
+  if (choice_argument("--collisions", collisions_, collision_modes) != 0) {
+    throw Usage_error(
+        fmt::format("--collisions: {} is not supported yet; expected none", collisions_));
+  }
+  result.events = events_;
+  result.initial_edges = initial_edges_;
+  result.edges = edges_;
+  result.stats = stats_;
+  result.audit = static_cast<Audit_mode>(choice_argument("--audit", audit_, audit_modes));
+  result.progress =
+      static_cast<Progress_mode>(choice_argument("--progress", progress_, progress_modes));
+  if (quiet_) result.progress = Progress_mode::never;
+  result.quiet = quiet_;
+  return result;
+}
+
+}  // namespace kinetri::app

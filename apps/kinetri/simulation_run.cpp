@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation_run.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "arguments.h"
+#include "interrupt.h"
+#include "kinetri/io/edges_file.h"
+#include "kinetri/io/event_log.h"
+#include "kinetri/io/output_file.h"
+#include "kinetri/io/points_file.h"
+#include "kinetri/io/stats_file.h"
+#include "kinetri/kinetri.h"
+
+namespace kinetri::app {
+namespace {
+
+// Seconds since the last lap.
+class Stopwatch {
+ public:
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+std::uint64_t peak_rss_bytes() {
+  rusage usage = {};
+  if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+#ifdef __APPLE__
+  constexpr std::uint64_t unit = 1;
+#else
+  constexpr std::uint64_t unit = 1024;
+#endif
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
+}
+
+// The output files of a run.
+class Outputs {
+ public:
+  explicit Outputs(const Simulation_settings& settings) {
+    files_.reserve(4);
+    events = open("--events", settings.events);
+    initial_edges = open("--initial-edges", settings.initial_edges);
+    edges = open("--edges", settings.edges);
+    stats = open("--stats", settings.stats);
+    std::error_code ignored;
+    const std::string input = std::filesystem::canonical(settings.points, ignored).string();
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (files_[i].identity().empty()) continue;
+      if (files_[i].identity() == input) {
+        throw Usage_error(fmt::format("{}: {} is the file of points; expected another file",
+                                      options_[i], files_[i].path()));
+      }
+      for (std::size_t j = 0; j < i; ++j) {
+        if (files_[i].identity() != files_[j].identity()) continue;
+        throw Usage_error(fmt::format("{} and {} name the same file, {}; expected different files",
+                                      options_[j], options_[i], files_[i].path()));
+      }
+    }
+  }
+
+  Output_file* events;
+  Output_file* initial_edges;
+  Output_file* edges;
+  Output_file* stats;
+
+  // All are complete before the first takes its place.
+  void commit() {
+    for (Output_file& file : files_) file.finish();
+    for (Output_file& file : files_) file.commit();
+  }
+
+  std::vector<std::string> paths() const {
+    std::vector<std::string> result;
+    for (const Output_file& file : files_) {
+      result.push_back(file.path() == "-" ? "standard output" : file.path());
+    }
+    return result;
+  }
+
+ private:
+  Output_file* open(std::string_view option, const std::optional<std::string>& path) {
+    if (!path) return nullptr;
+    options_.push_back(option);
+    return &files_.emplace_back(*path);
+  }
+
+  std::vector<Output_file> files_;
+  std::vector<std::string_view> options_;  // that named them
+};
+
+class Simulation_run {
+ public:
+  explicit Simulation_run(const Simulation_settings& settings)
+      : settings_(settings),
+        outputs_(settings),
+        progress_(settings.progress, settings.from, settings.until) {}
+
+  Exit_code run();
+
+ private:
+  using Triangulation = Kinetic_delaunay_triangulation_2<>;
+
+  void build();
+  void advance();
+  void audit();
+  void write_outputs();
+  void summarize() const;
+
+  const Simulation_settings& settings_;
+  Outputs outputs_;
+  Progress progress_;
+  Stopwatch stopwatch_;
+  Run_statistics statistics_;
+  std::optional<Event_log_writer> log_;
+  std::optional<Triangulation> triangulation_;
+  std::size_t failures_ = 0;
+};
+
+Exit_code Simulation_run::run() {
+  statistics_.from = settings_.from;
+  statistics_.until = settings_.until;
+  build();
+  stop_gracefully_from_now_on();
+  progress_.show_stage("running");
+  if (settings_.audit == Audit_mode::events) audit();
+  advance();
+  if (settings_.audit != Audit_mode::none && !statistics_.interrupted) {
+    progress_.show_stage("auditing");
+    audit();
+  }
+  progress_.show_stage("writing");
+  write_outputs();
+  progress_.clear();
+  if (!settings_.quiet) summarize();
+  if (statistics_.audits_failed > 0) return Exit_code::audit_failed;
+  return statistics_.interrupted ? Exit_code::interrupted : Exit_code::done;
+}
+
+// Reads the points and makes the first triangulation.
+void Simulation_run::build() {
+  progress_.show_stage("reading points");
+  const Points_file points = read_points_file(settings_.points);
+  statistics_.points = points.motions.size();
+  progress_.show_stage(fmt::format("triangulating {} points", statistics_.points));
+  statistics_.seconds.read = stopwatch_.lap();
+  try {
+    triangulation_.emplace(points.motions, settings_.from);
+  } catch (const Coincident_trajectories_error& error) {
+    const auto [first, second] = std::minmax(error.first(), error.second());
+    throw Input_error(
+        settings_.points == "-" ? "standard input" : settings_.points, points.lines[second],
+        fmt::format("the point has the same place and velocity as the one in line {}; expected "
+                    "distinct trajectories",
+                    points.lines[first]));
+  }
+  statistics_.seconds.build = stopwatch_.lap();
+  if (outputs_.initial_edges != nullptr) {
+    write_edges(outputs_.initial_edges->stream(), triangulation_->finite_edge_ids());
+  }
+  if (outputs_.events != nullptr) {
+    log_.emplace(outputs_.events->stream());
+    triangulation_->add_observer(*log_);
+  }
+  statistics_.seconds.write += stopwatch_.lap();
+}
+
+// Executes the events, up to the end or an interruption.
+void Simulation_run::advance() {
+  const Algebraic_number until(settings_.until);
+  for (auto next = triangulation_->next_event_time(); next && *next <= until;
+       next = triangulation_->next_event_time()) {
+    if (interrupted()) {
+      statistics_.interrupted = true;
+      break;
+    }
+    triangulation_->step();
+    if (outputs_.events != nullptr && !outputs_.events->stream()) outputs_.events->finish();
+    if (progress_.due()) {
+      progress_.show(next->to_double(), triangulation_->counters().number_of_events());
+    }
+    if (settings_.audit == Audit_mode::events) audit();
+  }
+  if (!statistics_.interrupted) triangulation_->advance_to(until);
+  statistics_.reached = triangulation_->current_time().to_double();
+  statistics_.seconds.run += stopwatch_.lap();
+}
+
+void Simulation_run::audit() {
+  constexpr std::size_t most_messages = 100;
+  statistics_.seconds.run += stopwatch_.lap();
+  const Audit_report report = triangulation_->audit(Audit_level::certificates);
+  ++statistics_.audits_run;
+  if (!report.passed()) {
+    ++statistics_.audits_failed;
+    progress_.clear();
+  }
+  for (const std::string& failure : report.failures) {
+    ++failures_;
+    if (failures_ > most_messages) break;
+    fmt::print(stderr, "kinetri: audit just after t = {}: {}\n",
+               triangulation_->current_time().to_double(), failure);
+    if (failures_ == most_messages) {
+      fmt::print(stderr, "kinetri: further failures of audits are counted, not shown\n");
+    }
+  }
+  statistics_.seconds.audit += stopwatch_.lap();
+}
+
+void Simulation_run::write_outputs() {
+  if (outputs_.edges != nullptr) {
+    write_edges(outputs_.edges->stream(), triangulation_->finite_edge_ids());
+  }
+  statistics_.triangulation = triangulation_->counters();
+  statistics_.certificates = triangulation_->certificate_counters();
+  statistics_.queue = triangulation_->queue_counters();
+  statistics_.seconds.write += stopwatch_.lap();
+  statistics_.peak_rss_bytes = peak_rss_bytes();
+  if (outputs_.stats != nullptr) write_stats(outputs_.stats->stream(), statistics_);
+  outputs_.commit();
+}
+
+std::string events_per_kind(const Triangulation_counters& counters) {
+  std::string result;
+  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
+    if (counters.events[kind] == 0) continue;
+    if (!result.empty()) result += ", ";
+    result += fmt::format("{} {}", counters.events[kind], name(static_cast<Event_kind>(kind)));
+  }
+  return result.empty() ? "none" : result;
+}
+
+std::string stage_shares(const Run_seconds& seconds) {
+  const std::initializer_list<std::pair<std::string_view, double>> stages = {
+      {"read", seconds.read}, {"build", seconds.build}, {"initialize", seconds.initialize},
+      {"run", seconds.run},   {"audit", seconds.audit}, {"write", seconds.write}};
+  std::string result;
+  for (const auto& [stage, time] : stages) {
+    const double share = seconds.total() > 0 ? 100 * time / seconds.total() : 0;
+    if (share < 0.5) continue;
+    if (!result.empty()) result += ", ";
+    result += fmt::format("{} {:.0f} %", stage, share);
+  }
+  return result;
+}
+
+void Simulation_run::summarize() const {
+  const Run_statistics& s = statistics_;
+  const auto events = s.triangulation.number_of_events();
+  const double rate = s.seconds.run > 0 ? static_cast<double>(events) / s.seconds.run : 0;
+  const auto print = [](std::string_view label, const std::string& text) {
+    fmt::print(stderr, "  {:<13}{}\n", label, text);
+  };
+  fmt::print(stderr, "kinetri: {} points from t = {} to {}{}\n", s.points, s.from, s.reached,
+             s.interrupted ? ", interrupted" : "");
+  print("events", fmt::format("{} at {} instants ({})", events, s.triangulation.instants,
+                              events_per_kind(s.triangulation)));
+  print("time", fmt::format("{:.3g} s ({}), {:.0f} events/s", s.seconds.total(),
+                            stage_shares(s.seconds), rate));
+  print("certificates",
+        fmt::format("{} made, {} solved for roots, {} decided exactly", s.certificates.created,
+                    s.certificates.root_solves, s.certificates.exact_decided));
+  print("queue", fmt::format("{} pushed, {} discarded, at most {} at a time", s.queue.pushed,
+                             s.queue.discarded, s.queue.peak));
+  if (s.audits_run > 0) {
+    print("audits", fmt::format("{} run, {} failed", s.audits_run, s.audits_failed));
+  }
+  const std::vector<std::string> paths = outputs_.paths();
+  if (!paths.empty()) print("written", fmt::format("{}", fmt::join(paths, ", ")));
+}
+
+}  // namespace
+
+Exit_code run_simulation(const Simulation_settings& settings) {
+  return Simulation_run(settings).run();
+}
+
+}  // namespace kinetri::app

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Real algebraic numbers: a square-free polynomial and an interval that holds exactly one of its
+// roots; rationals are kept as such. All decisions are exact; the binary64 interval that each number
+// carries decides most comparisons, and the isolating interval is refined only where that one does
+// not separate.
+#ifndef KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
+#define KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
+
+#include <compare>
+#include <iosfwd>
+#include <memory>
+
+#include "kinetri/algebra/polynomial.h"
+
+namespace kinetri {
+
+/// A real algebraic number. Copies share one representation, so that a refinement made through one
+/// serves all. The value never changes; only the interval around it shrinks. Not safe to compare or
+/// refine from two threads at once where the numbers share a representation.
+class Algebraic_number {
+ public:
+  /// Zero.
+  Algebraic_number();
+  /// A binary64 number, taken exactly. Precondition: finite.
+  Algebraic_number(double value);  // NOLINT(google-explicit-constructor): times are written 10.0
+  Algebraic_number(const Rational& value);  // NOLINT(google-explicit-constructor)
+
+  /// The only root of `p` between `lower` and `upper`, ends not included.
+  /// Precondition: `p` is square-free and has opposite signs, not zero, at the two ends (checked),
+  /// and exactly one root between them (the caller's word).
+  Algebraic_number(const Polynomial& p, const Rational& lower, const Rational& upper);
+
+  /// Whether the number is *known* to be rational: constructed as one, or found to be one while it
+  /// was refined. False says nothing.
+  bool is_known_rational() const;
+  /// Precondition: is_known_rational().
+  const Rational& rational() const;
+
+  /// A square-free primitive polynomial of which this number is a root. A later comparison may find
+  /// one of lower degree and give that one from then on; a reference given out stays good.
+  const Polynomial& polynomial() const;
+
+  /// The present isolating interval: lower == upper where the number is known to be rational, else
+  /// lower < number < upper, and polynomial() has opposite signs, not zero, at the two. Zero is never
+  /// inside. The references follow the interval as it shrinks.
+  const Rational& lower() const;
+  const Rational& upper() const;
+
+  /// A binary64 interval that contains the number, without any work: the outward rounding of the
+  /// isolating interval.
+  const Double_interval& interval() const;
+
+  /// The tightest binary64 interval that contains the number: both bounds are the number where it is
+  /// a binary64 number, else its two neighbours. Does not depend on how far the number was refined.
+  Double_interval tight_interval() const;
+
+  /// The nearest binary64 number, ties to even.
+  double to_double() const;
+
+  /// The number rounded to nearest with `bits` bits of precision. Precondition: bits >= 2.
+  Big_float to_big_float(unsigned bits) const;
+
+  /// Makes the isolating interval at most `width` wide. Precondition: width > 0. Quadratic interval
+  /// refinement: about log log(1/width) evaluations beyond the first few.
+  /// Source: J. Abbott, Quadratic interval refinement for real roots, ISSAC 2006 (poster).
+  void refine_to(const Rational& width) const;
+
+  /// Makes the isolating interval at least 2^`bits` times narrower than its end nearer to zero is far
+  /// from zero: `bits` correct bits, however small the number is.
+  void refine_to_bits(unsigned bits) const;
+
+  /// Makes the isolating interval at least two times narrower.
+  void refine() const;
+
+  /// Whether `p` vanishes at the number. Exact, by the gcd of `p` and polynomial().
+  bool is_root_of(const Polynomial& p) const;
+
+  /// Exact comparison, a total order of the reals; equal roots of different polynomials are found
+  /// equal, by their gcd. First by the binary64 intervals, then by refinement.
+  friend Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
+  friend Comparison_result compare(const Algebraic_number& a, const Rational& b);
+
+  friend std::strong_ordering operator<=>(const Algebraic_number& a, const Algebraic_number& b);
+  friend bool operator==(const Algebraic_number& a, const Algebraic_number& b);
+
+  /// Human-readable: the rational, or `root of P in (lower, upper)` with binary64 bounds.
+  friend std::ostream& operator<<(std::ostream& out, const Algebraic_number& a);
+
+ private:
+  struct Representation;
+  std::shared_ptr<Representation> representation_;
+};
+
+Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
+Comparison_result compare(const Algebraic_number& a, const Rational& b);
+
+/// The sign of `p` at the number `t`. Exact.
+Sign sign_at(const Polynomial& p, const Algebraic_number& t);
+
+/// The sign of `p` in a sufficiently small open interval that ends, or begins, at `t`: the sign of
+/// the first derivative that does not vanish at `t`, negated for just before where its order is odd.
+/// Zero for the zero polynomial only.
+Sign sign_just_before(const Polynomial& p, const Algebraic_number& t);
+Sign sign_just_after(const Polynomial& p, const Algebraic_number& t);
+
+/// The same number for every representation of `a` and `b`: the dyadic rational k / 2^e strictly
+/// between them with the least e (e may be negative) and, for that e, the least |k|.
+/// Precondition: a < b.
+Rational simplest_between(const Algebraic_number& a, const Algebraic_number& b);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The exact number types of the library and their conversions from and to binary64. Each is a
+// Boost.Multiprecision number over GMP or MPFR, without expression templates, so that `auto` and
+// the ternary operator mean what they say.
+#ifndef KINETRI_ALGEBRA_NUMBER_TYPES_H
+#define KINETRI_ALGEBRA_NUMBER_TYPES_H
+
+#include <CGAL/enum.h>
+
+#include <boost/multiprecision/gmp.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+
+namespace kinetri {
+
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
+                                              boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
+                                               boost::multiprecision::et_off>;
+/// An MPFR number whose precision is chosen per value.
+using Big_float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
+                                                boost::multiprecision::et_off>;
+
+using CGAL::Comparison_result;
+using CGAL::Sign;
+
+/// A closed interval of binary64 numbers; either bound may be infinite.
+struct Double_interval {
+  double lower = 0;
+  double upper = 0;
+
+  friend bool operator==(const Double_interval&, const Double_interval&) = default;
+};
+
+/// The sign of `x`.
+Sign sign(const Integer& x);
+Sign sign(const Rational& x);
+
+/// The rational number that the binary64 number `x` is. Exact. Precondition: `x` is finite.
+Rational to_rational(double x);
+
+/// The tightest interval of binary64 numbers that contains `x`: both bounds are `x` where `x` is a
+/// binary64 number, else they are its two neighbours (infinite beyond the largest finite one).
+Double_interval to_interval(const Rational& x);
+
+/// The binary64 number nearest to `x`, ties to even; infinite where IEEE 754 rounding gives that.
+double to_double(const Rational& x);
+
+/// `x` times two to the power `exponent`, exactly.
+Rational scaled_by_power_of_two(const Rational& x, long exponent);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_ALGEBRA_NUMBER_TYPES_H

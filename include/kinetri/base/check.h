@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The two tiers of checks that throw. The third tier, audits, returns a report instead
+// (kinetri/triangulation/audit.h).
+//
+//   KINETRI_PRECONDITION(condition, message)  the caller's duty; always on; Precondition_error
+//   KINETRI_ASSERT(condition, message)        our own invariant;  always on; Internal_error
+//
+// Both are for conditions whose cost is nothing beside the work they guard.
+#ifndef KINETRI_BASE_CHECK_H
+#define KINETRI_BASE_CHECK_H
+
+namespace kinetri::detail {
+
+[[noreturn]] void precondition_failed(const char* condition, const char* message, const char* file,
+                                      int line);
+[[noreturn]] void assertion_failed(const char* condition, const char* message, const char* file,
+                                   int line);
+
+}  // namespace kinetri::detail
+
+#define KINETRI_PRECONDITION(condition, message) \
+  ((condition)                                   \
+       ? static_cast<void>(0)                    \
+       : ::kinetri::detail::precondition_failed(#condition, message, __FILE__, __LINE__))
+
+#define KINETRI_ASSERT(condition, message) \
+  ((condition) ? static_cast<void>(0)      \
+               : ::kinetri::detail::assertion_failed(#condition, message, __FILE__, __LINE__))
+
+#endif  // KINETRI_BASE_CHECK_H

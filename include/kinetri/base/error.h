@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exceptions that a user of the library may meet. Everything thrown on purpose derives from
+// kinetri::Error; Input_error is the user's data, Internal_error is a broken invariant of ours.
+#ifndef KINETRI_BASE_ERROR_H
+#define KINETRI_BASE_ERROR_H
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "kinetri/base/ids.h"
+
+namespace kinetri {
+
+/// Base of every exception that Kinetri throws on purpose.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The caller broke a stated precondition (see KINETRI_PRECONDITION).
+class Precondition_error : public Error {
+ public:
+  using Error::Error;
+};
+
+/// An internal invariant does not hold: a bug in Kinetri, never the user's fault.
+class Internal_error : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Input data that cannot be used. `what()` reads `FILE:LINE: what is wrong, what was expected`;
+/// the line is left out where it has no meaning (line 0).
+class Input_error : public Error {
+ public:
+  Input_error(const std::string& file, std::size_t line, const std::string& message)
+      : Error(line == 0 ? file + ": " + message
+                        : file + ":" + std::to_string(line) + ": " + message) {}
+};
+
+/// Two points have the same trajectory from some instant on: they would stay in one place for ever,
+/// and no triangulation has both as vertices.
+class Coincident_trajectories_error : public Error {
+ public:
+  Coincident_trajectories_error(Point_id first, Point_id second)
+      : Error("points " + std::to_string(first) + " and " + std::to_string(second) +
+              " are at the same place with the same velocity; expected distinct trajectories: "
+              "remove one of them or change its motion"),
+        first_(first),
+        second_(second) {}
+
+  Point_id first() const noexcept { return first_; }
+  Point_id second() const noexcept { return second_; }
+
+ private:
+  Point_id first_;
+  Point_id second_;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_BASE_ERROR_H

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The event: what happened to the triangulation at one exact time, in terms of point ids. A value
+// that observers receive and that the event log prints; the order of simultaneous events is fixed here.
+#ifndef KINETRI_EVENTS_EVENT_H
+#define KINETRI_EVENTS_EVENT_H
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "kinetri/base/ids.h"
+
+namespace kinetri {
+
+/// The kinds of event. The enumerators' order is the order in which simultaneous events are taken
+/// from the queue, before their point ids decide. It is not arbitrary: points that coincide are
+/// resolved first, since that settles everything else at that time; flat hull triangles are removed
+/// next, since every later flip relies on a triangulation that is properly embedded.
+enum class Event_kind : std::uint8_t {
+  rebuild,      ///< an edge removed or added by reconstruction at a degenerate instant
+  hull_insert,  ///< a vertex becomes a hull vertex: the hull edge in front of it is removed
+  hull_remove,  ///< a vertex leaves the hull: the edge between its hull neighbors is added
+  flip,         ///< an edge is replaced by the other diagonal of its quadrilateral
+  wall,         ///< point_a hits the box
+  collision,    ///< point_a and point_b touch
+  insert,       ///< point_a is inserted
+  erase,        ///< point_a is erased
+  trajectory,   ///< point_a has a new trajectory
+};
+
+/// The number of kinds.
+inline constexpr std::size_t event_kinds = 9;
+
+/// The kind's name in files: "flip", "hull_insert", ...
+std::string_view name(Event_kind kind);
+
+/// The ends of an edge, the smaller id first.
+using Edge_ids = std::array<Point_id, 2>;
+
+/// The ends in order.
+constexpr Edge_ids edge_ids(Point_id a, Point_id b) { return a < b ? Edge_ids{a, b} : Edge_ids{b, a}; }
+
+/// An event at an exact time. `removed` and `added` are finite edges; which of them and of the points
+/// are present depends on the kind.
+template <class Time>
+struct Event {
+  std::uint64_t number = 0;  ///< 0 for the first event of a run, then one more each
+  Event_kind kind = Event_kind::flip;
+  Time time;
+  std::optional<Edge_ids> removed = std::nullopt;
+  std::optional<Edge_ids> added = std::nullopt;
+  std::optional<Point_id> point_a = std::nullopt;
+  std::optional<Point_id> point_b = std::nullopt;
+};
+
+/// Called before and after each event, in the order in which the observers were added. Derive and
+/// override what is needed. An observer must not change the triangulation.
+///
+/// In `before_event` the triangulation still has the removed edge, in `after_event` it has the added
+/// one. Within a group of simultaneous events it is Delaunay only after the last of them.
+template <class Time>
+class Event_observer {
+ public:
+  virtual ~Event_observer() = default;
+  virtual void before_event(const Event<Time>& /*event*/) {}
+  virtual void after_event(const Event<Time>& /*event*/) {}
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_EVENTS_EVENT_H

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The event log: every event as a line of comma separated values, with an interval of binary64
+// numbers that is certain to contain its exact time. The same run gives the same bytes: what is
+// printed of a time depends on its value alone, not on how far it was refined.
+#ifndef KINETRI_IO_EVENT_LOG_H
+#define KINETRI_IO_EVENT_LOG_H
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/events/event.h"
+
+namespace kinetri {
+
+/// An observer that writes each event, once it has happened, as one line:
+///
+///   event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b
+///
+/// `time` is the binary64 number nearest to the exact time; time_lo <= exact time <= time_hi are
+/// equal if the time is a binary64 number, else neighbours. All three are printed with the fewest
+/// digits that read back exactly. Fields that the kind of event does not use are empty.
+///
+/// Errors are those of the stream. Cost: the times are rounded once for each instant.
+class Event_log_writer : public Event_observer<Algebraic_number> {
+ public:
+  /// Writes the header line. `out` must outlive this object.
+  explicit Event_log_writer(std::ostream& out);
+
+  void after_event(const Event<Algebraic_number>& event) override;
+
+ private:
+  std::ostream& out_;
+  std::optional<Algebraic_number> time_;  // of the last event
+  std::string time_text_;                 // its three fields
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_IO_EVENT_LOG_H

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Output files that are whole or not there: written under a temporary name beside the target, which
+// takes the target's place when everything has been written.
+#ifndef KINETRI_IO_OUTPUT_FILE_H
+#define KINETRI_IO_OUTPUT_FILE_H
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "kinetri/base/error.h"
+
+struct stat;
+
+namespace kinetri {
+
+/// A file cannot be written. `what()` reads `FILE: what is wrong, what was expected`.
+class Output_error : public Error {
+ public:
+  using Error::Error;
+};
+
+/// An output file. Until `commit` the target is untouched; without `commit` it stays so.
+///
+/// The temporary is in the target's directory, and hidden. An existing target keeps its permissions
+/// and is replaced in one step; a symbolic link is followed. What is no regular file (/dev/null, a
+/// named pipe) and standard output, named "-", are written directly.
+class Output_file {
+ public:
+  /// Opens the output. Throws Output_error if the target is a directory or cannot be written.
+  explicit Output_file(std::string path);
+  /// Removes the temporary if there is one.
+  ~Output_file();
+
+  Output_file(Output_file&&) noexcept;
+  Output_file& operator=(Output_file&&) = delete;
+
+  /// The path as given to the constructor.
+  const std::string& path() const noexcept { return path_; }
+
+  /// What identifies the target: two outputs with the same one would overwrite each other. Empty if
+  /// that cannot happen (/dev/null).
+  const std::string& identity() const noexcept { return identity_; }
+
+  /// Where to write. It fails when a write does; finish() says why.
+  std::ostream& stream() noexcept;
+
+  /// Writes out what is buffered and closes the file. Throws Output_error if anything since the
+  /// construction was not written. Where several outputs belong together, finish them all before
+  /// the first commit. Idempotent.
+  void finish();
+
+  /// finish(), then the target is the new file. Throws Output_error. Idempotent.
+  void commit();
+
+  /// Removes the temporaries of all outputs that are not committed. For handlers of signals that
+  /// end the process: async-signal-safe; the outputs cannot be used afterwards. Covers the first 16
+  /// outputs that are open at a time.
+  static void remove_all_temporaries() noexcept;
+
+ private:
+  class Buffer;
+
+  void open_temporary(const struct stat* existing);
+  void open_directly(bool character_device);
+  void discard() noexcept;
+
+  std::string path_;
+  std::string identity_;
+  std::string target_;                      // the file that the temporary replaces
+  std::unique_ptr<std::string> temporary_;  // none if written directly, and after commit
+  std::unique_ptr<Buffer> buffer_;
+  std::unique_ptr<std::ostream> stream_;
+  bool finished_ = false;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_IO_OUTPUT_FILE_H

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Files of moving points: comma separated, a header line naming the columns x, y, vx, vy and
+// optionally radius in any order, then one point a line: its place at time 0 and its velocity.
+// Blank lines and lines that begin with # are skipped.
+//
+// Every number that comes out is the binary64 number that the text stands for, rounded correctly.
+// Text that stands for none (nan, inf, too large, too small to be told from zero) is an error.
+#ifndef KINETRI_IO_POINTS_FILE_H
+#define KINETRI_IO_POINTS_FILE_H
+
+#include <cstddef>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri {
+
+/// A number read from text, or what is wrong with the text.
+struct Parsed_number {
+  double value = 0;
+  /// Empty if `value` is the number. Else the second half of a message that begins with the text:
+  /// "is not a number; expected ...".
+  std::string_view problem;
+};
+
+/// The binary64 number nearest to the decimal or hexadecimal floating point number that `text` is:
+/// an optional sign, then 12, 1.5, .5e-3, 0x1.8p3, ... Nothing may stand before or after it.
+/// Numbers that are too large for binary64, and numbers other than 0 that would become 0, are
+/// problems; subnormal ones are not. Does not depend on the locale.
+Parsed_number parse_number(std::string_view text);
+
+/// What a file of points holds. Entry i of each vector belongs to the point with the id i.
+struct Points_file {
+  std::vector<Linear_motion_2> motions;  ///< with epoch 0, all of them finite, no two equal
+  std::vector<double> radii;             ///< at least 0; empty if the file has no such column
+  std::vector<std::size_t> lines;        ///< where the point stands, counted from 1
+};
+
+/// Reads points from `in`, line by line: beyond the result it needs memory for one line, which may
+/// have up to 2^20 bytes, and at the end 16 bytes a point. Accepts LF and CRLF line ends, a byte
+/// order mark, and blanks around fields.
+///
+/// Throws Input_error `name:line: ...` for everything else: no header; a column that is unknown,
+/// missing or named twice; a row with too few or too many fields; a field that is empty or not a
+/// number (see parse_number); a negative radius; two points with the same place and velocity (0 and
+/// -0 are the same), naming both lines; 2^32 - 1 points or more; a stream that fails. Zero points
+/// are valid. Cost: linear, but for a sort that finds equal points: O(n log n) for every input.
+Points_file read_points(std::istream& in, const std::string& name);
+
+/// Reads the file `path`, or standard input if it is "-". Throws as read_points, and Input_error
+/// without a line if the path is a directory or cannot be opened.
+Points_file read_points_file(const std::string& path);
+
+/// Writes points so that read_points gives the same numbers back: header, then the shortest decimal
+/// numbers that read back exactly. Precondition: all motions are finite and have epoch 0; `radii`
+/// is empty or as long as `motions`. Errors are those of the stream.
+void write_points(std::ostream& out, std::span<const Linear_motion_2> motions,
+                  std::span<const double> radii = {});
+
+}  // namespace kinetri
+
+#endif  // KINETRI_IO_POINTS_FILE_H

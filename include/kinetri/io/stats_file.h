@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The statistics of a run, and the JSON file that holds them.
+#ifndef KINETRI_IO_STATS_FILE_H
+#define KINETRI_IO_STATS_FILE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+
+#include "kinetri/events/indexed_queue.h"
+#include "kinetri/kinetic/kinetic_traits_2.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+/// Where the time of a run went, in seconds of wall time.
+struct Run_seconds {
+  double read = 0;        ///< reading the points
+  double build = 0;       ///< the first triangulation
+  double initialize = 0;  ///< its first events
+  double run = 0;         ///< events, without audits
+  double audit = 0;
+  double write = 0;  ///< edges; the event log is part of `run`
+
+  double total() const { return read + build + initialize + run + audit + write; }
+};
+
+/// What a run did and what it cost.
+struct Run_statistics {
+  std::size_t points = 0;
+  double from = 0;
+  double until = 0;
+  double reached = 0;        ///< the time at the end, rounded; `until` unless interrupted
+  bool interrupted = false;  ///< the user stopped the run before `until`
+  Triangulation_counters triangulation;
+  Certificate_counters certificates;
+  Queue_counters queue;
+  Run_seconds seconds;
+  std::uint64_t peak_rss_bytes = 0;  ///< 0 if unknown
+  std::uint64_t audits_run = 0;
+  std::uint64_t audits_failed = 0;
+};
+
+/// Writes the statistics as a JSON object, its keys always in the same order. `events` has one key
+/// for each Event_kind. Errors are those of the stream.
+void write_stats(std::ostream& out, const Run_statistics& statistics);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_IO_STATS_FILE_H

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The geometric predicates of moving points as polynomials in time: the sign of the polynomial at t
+// is the value of the predicate at t. Both the kinetic certificates (whose failure times are roots
+// of these) and the predicates at an instant are made from them, so there is one formula for each.
+//
+// For linear motion the degrees are: x or y difference 1, orientation 2, distance difference 2,
+// in-circle 4. For constructed points they are higher, and the denominators are multiplied in with
+// the sign that keeps the predicate right; where a denominator vanishes the sign is 0.
+#ifndef KINETRI_KINETIC_CERTIFICATE_POLYNOMIALS_H
+#define KINETRI_KINETIC_CERTIFICATE_POLYNOMIALS_H
+
+#include "kinetri/algebra/polynomial.h"
+#include "kinetri/kinetic/moving_point_2.h"
+
+namespace kinetri {
+
+/// Sign of x(p) - x(q), and of y(p) - y(q).
+Polynomial x_difference(const Moving_point_2& p, const Moving_point_2& q);
+Polynomial y_difference(const Moving_point_2& p, const Moving_point_2& q);
+
+/// Positive where p, q, r make a left turn; zero where they are collinear.
+///
+///     | qx-px  qy-py |
+///     | rx-px  ry-py |
+Polynomial orientation_polynomial(const Moving_point_2& p, const Moving_point_2& q,
+                                  const Moving_point_2& r);
+
+/// Positive where s lies inside the circle through p, q, r and these make a left turn, negative
+/// where it lies outside; both reversed where they make a right turn. Zero where the four are
+/// cocircular or all collinear. With the differences d = (point - s):
+///
+///     | dpx  dpy  dpx^2 + dpy^2 |
+///     | dqx  dqy  dqx^2 + dqy^2 |
+///     | drx  dry  drx^2 + dry^2 |
+///
+/// Source: L. Guibas, J. Stolfi, Primitives for the manipulation of general subdivisions and the
+/// computation of Voronoi diagrams, ACM Transactions on Graphics 4(2), 1985, section 8.
+Polynomial in_circle_polynomial(const Moving_point_2& p, const Moving_point_2& q,
+                                const Moving_point_2& r, const Moving_point_2& s);
+
+/// Sign of |p-q|^2 - |p-r|^2: positive where q is farther from p than r is.
+Polynomial distance_difference(const Moving_point_2& p, const Moving_point_2& q,
+                               const Moving_point_2& r);
+
+/// The scalar product (p-q).(r-q). With p, q, r collinear it is negative exactly where q lies
+/// strictly between p and r.
+Polynomial scalar_product_polynomial(const Moving_point_2& p, const Moving_point_2& q,
+                                     const Moving_point_2& r);
+
+/// The trajectory of the center of the circle through p, q, r.
+/// Precondition: p, q, r are not collinear at all times.
+Trajectory_2 circumcenter_trajectory(const Moving_point_2& p, const Moving_point_2& q,
+                                     const Moving_point_2& r);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_KINETIC_CERTIFICATE_POLYNOMIALS_H

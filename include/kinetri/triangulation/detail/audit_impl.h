@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of the audits of Kinetic_delaunay_triangulation_2. The geometric levels judge the
+// exact positions at a rational time by CGAL's static predicates and share no formula with the
+// certificates.
+#ifndef KINETRI_TRIANGULATION_DETAIL_AUDIT_IMPL_H
+#define KINETRI_TRIANGULATION_DETAIL_AUDIT_IMPL_H
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Lazy_exact_nt.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/boost_mp.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+namespace detail {
+
+inline std::string edge_name(const Edge_ids& ids) {
+  if (ids[0] == ids[1]) return "edge from " + std::to_string(ids[0]) + " to infinity";
+  return "edge " + std::to_string(ids[0]) + "-" + std::to_string(ids[1]);
+}
+
+/// One audit of a kinetic triangulation.
+template <class KineticTriangulation>
+class Auditor {
+ public:
+  explicit Auditor(const KineticTriangulation& audited)
+      : audited_(audited), triangulation_(audited.triangulation_), queue_(audited.queue_) {}
+
+  Audit_report run(Audit_level level);
+
+ private:
+  // Lazy numbers decide most predicates by floating-point intervals.
+  using Exact_number = CGAL::Lazy_exact_nt<Rational>;
+  using Kernel = CGAL::Simple_cartesian<Exact_number>;
+  using Place = typename Kernel::Point_2;
+  using Static_triangulation = CGAL::Delaunay_triangulation_2<
+      Kernel, CGAL::Triangulation_data_structure_2<
+                  CGAL::Triangulation_vertex_base_with_info_2<Point_id, Kernel>>>;
+  using Triangulation = typename KineticTriangulation::Triangulation;
+  using Vertex_handle = typename KineticTriangulation::Vertex_handle;
+  using Face_handle = typename KineticTriangulation::Face_handle;
+  using Edge = typename KineticTriangulation::Edge;
+  using Time = typename KineticTriangulation::Time;
+  using Instantaneous_traits = typename KineticTriangulation::Instantaneous_traits;
+
+  void place_points();
+  bool has_touch(const Time& time) const;
+  void check_links();
+  void check_embedding();
+  void check_chain();
+  void check_delaunay();
+  void check_reference();
+  void check_certificates();
+
+  const Place& place(Vertex_handle v) const { return places_[v->point().id()]; }
+  std::string name(const Edge& edge) const { return edge_name(audited_.ids_of(edge)); }
+  void fail(std::string message) { report_.failures.push_back(std::move(message)); }
+  void fail(const char* what, const std::array<Vertex_handle, 3>& v);
+
+  const KineticTriangulation& audited_;
+  const Triangulation& triangulation_;
+  const decltype(KineticTriangulation::queue_)& queue_;
+  std::vector<Place> places_;  // at one exact time, by point id
+  Audit_report report_;
+};
+
+template <class KineticTriangulation>
+Audit_report Auditor<KineticTriangulation>::run(Audit_level level) {
+  check_links();
+  // What follows walks the links.
+  if (!report_.passed() || level == Audit_level::links) return std::move(report_);
+
+  place_points();
+  check_embedding();
+  if (level >= Audit_level::delaunay) check_delaunay();
+  if (level >= Audit_level::reference) check_reference();
+  if (level >= Audit_level::certificates) check_certificates();
+  return std::move(report_);
+}
+
+// Places the points at a rational time strictly between now and the next event. Between events a
+// triangle may touch: be flat at one time without turning over, which is no event and no fault.
+// Such a time is no place to look, so another one is taken, nearer to now.
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::place_points() {
+  const Time& now = audited_.current_time_;
+  Time end = queue_.empty() ? Time(Rational(now.upper() + 1)) : queue_.top().time;
+  do {
+    const Rational time = simplest_between(now, end);
+    places_.clear();
+    for (const Vertex_handle v : audited_.vertices_) {
+      const auto position = v->point().position(time);
+      places_.emplace_back(Exact_number(position.x), Exact_number(position.y));
+    }
+    end = Time(time);
+  } while (has_touch(end));
+}
+
+// Whether a triangle is flat at `time`, where the points have been placed, but not for a while.
+template <class KineticTriangulation>
+bool Auditor<KineticTriangulation>::has_touch(const Time& time) const {
+  if (triangulation_.dimension() < 2) return false;
+  const Instantaneous_traits after(Instant{time, Side::after});
+  return std::ranges::any_of(triangulation_.finite_face_handles(), [&](Face_handle f) {
+    return CGAL::collinear(place(f->vertex(0)), place(f->vertex(1)), place(f->vertex(2))) &&
+           after.orientation_2_object()(f->vertex(0)->point(), f->vertex(1)->point(),
+                                        f->vertex(2)->point()) != CGAL::COLLINEAR;
+  });
+}
+
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::check_links() {
+  const auto& vertices = audited_.vertices_;
+  if (!triangulation_.tds().is_valid()) return fail("the triangulation's links are broken");
+  if (triangulation_.number_of_vertices() != vertices.size()) {
+    fail("there are " + std::to_string(vertices.size()) + " points but " +
+         std::to_string(triangulation_.number_of_vertices()) + " vertices");
+  }
+  for (std::size_t id = 0; id < vertices.size(); ++id) {
+    if (vertices[id]->point().id() != id) {
+      fail("the vertex of point " + std::to_string(id) + " holds point " +
+           std::to_string(vertices[id]->point().id()));
+    }
+  }
+  if (!queue_.is_valid()) fail("the queue is out of order");
+  if (!queue_.empty() && queue_.top().time <= audited_.current_time_) {
+    fail("the event of " + edge_name(queue_.top().ids) + " is not in the future");
+  }
+  if (triangulation_.dimension() < 1) return;
+  std::size_t events = 0;
+  for (const Edge& edge : triangulation_.all_edges()) {
+    const Queue_handle handle = edge.first->event(edge.second);
+    const Edge mirror = triangulation_.dimension() == 2 ? triangulation_.mirror_edge(edge) : edge;
+    if (mirror.first->event(mirror.second) != handle) {
+      fail("the two faces at " + name(edge) + " disagree about its event");
+    }
+    if (handle == no_event) continue;
+    ++events;
+    if (!queue_.contains(handle)) {
+      fail(name(edge) + " has an event that is not queued");
+    } else if (queue_[handle].edge != edge && queue_[handle].edge != mirror) {
+      fail(name(edge) + " has the event of another edge");
+    }
+  }
+  if (events != queue_.size()) {
+    fail(std::to_string(queue_.size()) + " events are queued for " + std::to_string(events) +
+         " edges");
+  }
+}
+
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::fail(const char* what, const std::array<Vertex_handle, 3>& v) {
+  fail(std::string(what) + " " + std::to_string(v[0]->point().id()) + ", " +
+       std::to_string(v[1]->point().id()) + ", " + std::to_string(v[2]->point().id()));
+}
+
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::check_embedding() {
+  if (triangulation_.dimension() < 2) return check_chain();
+  for (const Face_handle f : triangulation_.finite_face_handles()) {
+    if (CGAL::orientation(place(f->vertex(0)), place(f->vertex(1)), place(f->vertex(2))) !=
+        CGAL::LEFT_TURN) {
+      fail("not counterclockwise: triangle", {f->vertex(0), f->vertex(1), f->vertex(2)});
+    }
+  }
+  for (const Edge& edge : triangulation_.all_edges()) {
+    if (!triangulation_.is_infinite(edge)) continue;
+    const auto turn = audited_.hull_turn(edge);
+    if (CGAL::orientation(place(turn[0]), place(turn[1]), place(turn[2])) == CGAL::RIGHT_TURN) {
+      fail("the hull is not convex at", turn);
+    }
+  }
+}
+
+// Points on a line form a chain whose faces are its edges; at each inner point the neighbors lie on
+// opposite sides.
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::check_chain() {
+  if (triangulation_.dimension() < 1) return;
+  for (const auto& [face, unused] : triangulation_.finite_edges()) {
+    for (const int end : {0, 1}) {
+      const Face_handle next = face->neighbor(1 - end);
+      if (triangulation_.is_infinite(next)) continue;
+      const Vertex_handle here = face->vertex(end);
+      const Vertex_handle beyond = next->vertex(1 - next->index(here));
+      if (!CGAL::are_strictly_ordered_along_line(place(face->vertex(1 - end)), place(here),
+                                                 place(beyond))) {
+        fail("not in order along their line:", {face->vertex(1 - end), here, beyond});
+      }
+    }
+  }
+}
+
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::check_delaunay() {
+  if (triangulation_.dimension() < 2) return;
+  for (const Edge& edge : triangulation_.finite_edges()) {
+    const auto& [face, i] = edge;
+    if (triangulation_.is_infinite(face) || triangulation_.is_infinite(face->neighbor(i))) continue;
+    const Vertex_handle opposite = triangulation_.tds().mirror_vertex(face, i);
+    if (CGAL::side_of_oriented_circle(place(face->vertex(0)), place(face->vertex(1)),
+                                      place(face->vertex(2)),
+                                      place(opposite)) == CGAL::ON_POSITIVE_SIDE) {
+      fail("not locally Delaunay: " + name(edge) + " between " +
+           std::to_string(face->vertex(i)->point().id()) + " and " +
+           std::to_string(opposite->point().id()));
+    }
+  }
+}
+
+// Where points stay cocircular the Delaunay triangulation is not unique; then any choice of
+// diagonals is right, and only the edges that every choice has are compared, and the number of all.
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::check_reference() {
+  std::vector<std::pair<Place, Point_id>> input;
+  input.reserve(places_.size());
+  for (const Place& p : places_) input.emplace_back(p, static_cast<Point_id>(input.size()));
+  Static_triangulation reference;
+  reference.insert(input.begin(), input.end());
+
+  const std::vector<Edge_ids> present = audited_.finite_edge_ids();
+  std::size_t edges = 0;
+  for (const auto& [face, i] : reference.finite_edges()) {
+    ++edges;
+    const Edge_ids ids = edge_ids(face->vertex(Static_triangulation::cw(i))->info(),
+                                  face->vertex(Static_triangulation::ccw(i))->info());
+    if (std::ranges::binary_search(present, ids)) continue;
+    const bool has_alternative =
+        reference.dimension() == 2 && !reference.is_infinite(face) &&
+        !reference.is_infinite(face->neighbor(i)) &&
+        CGAL::side_of_oriented_circle(
+            face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+            reference.tds().mirror_vertex(face, i)->point()) == CGAL::ON_ORIENTED_BOUNDARY;
+    if (!has_alternative) {
+      fail("missing: " + edge_name(ids) + " of the static Delaunay triangulation");
+    }
+  }
+  if (edges != present.size()) {
+    fail("there are " + std::to_string(present.size()) +
+         " edges, but the static Delaunay triangulation has " + std::to_string(edges));
+  }
+}
+
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::check_certificates() {
+  if (triangulation_.dimension() < 1) return;
+  auto traits = audited_.traits_;  // a copy, so that the counters stay those of the run
+  for (const Edge& edge : triangulation_.all_edges()) {
+    if (triangulation_.dimension() == 1 && triangulation_.is_infinite(edge)) continue;
+    const auto failure = audited_.next_failure(edge, audited_.current_time_, traits);
+    const Queue_handle handle = edge.first->event(edge.second);
+    if (failure.has_value() != (handle != no_event)) {
+      fail(name(edge) +
+           (failure ? " will fail but has no event" : " has an event but never fails"));
+    } else if (failure &&
+               (failure->time != queue_[handle].time || failure->kind != queue_[handle].kind)) {
+      fail(name(edge) + " has an event at another time, or of another kind, than its failure");
+    }
+  }
+}
+
+}  // namespace detail
+
+template <KineticTraits_2 Traits>
+Audit_report Kinetic_delaunay_triangulation_2<Traits>::audit(Audit_level level) const {
+  return detail::Auditor<Kinetic_delaunay_triangulation_2>(*this).run(level);
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_AUDIT_IMPL_H

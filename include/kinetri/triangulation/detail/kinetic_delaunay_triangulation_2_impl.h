@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Kinetic_delaunay_triangulation_2 but for its audits. Include this, and
+// audit_impl.h, only where the class is instantiated for a kinetic traits class of one's own; it is
+// compiled into the library for Linear_kinetic_traits_2.
+#ifndef KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
+#define KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+#include "kinetri/base/check.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+// ---- construction ----
+
+template <KineticTraits_2 Traits>
+Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
+    const std::vector<Motion>& motions, const Time& start, const Traits& traits)
+    : traits_(traits), current_time_(start) {
+  KINETRI_PRECONDITION(motions.size() < no_point, "too many points");
+  std::vector<Point_2> points;
+  points.reserve(motions.size());
+  for (const Motion& motion : motions) {
+    KINETRI_PRECONDITION(is_finite(motion), "a motion has a number that is not finite");
+    points.emplace_back(motion, static_cast<Point_id>(points.size()));
+  }
+  vertices_.resize(points.size());
+  triangulation_ = build(points, start);
+  index_vertices();
+  schedule_all();
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> points,
+                                                     const Time& time) const -> Triangulation {
+  Triangulation result(Instantaneous_traits(Instant{time, Side::after}));
+  result.insert(points.begin(), points.end());
+  if (result.number_of_vertices() == points.size()) return result;
+  // CGAL keeps one vertex for points in one place. Points in one place just after a time are in one
+  // place for ever.
+  for (const Point_2& point : points) {
+    const Point_id kept = result.nearest_vertex(point)->point().id();
+    if (kept != point.id()) {
+      throw Coincident_trajectories_error(std::min(kept, point.id()), std::max(kept, point.id()));
+    }
+  }
+  throw Internal_error("a vertex is missing, but every point has one");
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::index_vertices() {
+  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
+    vertices_[v->point().id()] = v;
+  }
+}
+
+// ---- the present ----
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::vertex(Point_id id) const -> Vertex_handle {
+  KINETRI_PRECONDITION(id < vertices_.size(), "no point has this id");
+  return vertices_[id];
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::motion(Point_id id) const -> const Motion& {
+  return vertex(id)->point().motion();
+}
+
+template <KineticTraits_2 Traits>
+std::vector<Edge_ids> Kinetic_delaunay_triangulation_2<Traits>::finite_edge_ids() const {
+  std::vector<Edge_ids> result;
+  for (const Edge& edge : triangulation_.finite_edges()) result.push_back(ids_of(edge));
+  std::ranges::sort(result);
+  return result;
+}
+
+// ---- certificates ----
+
+// Previous hull vertex, the edge's own, and the next one, counterclockwise around the hull, for an
+// edge to the infinite vertex. In a face that lists (infinite, b, a) counterclockwise the hull
+// runs from a to b.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::hull_turn(const Edge& infinite_edge) const
+    -> std::array<Vertex_handle, 3> {
+  const auto& [face, i] = infinite_edge;
+  const Vertex_handle here = face->vertex(i);
+  const Vertex_handle there = triangulation_.tds().mirror_vertex(face, i);
+  const Vertex_handle left = face->vertex(Triangulation::cw(i));
+  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+  if (triangulation_.is_infinite(right)) return {here, left, there};
+  return {there, right, here};
+}
+
+template <KineticTraits_2 Traits>
+Edge_ids Kinetic_delaunay_triangulation_2<Traits>::ids_of(const Edge& edge) const {
+  const Vertex_handle a = edge.first->vertex(Triangulation::cw(edge.second));
+  const Vertex_handle b = edge.first->vertex(Triangulation::ccw(edge.second));
+  if (triangulation_.is_infinite(a)) return {b->point().id(), b->point().id()};
+  if (triangulation_.is_infinite(b)) return {a->point().id(), a->point().id()};
+  return edge_ids(a->point().id(), b->point().id());
+}
+
+// The failure of the certificate that says that the edge belongs to the triangulation.
+// Precondition: dimension 2.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::topological_failure(const Edge& edge,
+                                                                   const Time& after,
+                                                                   Traits& traits) const
+    -> std::optional<Failure> {
+  const auto failure = [](std::optional<Time> time, Event_kind kind) -> std::optional<Failure> {
+    if (!time) return std::nullopt;
+    return Failure{std::move(*time), kind};
+  };
+  if (triangulation_.is_infinite(edge)) {
+    const auto [previous, here, next] = hull_turn(edge);
+    return failure(
+        traits.orientation_failure_time(previous->point(), here->point(), next->point(), after),
+        Event_kind::hull_remove);
+  }
+  const Edge mirror = triangulation_.mirror_edge(edge);
+  const bool is_outside = triangulation_.is_infinite(edge.first);
+  const auto& [face, i] = is_outside ? mirror : edge;
+  const Point_2& apex = face->vertex(i)->point();
+  const Point_2& a = face->vertex(Triangulation::ccw(i))->point();
+  const Point_2& b = face->vertex(Triangulation::cw(i))->point();
+  if (is_outside || triangulation_.is_infinite(mirror.first)) {
+    return failure(traits.orientation_failure_time(a, b, apex, after), Event_kind::hull_insert);
+  }
+  const Point_2& opposite = mirror.first->vertex(mirror.second)->point();
+  return failure(traits.in_circle_failure_time(a, b, apex, opposite, after), Event_kind::flip);
+}
+
+// The earlier of the edge's two certificates: that it belongs to the triangulation, and that its
+// ends are apart. Points that come together share edges just before, so that watching edges finds
+// every coincidence.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::next_failure(const Edge& edge, const Time& after,
+                                                            Traits& traits) const
+    -> std::optional<Failure> {
+  std::optional<Failure> result;
+  if (triangulation_.dimension() == 2) result = topological_failure(edge, after, traits);
+  if (triangulation_.is_infinite(edge)) return result;
+  const Vertex_handle a = edge.first->vertex(Triangulation::cw(edge.second));
+  const Vertex_handle b = edge.first->vertex(Triangulation::ccw(edge.second));
+  std::optional<Time> meeting = traits.coincidence_time(a->point(), b->point(), after);
+  if (meeting && (!result || *meeting <= result->time)) {
+    result = Failure{std::move(*meeting), Event_kind::rebuild};
+  }
+  return result;
+}
+
+// ---- scheduling ----
+
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::Earlier::operator()(const Scheduled_event& a,
+                                                                   const Scheduled_event& b) const {
+  const auto order = a.time <=> b.time;
+  if (order != 0) return order < 0;
+  return std::tie(a.kind, a.ids) < std::tie(b.kind, b.ids);
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Edge& edge, Queue_handle handle) {
+  edge.first->set_event(edge.second, handle);
+  if (triangulation_.dimension() < 2) return;
+  const Edge mirror = triangulation_.mirror_edge(edge);
+  mirror.first->set_event(mirror.second, handle);
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Edge& edge) {
+  std::optional<Failure> failure = next_failure(edge, current_time_, traits_);
+  set_event(edge, failure
+                      ? queue_.push({std::move(failure->time), failure->kind, ids_of(edge), edge})
+                      : no_event);
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
+  if (triangulation_.dimension() < 1) return;
+  for (const Edge& edge : triangulation_.all_edges()) {
+    if (triangulation_.dimension() == 2 || !triangulation_.is_infinite(edge)) schedule(edge);
+  }
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Edge& edge) {
+  const Queue_handle handle = edge.first->event(edge.second);
+  if (handle == no_event) return;
+  queue_.erase(handle);
+  set_event(edge, no_event);
+}
+
+// ---- time ----
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() const -> std::optional<Time> {
+  if (queue_.empty()) return std::nullopt;
+  return queue_.top().time;
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::step() {
+  return queue_.empty() ? 0 : run_instant();
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& time) {
+  KINETRI_PRECONDITION(time >= current_time_, "time only advances");
+  std::size_t events = 0;
+  while (!queue_.empty() && queue_.top().time <= time) events += run_instant();
+  current_time_ = time;
+  triangulation_.geom_traits().set_instant({current_time_, Side::after});
+  return events;
+}
+
+// Executes every event of the next event time t. Each flip makes the triangulation more nearly
+// Delaunay just after t, and an edge that a flip leaves violated just after t has its event at t
+// itself; so the state is Delaunay just after t when no event at t is left. docs/MATH.md has the
+// argument, and why it ends.
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
+  const std::uint64_t before = counters_.number_of_events();
+  current_time_ = queue_.top().time;
+  triangulation_.geom_traits().set_instant({current_time_, Side::after});
+  do {
+    const Scheduled_event event = queue_.pop();
+    set_event(event.edge, no_event);
+    execute(event);
+  } while (!queue_.empty() && queue_.top().time == current_time_);
+  const std::uint64_t executed = counters_.number_of_events() - before;
+  ++counters_.instants;
+  counters_.largest_instant = std::max(counters_.largest_instant, executed);
+  return static_cast<std::size_t>(executed);
+}
+
+// ---- events ----
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::execute(const Scheduled_event& event) {
+  switch (event.kind) {
+    case Event_kind::flip:
+      return flip_edge(event);
+    case Event_kind::hull_insert:
+      return can_insert_into_hull(event.edge) ? flip_edge(event) : rebuild();
+    case Event_kind::hull_remove:
+      return can_remove_from_hull(event.edge) ? flip_edge(event) : rebuild();
+    default:
+      return rebuild();
+  }
+}
+
+// Whether the triangle at a hull edge, flat at this time, can be taken away: its apex lies between
+// the ends of the edge, and is no hull vertex yet. Otherwise several hull triangles went flat
+// together, possibly all of the triangulation.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(const Edge& hull_edge) const {
+  const Edge inside = triangulation_.is_infinite(hull_edge.first)
+                          ? triangulation_.mirror_edge(hull_edge)
+                          : hull_edge;
+  const auto& [face, i] = inside;
+  const Vertex_handle apex = face->vertex(i);
+  if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
+  const Instantaneous_traits now(Instant{current_time_, Side::at});
+  return now.collinear_are_strictly_ordered_along_line_2_object()(
+      face->vertex(Triangulation::cw(i))->point(), apex->point(),
+      face->vertex(Triangulation::ccw(i))->point());
+}
+
+// Whether a hull vertex, at this time collinear with its two hull neighbors, can be covered by the
+// edge between them: it lies between them, and they are not neighbors already. Otherwise the whole
+// hull went flat.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::can_remove_from_hull(
+    const Edge& infinite_edge) const {
+  const auto [previous, here, next] = hull_turn(infinite_edge);
+  if (triangulation_.is_edge(previous, next)) return false;
+  const Instantaneous_traits now(Instant{current_time_, Side::at});
+  return now.collinear_are_strictly_ordered_along_line_2_object()(previous->point(), here->point(),
+                                                                  next->point());
+}
+
+// Reports `event` to the observers around `change`, which makes it happen.
+template <KineticTraits_2 Traits>
+template <class Change>
+void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event, Change change) {
+  event.number = counters_.number_of_events();
+  for (Observer* observer : observers_) observer->before_event(event);
+  change();
+  ++counters_.events[static_cast<std::size_t>(event.kind)];
+  for (Observer* observer : observers_) observer->after_event(event);
+}
+
+// Flips the event's edge, finite or infinite:
+//
+//         c                  c
+//       / | \              /   \           The four outer edges keep their place but get a new
+//      a  |  b    ==>     a --- b          opposite vertex, and the diagonal is new: five
+//       \ | /              \   /           certificates are made anew.
+//         d                  d
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Scheduled_event& event) {
+  const Face_handle face = event.edge.first;
+  const int i = event.edge.second;
+  const Face_handle neighbor = face->neighbor(i);
+  const int j = triangulation_.tds().mirror_index(face, i);
+  const auto finite_ids = [this](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
+    if (triangulation_.is_infinite(a) || triangulation_.is_infinite(b)) return std::nullopt;
+    return edge_ids(a->point().id(), b->point().id());
+  };
+
+  Event<Time> done;
+  done.kind = event.kind;
+  done.time = current_time_;
+  done.removed =
+      finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
+  done.added = finite_ids(face->vertex(i), neighbor->vertex(j));
+  report(std::move(done), [&] {
+    for (const Edge& outer :
+         {Edge(face, Triangulation::cw(i)), Edge(face, Triangulation::ccw(i)),
+          Edge(neighbor, Triangulation::cw(j)), Edge(neighbor, Triangulation::ccw(j))}) {
+      unschedule(outer);
+    }
+    triangulation_.tds().flip(face, i);
+    // CGAL keeps the two faces and leaves `neighbor` as the one across the new edge.
+    const int diagonal = face->index(neighbor);
+    const int mirror = neighbor->index(face);
+    for (const Edge& outer :
+         {Edge(face, diagonal), Edge(face, Triangulation::cw(diagonal)),
+          Edge(face, Triangulation::ccw(diagonal)), Edge(neighbor, Triangulation::cw(mirror)),
+          Edge(neighbor, Triangulation::ccw(mirror))}) {
+      schedule(outer);
+    }
+  });
+}
+
+// Reconstructs the triangulation just after the present time and reports the difference. Right at
+// any instant, however degenerate.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::rebuild() {
+  const std::vector<Edge_ids> before = finite_edge_ids();
+  std::vector<Point_2> points;
+  points.reserve(vertices_.size());
+  for (const Vertex_handle v : vertices_) points.push_back(v->point());
+  queue_.clear();
+  ++counters_.rebuilds;
+
+  Triangulation rebuilt = build(points, current_time_);
+  std::vector<Edge_ids> after;
+  for (const Edge& edge : rebuilt.finite_edges()) {
+    after.push_back(edge_ids(edge.first->vertex(Triangulation::cw(edge.second))->point().id(),
+                             edge.first->vertex(Triangulation::ccw(edge.second))->point().id()));
+  }
+  std::ranges::sort(after);
+
+  std::vector<Edge_ids> removed;
+  std::vector<Edge_ids> added;
+  std::ranges::set_difference(before, after, std::back_inserter(removed));
+  std::ranges::set_difference(after, before, std::back_inserter(added));
+
+  Event<Time> change;
+  change.kind = Event_kind::rebuild;
+  change.time = current_time_;
+  for (const Edge_ids& edge : removed) {
+    change.removed = edge;
+    report(change, [] {});
+  }
+  triangulation_.swap(rebuilt);
+  index_vertices();
+  schedule_all();
+  change.removed.reset();
+  for (const Edge_ids& edge : added) {
+    change.added = edge;
+    report(change, [] {});
+  }
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H

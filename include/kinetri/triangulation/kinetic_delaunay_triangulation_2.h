@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The kinetic Delaunay triangulation: a CGAL::Delaunay_triangulation_2 of moving points that is
+// kept right through time. This class owns the triangulation, the event queue, and the invariant
+// that joins them:
+//
+//   between two calls of a public function the triangulation is Delaunay just after current_time(),
+//   and each edge whose certificate ever fails again has exactly one event in the queue, at the
+//   exact time of that failure.
+//
+// One event's way through the code: `step` takes it from the queue; `execute` looks at its kind;
+// `flip_edge` flips and calls `schedule` for the five edges whose quadrilateral has changed;
+// `schedule` asks `next_failure` for the certificate's failure time, which the kinetic traits
+// compute, and pushes the new event.
+#ifndef KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
+#define KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
+
+#include <CGAL/Delaunay_triangulation_2.h>
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinetri/base/error.h"
+#include "kinetri/base/ids.h"
+#include "kinetri/events/event.h"
+#include "kinetri/events/indexed_queue.h"
+#include "kinetri/kinetic/linear_kinetic_traits_2.h"
+#include "kinetri/triangulation/audit.h"
+#include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
+
+namespace kinetri {
+
+namespace detail {
+
+template <class KineticTriangulation>
+class Auditor;
+
+}  // namespace detail
+
+/// Counts of what the triangulation has done so far.
+struct Triangulation_counters {
+  std::array<std::uint64_t, event_kinds> events = {};  ///< by Event_kind
+  std::uint64_t instants = 0;         ///< distinct times at which something happened
+  std::uint64_t largest_instant = 0;  ///< the most events at one time
+  std::uint64_t rebuilds = 0;         ///< reconstructions at a degenerate instant
+
+  std::uint64_t number_of_events() const;
+};
+
+/// The Delaunay triangulation of moving points, exact at every time.
+///
+/// Copies are not made: handles and observers belong to one object.
+template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
+class Kinetic_delaunay_triangulation_2 {
+ public:
+  using Motion = typename Traits::Motion;
+  using Point_2 = typename Traits::Point_2;
+  using Time = typename Traits::Time;
+  using Instantaneous_traits = typename Traits::Instantaneous_traits;
+  using Triangulation =
+      CGAL::Delaunay_triangulation_2<Instantaneous_traits,
+                                     Kinetic_triangulation_data_structure_2<Instantaneous_traits>>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+  using Edge = typename Triangulation::Edge;
+  using Observer = Event_observer<Time>;
+
+  /// The triangulation of the motions in [first, last), numbered from 0, Delaunay just after
+  /// `start`. The input may be degenerate at `start` and at every other time: any number of points,
+  /// collinear, cocircular, or in one place as long as they part.
+  ///
+  /// Throws Coincident_trajectories_error if two motions are the same trajectory, and
+  /// Precondition_error if a number is not finite or there are 2^32 - 1 points or more.
+  /// Cost: expected O(n log n) exact predicates and O(n) failure times.
+  template <class InputIterator>
+  Kinetic_delaunay_triangulation_2(InputIterator first, InputIterator last,
+                                   const Time& start = Time(), const Traits& traits = Traits())
+      : Kinetic_delaunay_triangulation_2(std::vector<Motion>(first, last), start, traits) {}
+
+  explicit Kinetic_delaunay_triangulation_2(const std::vector<Motion>& motions,
+                                            const Time& start = Time(),
+                                            const Traits& traits = Traits());
+
+  Kinetic_delaunay_triangulation_2(const Kinetic_delaunay_triangulation_2&) = delete;
+  Kinetic_delaunay_triangulation_2& operator=(const Kinetic_delaunay_triangulation_2&) = delete;
+
+  // ---- the present ----
+
+  /// The time just after which the triangulation is Delaunay now.
+  const Time& current_time() const { return current_time_; }
+
+  /// The triangulation. Its predicates are those of the instant just after current_time(), so that
+  /// CGAL's queries (locate, nearest_vertex, dual, ...) are about the points as they stand then. It
+  /// is the object itself, valid until the next call that advances time.
+  const Triangulation& triangulation() const { return triangulation_; }
+
+  std::size_t number_of_points() const noexcept { return vertices_.size(); }
+
+  /// The vertex of the point `id`; the same until a rebuild. Precondition: id < number_of_points().
+  Vertex_handle vertex(Point_id id) const;
+
+  /// The motion of the point `id`. Precondition: id < number_of_points().
+  const Motion& motion(Point_id id) const;
+
+  /// The ids of the ends of all finite edges, sorted. O(n log n).
+  std::vector<Edge_ids> finite_edge_ids() const;
+
+  // ---- time ----
+
+  /// The time of the next event; none if the triangulation never changes again. O(1).
+  std::optional<Time> next_event_time() const;
+
+  /// Goes to next_event_time() and executes all events of that time, so that the triangulation is
+  /// Delaunay just after it. Returns their number; 0 if there is no next event.
+  std::size_t step();
+
+  /// Goes to `time`: every event at or before it has happened, and current_time() is `time`.
+  /// Returns the number of events. Precondition: time >= current_time().
+  std::size_t advance_to(const Time& time);
+
+  // ---- watching ----
+
+  /// Calls `observer` before and after each event from now on. It must outlive this object or be
+  /// removed. Costs nothing where there is none.
+  void add_observer(Observer& observer) { observers_.push_back(&observer); }
+  void remove_observer(Observer& observer) { std::erase(observers_, &observer); }
+
+  const Triangulation_counters& counters() const { return counters_; }
+  const Queue_counters& queue_counters() const { return queue_.counters(); }
+  Certificate_counters certificate_counters() const { return traits_.counters(); }
+
+  /// Checks the present state up to `level`; see Audit_level. Costs from O(n) link checks to O(n)
+  /// failure times. Changes nothing.
+  Audit_report audit(Audit_level level) const;
+
+ private:
+  friend class detail::Auditor<Kinetic_delaunay_triangulation_2>;
+
+  /// The failure of one edge's certificate, as the queue holds it. For `rebuild` the ends of the
+  /// edge coincide at that time.
+  struct Scheduled_event {
+    Time time;
+    Event_kind kind = Event_kind::flip;
+    Edge_ids ids = {};  // the finite end twice for an edge to the infinite vertex
+    Edge edge;          // either of its two faces
+  };
+
+  /// By exact time, then kind, then ids: a total order on the events of a queue.
+  struct Earlier {
+    bool operator()(const Scheduled_event& a, const Scheduled_event& b) const;
+  };
+
+  struct Failure {
+    Time time;
+    Event_kind kind;
+  };
+
+  // Construction.
+  Triangulation build(std::span<const Point_2> points, const Time& time) const;
+  void index_vertices();
+
+  // Certificates.
+  std::optional<Failure> next_failure(const Edge& edge, const Time& after, Traits& traits) const;
+  std::optional<Failure> topological_failure(const Edge& edge, const Time& after,
+                                             Traits& traits) const;
+  std::array<Vertex_handle, 3> hull_turn(const Edge& infinite_edge) const;
+  Edge_ids ids_of(const Edge& edge) const;
+  void schedule(const Edge& edge);
+  void schedule_all();
+  void unschedule(const Edge& edge);
+  void set_event(const Edge& edge, Queue_handle handle);
+
+  // Events.
+  std::size_t run_instant();
+  void execute(const Scheduled_event& event);
+  bool can_insert_into_hull(const Edge& hull_edge) const;
+  bool can_remove_from_hull(const Edge& infinite_edge) const;
+  void flip_edge(const Scheduled_event& event);
+  void rebuild();
+  template <class Change>
+  void report(Event<Time> event, Change change);
+
+  Traits traits_;
+  Time current_time_;
+  Triangulation triangulation_;
+  std::vector<Vertex_handle> vertices_;  // by point id
+  Indexed_queue<Scheduled_event, Earlier> queue_;
+  std::vector<Observer*> observers_;
+  Triangulation_counters counters_;
+};
+
+extern template class Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>;
+
+}  // namespace kinetri
+
+#endif  // KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The combinatorial triangulation under the kinetic one: CGAL's data structure with faces that
+// remember, for each of their edges, the event scheduled for it.
+#ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_DATA_STRUCTURE_2_H
+#define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_DATA_STRUCTURE_2_H
+
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_ds_face_base_2.h>
+#include <CGAL/Triangulation_face_base_2.h>
+#include <CGAL/Triangulation_vertex_base_2.h>
+
+#include <array>
+
+#include "kinetri/events/indexed_queue.h"
+
+namespace kinetri {
+
+/// A face with one queue handle for each edge; edge i is the one opposite vertex i. The two faces
+/// at an edge hold the same handle.
+template <class InstantaneousTraits,
+          class FaceBase = CGAL::Triangulation_face_base_2<InstantaneousTraits>>
+class Kinetic_face_base_2 : public FaceBase {
+ public:
+  using Vertex_handle = typename FaceBase::Vertex_handle;
+  using Face_handle = typename FaceBase::Face_handle;
+
+  template <class Tds2>
+  struct Rebind_TDS {
+    using Other = Kinetic_face_base_2<InstantaneousTraits,
+                                      typename FaceBase::template Rebind_TDS<Tds2>::Other>;
+  };
+
+  using FaceBase::FaceBase;
+
+  Queue_handle event(int i) const { return events_[static_cast<std::size_t>(i)]; }
+  void set_event(int i, Queue_handle event) { events_[static_cast<std::size_t>(i)] = event; }
+
+ private:
+  std::array<Queue_handle, 3> events_ = {no_event, no_event, no_event};
+};
+
+template <class InstantaneousTraits>
+using Kinetic_triangulation_data_structure_2 =
+    CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<InstantaneousTraits>,
+                                         Kinetic_face_base_2<InstantaneousTraits>>;
+
+}  // namespace kinetri
+
+#endif  // KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_DATA_STRUCTURE_2_H

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks what every file of the project must have: its licence in the first lines, an include guard
+named after its path, no path of anybody's machine, no tab, no space at the end of a line, and a
+newline at the end.
+
+usage: check_sources.py [ROOT]
+
+Prints `FILE:LINE: what is wrong` for each violation; exit code 1 if there are any.
+"""
+import pathlib
+import re
+import sys
+
+LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
+LICENCE_LINES = 3
+
+# Files that are checked, by suffix or by name.
+SUFFIXES = {".h", ".cpp", ".cmake", ".in", ".py", ".sh", ".md", ".json", ".yml", ".yaml"}
+NAMES = {"CMakeLists.txt", ".clang-format", ".gitignore", "run"}
+# Folders that are not ours to check: what is built, what is hidden, and data that tests read.
+SKIPPED_FOLDERS = re.compile(r"^(build.*|out|data|corpus|__pycache__|\..*)$")
+CHECKED_HIDDEN_FOLDERS = {".ci"}
+# Formats without comments.
+WITHOUT_LICENCE = {".json", ".gitignore", ".clang-format"}
+
+# A home directory, or a directory that a build machine works in.
+MACHINE_PATH = re.compile(r"(?<![\w.$}~])/(?:home|Users|root|work|workspace|builds|mnt)/[\w.-]+")
+
+
+def files(root):
+    """The files to check, relative to the root, in order."""
+    for entry in sorted(root.iterdir()):
+        if entry.is_dir():
+            if entry.name in CHECKED_HIDDEN_FOLDERS or not SKIPPED_FOLDERS.match(entry.name):
+                yield from files(entry)
+        elif entry.suffix in SUFFIXES or entry.name in NAMES:
+            yield entry
+
+
+def expected_guard(path):
+    """The include guard of a public header, KINETRI_LAYER_NAME_H."""
+    return "_".join(re.sub(r"[^A-Za-z0-9]", "_", part) for part in path.parts[1:]).upper()
+
+
+def problems(path, text):
+    """(line, what is wrong) for each violation of the file `path`, relative to the root."""
+    lines = text.splitlines()
+    kind = path.name if path.name.startswith(".") else path.suffix
+    if kind not in WITHOUT_LICENCE and not any(LICENCE in line for line in lines[:LICENCE_LINES]):
+        yield 1, f"no licence; expected `{LICENCE}` in the first {LICENCE_LINES} lines"
+    if path.suffix == ".h" and path.parts[0] == "include":
+        guard = expected_guard(path)
+        if f"#ifndef {guard}" not in lines or f"#define {guard}" not in lines:
+            yield 1, f"no include guard {guard}"
+    for number, line in enumerate(lines, 1):
+        if MACHINE_PATH.search(line):
+            yield number, "a path of one machine: " + MACHINE_PATH.search(line).group()
+        if "\t" in line:
+            yield number, "a tab"
+        if line != line.rstrip():
+            yield number, "space at the end of the line"
+    if not text.endswith("\n"):
+        yield len(lines), "no newline at the end"
+
+
+def check(root):
+    """(number of files looked at, the violations) below `root`."""
+    root = root.resolve()
+    violations = []
+    count = 0
+    for file in files(root):
+        count += 1
+        path = file.relative_to(root)
+        for line, problem in problems(path, file.read_text(encoding="utf-8")):
+            violations.append(f"{path}:{line}: {problem}")
+    return count, violations
+
+
+def main():
+    if len(sys.argv) > 2 or sys.argv[1:2] in (["-h"], ["--help"]):
+        sys.exit(__doc__)
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[1])
+    count, violations = check(root)
+    for violation in violations:
+        print(violation)
+    if count == 0:
+        print(f"{root}: no source files found")
+    elif not violations:
+        print(f"sources: ok ({count} files)")
+    return 0 if count and not violations else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,127 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# What scripts/demo.sh and scripts/test.sh have in common: the packages they need, and the calls of
+# CMake. Source it for its functions, or run it to install what is missing:
+#
+#   scripts/setup.sh demo|test
+
+kinetri_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+
+kinetri_say() { printf '%s\n' "$*"; }
+
+kinetri_fail() {
+  printf 'error: %s\n' "$*" >&2
+  exit 1
+}
+
+# kinetri_packages demo|test: the Debian packages needed, as `package` or, where a program that came
+# from elsewhere will do as well, `package=program`.
+kinetri_packages() {
+  printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libfmt-dev libgmp-dev \
+    libmpfr-dev nlohmann-json3-dev
+  # Either build tool will do; Ninja is the one to install.
+  command -v make >/dev/null || printf '%s\n' ninja-build=ninja
+  if [[ $1 == test ]]; then
+    printf '%s\n' libgtest-dev librapidcheck-dev pkg-config=pkg-config python3=python3
+  fi
+}
+
+# kinetri_missing demo|test: those of them that are not there, one a line.
+kinetri_missing() {
+  local entry package program
+  while IFS= read -r entry; do
+    package=${entry%%=*}
+    program=${entry#"$package"}
+    program=${program#=}
+    if [[ -n $program ]] && command -v "$program" >/dev/null; then continue; fi
+    if [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
+      printf '%s\n' "$package"
+    fi
+  done < <(kinetri_packages "$1")
+}
+
+# kinetri_setup demo|test: installs the missing packages. Silent if there are none.
+kinetri_setup() {
+  local missing
+  if ! command -v dpkg-query >/dev/null; then
+    kinetri_say "This is not a Debian system, so packages are not checked. Needed, by their Debian names:"
+    kinetri_say "  $(kinetri_packages "$1" | sed 's/=.*//' | tr '\n' ' ')"
+    return
+  fi
+  mapfile -t missing < <(kinetri_missing "$1")
+  if ((${#missing[@]} == 0)); then return; fi
+  kinetri_say "Missing packages: ${missing[*]}"
+  if ((EUID != 0)); then
+    kinetri_say "Install them, then run this again:" >&2
+    kinetri_say "  sudo apt-get install -y ${missing[*]}" >&2
+    exit 1
+  fi
+  kinetri_say "Installing them with apt-get ..."
+  local options=(-qq -o DPkg::Lock::Timeout=300)
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get "${options[@]}" update </dev/null || kinetri_fail "apt-get update failed"
+  apt-get "${options[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >/dev/null ||
+    kinetri_fail "apt-get install failed; try: apt-get install -y ${missing[*]}"
+}
+
+# kinetri_jobs: how many compilers to run at once: one a processor, but a gigabyte and a half of
+# free memory for each. KINETRI_JOBS overrides it.
+kinetri_jobs() {
+  if [[ -n ${KINETRI_JOBS:-} ]]; then
+    printf '%s\n' "$KINETRI_JOBS"
+    return
+  fi
+  local processors by_memory
+  processors=$(nproc)
+  by_memory=$(awk '/^MemAvailable:/ { print int($2 / 1500000) }' /proc/meminfo 2>/dev/null)
+  if [[ -n $by_memory ]] && ((by_memory < processors)); then processors=$by_memory; fi
+  printf '%s\n' $((processors < 1 ? 1 : processors))
+}
+
+# kinetri_quietly WHAT LOG COMMAND...: runs the command with its output in the file LOG. If it fails,
+# shows the errors in there, or the end where none is to be recognized, and exits.
+kinetri_quietly() {
+  local what=$1 log=$2
+  shift 2
+  if ! "$@" >"$log" 2>&1 </dev/null; then
+    grep -E -m 20 -A 3 '(^|[^a-z])([Ee]rror|FAILED|undefined reference)\b' "$log" >&2 ||
+      tail -n 60 "$log" >&2
+    kinetri_fail "$what failed; all of its output is in $log"
+  fi
+}
+
+# kinetri_build DIR PRESET [CMAKE_OPTION...]: configures DIR by the preset and builds everything.
+# Shows Ninja's status line on a terminal, nothing else unless it fails.
+kinetri_build() {
+  local dir=$1 preset=$2 configure=() launcher=
+  shift 2
+  mkdir -p "$dir"
+  if command -v ccache >/dev/null; then launcher=ccache; fi
+  configure=(cmake -S "$kinetri_root" --preset "$preset" -B "$dir"
+    "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher" "$@")
+  if [[ ! -f $dir/CMakeCache.txt ]]; then
+    if command -v ninja >/dev/null; then configure+=(-G Ninja); fi
+  elif ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$kinetri_root" "$dir/CMakeCache.txt"; then
+    configure+=(--fresh)  # The tree was moved or copied.
+  fi
+  # Presets are looked for in the current directory.
+  (cd "$kinetri_root" && kinetri_quietly "configuring" "$dir/configure.log" "${configure[@]}") ||
+    exit 1
+  kinetri_say "Building in $dir ..."
+  local build=(cmake --build "$dir" --parallel "$(kinetri_jobs)")
+  if [[ -t 1 && -f $dir/build.ninja ]]; then
+    "${build[@]}" || kinetri_fail "building failed"
+  else
+    kinetri_quietly "building" "$dir/build.log" "${build[@]}"
+  fi
+}
+
+if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
+  set -euo pipefail
+  if [[ $# -ne 1 || ! $1 =~ ^(demo|test)$ ]]; then
+    printf 'usage: %s demo|test\nInstalls the Debian packages that are missing.\n' "$0" >&2
+    exit 2
+  fi
+  kinetri_setup "$1"
+fi

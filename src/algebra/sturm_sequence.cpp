@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sturm sequences: construction, sign changes and counts.
+#include "kinetri/algebra/sturm_sequence.h"
+
+#include <utility>
+
+#include "kinetri/base/check.h"
+
+namespace kinetri {
+namespace {
+
+// The number of sign changes in a sequence, zeros ignored; `sign_of` gives the sign of a term.
+template <class Sign_of>
+int sign_changes(const std::vector<Polynomial>& terms, const Sign_of& sign_of) {
+  int changes = 0;
+  Sign previous = CGAL::ZERO;
+  for (const Polynomial& term : terms) {
+    const Sign present = sign_of(term);
+    if (present == CGAL::ZERO) continue;
+    if (previous != CGAL::ZERO && present != previous) ++changes;
+    previous = present;
+  }
+  return changes;
+}
+
+}  // namespace
+
+Sturm_sequence::Sturm_sequence(const Polynomial& f) : g_{1} {
+  build(f, derivative(f));
+}
+
+Sturm_sequence::Sturm_sequence(const Polynomial& f, const Polynomial& g) : g_(g) {
+  build(f, derivative(f) * g);
+}
+
+void Sturm_sequence::build(const Polynomial& first, const Polynomial& second) {
+  KINETRI_PRECONDITION(!first.is_zero(), "the zero polynomial has no Sturm sequence");
+  terms_.push_back(primitive_part(first));
+  Polynomial next = primitive_part(second);
+  while (!next.is_zero()) {
+    terms_.push_back(std::move(next));
+    const Polynomial& divisor = terms_.back();
+    if (divisor.degree() == 0) break;
+    next = primitive_part(-positive_pseudo_remainder(terms_[terms_.size() - 2], divisor));
+  }
+  const Polynomial& last = terms_.back();
+  if (last.degree() == 0) return;
+  quotients_.reserve(terms_.size());
+  for (const Polynomial& term : terms_) quotients_.push_back(exact_quotient(term, last));
+}
+
+const std::vector<Polynomial>& Sturm_sequence::counted() const {
+  return quotients_.empty() ? terms_ : quotients_;
+}
+
+int Sturm_sequence::sign_changes_at(const Rational& t) const {
+  return sign_changes(counted(), [&](const Polynomial& term) { return term.sign_at(t); });
+}
+
+int Sturm_sequence::sign_changes_at_minus_infinity() const {
+  return sign_changes(terms_, [](const Polynomial& p) { return p.sign_at_minus_infinity(); });
+}
+
+int Sturm_sequence::sign_changes_at_plus_infinity() const {
+  return sign_changes(terms_, [](const Polynomial& p) { return p.sign_at_plus_infinity(); });
+}
+
+// What a root of f at `t` adds to the Tarski query; 0 where `t` is not a root.
+int Sturm_sequence::tarski_contribution_at(const Rational& t) const {
+  return terms_.front().sign_at(t) == CGAL::ZERO ? static_cast<int>(g_.sign_at(t)) : 0;
+}
+
+int Sturm_sequence::count(const std::optional<Interval_end>& lower,
+                          const std::optional<Interval_end>& upper) const {
+  if (lower && upper) {
+    KINETRI_PRECONDITION(lower->value <= upper->value, "the ends of an interval are in order");
+    if (lower->value == upper->value) {
+      return lower->included && upper->included ? tarski_contribution_at(lower->value) : 0;
+    }
+  }
+  int result = lower ? sign_changes_at(lower->value) : sign_changes_at_minus_infinity();
+  result -= upper ? sign_changes_at(upper->value) : sign_changes_at_plus_infinity();
+
+  // A root of f where g > 0 takes one sign change away, and has it away at the root already: as an
+  // end it is counted as if it were just to the left, so the count is that of ( , ]. A root where g
+  // < 0 adds one, just to the right of the root, and the count there is that of [ , ).
+  if (lower) {
+    const int root = tarski_contribution_at(lower->value);
+    if (root > 0 && lower->included) ++result;
+    if (root < 0 && !lower->included) ++result;
+  }
+  if (upper) {
+    const int root = tarski_contribution_at(upper->value);
+    if (root > 0 && !upper->included) --result;
+    if (root < 0 && upper->included) --result;
+  }
+  return result;
+}
+
+}  // namespace kinetri

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/kinetic/certificate_polynomials.h"
+
+#include "kinetri/base/check.h"
+
+namespace kinetri {
+namespace {
+
+// The vector from one point to another, in homogeneous coordinates.
+struct Vector {
+  Polynomial x;
+  Polynomial y;
+  Polynomial w;
+};
+
+bool is_one(const Polynomial& w) {
+  return w.degree() == 0 && w[0] == 1;
+}
+
+// Products with a denominator: denominators are 1 for linear motion, and then cost nothing.
+Polynomial times(const Polynomial& a, const Polynomial& w) {
+  return is_one(w) ? a : a * w;
+}
+
+Vector difference(const Trajectory_2& to, const Trajectory_2& from) {
+  return {times(to.x, from.w) - times(from.x, to.w), times(to.y, from.w) - times(from.y, to.w),
+          times(to.w, from.w)};
+}
+
+Polynomial cross(const Vector& a, const Vector& b) {
+  return a.x * b.y - a.y * b.x;
+}
+Polynomial dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y;
+}
+Polynomial squared_length(const Vector& a) {
+  return dot(a, a);
+}
+
+}  // namespace
+
+Polynomial x_difference(const Moving_point_2& p, const Moving_point_2& q) {
+  const auto [a, b] = common_trajectories<2>({&p, &q});
+  const Vector v = difference(a, b);
+  return times(v.x, v.w);
+}
+
+Polynomial y_difference(const Moving_point_2& p, const Moving_point_2& q) {
+  const auto [a, b] = common_trajectories<2>({&p, &q});
+  const Vector v = difference(a, b);
+  return times(v.y, v.w);
+}
+
+Polynomial orientation_polynomial(const Moving_point_2& p, const Moving_point_2& q,
+                                  const Moving_point_2& r) {
+  const auto [a, b, c] = common_trajectories<3>({&p, &q, &r});
+  const Vector u = difference(b, a);
+  const Vector v = difference(c, a);
+  return times(times(cross(u, v), u.w), v.w);
+}
+
+Polynomial in_circle_polynomial(const Moving_point_2& p, const Moving_point_2& q,
+                                const Moving_point_2& r, const Moving_point_2& s) {
+  const auto [a, b, c, d] = common_trajectories<4>({&p, &q, &r, &s});
+  const Vector u = difference(a, d);
+  const Vector v = difference(b, d);
+  const Vector w = difference(c, d);
+  // With row i times w_i^2 (a positive factor) the columns are x w, y w and x^2 + y^2, so that each
+  // cofactor carries the product of its two denominators.
+  return squared_length(u) * times(times(cross(v, w), v.w), w.w) +
+         squared_length(v) * times(times(cross(w, u), w.w), u.w) +
+         squared_length(w) * times(times(cross(u, v), u.w), v.w);
+}
+
+Polynomial distance_difference(const Moving_point_2& p, const Moving_point_2& q,
+                               const Moving_point_2& r) {
+  const auto [a, b, c] = common_trajectories<3>({&p, &q, &r});
+  // |q-p|^2 / (wq wp)^2 - |r-p|^2 / (wr wp)^2, times the positive (wp wq wr)^2.
+  const Polynomial to_q = squared_length(difference(b, a));
+  const Polynomial to_r = squared_length(difference(c, a));
+  return times(times(to_q, c.w), c.w) - times(times(to_r, b.w), b.w);
+}
+
+Polynomial scalar_product_polynomial(const Moving_point_2& p, const Moving_point_2& q,
+                                     const Moving_point_2& r) {
+  const auto [a, b, c] = common_trajectories<3>({&p, &q, &r});
+  const Vector u = difference(a, b);
+  const Vector v = difference(c, b);
+  return times(times(dot(u, v), u.w), v.w);
+}
+
+Trajectory_2 circumcenter_trajectory(const Moving_point_2& p, const Moving_point_2& q,
+                                     const Moving_point_2& r) {
+  const Trajectory_2 a = p.trajectory();
+  const Vector u = difference(q.trajectory(), a);
+  const Vector v = difference(r.trajectory(), a);
+  // center - p = (v.y |u|^2 - u.y |v|^2, u.x |v|^2 - v.x |u|^2) / (2 cross(u, v)) with u and v
+  // divided by their denominators; here everything is multiplied by (u.w v.w)^2.
+  const Polynomial uu = times(squared_length(u), v.w);
+  const Polynomial vv = times(squared_length(v), u.w);
+  const Polynomial denominator = times(times(cross(u, v), u.w), v.w) * Integer(2);
+  KINETRI_PRECONDITION(!denominator.is_zero(),
+                       "three points that stay collinear have no circumcenter");
+  return {times(a.x, denominator) + times(v.y * uu - u.y * vv, a.w),
+          times(a.y, denominator) + times(u.x * vv - v.x * uu, a.w), times(a.w, denominator)};
+}
+
+}  // namespace kinetri

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The audits are compiled on their own: their static triangulation is most of the compile time.
+#include "kinetri/triangulation/detail/audit_impl.h"
+
+namespace kinetri {
+
+template Audit_report Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>::audit(
+    Audit_level level) const;
+
+}  // namespace kinetri

@@ -1,0 +1,654 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Algebraic numbers: order, approximation, signs of polynomials at them. The numbers are a +
+// sqrt(c) and rationals in disguise, so that 6000 bits of each are known, and equality by
+// construction.
+#include "kinetri/algebra/algebraic_number.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "../support/random_polynomials.h"
+#include "kinetri/algebra/sturm_sequence.h"
+#include "kinetri/base/error.h"
+
+namespace kinetri {
+namespace {
+
+using test::Known_polynomial;
+using test::Known_root;
+using test::Random;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double smallest = std::numeric_limits<double>::denorm_min();
+
+Rational two_to(long exponent) {
+  return scaled_by_power_of_two(1, exponent);
+}
+
+// A number and what is known about it.
+struct Specimen {
+  Algebraic_number number;
+  Known_root truth;
+};
+
+// The position of the root a + sqrt(c), or of the rational a where c is zero.
+struct Value {
+  Rational a;
+  Rational c;
+};
+
+void add_to(Known_polynomial& p, const Value& v) {
+  if (v.c.is_zero()) {
+    p.add_rational(v.a, 1);
+  } else {
+    p.add_irrational_pair(v.a, v.c, 1);
+  }
+}
+
+// The number `v` as a root of a random polynomial, or as a plain rational.
+Specimen make_specimen(const Value& v, const std::vector<Value>& others, Random& random) {
+  Known_polynomial p(random.coin() ? 1 : -3);
+  add_to(p, v);
+  const bool plain = v.c.is_zero() && random.integer(0, 2) == 0;
+  if (!plain) {
+    for (long i = random.integer(v.c.is_zero() ? 1 : 0, 2); i > 0; --i) {
+      add_to(p, random.pick(others));
+    }
+    if (p.degree() == 1 || random.coin()) p.add_rootless(random.integer(-2, 2), 1, 1);
+  }
+  const Big_float value =
+      v.c.is_zero() ? test::oracle_value(v.a) : test::oracle_value(v.a, v.c, true);
+  for (const Known_root& root : p.roots()) {
+    if (root.value != value) continue;
+    if (plain) return {Algebraic_number(v.a), root};
+    return {test::isolated_root(p, root, random), root};
+  }
+  throw Internal_error("the polynomial lacks the root that it was given");
+}
+
+// Equal, far and nearly equal numbers of either sign.
+std::vector<Value> some_values() {
+  std::vector<Value> result;
+  const Rational tiny = two_to(-250);
+  for (const Value& v :
+       {Value{0, 0}, Value{Rational(1, 3), 0}, Value{to_rational(0.1), 0}, Value{1, 2},
+        Value{-4, 3}, Value{0, 2}, Value{-3, 2}, Value{Rational(-22, 7), 0}, Value{5, 0}}) {
+    result.push_back(v);
+    result.push_back({v.a + tiny, v.c});
+    if (!v.c.is_zero()) result.push_back({v.a, v.c * (1 + tiny)});
+  }
+  result.push_back({Rational(1, 10), 0});
+  result.push_back({0, two_to(-400) * 5});
+  return result;
+}
+
+Comparison_result order_of(const Known_root& a, const Known_root& b) {
+  const int order = mpfr_cmp(a.value.backend().data(), b.value.backend().data());
+  return order < 0 ? CGAL::SMALLER : order > 0 ? CGAL::LARGER : CGAL::EQUAL;
+}
+
+// --- Construction
+// ---------------------------------------------------------------------------------
+
+TEST(AlgebraicNumber, DefaultIsZeroAndRationalsAreKnownAsSuch) {
+  const Algebraic_number zero;
+  EXPECT_TRUE(zero.is_known_rational());
+  EXPECT_EQ(zero.rational(), Rational(0));
+  EXPECT_EQ(zero.interval(), (Double_interval{0.0, 0.0}));
+
+  const Algebraic_number third(Rational(1, 3));
+  EXPECT_EQ(third.rational(), Rational(1, 3));
+  EXPECT_EQ(third.lower(), Rational(1, 3));
+  EXPECT_EQ(third.upper(), Rational(1, 3));
+  EXPECT_EQ(third.polynomial(), (Polynomial{-1, 3}));
+  EXPECT_EQ(third.interval(), to_interval(Rational(1, 3)));
+
+  const Algebraic_number tenth(0.1);
+  EXPECT_EQ(tenth.rational(), to_rational(0.1));
+  EXPECT_EQ(tenth.interval(), (Double_interval{0.1, 0.1}));
+}
+
+TEST(AlgebraicNumber, RootOfALineIsKnownToBeRational) {
+  const Algebraic_number root(Polynomial{-2, 6}, 0, 1);
+  EXPECT_TRUE(root.is_known_rational());
+  EXPECT_EQ(root.rational(), Rational(1, 3));
+}
+
+TEST(AlgebraicNumber, RootKeepsPrimitivePolynomialAndIsolatingInterval) {
+  const Algebraic_number root(Polynomial{-4, 0, 2}, Rational(4, 3), Rational(3, 2));
+  EXPECT_FALSE(root.is_known_rational());
+  EXPECT_EQ(root.polynomial(), (Polynomial{-2, 0, 1}));
+  EXPECT_GE(root.lower(), Rational(4, 3));
+  EXPECT_LE(root.upper(), Rational(3, 2));
+  EXPECT_LT(root.lower() * root.lower(), 2);
+  EXPECT_GT(root.upper() * root.upper(), 2);
+  EXPECT_THROW(root.rational(), Precondition_error);
+}
+
+TEST(AlgebraicNumber, RootVeryNearToAnEndIsIsolatedByDyadicEnds) {
+  // sqrt(2) is just above the lower end, then just below the upper one; neither end is dyadic.
+  const Rational near = test::rounded(test::oracle_value(0, 2, true), 200);
+  const Polynomial p{-2, 0, 1};
+  const Rational below = near - two_to(-190) / 3;
+  const Rational above = near + two_to(-190) / 3;
+  for (const Algebraic_number& root :
+       {Algebraic_number(p, below, 5), Algebraic_number(p, Rational(1, 3), above)}) {
+    EXPECT_EQ(compare(root, below), CGAL::LARGER);
+    EXPECT_EQ(compare(root, above), CGAL::SMALLER);
+  }
+}
+
+TEST(AlgebraicNumber, RootAtZeroOrAtAGridPointIsFoundToBeRational) {
+  const Algebraic_number zero(Polynomial{0, -5, -4, 1}, Rational(-1, 2), Rational(1, 3));
+  EXPECT_TRUE(zero.is_known_rational());
+  EXPECT_EQ(zero.rational(), Rational(0));
+  const Algebraic_number one(Polynomial{-1, 0, 0, 1}, Rational(-1, 3), Rational(7, 3));
+  one.refine_to(two_to(-500));
+  EXPECT_EQ(one, Algebraic_number(1.0));
+}
+
+TEST(AlgebraicNumber, ConstructionPreconditionsAreChecked) {
+  const Polynomial p{-2, 0, 1};
+  EXPECT_THROW(Algebraic_number(p, 2, 1), Precondition_error);
+  EXPECT_THROW(Algebraic_number(p, 1, 1), Precondition_error);
+  EXPECT_THROW(Algebraic_number(p, 2, 3), Precondition_error);
+  EXPECT_THROW(Algebraic_number(p, -2, 2), Precondition_error);
+  EXPECT_THROW(Algebraic_number(Polynomial{-1, 1}, 1, 2), Precondition_error);
+  EXPECT_THROW(Algebraic_number(Polynomial{-1, 1}, 0, 1), Precondition_error);
+  EXPECT_THROW(Algebraic_number(Polynomial{5}, 0, 1), Precondition_error);
+  EXPECT_THROW(Algebraic_number(Polynomial(), 0, 1), Precondition_error);
+  EXPECT_THROW(Algebraic_number{infinity}, Precondition_error);
+  EXPECT_THROW(Algebraic_number(1.0).refine_to(0), Precondition_error);
+  EXPECT_THROW(Algebraic_number(1.0).to_big_float(1), Precondition_error);
+}
+
+TEST(AlgebraicNumber, PrintsTheRationalOrThePolynomialWithAnInterval) {
+  std::ostringstream out;
+  out << Algebraic_number(Rational(-3, 4)) << "; " << Algebraic_number(Polynomial{-2, 0, 1}, 1, 2);
+  EXPECT_EQ(out.str(), "-3/4; root of t^2 - 2 in (1, 2)");
+}
+
+// --- Refinement ---------------------------------------------------------------------------------
+
+TEST(AlgebraicNumber, RefinementShrinksTheIntervalAroundTheNumberAsFarAsAsked) {
+  const std::vector<Value> values = some_values();
+  for (unsigned long seed = 0; seed < test::scaled_count(400); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Specimen s = make_specimen(random.pick(values), values, random);
+    for (int i = 0; i < 4; ++i) {
+      const Rational lower = s.number.lower();
+      const Rational upper = s.number.upper();
+      const Rational width = two_to(-random.integer(0, 400)) * random.integer(1, 9);
+      const auto bits = static_cast<unsigned>(random.integer(0, 400));
+      const long kind = random.integer(0, 2);
+      if (kind == 0) s.number.refine();
+      if (kind == 1) s.number.refine_to(width);
+      if (kind == 2) s.number.refine_to_bits(bits);
+      ASSERT_TRUE(test::is_the_number(s.number, s.truth));
+      ASSERT_GE(s.number.lower(), lower);
+      ASSERT_LE(s.number.upper(), upper);
+      const Rational now = s.number.upper() - s.number.lower();
+      if (kind == 0) {
+        ASSERT_LE(now * 2, upper - lower);
+      }
+      if (kind == 1) {
+        ASSERT_LE(now, width);
+      }
+      if (kind == 2) {
+        const Rational size = std::min<Rational>(abs(s.number.lower()), abs(s.number.upper()));
+        ASSERT_LE(scaled_by_power_of_two(now, static_cast<long>(bits)), size);
+      }
+      ASSERT_LE(s.number.interval().lower, to_interval(s.number.lower()).upper);
+      ASSERT_GE(s.number.interval().upper, to_interval(s.number.upper()).lower);
+    }
+  }
+}
+
+TEST(AlgebraicNumber, CopiesShareTheirRefinement) {
+  const Algebraic_number number(Polynomial{-2, 0, 1}, 1, 2);
+  const Algebraic_number copy = number;
+  copy.refine_to(two_to(-100));
+  EXPECT_LE(number.upper() - number.lower(), two_to(-100));
+  EXPECT_EQ(number, copy);
+}
+
+TEST(AlgebraicNumber, ReferencesToThePolynomialSurviveItsReplacement) {
+  const Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-3, 0, 1};
+  const Algebraic_number number(p, Rational(4, 3), Rational(3, 2));
+  const Polynomial& before = number.polynomial();
+  EXPECT_EQ(number, Algebraic_number((Polynomial{-2, 0, 1} * Polynomial{-5, 0, 1}), 1, 2));
+  EXPECT_EQ(before, p);
+  // The common factor is what both are compared by from now on.
+  EXPECT_EQ(number.polynomial(), (Polynomial{-2, 0, 1}));
+}
+
+// --- Order --------------------------------------------------------------------------------------
+
+TEST(AlgebraicNumber, OrderOfAPoolWithEqualAndNearlyEqualNumbersIsTheTrueOne) {
+  const std::vector<Value> values = some_values();
+  for (unsigned long seed = 0; seed < test::scaled_count(60); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    std::vector<Specimen> pool;
+    for (int i = 0; i < 8; ++i) {
+      // Several representations of each.
+      const Value& v = random.pick(values);
+      for (int j = 0; j < 3; ++j) pool.push_back(make_specimen(v, values, random));
+    }
+    for (int i = 0; i < 300; ++i) {
+      const Specimen& a = random.pick(pool);
+      const Specimen& b = random.pick(pool);
+      const Comparison_result expected = order_of(a.truth, b.truth);
+      ASSERT_EQ(compare(a.number, b.number), expected) << a.number << "; " << b.number;
+      ASSERT_EQ(compare(b.number, a.number), CGAL::opposite(expected));
+      ASSERT_EQ(a.number < b.number, expected == CGAL::SMALLER);
+      ASSERT_EQ(a.number >= b.number, expected != CGAL::SMALLER);
+      ASSERT_EQ(a.number == b.number, expected == CGAL::EQUAL);
+      ASSERT_EQ(a.number <=> b.number, static_cast<int>(expected) <=> 0);
+    }
+    // What was learnt on the way must not have changed any number.
+    for (const Specimen& s : pool) {
+      ASSERT_TRUE(test::is_the_number(s.number, s.truth));
+      ASSERT_EQ(content(s.number.polynomial()), Integer(1));
+    }
+  }
+}
+
+TEST(AlgebraicNumber, SortingAPoolIsTotalAndTransitive) {
+  const std::vector<Value> values = some_values();
+  for (unsigned long seed = 0; seed < test::scaled_count(20); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    std::vector<Specimen> pool;
+    for (int i = 0; i < 40; ++i) pool.push_back(make_specimen(random.pick(values), values, random));
+    std::sort(pool.begin(), pool.end(),
+              [](const Specimen& a, const Specimen& b) { return a.number < b.number; });
+    for (std::size_t i = 0; i < pool.size(); ++i) {
+      for (std::size_t j = i + 1; j < pool.size(); ++j) {
+        ASSERT_NE(compare(pool[i].number, pool[j].number), CGAL::LARGER);
+        ASSERT_EQ(compare(pool[i].number, pool[j].number), order_of(pool[i].truth, pool[j].truth));
+      }
+    }
+  }
+}
+
+TEST(AlgebraicNumber, OrderAgainstRationalsIsTheTrueOne) {
+  const std::vector<Value> values = some_values();
+  for (unsigned long seed = 0; seed < test::scaled_count(600); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Specimen s = make_specimen(random.pick(values), values, random);
+    const Rational near = test::rounded(s.truth.value, 300);
+    std::vector<Rational> rationals = {
+        random.any_rational(), near, near + two_to(-240), near - two_to(-240) / 3, s.number.lower(),
+        s.number.upper(),      0};
+    if (s.truth.rational) rationals.push_back(*s.truth.rational);
+    for (int i = 0; i < 10; ++i) {
+      const Rational r = random.pick(rationals);
+      const int order = mpfr_cmp_q(s.truth.value.backend().data(), r.backend().data());
+      const bool equal = s.truth.rational && *s.truth.rational == r;
+      const Comparison_result expected = equal       ? CGAL::EQUAL
+                                         : order < 0 ? CGAL::SMALLER
+                                                     : CGAL::LARGER;
+      ASSERT_EQ(compare(s.number, r), expected) << s.number << " and " << r.str();
+      ASSERT_EQ(compare(Algebraic_number(r), s.number), CGAL::opposite(expected));
+      ASSERT_TRUE(test::is_the_number(s.number, s.truth));
+    }
+  }
+}
+
+TEST(AlgebraicNumber, RootsOfOnePolynomialWithOverlappingIntervalsAreOrdered) {
+  // Roots -sqrt(2), 1, sqrt(2).
+  const Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-1, 1};
+  const auto one = [&] { return Algebraic_number(p, Rational(-4, 3), Rational(4, 3)); };
+  const auto root_two = [&] { return Algebraic_number(-p, Rational(5, 4), Rational(3)); };
+  const auto minus_root_two = [&] { return Algebraic_number(p, Rational(-3), Rational(1, 2)); };
+  EXPECT_EQ(compare(one(), root_two()), CGAL::SMALLER);
+  EXPECT_EQ(compare(root_two(), one()), CGAL::LARGER);
+  EXPECT_EQ(compare(minus_root_two(), one()), CGAL::SMALLER);
+  EXPECT_EQ(compare(one(), minus_root_two()), CGAL::LARGER);
+  EXPECT_EQ(compare(root_two(), Algebraic_number(p, Rational(4, 3), Rational(7))), CGAL::EQUAL);
+  EXPECT_EQ(compare(one(), Algebraic_number(p, Rational(2, 3), Rational(4, 3))), CGAL::EQUAL);
+}
+
+TEST(AlgebraicNumber, EqualRootsAmongOtherCommonRootsAreToldFromThem) {
+  // The gcd of the two polynomials has four roots, two of them closer than 2^-200.
+  Known_polynomial common;
+  common.add_irrational_pair(0, 2, 1);
+  common.add_irrational_pair(two_to(-220), 2, 1);
+  for (unsigned long seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Known_polynomial p = common;
+    Known_polynomial q = common;
+    p.add_rational(Rational(17, 12), 1);
+    q.add_irrational_pair(5, 7, 1);
+    for (const Known_root& a : common.roots()) {
+      for (const Known_root& b : common.roots()) {
+        const Algebraic_number x = test::isolated_root(p, a, random);
+        const Algebraic_number y = test::isolated_root(q, b, random);
+        ASSERT_EQ(compare(x, y), order_of(a, b));
+      }
+    }
+  }
+}
+
+// --- Approximation
+// --------------------------------------------------------------------------------
+
+// Numbers of every magnitude a binary64 number has, and beyond; rationals are in disguise.
+std::vector<Value> values_of_every_magnitude(Random& random) {
+  std::vector<Value> result = {{0, 0},
+                               {to_rational(smallest), 0},
+                               {-to_rational(smallest), 0},
+                               {to_rational(1e-310), 0},
+                               {to_rational(1e-310) + two_to(-1075), 0},
+                               {to_rational(std::numeric_limits<double>::min()), 0},
+                               {to_rational(largest), 0},
+                               {-to_rational(largest), 0},
+                               {to_rational(largest) + two_to(970), 0},
+                               {two_to(1024), 0},
+                               {two_to(-1075), 0},
+                               {two_to(-1075) * 3, 0},
+                               {two_to(-1400) / 3, 0},
+                               {1 + two_to(-53), 0},
+                               {1 + two_to(-52), 0},
+                               {1 + two_to(-53) * 3, 0},
+                               {Rational(1, 3), 0}};
+  for (const long exponent : {-1500L, -1080L, -1076L, -1075L, -1074L, -1070L, -1030L, -1000L, -100L,
+                              0L, 100L, 1000L, 1022L, 1023L, 1024L, 1100L}) {
+    result.push_back({0, two_to(2 * exponent) * test::random_non_square(random)});
+  }
+  for (int i = 0; i < 20; ++i) {
+    const Rational a = random.dyadic(60, -1100, 960);
+    result.push_back({a, 0});
+    result.push_back({a, a * a * two_to(-random.integer(0, 300)) * 3 + two_to(-2500) * 2});
+  }
+  return result;
+}
+
+// A specimen whose polynomial has a few roots of similar magnitude.
+Specimen make_scaled_specimen(const Value& v, Random& random) {
+  Known_polynomial p(random.coin() ? 1 : -1);
+  add_to(p, v);
+  const Known_root truth = [&] {
+    const Big_float value =
+        v.c.is_zero() ? test::oracle_value(v.a) : test::oracle_value(v.a, v.c, true);
+    for (const Known_root& root : p.roots()) {
+      if (root.value == value) return root;
+    }
+    throw Internal_error("the polynomial lacks the root that it was given");
+  }();
+  const Rational size = test::rounded(truth.value, 20);
+  const Rational scale = size.is_zero() ? Rational(1) : abs(size);
+  p.add_irrational_pair(scale * random.integer(-5, 5), scale * scale * 7, 1);
+  if (random.coin()) p.add_rational(-size * Rational(7, 3) + scale, 1);
+  // The exponent in isolated_root is for distances below 1: scale the polynomial's roots apart.
+  const Rational centre = truth.rational ? *truth.rational : test::rounded(truth.value, 4000);
+  Rational distance = scale;
+  for (const Known_root& other : p.roots()) {
+    if (other.value == truth.value) continue;
+    const Rational d = abs(test::rounded(other.value, 4000) - centre);
+    if (d < distance) distance = d;
+  }
+  const Rational lower = centre - distance * Rational(random.integer(1, 8), 9);
+  const Rational upper = centre + distance * Rational(random.integer(1, 8), 9);
+  return {Algebraic_number(square_free_part(p.polynomial()), lower, upper), truth};
+}
+
+// The rational itself, or one that has no binary64 number, or tie, between it and the number.
+Rational stand_in(const Known_root& truth) {
+  return truth.rational ? *truth.rational : test::rounded(truth.value, 5000);
+}
+
+TEST(AlgebraicNumber, TightIntervalHasTheTwoNeighboursOrTheNumberItself) {
+  for (unsigned long seed = 0; seed < test::scaled_count(25); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    for (const Value& v : values_of_every_magnitude(random)) {
+      const Specimen s = make_scaled_specimen(v, random);
+      // Not to depend on the state of refinement.
+      const long bits = random.integer(-20, 70);
+      if (bits > 0) s.number.refine_to_bits(static_cast<unsigned>(bits));
+      const Rational from = s.number.lower();
+      const Rational to = s.number.upper();
+      const Polynomial p = s.number.polynomial();
+      const Double_interval tight = s.number.tight_interval();
+      ASSERT_EQ(tight, to_interval(stand_in(s.truth))) << s.number;
+      ASSERT_EQ(s.number.tight_interval(), tight);
+      s.number.refine_to_bits(80);
+      ASSERT_EQ(s.number.tight_interval(), tight);
+
+      // Without the oracle: a root at the only bound, or a change of sign between neighbours.
+      if (tight.lower == tight.upper) {
+        ASSERT_EQ(p.sign_at(to_rational(tight.lower)), CGAL::ZERO);
+        continue;
+      }
+      ASSERT_EQ(std::nextafter(tight.lower, infinity), tight.upper);
+      if (from == to) continue;
+      Rational lower = from;
+      Rational upper = to;
+      if (std::isfinite(tight.lower)) lower = std::max(lower, to_rational(tight.lower));
+      if (std::isfinite(tight.upper)) upper = std::min(upper, to_rational(tight.upper));
+      ASSERT_NE(p.sign_at(lower), CGAL::ZERO);
+      ASSERT_EQ(p.sign_at(lower), -p.sign_at(upper));
+    }
+  }
+}
+
+TEST(AlgebraicNumber, TightIntervalOfARootThatIsABinary64NumberIsThatNumber) {
+  // (t - x) (3 t^2 - t - 5) with x an end of no bisection grid that starts at thirds.
+  for (const double x : {0.1, 1e-310, 3.0, -0.7, 1e300, smallest, largest, 1.0 + 0x1p-52}) {
+    const Rational exact = to_rational(x);
+    const Rational a = exact * Rational(2, 3);
+    const Rational b = exact * Rational(4, 3);
+    const Polynomial p = test::linear_factor(exact) * Polynomial{7, -1, 3};
+    const Algebraic_number root(p, std::min(a, b), std::max(a, b));
+    EXPECT_EQ(root.tight_interval(), (Double_interval{x, x}));
+    EXPECT_TRUE(root.is_known_rational());
+    EXPECT_EQ(root.to_double(), x);
+  }
+}
+
+TEST(AlgebraicNumber, TightIntervalBeyondTheRangeEndsAtInfinityOrAtTheSmallestNumber) {
+  const auto root_of_two_times = [](long exponent) {
+    const Rational c = two_to(2 * exponent) * 2;
+    return Algebraic_number(test::quadratic_factor(0, c), 0, two_to(exponent + 2));
+  };
+  EXPECT_EQ(root_of_two_times(1100).tight_interval(), (Double_interval{largest, infinity}));
+  EXPECT_EQ(root_of_two_times(1100).to_double(), infinity);
+  EXPECT_EQ(root_of_two_times(-1500).tight_interval(), (Double_interval{0.0, smallest}));
+  EXPECT_EQ(root_of_two_times(-1500).to_double(), 0.0);
+  EXPECT_EQ(root_of_two_times(-1075).to_double(), smallest);
+}
+
+TEST(AlgebraicNumber, ToDoubleIsTheNearestTiesToEven) {
+  for (unsigned long seed = 0; seed < test::scaled_count(25); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 1000);
+    for (const Value& v : values_of_every_magnitude(random)) {
+      const Specimen s = make_scaled_specimen(v, random);
+      ASSERT_EQ(s.number.to_double(), to_double(stand_in(s.truth))) << s.number;
+      ASSERT_EQ(s.number.to_double(), to_double(stand_in(s.truth))) << s.number;
+    }
+  }
+}
+
+TEST(AlgebraicNumber, ToBigFloatIsTheNearestOfItsPrecision) {
+  for (unsigned long seed = 0; seed < test::scaled_count(10); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    std::vector<Value> values = values_of_every_magnitude(random);
+    // Ties, odd and even, of 20 bits.
+    for (int i = 0; i < 10; ++i) values.push_back({Rational((1 << 20) + 2 * i + 1, 64), 0});
+    for (const Value& v : values) {
+      const Specimen s = make_scaled_specimen(v, random);
+      const auto bits = static_cast<unsigned>(random.coin() ? 20 : random.integer(2, 400));
+      const Big_float rounded = s.number.to_big_float(bits);
+      ASSERT_EQ(mpfr_get_prec(rounded.backend().data()), static_cast<mpfr_prec_t>(bits));
+      Big_float expected;
+      mpfr_set_prec(expected.backend().data(), static_cast<mpfr_prec_t>(bits));
+      mpfr_set_q(expected.backend().data(), stand_in(s.truth).backend().data(), MPFR_RNDN);
+      ASSERT_EQ(mpfr_cmp(rounded.backend().data(), expected.backend().data()), 0) << s.number;
+    }
+  }
+}
+
+// --- Signs of polynomials
+// -------------------------------------------------------------------------
+
+// The sign at, or just before or after, the root by construction.
+Sign sign_by_construction(const Known_polynomial& p, const Known_root& t, int side) {
+  int s = p.polynomial().sign_at_plus_infinity();
+  for (const Known_root& root : p.roots()) {
+    if (root.value == t.value) {
+      if (side == 0) return CGAL::ZERO;
+      if (side < 0 && root.multiplicity % 2 != 0) s = -s;
+    } else if (root.value > t.value && root.multiplicity % 2 != 0) {
+      s = -s;
+    }
+  }
+  return static_cast<Sign>(s);
+}
+
+TEST(SignAt, AnAlgebraicNumberIsTheSignByConstructionAndTheTarskiQuery) {
+  const std::vector<Value> values = some_values();
+  for (unsigned long seed = 0; seed < test::scaled_count(1200); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Value& v = random.pick(values);
+    const Specimen t = make_specimen(v, values, random);
+    Known_polynomial p(random.big_integer_not_zero(6));
+    for (long i = random.integer(0, 2); i > 0; --i) {
+      const Value& other = random.pick(values);
+      const int multiplicity = static_cast<int>(random.integer(1, 3));
+      if (other.c.is_zero()) {
+        p.add_rational(other.a, multiplicity);
+      } else {
+        p.add_irrational_pair(other.a, other.c, multiplicity);
+      }
+    }
+    if (random.coin()) {
+      const int multiplicity = static_cast<int>(random.integer(1, 4));
+      if (v.c.is_zero()) {
+        p.add_rational(v.a, multiplicity);
+      } else {
+        p.add_irrational_pair(v.a, v.c, multiplicity);
+      }
+    }
+    if (random.integer(0, 3) == 0) p.add_rootless(1, 1, 1);
+
+    const Sign expected = sign_by_construction(p, t.truth, 0);
+    if (!t.number.is_known_rational()) {
+      const Sturm_sequence query(t.number.polynomial(), p.polynomial());
+      ASSERT_EQ(
+          query.count(Interval_end{t.number.lower(), false}, Interval_end{t.number.upper(), false}),
+          static_cast<int>(expected));
+    }
+    ASSERT_EQ(sign_at(p.polynomial(), t.number), expected) << p.polynomial() << "; " << t.number;
+    ASSERT_EQ(t.number.is_root_of(p.polynomial()), expected == CGAL::ZERO);
+    ASSERT_EQ(sign_just_before(p.polynomial(), t.number), sign_by_construction(p, t.truth, -1));
+    ASSERT_EQ(sign_just_after(p.polynomial(), t.number), sign_by_construction(p, t.truth, 1));
+    ASSERT_TRUE(test::is_the_number(t.number, t.truth));
+  }
+}
+
+TEST(SignAt, TheNumbersOwnPolynomialIsZeroAndItsSidesDiffer) {
+  const Polynomial p{-2, 0, 1};
+  const Algebraic_number root(p, 1, 2);
+  for (const Polynomial& q : {p, p * Integer(3)}) {
+    EXPECT_EQ(sign_at(q, root), CGAL::ZERO);
+    EXPECT_EQ(sign_just_before(q, root), CGAL::NEGATIVE);
+    EXPECT_EQ(sign_just_after(q, root), CGAL::POSITIVE);
+    EXPECT_EQ(sign_just_before(-q, root), CGAL::POSITIVE);
+    EXPECT_EQ(sign_just_after(-q, root), CGAL::NEGATIVE);
+  }
+  EXPECT_EQ(sign_at(root.polynomial(), root), CGAL::ZERO);
+}
+
+TEST(SignAt, ZeroAndConstantPolynomialsNeedNoNumber) {
+  for (const Algebraic_number& t :
+       {Algebraic_number(2.5), Algebraic_number(Polynomial{-2, 0, 1}, 1, 2)}) {
+    EXPECT_EQ(sign_at(Polynomial(), t), CGAL::ZERO);
+    EXPECT_EQ(sign_just_before(Polynomial(), t), CGAL::ZERO);
+    EXPECT_EQ(sign_just_after(Polynomial(), t), CGAL::ZERO);
+    EXPECT_TRUE(t.is_root_of(Polynomial()));
+    EXPECT_EQ(sign_at(Polynomial{-3}, t), CGAL::NEGATIVE);
+    EXPECT_EQ(sign_just_before(Polynomial{-3}, t), CGAL::NEGATIVE);
+    EXPECT_EQ(sign_just_after(Polynomial{-3}, t), CGAL::NEGATIVE);
+    EXPECT_FALSE(t.is_root_of(Polynomial{-3}));
+  }
+}
+
+// --- The simplest number between ----------------------------------------------------------------
+
+// Tries every exponent from far too small on.
+Rational simplest_by_trial(const Rational& a, const Rational& b) {
+  if (a < 0 && b > 0) return 0;
+  for (long e = -80;; ++e) {
+    // The multiples of 2^-e next to the end nearer to zero, and their neighbours.
+    const Rational near = scaled_by_power_of_two(a >= 0 ? a : Rational(-b), e);
+    const Rational far = scaled_by_power_of_two(a >= 0 ? b : Rational(-a), e);
+    const Integer whole = numerator(near) / denominator(near);
+    for (const Integer& k : {whole, Integer(whole + 1)}) {
+      if (Rational(k) > near && Rational(k) < far) {
+        const Rational result = scaled_by_power_of_two(k, -e);
+        return a >= 0 ? result : Rational(-result);
+      }
+    }
+  }
+}
+
+TEST(SimplestBetween, KnownIntervalsGiveKnownNumbers) {
+  EXPECT_EQ(simplest_between(-1.0, 1.0), Rational(0));
+  EXPECT_EQ(simplest_between(0.0, 1.0), Rational(1, 2));
+  EXPECT_EQ(simplest_between(-1.0, 0.0), Rational(-1, 2));
+  EXPECT_EQ(simplest_between(1.0, 2.0), Rational(3, 2));
+  EXPECT_EQ(simplest_between(2.5, 3.5), Rational(3));
+  EXPECT_EQ(simplest_between(5.0, 100.0), Rational(64));
+  EXPECT_EQ(simplest_between(-100.0, -5.0), Rational(-64));
+  EXPECT_EQ(simplest_between(33.0, 1000.0), Rational(512));
+  EXPECT_EQ(simplest_between(1.0, 1.0 + 0x1p-52), 1 + two_to(-53));
+  EXPECT_EQ(simplest_between(0.0, smallest), two_to(-1075));
+  EXPECT_EQ(simplest_between(Rational(0), two_to(-3000)), two_to(-3001));
+  const Algebraic_number root(Polynomial{-2, 0, 1}, 1, 2);
+  EXPECT_EQ(simplest_between(root, 2.0), Rational(3, 2));
+  EXPECT_EQ(simplest_between(1.0, root), Rational(5, 4));
+}
+
+TEST(SimplestBetween, OfRandomNumbersIsWhatTrialFindsForEveryRepresentation) {
+  const std::vector<Value> values = some_values();
+  for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Value& v = random.pick(values);
+    const Value& w = random.pick(values);
+    Specimen a = make_specimen(v, values, random);
+    Specimen b = make_specimen(w, values, random);
+    if (a.truth.value == b.truth.value) continue;
+    const bool swapped = a.truth.value > b.truth.value;
+    if (swapped) std::swap(a, b);
+    const Rational expected = simplest_by_trial(stand_in(a.truth), stand_in(b.truth));
+    ASSERT_EQ(simplest_between(a.number, b.number), expected) << a.number << "; " << b.number;
+    b.number.refine_to(two_to(-300));
+    ASSERT_EQ(simplest_between(a.number, b.number), expected) << a.number << "; " << b.number;
+    const Specimen again = make_specimen(swapped ? w : v, values, random);
+    ASSERT_EQ(simplest_between(again.number, b.number), expected);
+  }
+}
+
+TEST(SimplestBetween, OfAnEmptyIntervalIsRefused) {
+  EXPECT_THROW(simplest_between(1.0, 1.0), Precondition_error);
+  EXPECT_THROW(simplest_between(2.0, 1.0), Precondition_error);
+}
+
+}  // namespace
+}  // namespace kinetri

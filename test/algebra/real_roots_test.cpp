@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Real roots, the first root after a time and failure times, of polynomials with chosen roots; the
+// paper's algorithm against the general one.
+#include "kinetri/algebra/real_roots.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../support/random_polynomials.h"
+#include "kinetri/algebra/sturm_sequence.h"
+#include "kinetri/base/error.h"
+
+namespace kinetri {
+namespace {
+
+using test::Known_polynomial;
+using test::Known_root;
+using test::Random;
+
+Rational two_to(long exponent) {
+  return scaled_by_power_of_two(1, exponent);
+}
+
+testing::AssertionResult are_the_roots(const std::vector<Real_root>& found,
+                                       const std::vector<Known_root>& truth) {
+  if (found.size() != truth.size()) {
+    return testing::AssertionFailure()
+           << found.size() << " roots found, " << truth.size() << " expected";
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const testing::AssertionResult same = test::is_the_number(found[i].value, truth[i]);
+    if (!same) return same;
+    if (found[i].multiplicity != truth[i].multiplicity) {
+      return testing::AssertionFailure()
+             << "multiplicity " << found[i].multiplicity << " of " << found[i].value
+             << ", expected " << truth[i].multiplicity;
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+// What an algebraic number promises of its isolating interval, checked by Sturm's theorem.
+testing::AssertionResult is_isolated(const Algebraic_number& number) {
+  if (number.is_known_rational()) return testing::AssertionSuccess();
+  const int count =
+      Sturm_sequence(number.polynomial())
+          .count(Interval_end{number.lower(), true}, Interval_end{number.upper(), true});
+  if (count == 1) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << count << " roots in the isolating interval of " << number;
+}
+
+// --- All roots
+// ------------------------------------------------------------------------------------
+
+TEST(RealRoots, OfAPolynomialBuiltFromRootsAreThoseInOrder) {
+  for (unsigned long seed = 0; seed < test::scaled_count(1500); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Known_polynomial p = test::random_known_polynomial(random, 12, 4);
+    const std::vector<Real_root> roots = real_roots(p.polynomial());
+    ASSERT_TRUE(are_the_roots(roots, p.roots())) << p.polynomial();
+    for (const Real_root& root : roots) ASSERT_TRUE(is_isolated(root.value));
+  }
+}
+
+TEST(RealRoots, OfHugeAndTinyMagnitudeAreFound) {
+  for (unsigned long seed = 0; seed < test::scaled_count(40); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Known_polynomial p(random.big_integer_not_zero(400));
+    for (long i = random.integer(1, 4); i > 0; --i) {
+      const Rational a = random.dyadic(50, -1100, 1000);
+      const int multiplicity = static_cast<int>(random.integer(1, 2));
+      if (random.coin()) {
+        p.add_rational(a, multiplicity);
+      } else {
+        p.add_irrational_pair(random.coin() ? a : Rational(0), a * a * 3 + two_to(-2000) * 2,
+                              multiplicity);
+      }
+    }
+    p.add_rational(0, static_cast<int>(random.integer(1, 2)));
+    p.add_rootless(0, random.dyadic(50, -1100, 1000), 1);
+    ASSERT_TRUE(are_the_roots(real_roots(p.polynomial()), p.roots())) << p.polynomial();
+  }
+}
+
+TEST(RealRoots, ThatAreVeryCloseAreTold) {
+  for (unsigned long seed = 0; seed < test::scaled_count(60); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Known_polynomial p;
+    const Rational a = random.any_rational();
+    for (int i = 0; i < 4; ++i) {
+      const Rational near = a + two_to(-random.integer(180, 220)) * random.integer(-3, 3);
+      const int multiplicity = static_cast<int>(random.integer(1, 2));
+      if (random.coin()) {
+        p.add_rational(near, multiplicity);
+      } else {
+        p.add_irrational_pair(near, 2, multiplicity);
+      }
+    }
+    ASSERT_TRUE(are_the_roots(real_roots(p.polynomial()), p.roots())) << p.polynomial();
+  }
+}
+
+TEST(RealRoots, AtPowersOfTwoAndOnTheBoundOfTheRootsAreFound) {
+  for (const long exponent : {-3L, -1L, 0L, 1L, 2L, 7L}) {
+    for (const int degree : {1, 2, 3, 4, 5}) {
+      // t^degree - 2^(exponent degree)
+      std::vector<Rational> c(static_cast<std::size_t>(degree) + 1);
+      c.front() = -two_to(exponent * degree);
+      c.back() = 1;
+      const std::vector<Real_root> roots = real_roots(primitive_polynomial(c));
+      ASSERT_EQ(roots.size(), degree % 2 == 0 ? 2U : 1U);
+      ASSERT_EQ(compare(roots.back().value, two_to(exponent)), CGAL::EQUAL);
+    }
+  }
+}
+
+TEST(RealRoots, OfConstantsAreNoneAndOfZeroRefused) {
+  EXPECT_TRUE(real_roots(Polynomial{-3}).empty());
+  EXPECT_TRUE(real_roots(Polynomial{1, 0, 1}).empty());
+  EXPECT_THROW(real_roots(Polynomial()), Precondition_error);
+}
+
+// --- The first root after a time
+// --------------------------------------------------------------------
+
+// Times that matter to `p`: its roots under disguise, numbers beside them, rationals and
+// irrationals.
+struct Time {
+  Algebraic_number number;
+  Known_root truth;
+};
+
+std::vector<Time> interesting_times(const Known_polynomial& p, Random& random) {
+  Known_polynomial others;
+  others.add_rational(random.any_rational(), 1);
+  others.add_rational(-1000, 1);
+  others.add_rational(to_rational(1e6), 1);
+  others.add_irrational_pair(random.any_rational(), test::random_non_square(random), 1);
+  std::vector<Known_root> truths = others.roots();
+  for (const Known_root& root : p.roots()) {
+    truths.push_back(root);
+    // Closer to the root than the isolating interval of either.
+    Known_polynomial beside;
+    const Rational small = two_to(-random.integer(20, 300));
+    if (root.rational) {
+      beside.add_rational(*root.rational + (random.coin() ? small : Rational(-small)), 1);
+    } else {
+      beside.add_rational(test::rounded(root.value, 200), 1);
+    }
+    truths.push_back(beside.roots().front());
+  }
+
+  std::vector<Time> result;
+  for (const Known_root& truth : truths) {
+    if (truth.rational && random.coin()) {
+      result.push_back({Algebraic_number(*truth.rational), truth});
+      continue;
+    }
+    // The polynomial of the time: the minimal one, one with other roots, or that of p itself.
+    if (p.has_root(truth.value) && random.coin()) {
+      for (const Real_root& root : real_roots(square_free_part(p.polynomial()))) {
+        if (test::is_the_number(root.value, truth)) result.push_back({root.value, truth});
+      }
+      continue;
+    }
+    Known_polynomial disguise;
+    if (truth.rational) {
+      disguise.add_rational(*truth.rational, 1);
+    } else {
+      const Polynomial& m = truth.minimal;
+      const Rational a = -Rational(m[1], m[2]) / 2;
+      disguise.add_irrational_pair(a, a * a - Rational(m[0], m[2]), 1);
+    }
+    if (truth.rational || random.coin()) {
+      disguise.add_irrational_pair(random.integer(-3, 3), test::random_non_square(random), 1);
+    }
+    result.push_back({test::isolated_root(disguise, truth, random), truth});
+  }
+  return result;
+}
+
+TEST(FirstRootAfter, ATimeIsTheNextRootByConstruction) {
+  for (unsigned long seed = 0; seed < test::scaled_count(400); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Known_polynomial p = test::random_known_polynomial(random, 8, 4);
+    for (const Time& t : interesting_times(p, random)) {
+      const Known_root* expected = nullptr;
+      for (const Known_root& root : p.roots()) {
+        if (expected == nullptr && root.value > t.truth.value) expected = &root;
+      }
+      const std::optional<Real_root> found = first_root_after(p.polynomial(), t.number);
+      ASSERT_EQ(found.has_value(), expected != nullptr) << p.polynomial() << " after " << t.number;
+      if (!found) continue;
+      ASSERT_TRUE(test::is_the_number(found->value, *expected));
+      ASSERT_EQ(found->multiplicity, expected->multiplicity);
+      ASSERT_TRUE(is_isolated(found->value));
+    }
+  }
+}
+
+TEST(FirstRootAfter, ManyRootsOfAllSizesVisitsThemInTurn) {
+  for (unsigned long seed = 0; seed < test::scaled_count(15); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Known_polynomial p;
+    for (int i = 0; i < 5; ++i) p.add_rational(random.dyadic(40, -700, 600), 1);
+    p.add_irrational_pair(0, two_to(-600) * 2, 2);
+    std::vector<Real_root> found;
+    Algebraic_number t(-two_to(800));
+    while (const std::optional<Real_root> next = first_root_after(p.polynomial(), t)) {
+      found.push_back(*next);
+      t = next->value;
+    }
+    ASSERT_TRUE(are_the_roots(found, p.roots()));
+  }
+}
+
+TEST(FirstRootAfter, ZeroPolynomialIsRefused) {
+  EXPECT_THROW(first_root_after(Polynomial(), Algebraic_number()), Precondition_error);
+}
+
+// --- Failure times
+// ----------------------------------------------------------------------------------
+
+TEST(FailureTime, IsTheInfimumOfTheTimesOfNegativeValues) {
+  std::array<unsigned long, 3> outcomes = {};
+  for (unsigned long seed = 0; seed < test::scaled_count(600); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Known_polynomial p = test::random_known_polynomial(random, 8, 4);
+    for (const Time& t : interesting_times(p, random)) {
+      // Mostly the certificate holds just after t, as it does in use.
+      Sign after = p.polynomial().sign_at_plus_infinity();
+      for (const Known_root& root : p.roots()) {
+        if (root.value > t.truth.value && root.multiplicity % 2 != 0) after = -after;
+      }
+      if (after == CGAL::NEGATIVE && random.integer(0, 4) != 0) {
+        p.negate();
+        after = CGAL::POSITIVE;
+      }
+      const Known_root* expected = nullptr;
+      for (const Known_root& root : p.roots()) {
+        if (expected == nullptr && root.value > t.truth.value && root.multiplicity % 2 != 0) {
+          expected = &root;
+        }
+      }
+      if (after == CGAL::NEGATIVE) expected = &t.truth;
+
+      const std::optional<Algebraic_number> found = failure_time(p.polynomial(), t.number);
+      ASSERT_EQ(found.has_value(), expected != nullptr) << p.polynomial() << " after " << t.number;
+      ++outcomes[after == CGAL::NEGATIVE ? 0U : found ? 1U : 2U];
+      if (!found) continue;
+      ASSERT_TRUE(test::is_the_number(*found, *expected)) << p.polynomial() << "; " << t.number;
+      ASSERT_TRUE(is_isolated(*found));
+      ASSERT_EQ(compare(*found, t.number), after == CGAL::NEGATIVE ? CGAL::EQUAL : CGAL::LARGER);
+      ASSERT_TRUE(after == CGAL::NEGATIVE || found->lower() >= t.number.lower());
+      // The definition: no negative value between, negative just after.
+      ASSERT_EQ(sign_just_after(p.polynomial(), *found), CGAL::NEGATIVE);
+      if (after == CGAL::NEGATIVE) continue;
+      ASSERT_NE(p.polynomial().sign_at(simplest_between(t.number, *found)), CGAL::NEGATIVE);
+      ASSERT_EQ(sign_just_before(p.polynomial(), *found), CGAL::POSITIVE);
+    }
+  }
+  for (const unsigned long count : outcomes) EXPECT_GT(count, 100U) << "a case is hardly tested";
+}
+
+TEST(FailureTime, OfZeroAndOfConstants) {
+  EXPECT_EQ(failure_time(Polynomial(), Algebraic_number(3.0)), std::nullopt);
+  EXPECT_EQ(failure_time(Polynomial{2}, Algebraic_number(3.0)), std::nullopt);
+  EXPECT_EQ(failure_time(Polynomial{-2}, Algebraic_number(3.0)), Algebraic_number(3.0));
+}
+
+TEST(FailureTime, ATouchIsNoFailure) {
+  const Polynomial touch = Polynomial{1, -2, 1};  // (t - 1)^2
+  EXPECT_EQ(failure_time(touch, Algebraic_number(0.0)), std::nullopt);
+  EXPECT_EQ(failure_time(touch, Algebraic_number(1.0)), std::nullopt);
+  EXPECT_EQ(failure_time(touch * Polynomial{3, -1}, Algebraic_number(0.0)), Algebraic_number(3.0));
+  EXPECT_EQ(failure_time(Polynomial{-2, 0, 1} * Polynomial{-2, 0, 1}, Algebraic_number(0.0)),
+            std::nullopt);
+}
+
+TEST(FailureTime, ATripleRootIsAFailure) {
+  const Polynomial triple = Polynomial{1, -1} * Polynomial{1, -1} * Polynomial{1, -1};
+  EXPECT_EQ(failure_time(triple, Algebraic_number(0.0)), Algebraic_number(1.0));
+  EXPECT_EQ(failure_time(-triple, Algebraic_number(1.0)), std::nullopt);
+  EXPECT_EQ(failure_time(triple, Algebraic_number(1.0)), Algebraic_number(1.0));
+}
+
+TEST(FailureTime, AtADoubleRootFromAboveIsTheRootItself) {
+  const Polynomial p = -(Polynomial{1, -2, 1});
+  EXPECT_EQ(failure_time(p, Algebraic_number(1.0)), Algebraic_number(1.0));
+  EXPECT_EQ(failure_time(p, Algebraic_number(0.5)), Algebraic_number(0.5));
+}
+
+TEST(FailureTime, AfterAFlipIsTheNextRootOfMinusThePolynomial) {
+  // Roots -sqrt(7), -sqrt(2), sqrt(2), sqrt(7): the certificate changes hands at each.
+  Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-7, 0, 1};
+  std::optional<Algebraic_number> t = Algebraic_number(-10.0);
+  int flips = 0;
+  while ((t = failure_time(p, *t)).has_value()) {
+    p = -p;
+    ++flips;
+  }
+  EXPECT_EQ(flips, 4);
+}
+
+TEST(FailureTime, MayBeAskedForWithThePolynomialOfTheTimeItself) {
+  const Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-7, 0, 1};
+  const Algebraic_number t(p, 1, 2);
+  // The argument is a reference into the number, whose polynomial may be replaced on the way.
+  const std::optional<Algebraic_number> next = failure_time(t.polynomial(), t);
+  ASSERT_TRUE(next.has_value());
+  EXPECT_EQ(*next, t);
+  const std::optional<Real_root> root = first_root_after(t.polynomial(), t);
+  ASSERT_TRUE(root.has_value());
+  EXPECT_TRUE(root->value.is_root_of(Polynomial{-7, 0, 1}));
+}
+
+// --- The paper's algorithm
+// --------------------------------------------------------------------------
+
+// All ways to make up `degree` from rational roots, irrational pairs and complex pairs with
+// multiplicities, tried at random, with the patterns counted.
+Known_polynomial random_pattern(Random& random, int degree) {
+  Known_polynomial p(random.big_integer_not_zero(10));
+  while (p.degree() < degree) {
+    const int room = degree - p.degree();
+    const long kind = random.integer(0, 2);
+    const int most = kind == 0 ? room : room / 2;
+    if (most == 0) continue;
+    const int multiplicity = static_cast<int>(random.integer(1, most));
+    const Rational a = random.coin() ? Rational(random.integer(-2, 2)) : random.any_rational();
+    if (kind == 0) p.add_rational(a, multiplicity);
+    if (kind == 1) p.add_irrational_pair(a, test::random_non_square(random), multiplicity);
+    if (kind == 2) p.add_rootless(a, random.rational(6), multiplicity);
+  }
+  return p;
+}
+
+TEST(SturmCubicRoots, OfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
+  for (unsigned long seed = 0; seed < test::scaled_count(1000); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Known_polynomial p = random_pattern(random, 3);
+    ASSERT_TRUE(are_the_roots(sturm_cubic_roots(p.polynomial()), p.roots())) << p.polynomial();
+  }
+}
+
+TEST(SturmQuarticRoots, OfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
+  for (unsigned long seed = 0; seed < test::scaled_count(2000); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Known_polynomial p = random_pattern(random, 4);
+    ASSERT_TRUE(are_the_roots(sturm_quartic_roots(p.polynomial()), p.roots())) << p.polynomial();
+  }
+}
+
+TEST(SturmQuarticRoots, OfSquaresOfQuadraticsAreIrrationalOrNone) {
+  const std::vector<Real_root> real = sturm_quartic_roots(Polynomial{4, 0, -4, 0, 1});
+  ASSERT_EQ(real.size(), 2U);
+  EXPECT_EQ(real[0].multiplicity, 2);
+  EXPECT_EQ(real[1].multiplicity, 2);
+  EXPECT_EQ(real[1].value, Algebraic_number(Polynomial{-2, 0, 1}, 1, 2));
+  EXPECT_TRUE(sturm_quartic_roots(Polynomial{1, 0, 2, 0, 1}).empty());
+  const std::vector<Real_root> triple =
+      sturm_quartic_roots(Polynomial{0, 1} * Polynomial{-1, 3, -3, 1});
+  ASSERT_EQ(triple.size(), 2U);
+  EXPECT_EQ(triple[0].multiplicity, 1);
+  EXPECT_EQ(triple[1].multiplicity, 3);
+}
+
+TEST(SturmCubicAndQuarticRoots, OfRandomPolynomialsAgreeWithTheGeneralAlgorithm) {
+  for (unsigned long seed = 0; seed < test::scaled_count(1500); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const auto bits = static_cast<unsigned>(random.integer(2, 200));
+    const int degree = random.coin() ? 3 : 4;
+    const Polynomial p = random.polynomial(degree, bits);
+    const std::vector<Real_root> general = real_roots(p);
+    const std::vector<Real_root> sturm =
+        degree == 3 ? sturm_cubic_roots(p) : sturm_quartic_roots(p);
+    ASSERT_EQ(sturm.size(), general.size()) << p;
+    for (std::size_t i = 0; i < sturm.size(); ++i) {
+      ASSERT_EQ(sturm[i].value, general[i].value);
+      ASSERT_EQ(sturm[i].multiplicity, general[i].multiplicity);
+    }
+  }
+}
+
+TEST(SturmCubicAndQuarticRoots, OfAnotherDegreeAreRefused) {
+  EXPECT_THROW(sturm_cubic_roots(Polynomial{1, 1}), Precondition_error);
+  EXPECT_THROW(sturm_cubic_roots(Polynomial()), Precondition_error);
+  EXPECT_THROW(sturm_quartic_roots(Polynomial{1, 1}), Precondition_error);
+}
+
+}  // namespace
+}  // namespace kinetri

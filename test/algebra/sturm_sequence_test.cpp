@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sturm counts and Tarski queries of polynomials whose roots are known by construction. The
+// intervals end at roots, simple and multiple, and next to them, since that is where counts go
+// wrong.
+#include "kinetri/algebra/sturm_sequence.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "../support/random_polynomials.h"
+#include "kinetri/base/error.h"
+
+namespace kinetri {
+namespace {
+
+using test::Known_polynomial;
+using test::Known_root;
+using test::Random;
+
+using End = std::optional<Interval_end>;
+
+bool is_inside(const Known_root& root, const End& lower, const End& upper) {
+  if (lower) {
+    const int order = mpfr_cmp_q(root.value.backend().data(), lower->value.backend().data());
+    const bool equal = root.rational && *root.rational == lower->value;
+    if (equal ? !lower->included : order < 0) return false;
+  }
+  if (upper) {
+    const int order = mpfr_cmp_q(root.value.backend().data(), upper->value.backend().data());
+    const bool equal = root.rational && *root.rational == upper->value;
+    if (equal ? !upper->included : order > 0) return false;
+  }
+  return true;
+}
+
+int count_by_construction(const Known_polynomial& p, const End& lower, const End& upper) {
+  int count = 0;
+  for (const Known_root& root : p.roots()) count += is_inside(root, lower, upper) ? 1 : 0;
+  return count;
+}
+
+// Ends worth trying: the rational roots, close neighbours of all, and anything.
+std::vector<Rational> interesting_points(const Known_polynomial& p, Random& random) {
+  std::vector<Rational> result = {random.any_rational(), random.any_rational(), Rational(0)};
+  for (const Known_root& root : p.roots()) {
+    if (root.rational) result.push_back(*root.rational);
+    const Rational near = root.rational ? *root.rational : test::rounded(root.value, 250);
+    result.push_back(near + scaled_by_power_of_two(1, -random.integer(1, 200)));
+    result.push_back(near - scaled_by_power_of_two(1, -random.integer(1, 200)));
+  }
+  return result;
+}
+
+std::string describe(const Polynomial& p, const End& lower, const End& upper) {
+  std::ostringstream out;
+  out << p << " on " << (lower && lower->included ? '[' : '(')
+      << (lower ? lower->value.str() : "-inf") << ", " << (upper ? upper->value.str() : "inf")
+      << (upper && upper->included ? ']' : ')');
+  return out.str();
+}
+
+// Every combination of ends at the points, or `pairs` random pairs, with all inclusions.
+template <class Check>
+void for_intervals(const std::vector<Rational>& points, Random& random, int pairs,
+                   const Check& check) {
+  check(std::nullopt, std::nullopt);
+  for (int i = 0; i < pairs; ++i) {
+    Rational a = random.pick(points);
+    Rational b = random.integer(0, 9) == 0 ? a : random.pick(points);
+    if (b < a) std::swap(a, b);
+    for (const bool first : {false, true}) {
+      check(Interval_end{a, first}, std::nullopt);
+      check(std::nullopt, Interval_end{b, first});
+      for (const bool last : {false, true}) check(Interval_end{a, first}, Interval_end{b, last});
+    }
+  }
+}
+
+// --- Counting
+// -------------------------------------------------------------------------------------
+
+TEST(SturmCount, OfAPolynomialBuiltFromRootsIsTheirNumberInEveryInterval) {
+  for (unsigned long seed = 0; seed < test::scaled_count(800); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Known_polynomial p = test::random_known_polynomial(random, 10, 4);
+    const Sturm_sequence sequence(p.polynomial());
+    for_intervals(interesting_points(p, random), random, 8,
+                  [&](const End& lower, const End& upper) {
+                    ASSERT_EQ(sequence.count(lower, upper), count_by_construction(p, lower, upper))
+                        << describe(p.polynomial(), lower, upper);
+                  });
+  }
+}
+
+TEST(SturmCount, IsRightForCoefficientsOfHugeAndTinyMagnitude) {
+  for (unsigned long seed = 0; seed < test::scaled_count(300); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Known_polynomial p(random.big_integer_not_zero(500));
+    // 2^-500 is about 1e-150.
+    for (long i = random.integer(1, 4); i > 0; --i) {
+      p.add_rational(random.dyadic(50, -550, 450), static_cast<int>(random.integer(1, 2)));
+    }
+    p.add_rootless(random.dyadic(50, -550, 450), random.dyadic(50, -550, 450), 1);
+    const Sturm_sequence sequence(p.polynomial());
+    for_intervals(interesting_points(p, random), random, 4,
+                  [&](const End& lower, const End& upper) {
+                    ASSERT_EQ(sequence.count(lower, upper), count_by_construction(p, lower, upper))
+                        << describe(p.polynomial(), lower, upper);
+                  });
+  }
+}
+
+TEST(SturmCount, AtADoubleRootDoesNotLoseIt) {
+  // All the undivided terms vanish at 1, so that V(1) of the undivided sequence is 0.
+  const Sturm_sequence sequence(Polynomial{1, -2, 1} * Polynomial{-3, 1});
+  EXPECT_EQ(sequence.count(), 2);
+  EXPECT_EQ(sequence.count(Interval_end{1, true}, Interval_end{2, true}), 1);
+  EXPECT_EQ(sequence.count(Interval_end{1, false}, Interval_end{2, true}), 0);
+  EXPECT_EQ(sequence.count(Interval_end{0, true}, Interval_end{1, true}), 1);
+  EXPECT_EQ(sequence.count(Interval_end{0, true}, Interval_end{1, false}), 0);
+  EXPECT_EQ(sequence.count(Interval_end{1, true}, Interval_end{3, true}), 2);
+  EXPECT_EQ(sequence.count(Interval_end{1, false}, Interval_end{3, false}), 0);
+  EXPECT_EQ(sequence.count(Interval_end{1, true}, std::nullopt), 2);
+  EXPECT_EQ(sequence.count(std::nullopt, Interval_end{1, false}), 0);
+}
+
+TEST(SturmCount, OfAPointIsOneAtARootAndAnEmptyIntervalHasNone) {
+  const Sturm_sequence sequence(Polynomial{-1, 0, 1});
+  EXPECT_EQ(sequence.count(Interval_end{1, true}, Interval_end{1, true}), 1);
+  EXPECT_EQ(sequence.count(Interval_end{1, true}, Interval_end{1, false}), 0);
+  EXPECT_EQ(sequence.count(Interval_end{1, false}, Interval_end{1, true}), 0);
+  EXPECT_EQ(sequence.count(Interval_end{1, false}, Interval_end{1, false}), 0);
+  EXPECT_EQ(sequence.count(Interval_end{0, true}, Interval_end{0, true}), 0);
+}
+
+TEST(SturmCount, OfConstantsAndLinesIsRight) {
+  EXPECT_EQ(Sturm_sequence(Polynomial{5}).count(), 0);
+  EXPECT_EQ(Sturm_sequence(Polynomial{-5}).count(Interval_end{0, true}, Interval_end{1, true}), 0);
+  EXPECT_EQ(Sturm_sequence(Polynomial{5, -2}).count(), 1);
+  EXPECT_EQ(Sturm_sequence(Polynomial{5, -2}).count(Interval_end{Rational(5, 2), false}), 0);
+  EXPECT_EQ(Sturm_sequence(Polynomial{5, -2}).count(Interval_end{Rational(5, 2), true}), 1);
+}
+
+TEST(SturmCount, OfPowersOfIrrationalOrComplexPairsCountsDistinctRealRoots) {
+  Polynomial real{1};
+  Polynomial complex{1};
+  for (int power = 1; power <= 4; ++power) {
+    real = real * Polynomial{-2, 0, 1};
+    complex = complex * Polynomial{1, 0, 1};
+    EXPECT_EQ(Sturm_sequence(real).count(), 2) << power;
+    EXPECT_EQ(Sturm_sequence(real).count(Interval_end{0, true}, std::nullopt), 1) << power;
+    EXPECT_EQ(Sturm_sequence(complex).count(), 0) << power;
+    EXPECT_EQ(Sturm_sequence(real * complex).count(), 2) << power;
+  }
+}
+
+TEST(SturmSequence, PreconditionsAreChecked) {
+  EXPECT_THROW(Sturm_sequence{Polynomial()}, Precondition_error);
+  EXPECT_THROW((Sturm_sequence{Polynomial(), Polynomial{1}}), Precondition_error);
+  const Sturm_sequence sequence(Polynomial{-1, 0, 1});
+  EXPECT_THROW(sequence.count(Interval_end{1, true}, Interval_end{0, true}), Precondition_error);
+}
+
+// --- Terms
+// ------------------------------------------------------------------------------------------
+
+TEST(SturmSequence, TermsArePrimitiveNegatedRemaindersThatEndWithTheGcd) {
+  for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Polynomial f = random.coin()
+                             ? random.polynomial(static_cast<int>(random.integer(0, 8)), 60)
+                             : test::random_known_polynomial(random, 8, 4).polynomial();
+    const Sturm_sequence sequence(f);
+    const std::span<const Polynomial> terms = sequence.terms();
+    ASSERT_EQ(terms.front(), primitive_part(f));
+    if (f.degree() >= 1) {
+      ASSERT_EQ(terms[1], primitive_part(derivative(f)));
+    }
+    for (const Polynomial& term : terms) {
+      ASSERT_FALSE(term.is_zero());
+      ASSERT_EQ(content(term), Integer(1));
+      ASSERT_TRUE(positive_pseudo_remainder(term, terms.back()).is_zero());
+    }
+    for (std::size_t i = 2; i < terms.size(); ++i) {
+      ASSERT_EQ(terms[i], primitive_part(-positive_pseudo_remainder(terms[i - 2], terms[i - 1])));
+    }
+    const Polynomial common = gcd(f, derivative(f));
+    ASSERT_TRUE(terms.back() == common || terms.back() == -common);
+  }
+}
+
+TEST(SturmSequence, SignChangesIgnoreZerosAndPositiveFactors) {
+  // t^3 - t, 3 t^2 - 1, 2 t, 1 up to positive factors.
+  const Sturm_sequence sequence(Polynomial{0, -7, 0, 7});
+  EXPECT_EQ(sequence.sign_changes_at_minus_infinity(), 3);
+  EXPECT_EQ(sequence.sign_changes_at_plus_infinity(), 0);
+  EXPECT_EQ(sequence.sign_changes_at(-1), 2);  // 0 + - +
+  EXPECT_EQ(sequence.sign_changes_at(0), 1);   // 0 - 0 +
+  EXPECT_EQ(sequence.sign_changes_at(1), 0);   // 0 + + +
+}
+
+// --- Tarski queries
+// -------------------------------------------------------------------------------
+
+int tarski_by_construction(const Known_polynomial& f, const Known_polynomial& g, const End& lower,
+                           const End& upper) {
+  int result = 0;
+  for (const Known_root& root : f.roots()) {
+    if (!is_inside(root, lower, upper)) continue;
+    // The sign at the far right, changed by each root of odd multiplicity on the way.
+    int s = g.polynomial().sign_at_plus_infinity();
+    for (const Known_root& other : g.roots()) {
+      if (other.value == root.value) s = 0;
+      if (other.value > root.value && other.multiplicity % 2 != 0) s = -s;
+    }
+    result += s;
+  }
+  return result;
+}
+
+TEST(TarskiQuery, OfPolynomialsBuiltFromRootsIsTheSumOfTheSigns) {
+  for (unsigned long seed = 0; seed < test::scaled_count(800); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Known_polynomial f = test::random_known_polynomial(random, 8, 3);
+    Known_polynomial g = test::random_known_polynomial(random, 5, 2);
+    // Common roots of f and g, at which g counts as zero.
+    for (const Known_root& root : f.roots()) {
+      if (root.rational && random.integer(0, 2) == 0) {
+        g.add_rational(*root.rational, static_cast<int>(random.integer(1, 2)));
+      }
+    }
+    if (random.coin()) g.negate();
+    const Sturm_sequence sequence(f.polynomial(), g.polynomial());
+    for_intervals(
+        interesting_points(f, random), random, 8, [&](const End& lower, const End& upper) {
+          ASSERT_EQ(sequence.count(lower, upper), tarski_by_construction(f, g, lower, upper))
+              << "g = " << g.polynomial() << ", f = " << describe(f.polynomial(), lower, upper);
+        });
+  }
+}
+
+TEST(TarskiQuery, AtEndsThatAreRootsCountsTheSignOfGThere) {
+  const Polynomial f = Polynomial{-1, 0, 1};  // roots -1 and 1
+  const Sturm_sequence negative(f, Polynomial{-1});
+  EXPECT_EQ(negative.count(), -2);
+  EXPECT_EQ(negative.count(Interval_end{-1, true}, Interval_end{1, true}), -2);
+  EXPECT_EQ(negative.count(Interval_end{-1, false}, Interval_end{1, true}), -1);
+  EXPECT_EQ(negative.count(Interval_end{-1, true}, Interval_end{1, false}), -1);
+  EXPECT_EQ(negative.count(Interval_end{-1, false}, Interval_end{1, false}), 0);
+  EXPECT_EQ(negative.count(Interval_end{1, true}, Interval_end{1, true}), -1);
+  EXPECT_EQ(negative.count(Interval_end{1, false}, Interval_end{1, false}), 0);
+  const Sturm_sequence mixed(f, Polynomial{0, 1});
+  EXPECT_EQ(mixed.count(), 0);
+  EXPECT_EQ(mixed.count(Interval_end{0, true}, Interval_end{1, true}), 1);
+  EXPECT_EQ(mixed.count(Interval_end{-1, true}, Interval_end{0, true}), -1);
+}
+
+TEST(TarskiQuery, WithGZeroOrSharingAllRootsIsZero) {
+  const Polynomial f = Polynomial{-2, 0, 1} * Polynomial{-1, 1};
+  EXPECT_EQ(Sturm_sequence(f, Polynomial()).count(), 0);
+  EXPECT_EQ(Sturm_sequence(f, f).count(), 0);
+  EXPECT_EQ(Sturm_sequence(f, f).count(Interval_end{1, true}, Interval_end{1, true}), 0);
+  EXPECT_EQ(Sturm_sequence(Polynomial{7}, f).count(), 0);
+}
+
+}  // namespace
+}  // namespace kinetri

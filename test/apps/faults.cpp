@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Failures that the program must survive and that a right library never has. Linked in front of the
+// library, this definition of Kinetic_delaunay_triangulation_2<>::audit takes the place of the real
+// one; the environment variable KINETRI_TEST_FAULT chooses the failure.
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+#include "kinetri/kinetri.h"
+
+namespace kinetri {
+
+// The member function under its name in the Itanium C++ ABI, where a member function takes the
+// object as its first argument.
+Audit_report
+faulty_audit(const Kinetic_delaunay_triangulation_2<>* audited, Audit_level level) __asm__(
+    "_ZNK7kinetri32Kinetic_delaunay_triangulation_2INS_23Linear_kinetic_traits_2EE5audit"
+    "ENS_11Audit_levelE");
+
+Audit_report faulty_audit(const Kinetic_delaunay_triangulation_2<>* /*audited*/,
+                          Audit_level /*level*/) {
+  const char* const variable = std::getenv("KINETRI_TEST_FAULT");
+  const std::string_view fault = variable == nullptr ? "" : variable;
+  if (fault == "internal") throw Internal_error("an internal error made on purpose");
+  if (fault == "precondition") throw Precondition_error("a broken precondition made on purpose");
+  if (fault == "unexpected") throw std::logic_error("an exception made on purpose");
+  if (fault == "memory") throw std::bad_alloc();
+  return {{"the edge 1-2 is wrong"}};
+}
+
+}  // namespace kinetri

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The fixture of the program's tests: an empty working directory, and a short way to run kinetri in
+// it.
+#ifndef KINETRI_TEST_APPS_PROGRAM_TEST_H
+#define KINETRI_TEST_APPS_PROGRAM_TEST_H
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/process.h"
+#include "support/temporary_directory.h"
+
+namespace kinetri::test {
+
+using Arguments = std::vector<std::string>;
+using Entries = std::vector<std::string>;
+
+/// Four points whose triangulation changes once from t = 0 on: at t = 1 they are the corners of a
+/// square, and the edge 0-3 becomes 1-2.
+constexpr const char* one_flip =
+    "x,y,vx,vy\n"
+    "0,0,0,0\n"
+    "4,0,0,0\n"
+    "0,4,0,0\n"
+    "3,3,1,1\n";
+
+class Program_test : public testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return directory_.file(name); }
+  Entries entries() const { return directory_.entries(); }
+  std::string directory() const { return directory_.path(); }
+  void write(const std::string& name, const std::string& text) const {
+    write_file(file(name), text);
+  }
+  std::string read(const std::string& name) const { return read_file(file(name)); }
+  bool exists(const std::string& name) const { return std::filesystem::exists(file(name)); }
+
+  Outcome run(const Arguments& arguments, Process_input input = {}) const {
+    input.directory = directory();
+    return Process(KINETRI_PROGRAM, arguments, input).wait();
+  }
+
+ private:
+  Temporary_directory directory_;
+};
+
+}  // namespace kinetri::test
+
+#endif  // KINETRI_TEST_APPS_PROGRAM_TEST_H

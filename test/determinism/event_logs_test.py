@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The same input gives the same event log, byte for byte.
+
+usage: event_logs_test.py builds PROGRAM OTHER_PROGRAM WORK_DIR
+         of two builds of the program, degenerate input included
+       event_logs_test.py rows PROGRAM WORK_DIR
+         of a points file and of the same with its rows in another order, once the points have their
+         old numbers back; on input without simultaneous events, whose order is by number
+
+A difference is shown as the lines that differ, under the commands that make the two logs.
+KINETRI_TEST_MULTIPLIER is the number of seeds, times two.
+"""
+import difflib
+import os
+import pathlib
+import random
+import shlex
+import subprocess
+import sys
+
+SEEDS = range(1, 1 + 2 * int(os.environ.get("KINETRI_TEST_MULTIPLIER", "1")))
+
+# Arguments of `kinetri generate`, the end of the simulation, and the least number of events: a run
+# in which nothing happens would show nothing.
+GENERIC = [
+    ("uniform --points 80", 3, 100),
+    ("gaussian --points 60", 3, 100),
+    ("constant-speed --points 60", 3, 100),
+    ("one-mover --points 200 --speed 40", 8, 5),
+    ("lattice-jitter --points 64", 3, 100),
+]
+DEGENERATE = [
+    ("lattice --points 49 --movers one", 20, 1),
+    ("lattice --points 49 --movers columns", 5, 50),
+    ("lattice --points 36 --movers all", 3, 50),
+    ("lattice --points 25 --movers none", 3, 0),
+]
+
+ID_COLUMNS = ["removed_a", "removed_b", "added_a", "added_b", "point_a", "point_b"]
+MOST_LINES = 40
+
+
+class Difference(Exception):
+    pass
+
+
+def generate(program, scenario, seed, file):
+    command = [program, "generate", *scenario.split(), "--seed", str(seed), "--output", str(file)]
+    subprocess.run(command, check=True, stdin=subprocess.DEVNULL)
+
+
+class Run:
+    """`kinetri simulate` of a file: what it wrote and how it ended."""
+
+    def __init__(self, program, points, until, prefix):
+        files = {
+            "--events": prefix.with_suffix(".events.csv"),
+            "--initial-edges": prefix.with_suffix(".initial.csv"),
+            "--edges": prefix.with_suffix(".edges.csv"),
+        }
+        for file in files.values():
+            file.unlink(missing_ok=True)
+        command = [program, "simulate", points, "--until", until, "--audit", "end", "--quiet"]
+        for option, file in files.items():
+            command += [option, file]
+        command = [str(word) for word in command]
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        self.command = shlex.join(command)
+        self.code = done.returncode
+        self.errors = done.stderr.splitlines()
+        self.events, self.initial, self.edges = (
+            file.read_text().splitlines() if file.exists() else [] for file in files.values()
+        )
+
+    def check_done(self, least):
+        if self.code != 0:
+            raise Difference("\n".join([self.command, f"ended with {self.code}", *self.errors]))
+        if len(self.events) - 1 < least:
+            raise Difference(f"{self.command}\nonly {len(self.events) - 1} events; expected {least}")
+
+
+def compare(what, one, one_lines, other, other_lines):
+    if one_lines == other_lines:
+        return
+    lines = list(difflib.unified_diff(one_lines, other_lines, "first", "second", lineterm="", n=1))
+    raise Difference(
+        "\n".join([f"first:  {one.command}", f"second: {other.command}", f"{what} differ:"])
+        + "\n"
+        + "\n".join(lines[:MOST_LINES])
+    )
+
+
+def compare_builds(program, other_program, folder):
+    for scenario, until, least in GENERIC + DEGENERATE:
+        for seed in SEEDS:
+            points = folder / "points.csv"
+            generate(program, scenario, seed, points)
+            one = Run(program, points, until, folder / "one")
+            other = Run(other_program, points, until, folder / "other")
+            one.check_done(least)
+            compare(
+                "ends", one, [str(one.code), *one.errors], other, [str(other.code), *other.errors]
+            )
+            for what in ("initial", "events", "edges"):
+                compare(what, one, getattr(one, what), other, getattr(other, what))
+            print(f"{scenario}, seed {seed}: {len(one.events) - 1} events, the same")
+
+
+def rename_events(lines, old_ids):
+    """The event log with each new point id replaced by the old one, edges in order again."""
+    header = lines[0].split(",")
+    columns = [header.index(name) for name in ID_COLUMNS]
+    renamed = [lines[0]]
+    for line in lines[1:]:
+        fields = line.split(",")
+        for a, b in zip(columns[::2], columns[1::2]):
+            ids = sorted(old_ids[int(fields[i])] for i in (a, b) if fields[i])
+            if len(ids) == 2:
+                fields[a], fields[b] = map(str, ids)
+        renamed.append(",".join(fields))
+    return renamed
+
+
+def rename_edges(lines, old_ids):
+    edges = sorted(sorted(old_ids[int(id)] for id in line.split(",")) for line in lines[1:])
+    return lines[:1] + [f"{a},{b}" for a, b in edges]
+
+
+def permute(points, permuted, seed):
+    """Writes the rows in another order; returns the old id of each new one."""
+    lines = [line for line in points.read_text().splitlines() if line and not line.startswith("#")]
+    old_ids = list(range(len(lines) - 1))
+    random.Random(seed).shuffle(old_ids)
+    permuted.write_text("\n".join([lines[0]] + [lines[1 + id] for id in old_ids]) + "\n")
+    return old_ids
+
+
+def compare_rows(program, folder):
+    for scenario, until, least in GENERIC:
+        for seed in SEEDS:
+            points, permuted = folder / "points.csv", folder / "permuted.csv"
+            generate(program, scenario, seed, points)
+            old_ids = permute(points, permuted, seed)
+            one = Run(program, points, until, folder / "one")
+            other = Run(program, permuted, until, folder / "other")
+            one.check_done(least)
+            other.check_done(least)
+            compare("events", one, one.events, other, rename_events(other.events, old_ids))
+            compare("initial edges", one, one.initial, other, rename_edges(other.initial, old_ids))
+            compare("edges", one, one.edges, other, rename_edges(other.edges, old_ids))
+            print(f"{scenario}, seed {seed}: {len(one.events) - 1} events, the same")
+
+
+def main():
+    arguments = sys.argv[1:]
+    if len(arguments) not in (3, 4) or arguments[0] != {3: "rows", 4: "builds"}[len(arguments)]:
+        sys.exit(__doc__)
+    folder = pathlib.Path(arguments.pop())
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        if arguments[0] == "builds":
+            compare_builds(*arguments[1:], folder)
+        else:
+            compare_rows(*arguments[1:], folder)
+    except Difference as difference:
+        print(difference)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The indexed queue against a slow and obvious one, and the rules for handles, counters and order.
+#include "kinetri/events/indexed_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/error.h"
+
+namespace kinetri {
+namespace {
+
+using Item = std::pair<int, int>;  // priority, serial number
+using Queue = Indexed_queue<Item, std::less<Item>>;
+
+// The reference: a map from handle to item, scanned for the least one.
+class Linear_scan_queue {
+ public:
+  std::size_t size() const { return items_.size(); }
+  bool contains(Queue_handle handle) const { return items_.contains(handle); }
+
+  void push(Queue_handle handle, Item item) {
+    ASSERT_FALSE(contains(handle)) << "the handle " << handle << " is in use";
+    items_.emplace(handle, item);
+    ++counters_.pushed;
+    counters_.peak = std::max<std::uint64_t>(counters_.peak, size());
+  }
+  void update(Queue_handle handle, Item item) {
+    items_.at(handle) = item;
+    ++counters_.pushed;
+    ++counters_.discarded;
+  }
+  void erase(Queue_handle handle) {
+    items_.erase(handle);
+    ++counters_.discarded;
+  }
+  void clear() {
+    counters_.discarded += size();
+    items_.clear();
+  }
+  std::pair<Queue_handle, Item> top() const {
+    return *std::min_element(items_.begin(), items_.end(),
+                             [](const auto& a, const auto& b) { return a.second < b.second; });
+  }
+  void pop() { items_.erase(top().first); }
+
+  Queue_handle handle_at(std::size_t index) const {
+    return std::next(items_.begin(), static_cast<std::ptrdiff_t>(index))->first;
+  }
+  const std::map<Queue_handle, Item>& items() const { return items_; }
+  const Queue_counters& counters() const { return counters_; }
+
+ private:
+  std::map<Queue_handle, Item> items_;
+  Queue_counters counters_;
+};
+
+// Does the same to both queues, and compares what they show.
+class Pair_of_queues {
+ public:
+  explicit Pair_of_queues(std::uint64_t seed, int priorities)
+      : random_(seed), priorities_(static_cast<std::uint64_t>(priorities)) {}
+
+  // `growth` of 100 operations are pushes.
+  void operate(unsigned growth) {
+    const std::uint64_t choice = random_() % 100;
+    if (reference_.size() == 0 || choice < growth) {
+      const Item item = next_item();
+      reference_.push(queue_.push(item), item);
+      return;
+    }
+    const Queue_handle any = reference_.handle_at(random_() % reference_.size());
+    switch (random_() % 3) {
+      case 0: {
+        const Item item = next_item();
+        queue_.update(any, item);
+        reference_.update(any, item);
+        break;
+      }
+      case 1:
+        queue_.erase(any);
+        reference_.erase(any);
+        break;
+      default:
+        EXPECT_EQ(queue_.pop(), reference_.top().second);
+        reference_.pop();
+    }
+  }
+
+  void clear() {
+    queue_.clear();
+    reference_.clear();
+  }
+
+  void compare() const {
+    ASSERT_EQ(queue_.size(), reference_.size());
+    ASSERT_EQ(queue_.empty(), reference_.size() == 0);
+    ASSERT_EQ(queue_.counters(), reference_.counters());
+    if (queue_.empty()) return;
+    ASSERT_EQ(queue_.top(), reference_.top().second);
+    ASSERT_EQ(queue_.top_handle(), reference_.top().first);
+  }
+
+  void compare_everything() const {
+    ASSERT_TRUE(queue_.is_valid());
+    for (const auto& [handle, item] : reference_.items()) {
+      ASSERT_TRUE(queue_.contains(handle));
+      ASSERT_EQ(queue_[handle], item);
+    }
+    for (Queue_handle handle = 0; handle < 2000; ++handle) {
+      ASSERT_EQ(queue_.contains(handle), reference_.contains(handle)) << "handle " << handle;
+    }
+  }
+
+ private:
+  Item next_item() { return {static_cast<int>(random_() % priorities_), serial_++}; }
+
+  std::mt19937_64 random_;
+  std::uint64_t priorities_;
+  int serial_ = 0;
+  Queue queue_;
+  Linear_scan_queue reference_;
+};
+
+class RandomOperations : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RandomOperations, AgreeWithLinearScan) {
+  for (const int priorities : {1, 3, 50, 1'000'000}) {
+    Pair_of_queues queues(GetParam(), priorities);
+    // Growing, shrinking to nothing, growing again, so that handles are reused at every size.
+    for (const unsigned growth : {60U, 20U, 55U, 35U}) {
+      for (int i = 0; i < 800; ++i) {
+        queues.operate(growth);
+        ASSERT_NO_FATAL_FAILURE(queues.compare()) << "seed " << GetParam() << ", operation " << i;
+        if (i % 40 != 0) continue;
+        ASSERT_NO_FATAL_FAILURE(queues.compare_everything());
+      }
+    }
+    queues.clear();
+    ASSERT_NO_FATAL_FAILURE(queues.compare());
+    queues.operate(100);
+    ASSERT_NO_FATAL_FAILURE(queues.compare_everything());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomOperations, testing::Range<std::uint64_t>(1, 9));
+
+TEST(IndexedQueue, PopsComeInAscendingOrder) {
+  std::mt19937_64 random(7);
+  Queue queue;
+  std::vector<Item> items;
+  for (int i = 0; i < 5000; ++i) {
+    items.emplace_back(static_cast<int>(random() % 500), i);
+    queue.push(items.back());
+  }
+  std::sort(items.begin(), items.end());
+  for (const Item& item : items) ASSERT_EQ(queue.pop(), item);
+  EXPECT_TRUE(queue.empty());
+}
+
+// Two queues with the same items and different histories pop the same: the order is the items' own.
+TEST(IndexedQueue, OrderOfPopsDoesNotDependOnHistory) {
+  Queue plain;
+  Queue shuffled;
+  std::vector<Item> items;
+  for (int i = 0; i < 1000; ++i) items.emplace_back(i % 7, i);
+  for (const Item& item : items) plain.push(item);
+  std::shuffle(items.begin(), items.end(), std::mt19937_64(3));
+  for (const Item& item : items) {
+    const Queue_handle handle = shuffled.push({-1, 0});
+    const Queue_handle passing = shuffled.push({1000, 0});
+    shuffled.update(handle, item);
+    shuffled.erase(passing);
+  }
+  while (!plain.empty()) ASSERT_EQ(shuffled.pop(), plain.pop());
+  EXPECT_TRUE(shuffled.empty());
+}
+
+TEST(IndexedQueue, ErasingAnItemMayMoveItsReplacementUp) {
+  // The last leaf (2) is smaller than the ancestors of the erased one (10, under 9).
+  Indexed_queue<int, std::less<int>> queue;
+  std::vector<Queue_handle> handles;
+  for (const int item : {0, 9, 1, 1, 1, 10, 10, 10, 10, 2}) handles.push_back(queue.push(item));
+  queue.erase(handles[5]);
+  EXPECT_TRUE(queue.is_valid());
+  std::vector<int> popped;
+  while (!queue.empty()) popped.push_back(queue.pop());
+  EXPECT_EQ(popped, (std::vector<int>{0, 1, 1, 1, 2, 9, 10, 10, 10}));
+}
+
+TEST(IndexedQueue, HandleStaysWithItsItemUntilItLeavesAndIsThenReused) {
+  Indexed_queue<int, std::less<int>> queue;
+  const Queue_handle a = queue.push(5);
+  const Queue_handle b = queue.push(3);
+  EXPECT_FALSE(queue.contains(no_event));
+  EXPECT_FALSE(queue.contains(2));
+  queue.push(1);
+  queue.update(a, 0);
+  EXPECT_EQ(queue.top_handle(), a);
+  EXPECT_EQ(queue[b], 3);
+  EXPECT_EQ(queue.pop(), 0);
+  EXPECT_FALSE(queue.contains(a));
+  EXPECT_EQ(queue.push(9), a);
+  EXPECT_EQ(queue[a], 9);
+}
+
+TEST(IndexedQueue, CountersSayWhatHappened) {
+  Indexed_queue<int, std::less<int>> queue;
+  EXPECT_EQ(queue.counters(), (Queue_counters{}));
+  const Queue_handle a = queue.push(1);
+  const Queue_handle b = queue.push(2);
+  queue.push(3);
+  queue.push(4);
+  queue.update(a, 5);
+  queue.erase(b);
+  queue.pop();
+  EXPECT_EQ(queue.counters(), (Queue_counters{.pushed = 5, .discarded = 2, .peak = 4}));
+  queue.clear();
+  EXPECT_EQ(queue.counters(), (Queue_counters{.pushed = 5, .discarded = 4, .peak = 4}));
+}
+
+struct Less_pointee {
+  bool operator()(const std::unique_ptr<int>& a, const std::unique_ptr<int>& b) const {
+    return *a < *b;
+  }
+};
+
+TEST(IndexedQueue, HoldsItemsThatCanOnlyBeMoved) {
+  Indexed_queue<std::unique_ptr<int>, Less_pointee> queue;
+  for (int i = 100; i > 0; --i) queue.push(std::make_unique<int>(i));
+  queue.update(queue.top_handle(), std::make_unique<int>(1000));
+  EXPECT_EQ(*queue.top(), 2);
+  for (int i = 2; i <= 100; ++i) ASSERT_EQ(*queue.pop(), i);
+  EXPECT_EQ(*queue.pop(), 1000);
+}
+
+struct Less_shared {
+  bool operator()(const std::shared_ptr<int>& a, const std::shared_ptr<int>& b) const {
+    return *a < *b;
+  }
+};
+
+TEST(IndexedQueue, ReleasesWhatAnItemOwnsWhenItLeaves) {
+  Indexed_queue<std::shared_ptr<int>, Less_shared> queue;
+  const auto popped = std::make_shared<int>(0);
+  const auto erased = std::make_shared<int>(1);
+  const auto replaced = std::make_shared<int>(2);
+  const auto cleared = std::make_shared<int>(3);
+  queue.push(popped);
+  const Queue_handle handle = queue.push(erased);
+  const Queue_handle other = queue.push(replaced);
+  queue.push(cleared);
+  queue.pop();
+  queue.erase(handle);
+  queue.update(other, std::make_shared<int>(4));
+  queue.clear();
+  for (const auto& item : {&popped, &erased, &replaced, &cleared}) {
+    EXPECT_EQ(item->use_count(), 1) << "item " << **item;
+  }
+}
+
+TEST(IndexedQueue, MisuseThrows) {
+  Indexed_queue<int, std::less<int>> queue;
+  EXPECT_THROW(static_cast<void>(queue.top()), Precondition_error);
+  EXPECT_THROW(static_cast<void>(queue.top_handle()), Precondition_error);
+  EXPECT_THROW(queue.pop(), Precondition_error);
+  const Queue_handle handle = queue.push(1);
+  queue.pop();
+  EXPECT_THROW(queue.erase(handle), Precondition_error);
+  EXPECT_THROW(queue.update(handle, 2), Precondition_error);
+  EXPECT_THROW(static_cast<void>(queue[handle]), Precondition_error);
+  EXPECT_THROW(queue.erase(no_event), Precondition_error);
+}
+
+}  // namespace
+}  // namespace kinetri

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Configures and builds the consumer in WORK_DIR with the options OPTIONS (separated by |), runs it,
+# and compares what it prints with what it should. Where REFUSED is given, configuring must fail
+# instead, with a message that matches it.
+
+# Stops with the message and the text under it, which CMake shows as it is where it is indented.
+function(fail message text)
+  string(REPLACE "\n" "\n  " text "\n${text}")
+  message(FATAL_ERROR "${message}${text}")
+endfunction()
+
+string(REPLACE "|" ";" OPTIONS "${OPTIONS}")
+# Nothing found before is found again without looking; but what has been compiled may stay.
+file(REMOVE ${WORK_DIR}/CMakeCache.txt)
+execute_process(
+  COMMAND ${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR} -G ${GENERATOR} ${OPTIONS}
+  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+if(DEFINED REFUSED)
+  string(REGEX REPLACE "[ \n]+" " " message "${errors}")
+  if(code EQUAL 0 OR NOT message MATCHES "${REFUSED}")
+    fail("configuring ended with ${code}, expected a refusal with \"${REFUSED}\":" "${errors}")
+  endif()
+  return()
+endif()
+if(NOT code EQUAL 0 OR errors)
+  fail("configuring ended with ${code}:" "${output}${errors}")
+endif()
+if(output MATCHES "CGAL|Boost")
+  fail("configuring talks about Kinetri's dependencies:" "${output}")
+endif()
+
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR} --parallel 2
+  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT code EQUAL 0)
+  fail("building ended with ${code}:" "${output}")
+endif()
+
+execute_process(COMMAND ${WORK_DIR}/consumer OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${CONSUMER_DIR}/expected.txt expected)
+if(NOT output STREQUAL expected)
+  fail("the consumer prints" "${output}expected\n${expected}")
+endif()

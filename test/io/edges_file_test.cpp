@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Files of edges.
+#include "kinetri/io/edges_file.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <vector>
+
+namespace kinetri {
+namespace {
+
+TEST(WriteEdges, WritesAHeaderAndOneEdgeALine) {
+  std::ostringstream out;
+  write_edges(out, std::vector<Edge_ids>{{0, 1}, {0, 4294967294}, {12, 345}});
+  EXPECT_EQ(out.str(), "a,b\n0,1\n0,4294967294\n12,345\n");
+}
+
+TEST(WriteEdges, WithoutEdgesWritesTheHeader) {
+  std::ostringstream out;
+  write_edges(out, {});
+  EXPECT_EQ(out.str(), "a,b\n");
+}
+
+}  // namespace
+}  // namespace kinetri

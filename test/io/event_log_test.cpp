@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The event log: outside programs read these lines.
+#include "kinetri/io/event_log.h"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace kinetri {
+namespace {
+
+using Log_event = Event<Algebraic_number>;
+
+constexpr const char* header =
+    "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n";
+
+std::string log_of(const std::vector<Log_event>& events) {
+  std::ostringstream out;
+  Event_log_writer writer(out);
+  for (const Log_event& event : events) {
+    writer.before_event(event);
+    writer.after_event(event);
+  }
+  return out.str();
+}
+
+Algebraic_number square_root(int radicand) {
+  return {Polynomial({Integer(-radicand), Integer(0), Integer(1)}), Rational(0),
+          Rational(radicand)};
+}
+
+std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> result(1);
+  for (const char c : line) {
+    if (c == ',') {
+      result.emplace_back();
+    } else if (c != '\n') {
+      result.back() += c;
+    }
+  }
+  return result;
+}
+
+double read_back(const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  EXPECT_TRUE(error == std::errc() && stop == end) << text;
+  return value;
+}
+
+TEST(EventLog, BeginsWithItsHeader) {
+  EXPECT_EQ(log_of({}), header);
+}
+
+TEST(EventLog, WritesTheFieldsOfEachKind) {
+  const Algebraic_number time(0.5);
+  EXPECT_EQ(
+      log_of({
+          {.number = 0,
+           .kind = Event_kind::flip,
+           .time = time,
+           .removed = Edge_ids{1, 12},
+           .added = Edge_ids{0, 4294967294}},
+          {.number = 1, .kind = Event_kind::hull_insert, .time = time, .removed = Edge_ids{2, 3}},
+          {.number = 2, .kind = Event_kind::hull_remove, .time = time, .added = Edge_ids{4, 5}},
+          {.number = 3, .kind = Event_kind::wall, .time = time, .point_a = 6},
+          {.number = 4, .kind = Event_kind::collision, .time = time, .point_a = 7, .point_b = 8},
+          {.number = 18446744073709551615U,
+           .kind = Event_kind::rebuild,
+           .time = time,
+           .added = Edge_ids{0, 9}},
+      }),
+      std::string(header) +
+          "0,flip,0.5,0.5,0.5,1,12,0,4294967294,,\n"
+          "1,hull_insert,0.5,0.5,0.5,2,3,,,,\n"
+          "2,hull_remove,0.5,0.5,0.5,,,4,5,,\n"
+          "3,wall,0.5,0.5,0.5,,,,,6,\n"
+          "4,collision,0.5,0.5,0.5,,,,,7,8\n"
+          "18446744073709551615,rebuild,0.5,0.5,0.5,,,0,9,,\n");
+}
+
+TEST(EventLog, TimesThatAreNoBinaryNumbersLieStrictlyBetweenTwo) {
+  const std::vector<Algebraic_number> times = {
+      Algebraic_number(Rational(-1, 3)), Algebraic_number(Rational(1, 10)), square_root(2),
+      Algebraic_number(Rational(Integer(1), Integer("1000000000000000000000000")))};
+  std::vector<Log_event> events;
+  for (const Algebraic_number& time : times) events.push_back({.number = 0, .time = time});
+  std::istringstream log(log_of(events));
+  std::string line;
+  std::getline(log, line);
+  for (const Algebraic_number& time : times) {
+    std::getline(log, line);
+    const double nearest = read_back(fields(line)[2]);
+    const double lower = read_back(fields(line)[3]);
+    const double upper = read_back(fields(line)[4]);
+    EXPECT_TRUE(compare(time, to_rational(lower)) == CGAL::LARGER) << line;
+    EXPECT_TRUE(compare(time, to_rational(upper)) == CGAL::SMALLER) << line;
+    EXPECT_EQ(std::nextafter(lower, std::numeric_limits<double>::infinity()), upper) << line;
+    EXPECT_TRUE(nearest == lower || nearest == upper) << line;
+  }
+}
+
+TEST(EventLog, NumbersReadBackExactly) {
+  const std::vector<double> times = {1e-300,      0.1,  1.0 / 3,
+                                     123456789.0, 1e22, 1.7976931348623157e308};
+  std::vector<Log_event> events;
+  for (const double time : times) events.push_back({.number = 0, .time = time});
+  std::istringstream log(log_of(events));
+  std::string line;
+  std::getline(log, line);
+  for (const double time : times) {
+    std::getline(log, line);
+    for (const std::size_t column : {2U, 3U, 4U}) EXPECT_EQ(read_back(fields(line)[column]), time);
+  }
+}
+
+// Simultaneous events share the text of their time; it must not be kept for the next instant, and a
+// time that is equal but represented otherwise prints the same.
+TEST(EventLog, EachInstantPrintsItsOwnTime) {
+  const Algebraic_number two_as_root(Polynomial({Integer(-4), Integer(0), Integer(1)}), Rational(1),
+                                     Rational(5));
+  const std::string log = log_of({{.number = 0, .time = 1.0},
+                                  {.number = 1, .time = 1.0},
+                                  {.number = 2, .time = 2.0},
+                                  {.number = 3, .time = two_as_root},
+                                  {.number = 4, .time = 3.0}});
+  EXPECT_EQ(log, std::string(header) +
+                     "0,flip,1,1,1,,,,,,\n"
+                     "1,flip,1,1,1,,,,,,\n"
+                     "2,flip,2,2,2,,,,,,\n"
+                     "3,flip,2,2,2,,,,,,\n"
+                     "4,flip,3,3,3,,,,,,\n");
+}
+
+// The bytes depend on the value, not on the work done on it.
+TEST(EventLog, DoesNotDependOnRefinement) {
+  const Algebraic_number coarse = square_root(3);
+  const Algebraic_number fine = square_root(3);
+  fine.refine_to(Rational(1, Integer(1) << 200));
+  EXPECT_EQ(log_of({{.number = 0, .time = coarse}}), log_of({{.number = 0, .time = fine}}));
+}
+
+}  // namespace
+}  // namespace kinetri

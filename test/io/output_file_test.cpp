@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Output files are whole or not there, and every failure is reported.
+#include "kinetri/io/output_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/temporary_directory.h"
+
+namespace kinetri {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_file;
+using test::Temporary_directory;
+using test::write_file;
+using Entries = std::vector<std::string>;
+
+class OutputFile : public testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return directory_.file(name); }
+  Entries entries() const { return directory_.entries(); }
+  std::string directory() const { return directory_.path(); }
+
+  static std::string error_of(const std::string& path) {
+    try {
+      const Output_file output(path);
+      return "no error";
+    } catch (const Output_error& error) {
+      return error.what();
+    }
+  }
+
+  static unsigned permissions(const std::string& path) {
+    return static_cast<unsigned>(fs::status(path).permissions());
+  }
+
+ private:
+  Temporary_directory directory_;
+};
+
+TEST_F(OutputFile, TargetAppearsWithCommitOnly) {
+  Output_file output(file("out"));
+  EXPECT_EQ(output.path(), file("out"));
+  output.stream() << "text";
+  output.stream().flush();
+  EXPECT_FALSE(fs::exists(file("out")));
+  output.finish();
+  EXPECT_FALSE(fs::exists(file("out")));
+  output.commit();
+  EXPECT_EQ(read_file(file("out")), "text");
+  EXPECT_EQ(entries(), Entries{"out"});
+}
+
+TEST_F(OutputFile, WithoutCommitNothingChanges) {
+  write_file(file("old"), "before");
+  {
+    Output_file changed(file("old"));
+    Output_file created(file("new"));
+    changed.stream() << "after";
+    created.stream() << "after";
+    created.finish();
+    EXPECT_EQ(entries().size(), 3U);
+  }
+  EXPECT_EQ(read_file(file("old")), "before");
+  EXPECT_EQ(entries(), Entries{"old"});
+}
+
+TEST_F(OutputFile, CommitReplacesTheOldFile) {
+  write_file(file("out"), "a longer text that was there before");
+  Output_file output(file("out"));
+  output.stream() << "new";
+  output.commit();
+  EXPECT_EQ(read_file(file("out")), "new");
+  EXPECT_EQ(entries(), Entries{"out"});
+}
+
+TEST_F(OutputFile, FinishAndCommitMayBeRepeated) {
+  Output_file output(file("out"));
+  output.stream() << "text";
+  output.finish();
+  output.finish();
+  output.commit();
+  output.commit();
+  EXPECT_EQ(read_file(file("out")), "text");
+}
+
+TEST_F(OutputFile, NothingCanBeWrittenAfterFinish) {
+  Output_file output(file("out"));
+  output.finish();
+  EXPECT_FALSE(output.stream() << "late");
+  output.commit();
+  EXPECT_EQ(read_file(file("out")), "");
+}
+
+TEST_F(OutputFile, SurvivesBeingMoved) {
+  std::vector<Output_file> outputs;
+  for (const char* name : {"a", "b", "c"}) {
+    outputs.emplace_back(file(name)).stream() << name;
+  }
+  for (Output_file& output : outputs) output.commit();
+  EXPECT_EQ(read_file(file("a")), "a");
+  EXPECT_EQ(read_file(file("c")), "c");
+  EXPECT_EQ(entries(), (Entries{"a", "b", "c"}));
+}
+
+TEST_F(OutputFile, HoldsMoreThanItsBuffer) {
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += std::to_string(i) + '\n';
+  Output_file output(file("out"));
+  output.stream() << text << 'x';
+  for (const char c : text) output.stream().put(c);
+  output.commit();
+  EXPECT_EQ(read_file(file("out")), text + 'x' + text);
+}
+
+TEST_F(OutputFile, KeepsThePermissionsOfTheOldFile) {
+  write_file(file("out"), "before");
+  for (const unsigned mode : {0640U, 0600U, 0666U, 0755U}) {
+    fs::permissions(file("out"), static_cast<fs::perms>(mode));
+    Output_file(file("out")).commit();
+    EXPECT_EQ(permissions(file("out")), mode);
+  }
+}
+
+TEST_F(OutputFile, NewFileHasTheUsualPermissions) {
+  const mode_t old = ::umask(027);
+  Output_file(file("out")).commit();
+  ::umask(old);
+  EXPECT_EQ(permissions(file("out")), 0640U);
+}
+
+TEST_F(OutputFile, SymbolicLinksAreFollowed) {
+  fs::create_directory(file("elsewhere"));
+  write_file(file("elsewhere/target"), "before");
+  fs::create_symlink("elsewhere/target", file("link"));
+  fs::create_symlink("link", file("chain"));
+  fs::create_symlink("elsewhere/missing", file("dangling"));
+  Output_file output(file("chain"));
+  output.stream() << "after";
+  output.commit();
+  Output_file missing(file("dangling"));
+  missing.stream() << "created";
+  missing.commit();
+  EXPECT_TRUE(fs::is_symlink(file("chain")));
+  EXPECT_TRUE(fs::is_symlink(file("dangling")));
+  EXPECT_EQ(read_file(file("elsewhere/target")), "after");
+  EXPECT_EQ(read_file(file("elsewhere/missing")), "created");
+}
+
+TEST_F(OutputFile, IdentityTellsWhetherTwoPathsAreOneFile) {
+  fs::create_symlink("a", file("link"));
+  write_file(file("a"), "");
+  const auto identity = [](const std::string& path) { return Output_file(path).identity(); };
+  EXPECT_EQ(identity(file("a")), identity(file("link")));
+  EXPECT_EQ(identity(file("a")),
+            identity(directory() + "/./../" + fs::path(directory()).filename().string() + "//a"));
+  EXPECT_EQ(identity(file("b")), identity(directory() + "/./b"));
+  EXPECT_NE(identity(file("a")), identity(file("b")));
+  EXPECT_EQ(identity("-"), "-");
+  EXPECT_EQ(identity("/dev/null"), "");
+}
+
+TEST_F(OutputFile, PathsThatCannotBeWrittenAreErrorsAtOnce) {
+  EXPECT_EQ(error_of(directory()), directory() + ": is a directory; expected the path of a file");
+  EXPECT_EQ(error_of(file("missing/out")),
+            file("missing/out") +
+                ": cannot be written: No such file or directory; expected a path in an existing "
+                "directory in which files can be created");
+  write_file(file("plain"), "");
+  EXPECT_EQ(error_of(file("plain/out")),
+            file("plain/out") +
+                ": cannot be written: Not a directory; expected a path that can be reached");
+  EXPECT_EQ(error_of(""),
+            "'': is no path of an output file; expected a path, or - for standard output");
+  EXPECT_EQ(entries(), Entries{"plain"});
+}
+
+TEST_F(OutputFile, PermissionsAreRespected) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  write_file(file("read-only"), "before");
+  fs::permissions(file("read-only"), fs::perms::owner_read);
+  EXPECT_NE(error_of(file("read-only")).find("exists and cannot be written: Permission denied"),
+            std::string::npos);
+  fs::create_directory(file("closed"));
+  fs::permissions(file("closed"), fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_NE(error_of(file("closed/out")).find("cannot be written: Permission denied"),
+            std::string::npos);
+}
+
+TEST_F(OutputFile, DevicesAreWrittenDirectly) {
+  Output_file output("/dev/null");
+  output.stream() << "text";
+  output.commit();
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(OutputFile, FullDiskIsReported) {
+  for (const std::size_t size : {std::size_t{1}, std::size_t{1} << 20U}) {
+    Output_file output("/dev/full");
+    output.stream() << std::string(size, 'x');
+    try {
+      output.commit();
+      FAIL() << "no error";
+    } catch (const Output_error& error) {
+      EXPECT_STREQ(error.what(), "/dev/full: writing failed: No space left on device");
+    }
+  }
+}
+
+TEST_F(OutputFile, StreamShowsAFailureWhileWriting) {
+  Output_file output("/dev/full");
+  for (int i = 0; i < 1000 && output.stream(); ++i) output.stream() << std::string(1000, 'x');
+  EXPECT_FALSE(output.stream());
+}
+
+TEST_F(OutputFile, NamedPipesAreWrittenDirectly) {
+  ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
+  std::string received;
+  std::thread reader([&] { received = read_file(file("pipe")); });
+  {
+    Output_file output(file("pipe"));
+    output.stream() << "through the pipe";
+    output.commit();
+  }
+  reader.join();
+  EXPECT_EQ(received, "through the pipe");
+  EXPECT_TRUE(fs::is_fifo(file("pipe")));
+}
+
+TEST_F(OutputFile, AllTemporariesCanBeRemovedAtOnce) {
+  write_file(file("old"), "before");
+  std::vector<Output_file> outputs;
+  for (const char* name : {"old", "new", "other"}) outputs.emplace_back(file(name));
+  outputs[2].commit();
+  EXPECT_EQ(entries().size(), 4U);
+  Output_file::remove_all_temporaries();
+  EXPECT_EQ(entries(), (Entries{"old", "other"}));
+  EXPECT_EQ(read_file(file("old")), "before");
+}
+
+TEST_F(OutputFile, TargetThatBecameADirectoryIsReported) {
+  Output_file output(file("out"));
+  fs::create_directory(file("out"));
+  EXPECT_THROW(output.commit(), Output_error);
+  EXPECT_EQ(entries(), Entries{"out"});
+}
+
+}  // namespace
+}  // namespace kinetri

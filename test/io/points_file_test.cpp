@@ -1,0 +1,467 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Files of points: what is read is exactly what is written there, and everything else is an error
+// that says where.
+#include "kinetri/io/points_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <streambuf>
+#include <string>
+#include <vector>
+
+#include "kinetri/base/error.h"
+#include "support/temporary_directory.h"
+
+namespace kinetri {
+namespace {
+
+using test::Temporary_directory;
+using test::write_file;
+
+Points_file read(const std::string& text) {
+  std::istringstream in(text);
+  return read_points(in, "p.csv");
+}
+
+// The message of the error that `text` causes; empty if it is read.
+std::string error_of(const std::string& text) {
+  try {
+    read(text);
+    return "";
+  } catch (const Input_error& error) {
+    return error.what();
+  }
+}
+
+double number(const std::string& text) {
+  const Parsed_number parsed = parse_number(text);
+  EXPECT_TRUE(parsed.problem.empty()) << text << " " << parsed.problem;
+  return parsed.value;
+}
+
+// ---- numbers ----
+
+TEST(ParseNumber, ReadsDecimalNumbers) {
+  EXPECT_EQ(number("0"), 0);
+  EXPECT_EQ(number("12"), 12);
+  EXPECT_EQ(number("+12"), 12);
+  EXPECT_EQ(number("-1.5"), -1.5);
+  EXPECT_EQ(number(".5"), 0.5);
+  EXPECT_EQ(number("5."), 5);
+  EXPECT_EQ(number("1e3"), 1000);
+  EXPECT_EQ(number("1E+3"), 1000);
+  EXPECT_EQ(number("2.5e-1"), 0.25);
+  EXPECT_EQ(number("00012"), 12);
+}
+
+TEST(ParseNumber, ReadsHexadecimalNumbers) {
+  EXPECT_EQ(number("0x1.8p3"), 12);
+  EXPECT_EQ(number("-0x1.8p3"), -12);
+  EXPECT_EQ(number("+0X1.8P+3"), 12);
+  EXPECT_EQ(number("0x10"), 16);
+  EXPECT_EQ(number("0x.8"), 0.5);
+  EXPECT_EQ(number("0xAbC.dEfp-4"), 0xABC.DEFp-4);
+}
+
+TEST(ParseNumber, KeepsTheSignOfZero) {
+  EXPECT_FALSE(std::signbit(number("0.0")));
+  EXPECT_TRUE(std::signbit(number("-0.0")));
+  EXPECT_TRUE(std::signbit(number("-0x0p0")));
+  EXPECT_EQ(number("0e999999999999"), 0);
+}
+
+TEST(ParseNumber, ReachesTheEndsOfTheRange) {
+  EXPECT_EQ(number("1.7976931348623157e308"), std::numeric_limits<double>::max());
+  EXPECT_EQ(number("0x1.fffffffffffffp1023"), std::numeric_limits<double>::max());
+  EXPECT_EQ(number("2.2250738585072014e-308"), std::numeric_limits<double>::min());
+  EXPECT_EQ(number("5e-324"), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(number("0x1p-1074"), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(number("0x1.23p-1060"), 0x1.23p-1060);
+}
+
+TEST(ParseNumber, RejectsNumbersOutOfRange) {
+  for (const char* text :
+       {"1e309", "-1e309", "1.8e308", "1e99999999999999999999", "0x1p1024", "-0x1p5000", "1e-400",
+        "-1e-324", "1e-99999999999999999999", "0x1p-1080", "0x.0000001p-1060"}) {
+    EXPECT_NE(parse_number(text).problem.find("is out of the range of binary64"), std::string::npos)
+        << text << " gives " << parse_number(text).value << " " << parse_number(text).problem;
+  }
+}
+
+TEST(ParseNumber, RejectsNumbersThatAreNotFinite) {
+  for (const char* text : {"nan", "NaN", "-nan", "nan(1)", "inf", "-inf", "+Infinity", "INF"}) {
+    EXPECT_EQ(parse_number(text).problem, "is not finite; expected a finite number") << text;
+  }
+}
+
+TEST(ParseNumber, RejectsOtherText) {
+  for (const char* text :
+       {"",      "abc", "1x",   "1 ",   " 1",   "1,5",   "--1",      "+-1",   "-+1",
+        "++1",   "0x",  "0x-1", "0x+1", "-0x",  "1e",    "1e+",      "0x1p",  ".",
+        "-",     "+",   "-.",   "e5",   "1..5", "1.2.3", "0x.p1",    "1_000", "1'000",
+        "0x0x1", "1f",  "0b1",  "infx", "nanx", "1e5e5", "0x1.8p3 x"}) {
+    EXPECT_NE(parse_number(text).problem.find("is not a number"), std::string::npos) << text;
+  }
+  EXPECT_FALSE(parse_number(std::string("1\0", 2)).problem.empty());
+  EXPECT_FALSE(parse_number("\xEF\xBB\xBF"
+                            "1")
+                   .problem.empty());
+}
+
+// The C library rounds correctly.
+TEST(ParseNumber, AgreesWithTheCLibrary) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    const double value = std::bit_cast<double>(random());
+    if (!std::isfinite(value)) continue;
+    char text[64];
+    // Few digits, enough digits, more digits than fit; and halfway cases in hexadecimal.
+    for (const char* format : {"%.3g", "%.17g", "%.25g", "%a", "%.0f", "%.6a"}) {
+      if (std::string(format) == "%.0f" && std::abs(value) > 1e40) continue;
+      std::snprintf(text, sizeof text, format, value);
+      const double expected = std::strtod(text, nullptr);
+      if (!std::isfinite(expected) || expected == 0) continue;
+      ASSERT_EQ(number(text), expected) << text;
+    }
+    std::snprintf(text, sizeof text, "0x%llx.%03llxp%d", static_cast<unsigned long long>(random()),
+                  static_cast<unsigned long long>(random() % 4096),
+                  static_cast<int>(random() % 2000) - 1100);
+    const double expected = std::strtod(text, nullptr);
+    if (!std::isfinite(expected) || expected == 0) continue;
+    ASSERT_EQ(number(text), expected) << text;
+  }
+}
+
+// ---- files that are right ----
+
+TEST(ReadPoints, ReadsRowsInOrder) {
+  const Points_file file = read("x,y,vx,vy\n1,2,3,4\n-5,0.5,0x1p-3,1e2\n");
+  ASSERT_EQ(file.motions.size(), 2U);
+  EXPECT_EQ(file.motions[0], (Linear_motion_2{{1, 2}, {3, 4}, 0}));
+  EXPECT_EQ(file.motions[1], (Linear_motion_2{{-5, 0.5}, {0.125, 100}, 0}));
+  EXPECT_TRUE(file.radii.empty());
+  EXPECT_EQ(file.lines, (std::vector<std::size_t>{2, 3}));
+}
+
+TEST(ReadPoints, TakesColumnsInAnyOrder) {
+  const Points_file file = read("vy,radius,x,vx,y\n4,9,1,3,2\n");
+  ASSERT_EQ(file.motions.size(), 1U);
+  EXPECT_EQ(file.motions[0], (Linear_motion_2{{1, 2}, {3, 4}, 0}));
+  EXPECT_EQ(file.radii, std::vector<double>{9});
+}
+
+TEST(ReadPoints, SkipsBlankLinesAndComments) {
+  const Points_file file =
+      read("# before, the header\n\n  \t\nx,y,vx,vy\n#1,2,3,4\n\n5,6,7,8\n   \n#\n1,2,3,4\n\n");
+  ASSERT_EQ(file.motions.size(), 2U);
+  EXPECT_EQ(file.lines, (std::vector<std::size_t>{7, 10}));
+  EXPECT_EQ(file.motions[1].position.x, 1);
+}
+
+TEST(ReadPoints, ToleratesBlanksByteOrderMarkAndCarriageReturns) {
+  const Points_file file = read("\xEF\xBB\xBF x ,y\t, vx,vy \r\n 1 ,\t2, 3 ,4\r\n\r\n#\r\n5,6,7,8");
+  ASSERT_EQ(file.motions.size(), 2U);
+  EXPECT_EQ(file.motions[0], (Linear_motion_2{{1, 2}, {3, 4}, 0}));
+  EXPECT_EQ(file.motions[1], (Linear_motion_2{{5, 6}, {7, 8}, 0}));
+}
+
+TEST(ReadPoints, HeaderAloneMeansNoPoints) {
+  EXPECT_TRUE(read("x,y,vx,vy\n").motions.empty());
+  EXPECT_TRUE(read("x,y,vx,vy").motions.empty());
+  EXPECT_TRUE(read("# nothing yet\nx,y,vx,vy,radius\n\n").motions.empty());
+}
+
+TEST(ReadPoints, SamePlaceOrSameVelocityAloneIsAllowed) {
+  EXPECT_EQ(read("x,y,vx,vy\n1,2,3,4\n1,2,3,5\n1,2,0,4\n0,2,3,4\n1,0,3,4\n").motions.size(), 5U);
+}
+
+TEST(ReadPoints, SubnormalNumbersAreKept) {
+  EXPECT_EQ(read("x,y,vx,vy\n5e-324,0,0,0\n").motions[0].position.x,
+            std::numeric_limits<double>::denorm_min());
+}
+
+// More than one buffer of the reader, with lines of every length across its ends.
+TEST(ReadPoints, ReadsManyRowsOfVaryingLength) {
+  std::ostringstream text;
+  text << "x,y,vx,vy\n";
+  constexpr std::size_t rows = 150'000;
+  for (std::size_t i = 0; i < rows; ++i)
+    text << i << std::string(i % 23, ' ') << ",-1,0," << 2 * i << '\n';
+  ASSERT_GT(text.str().size(), std::size_t{3} << 20U);
+  const Points_file file = read(text.str());
+  ASSERT_EQ(file.motions.size(), rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto x = static_cast<double>(i);
+    ASSERT_EQ(file.motions[i], (Linear_motion_2{{x, -1}, {0, 2 * x}, 0}));
+    ASSERT_EQ(file.lines[i], i + 2);
+  }
+}
+
+// A stream that gives one byte at a time.
+class Trickle : public std::streambuf {
+ public:
+  explicit Trickle(std::string text) : text_(std::move(text)) {}
+
+ protected:
+  int_type underflow() override {
+    if (next_ == text_.size()) return traits_type::eof();
+    setg(&text_[next_], &text_[next_], &text_[next_] + 1);
+    ++next_;
+    return traits_type::to_int_type(*gptr());
+  }
+
+ private:
+  std::string text_;
+  std::size_t next_ = 0;
+};
+
+TEST(ReadPoints, ReadsFromAStreamThatGivesLittleAtATime) {
+  Trickle buffer("x,y,vx,vy\r\n1,2,3,4\r\n5,6,7,8");
+  std::istream in(&buffer);
+  EXPECT_EQ(read_points(in, "p.csv").motions.size(), 2U);
+}
+
+// ---- files that are wrong ----
+
+struct Bad_file {
+  const char* text;
+  const char* message;
+};
+
+class BadFile : public testing::TestWithParam<Bad_file> {};
+
+TEST_P(BadFile, GivesLineProblemAndExpectation) {
+  EXPECT_EQ(error_of(GetParam().text), GetParam().message);
+}
+
+constexpr const char* number_expected =
+    "expected a decimal or hexadecimal floating point number such as -1.5, 2e-3 or 0x1.8p3";
+
+INSTANTIATE_TEST_SUITE_P(
+    Header, BadFile,
+    testing::Values(
+        Bad_file{
+            "",
+            "p.csv:1: the file is empty; expected a header line with the columns x,y,vx,vy and "
+            "optionally radius, in any order"},
+        Bad_file{
+            "\n# only a comment\n",
+            "p.csv:1: the file is empty; expected a header line with the columns x,y,vx,vy and "
+            "optionally radius, in any order"},
+        Bad_file{"x,y,vx\n1,2,3\n",
+                 "p.csv:1: the column vy is missing; expected a header line with the columns "
+                 "x,y,vx,vy and optionally radius, in any order"},
+        Bad_file{"# c\nx,y,vx,x,vy\n",
+                 "p.csv:2: the column x is named twice; expected a header line with the columns "
+                 "x,y,vx,vy and optionally radius, in any order"},
+        Bad_file{
+            "x,y,vx,vy,mass\n",
+            "p.csv:1: unknown column 'mass'; expected a header line with the columns x,y,vx,vy "
+            "and optionally radius, in any order"},
+        Bad_file{"X,y,vx,vy\n",
+                 "p.csv:1: unknown column 'X'; expected a header line with the columns x,y,vx,vy "
+                 "and optionally radius, in any order"},
+        Bad_file{
+            "x,y,,vx,vy\n",
+            "p.csv:1: unknown column ''; expected a header line with the columns x,y,vx,vy and "
+            "optionally radius, in any order"},
+        Bad_file{"1,2,3,4\n",
+                 "p.csv:1: unknown column '1'; expected a header line with the columns x,y,vx,vy "
+                 "and optionally radius, in any order"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, BadFile,
+    testing::Values(
+        Bad_file{"x,y,vx,vy\n1,2,3\n",
+                 "p.csv:2: the row has 3 fields; expected 4, one for each column of the header"},
+        Bad_file{"x,y,vx,vy\n1\n",
+                 "p.csv:2: the row has 1 field; expected 4, one for each column of the header"},
+        Bad_file{"x,y,vx,vy\n1,2,3,4,5\n",
+                 "p.csv:2: the row has 5 fields; expected 4, one for each column of the header"},
+        Bad_file{"x,y,vx,vy\n1,2,3,4,\n",
+                 "p.csv:2: the row has 5 fields; expected 4, one for each column of the header"},
+        Bad_file{"x,y,vx,vy\n\n1,,3,4\n", "p.csv:3: the column y is empty; expected a number"},
+        Bad_file{"vy,x,y,vx\n1,2,3, \n", "p.csv:2: the column vx is empty; expected a number"},
+        Bad_file{"x,y,vx,vy\n1,2,3,nan\n",
+                 "p.csv:2: the column vy is 'nan', which is not finite; expected a finite number"},
+        Bad_file{"x,y,vx,vy\n-inf,2,3,4\n",
+                 "p.csv:2: the column x is '-inf', which is not finite; expected a finite number"},
+        Bad_file{
+            "x,y,vx,vy\n1,1e999,3,4\n",
+            "p.csv:2: the column y is '1e999', which is out of the range of binary64; expected "
+            "0, or a magnitude from 4.9e-324 to 1.8e308"},
+        Bad_file{"x,y,vx,vy\n1,2,1e-999,4\n",
+                 "p.csv:2: the column vx is '1e-999', which is out of the range of binary64; "
+                 "expected 0, or a magnitude from 4.9e-324 to 1.8e308"},
+        Bad_file{"x,y,vx,vy,radius\n1,2,3,4,-0.5\n",
+                 "p.csv:2: the radius -0.5 is negative; expected at least 0"}));
+
+TEST(ReadPoints, TextThatIsNoNumberIsQuoted) {
+  EXPECT_EQ(
+      error_of("x,y,vx,vy\n1,2,3 m/s,4\n"),
+      std::string("p.csv:2: the column vx is '3 m/s', which is not a number; ") + number_expected);
+  EXPECT_EQ(
+      error_of("x,y,vx,vy\n1,2,3,\"4\"\n"),
+      std::string("p.csv:2: the column vy is '\"4\"', which is not a number; ") + number_expected);
+}
+
+TEST(ReadPoints, QuotedTextIsPrintableAndShort) {
+  EXPECT_NE(error_of(std::string("x,y,vx,vy\n1,2,3,4\0\x1b[2J\n", 22)).find(R"('4\x00\x1b[2J')"),
+            std::string::npos);
+  const std::string wide = std::string(39, 'a') + "\xC3\xA4\xC3\xA4";
+  EXPECT_NE(error_of("x,y,vx,vy\n" + wide + ",2,3,4\n").find("'" + std::string(39, 'a') + "...'"),
+            std::string::npos);
+  EXPECT_LT(error_of("x,y,vx,vy\n" + std::string(100'000, '7') + "x,2,3,4\n").size(), 250U);
+}
+
+TEST(ReadPoints, OverlongLineIsAnError) {
+  const std::string digits(std::size_t{1} << 20U, '1');
+  EXPECT_EQ(error_of("x,y,vx,vy\n1,2,3,4\n" + digits + digits + digits),
+            "p.csv:3: the line is longer than 1048576 bytes; expected one point a line");
+  EXPECT_EQ(error_of("x,y,vx,vy\n#" + digits + "\n"),
+            "p.csv:2: the line is longer than 1048576 bytes; expected one point a line");
+  const std::string blanks((std::size_t{1} << 20U) - 7, ' ');
+  EXPECT_EQ(error_of("x,y,vx,vy\n1,2,3," + blanks + "4\n"), "");
+}
+
+TEST(ReadPoints, BinaryInputIsAnError) {
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 200; ++i) {
+    std::string noise;
+    for (int k = 0; k < 200; ++k) noise += static_cast<char>(random());
+    EXPECT_NE(error_of(noise), "");
+    EXPECT_NE(error_of("x,y,vx,vy\n" + noise), "");
+  }
+}
+
+TEST(ReadPoints, EqualPointsNameBothLines) {
+  EXPECT_EQ(error_of("x,y,vx,vy\n1,2,3,4\n\n5,6,7,8\n1.0,2,0x3,4e0\n"),
+            "p.csv:5: the point has the same place and velocity as the one in line 2; expected "
+            "points that differ in one of them: remove one or change its motion");
+  EXPECT_NE(error_of("x,y,vx,vy\n0,0,-0,0\n1,1,1,1\n-0,-0,0,-0.0\n")
+                .find("p.csv:4: the point has the same place and velocity as the one in line 2"),
+            std::string::npos);
+}
+
+TEST(ReadPoints, OfSeveralEqualPointsTheFirstRepetitionIsNamed) {
+  EXPECT_NE(error_of("x,y,vx,vy\n9,9,9,9\n1,1,1,1\n2,2,2,2\n2,2,2,2\n1,1,1,1\n9,9,9,9\n2,2,2,2\n")
+                .find("p.csv:5: the point has the same place and velocity as the one in line 4"),
+            std::string::npos);
+}
+
+TEST(ReadPoints, EqualRadiiDoNotMakePointsDiffer) {
+  EXPECT_NE(error_of("x,y,vx,vy,radius\n1,2,3,4,5\n1,2,3,4,6\n"), "");
+}
+
+// Quadratic behavior would take minutes.
+TEST(ReadPoints, ManyPointsWithEqualCoordinatesAreReadQuickly) {
+  std::ostringstream text;
+  text << "x,y,vx,vy\n";
+  for (int i = 0; i < 200'000; ++i) text << "1,2,3," << i << '\n';
+  EXPECT_EQ(read(text.str()).motions.size(), 200'000U);
+}
+
+class Failing_buffer : public std::streambuf {
+ protected:
+  int_type underflow() override {
+    if (first_) {
+      first_ = false;
+      setg(text_, text_, text_ + sizeof text_ - 1);
+      return traits_type::to_int_type(*gptr());
+    }
+    throw std::runtime_error("the disk is gone");
+  }
+
+ private:
+  bool first_ = true;
+  char text_[11] = "x,y,vx,vy\n";
+};
+
+TEST(ReadPoints, StreamThatFailsIsAnErrorAndNotTheEnd) {
+  Failing_buffer buffer;
+  std::istream in(&buffer);
+  EXPECT_THROW(read_points(in, "p.csv"), Input_error);
+}
+
+// ---- paths ----
+
+TEST(ReadPointsFile, ReadsAFile) {
+  const Temporary_directory directory;
+  write_file(directory.file("p.csv"), "x,y,vx,vy\n1,2,3,4\n");
+  EXPECT_EQ(read_points_file(directory.file("p.csv")).motions.size(), 1U);
+}
+
+TEST(ReadPointsFile, BadPathsAreNamed) {
+  const Temporary_directory directory;
+  const auto message = [](const std::string& path) {
+    try {
+      read_points_file(path);
+    } catch (const Input_error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(message(directory.path()),
+            directory.path().string() + ": is a directory; expected a file of points");
+  EXPECT_EQ(
+      message(directory.file("missing.csv")),
+      directory.file("missing.csv") +
+          ": cannot be opened: No such file or directory; expected a readable file of points");
+  EXPECT_NE(message(""), "no error");
+  if (::geteuid() == 0) return;  // who may read everything
+  write_file(directory.file("secret.csv"), "x,y,vx,vy\n");
+  std::filesystem::permissions(directory.file("secret.csv"), std::filesystem::perms::none);
+  EXPECT_NE(message(directory.file("secret.csv")).find("Permission denied"), std::string::npos);
+}
+
+// ---- writing ----
+
+TEST(WritePoints, WritesTheShortestNumbers) {
+  std::ostringstream out;
+  const std::vector<Linear_motion_2> motions = {{{0.1, -2}, {1e-5, 1e300}, 0}, {{0, -0.0}, {}, 0}};
+  write_points(out, motions);
+  EXPECT_EQ(out.str(), "x,y,vx,vy\n0.1,-2,1e-05,1e+300\n0,-0,0,0\n");
+}
+
+TEST(WritePoints, ReadGivesTheSameNumbersBack) {
+  std::mt19937_64 random(11);
+  const auto any = [&random] {
+    for (;;) {
+      const double value = std::bit_cast<double>(random());
+      if (std::isfinite(value)) return value;
+    }
+  };
+  std::vector<Linear_motion_2> motions;
+  std::vector<double> radii;
+  for (int i = 0; i < 5000; ++i) {
+    motions.push_back({{any(), any()}, {any(), any()}, 0});
+    radii.push_back(std::abs(any()));
+  }
+  std::ostringstream out;
+  write_points(out, motions, radii);
+  const Points_file file = read(out.str());
+  EXPECT_EQ(file.motions, motions);
+  EXPECT_EQ(file.radii, radii);
+}
+
+TEST(WritePoints, WhatTheFormatCannotHoldThrows) {
+  std::ostringstream out;
+  EXPECT_THROW(write_points(out, std::vector<Linear_motion_2>{{{0, 0}, {0, 0}, 1}}),
+               Precondition_error);
+  EXPECT_THROW(write_points(out, std::vector<Linear_motion_2>{{{INFINITY, 0}, {0, 0}, 0}}),
+               Precondition_error);
+  EXPECT_THROW(write_points(out, std::vector<Linear_motion_2>(2), std::vector<double>(1)),
+               Precondition_error);
+}
+
+}  // namespace
+}  // namespace kinetri

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The statistics as JSON: outside programs look for these keys.
+#include "kinetri/io/stats_file.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace kinetri {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json written(const Run_statistics& statistics) {
+  std::ostringstream out;
+  write_stats(out, statistics);
+  return Json::parse(out.str());
+}
+
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> result;
+  for (const auto& item : object.items()) result.push_back(item.key());
+  return result;
+}
+
+TEST(WriteStats, EachNumberStandsUnderItsKey) {
+  Run_statistics statistics;
+  statistics.points = 100;
+  statistics.from = -1;
+  statistics.until = 0.1;
+  statistics.reached = 0.05;
+  statistics.interrupted = true;
+  statistics.triangulation.instants = 20;
+  statistics.triangulation.largest_instant = 3;
+  statistics.triangulation.rebuilds = 1;
+  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
+    statistics.triangulation.events[kind] = std::uint64_t{1} << kind;
+  }
+  statistics.certificates = {
+      .created = 5, .root_solves = 6, .filter_decided = 7, .exact_decided = 8};
+  statistics.queue = {.pushed = 9, .discarded = 10, .peak = 11};
+  statistics.seconds = {
+      .read = 0.25, .build = 0.5, .initialize = 1, .run = 2, .audit = 4, .write = 8};
+  statistics.peak_rss_bytes = std::uint64_t{1} << 40U;
+  statistics.audits_run = 12;
+  statistics.audits_failed = 13;
+
+  EXPECT_EQ(written(statistics), Json::parse(R"({
+    "points": 100, "from": -1.0, "until": 0.1, "reached": 0.05, "interrupted": true,
+    "events": {"rebuild": 1, "hull_insert": 2, "hull_remove": 4, "flip": 8, "wall": 16,
+               "collision": 32, "insert": 64, "erase": 128, "trajectory": 256},
+    "events_total": 511, "instants": 20, "largest_instant": 3, "rebuilds": 1,
+    "certificates": {"created": 5, "root_solves": 6, "filter_decided": 7, "exact_decided": 8},
+    "queue": {"pushed": 9, "discarded": 10, "peak": 11},
+    "seconds": {"read": 0.25, "build": 0.5, "initialize": 1.0, "run": 2.0, "audit": 4.0,
+                "write": 8.0},
+    "peak_rss_bytes": 1099511627776,
+    "audits": {"run": 12, "failed": 13}})"));
+  EXPECT_EQ(statistics.seconds.total(), 15.75);
+}
+
+TEST(WriteStats, KeysAreAlwaysThereInOneOrder) {
+  const Json document = written({});
+  EXPECT_EQ(keys(document), (std::vector<std::string>{
+                                "points", "from", "until", "reached", "interrupted", "events",
+                                "events_total", "instants", "largest_instant", "rebuilds",
+                                "certificates", "queue", "seconds", "peak_rss_bytes", "audits"}));
+  ASSERT_EQ(document["events"].size(), event_kinds);
+  std::size_t kind = 0;
+  for (const std::string& key : keys(document["events"])) {
+    EXPECT_EQ(key, name(static_cast<Event_kind>(kind++)));
+  }
+}
+
+}  // namespace
+}  // namespace kinetri

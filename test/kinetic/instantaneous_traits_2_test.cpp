@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// CGAL's Delaunay triangulation on moving points at an instant, one-sided instants included.
+#include "kinetri/kinetic/instantaneous_traits_2.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "kinetri/events/event.h"
+#include "support/brute_force_simulator.h"
+#include "support/motions.h"
+
+namespace kinetri {
+namespace {
+
+using Triangulation = CGAL::Delaunay_triangulation_2<Instantaneous_traits_2>;
+
+Algebraic_number square_root_of_two() {
+  return Algebraic_number(Polynomial{-2, 0, 1}, Rational(1), Rational(2));
+}
+
+std::vector<Moving_point_2> moving_points(const std::vector<Linear_motion_2>& motions) {
+  std::vector<Moving_point_2> points;
+  for (const Linear_motion_2& m : motions) {
+    points.emplace_back(m, static_cast<Point_id>(points.size()));
+  }
+  return points;
+}
+
+Triangulation triangulation_at(const std::vector<Linear_motion_2>& motions, Instant instant) {
+  const auto points = moving_points(motions);
+  Triangulation result{Instantaneous_traits_2(std::move(instant))};
+  result.insert(points.begin(), points.end());
+  return result;
+}
+
+std::set<Edge_ids> edges_of(const Triangulation& triangulation) {
+  std::set<Edge_ids> result;
+  for (const auto& [face, i] : triangulation.finite_edges()) {
+    result.insert(edge_ids(face->vertex(Triangulation::cw(i))->point().id(),
+                           face->vertex(Triangulation::ccw(i))->point().id()));
+  }
+  return result;
+}
+
+TEST(Instant, beside_a_root_has_the_sign_of_the_first_derivative_that_does_not_vanish) {
+  const Polynomial cubed = Polynomial{-8, 12, -6, 1};  // (t - 2)^3
+  const Polynomial squared = Polynomial{4, -4, 1};     // (t - 2)^2
+  const Algebraic_number two(2.0);
+  EXPECT_EQ(sign_at(cubed, Instant{two, Side::before}), CGAL::NEGATIVE);
+  EXPECT_EQ(sign_at(cubed, Instant{two, Side::at}), CGAL::ZERO);
+  EXPECT_EQ(sign_at(cubed, Instant{two, Side::after}), CGAL::POSITIVE);
+  EXPECT_EQ(sign_at(squared, Instant{two, Side::before}), CGAL::POSITIVE);
+  EXPECT_EQ(sign_at(squared, Instant{two, Side::after}), CGAL::POSITIVE);
+  EXPECT_EQ(sign_at(-squared, Instant{two, Side::before}), CGAL::NEGATIVE);
+  EXPECT_EQ(sign_at(Polynomial(), Instant{two, Side::after}), CGAL::ZERO);
+}
+
+TEST(Instantaneous_traits_2, a_triangulation_at_a_rational_instant_is_that_of_the_places) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto motions = test::random_motions(12, 10, 5, seed);
+    const Rational t(static_cast<int>(seed), 3);
+    const Triangulation triangulation = triangulation_at(motions, {t, Side::at});
+    ASSERT_TRUE(triangulation.is_valid());
+    ASSERT_EQ(edges_of(triangulation), test::edges_at(motions, t).certain);
+  }
+}
+
+TEST(Instantaneous_traits_2, a_triangulation_at_an_irrational_instant_is_valid) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto motions = test::random_motions(12, 10, 5, seed);
+    for (const Side side : {Side::before, Side::at, Side::after}) {
+      const Triangulation triangulation = triangulation_at(motions, {square_root_of_two(), side});
+      ASSERT_TRUE(triangulation.is_valid());
+      // No event is anywhere near: the places at a rational time beside it have the same edges.
+      const Rational near = to_rational(square_root_of_two().to_double());
+      ASSERT_EQ(edges_of(triangulation), test::edges_at(motions, near).certain);
+    }
+  }
+}
+
+// Four points cocircular at time 1, of which one moves through the circle.
+const std::vector<Linear_motion_2> crossing = {
+    {{-1, 0}, {0, 0}, 0}, {{0, -1}, {0, 0}, 0}, {{1, 0}, {0, 0}, 0}, {{0, 2}, {0, -1}, 0}};
+
+TEST(Instantaneous_traits_2, the_two_sides_of_an_event_have_the_two_diagonals) {
+  const Algebraic_number one(1.0);
+  const auto before = edges_of(triangulation_at(crossing, {one, Side::before}));
+  const auto after = edges_of(triangulation_at(crossing, {one, Side::after}));
+  EXPECT_TRUE(before.contains({0, 2}));
+  EXPECT_FALSE(before.contains({1, 3}));
+  EXPECT_TRUE(after.contains({1, 3}));
+  EXPECT_FALSE(after.contains({0, 2}));
+  EXPECT_TRUE(triangulation_at(crossing, {one, Side::at}).is_valid());
+}
+
+TEST(Instantaneous_traits_2, points_that_pass_through_one_another_are_one_vertex_only_at_the_time) {
+  const std::vector<Linear_motion_2> passing = {
+      {{-1, 0}, {1, 0}, 0}, {{1, 0}, {-1, 0}, 0}, {{0, 3}, {0, 0}, 0}, {{0, -3}, {0, 0}, 0}};
+  const Algebraic_number one(1.0);
+  EXPECT_EQ(triangulation_at(passing, {one, Side::before}).number_of_vertices(), 4u);
+  EXPECT_EQ(triangulation_at(passing, {one, Side::at}).number_of_vertices(), 3u);
+  EXPECT_EQ(triangulation_at(passing, {one, Side::at}).dimension(), 1);
+  EXPECT_EQ(triangulation_at(passing, {one, Side::after}).number_of_vertices(), 4u);
+  EXPECT_EQ(triangulation_at(passing, {one, Side::after}).dimension(), 2);
+}
+
+TEST(Instantaneous_traits_2, copies_share_the_instant) {
+  const Instantaneous_traits_2 traits(Instant{Algebraic_number(1.0), Side::before});
+  const Instantaneous_traits_2 copy = traits;
+  traits.set_instant({Algebraic_number(2.0), Side::after});
+  EXPECT_EQ(copy.instant().time, Algebraic_number(2.0));
+  EXPECT_EQ(copy.instant().side, Side::after);
+}
+
+TEST(Instantaneous_traits_2, cgal_queries_and_changes_work_at_an_irrational_instant) {
+  auto motions = test::random_motions(15, 10, 5, 99);
+  const Instant instant{square_root_of_two(), Side::after};
+  Triangulation triangulation = triangulation_at(motions, instant);
+  const Rational near = to_rational(square_root_of_two().to_double());
+
+  const Linear_motion_2 resting{{4, 5}, {0, 0}, 0};
+  const Moving_point_2 query(resting);
+  const auto nearest = triangulation.nearest_vertex(query);
+  Point_id expected = 0;
+  for (Point_id id = 1; id < motions.size(); ++id) {
+    if (CGAL::compare_distance_to_point(test::place_at(resting, near),
+                                        test::place_at(motions[id], near),
+                                        test::place_at(motions[expected], near)) == CGAL::SMALLER) {
+      expected = id;
+    }
+  }
+  EXPECT_EQ(nearest->point().id(), expected);
+
+  const auto face = triangulation.locate(query);
+  ASSERT_FALSE(triangulation.is_infinite(face));
+  EXPECT_NE(triangulation.oriented_side(face, query), CGAL::ON_NEGATIVE_SIDE);
+
+  triangulation.remove(nearest);
+  EXPECT_TRUE(triangulation.is_valid());
+  EXPECT_EQ(triangulation.number_of_vertices(), 14u);
+  triangulation.insert(Moving_point_2(motions[expected], expected));
+  EXPECT_TRUE(triangulation.is_valid());
+  EXPECT_EQ(edges_of(triangulation), edges_of(triangulation_at(motions, instant)));
+}
+
+TEST(Instantaneous_traits_2, the_dual_is_the_voronoi_diagram) {
+  const auto motions = test::random_motions(10, 10, 5, 3);
+  const Rational t(1, 2);
+  const Triangulation triangulation = triangulation_at(motions, {t, Side::after});
+  for (const auto face : triangulation.finite_face_handles()) {
+    const Exact_position_2 center = triangulation.dual(face).position(t);
+    const test::Static_point expected =
+        CGAL::circumcenter(test::place_at(face->vertex(0)->point().motion(), t),
+                           test::place_at(face->vertex(1)->point().motion(), t),
+                           test::place_at(face->vertex(2)->point().motion(), t));
+    EXPECT_EQ(center.x, expected.x());
+    EXPECT_EQ(center.y, expected.y());
+  }
+  int rays = 0;
+  for (const auto& edge : triangulation.finite_edges()) {
+    const CGAL::Object dual = triangulation.dual(edge);
+    if (CGAL::object_cast<Instantaneous_traits_2::Ray_2>(&dual) != nullptr) ++rays;
+  }
+  int hull = 0;
+  auto circulator = triangulation.incident_vertices(triangulation.infinite_vertex());
+  const auto done = circulator;
+  do ++hull;
+  while (++circulator != done);
+  EXPECT_EQ(rays, hull);
+}
+
+}  // namespace
+}  // namespace kinetri

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/kinetic/linear_kinetic_traits_2.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/motions.h"
+
+namespace kinetri {
+namespace {
+
+Moving_point_2 moving(double x, double y, double vx, double vy, double epoch = 0) {
+  return Moving_point_2(Linear_motion_2{{x, y}, {vx, vy}, epoch});
+}
+Moving_point_2 resting(double x, double y) { return moving(x, y, 0, 0); }
+
+class Linear_kinetic_traits_2_test : public testing::Test {
+ protected:
+  Linear_kinetic_traits_2 traits;
+  const Moving_point_2 west = resting(-1, 0);
+  const Moving_point_2 south = resting(0, -1);
+  const Moving_point_2 east = resting(1, 0);
+};
+
+TEST_F(Linear_kinetic_traits_2_test, in_circle_fails_when_the_point_enters_the_circle) {
+  const Moving_point_2 entering = moving(0, 3, 0, -1);
+  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 0.0), Algebraic_number(2.0));
+  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 1.5), Algebraic_number(2.0));
+}
+
+TEST_F(Linear_kinetic_traits_2_test, in_circle_violated_just_after_fails_at_once) {
+  const Moving_point_2 entering = moving(0, 3, 0, -1);
+  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 2.0), Algebraic_number(2.0));
+  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 3.0), Algebraic_number(3.0));
+}
+
+TEST_F(Linear_kinetic_traits_2_test, in_circle_of_a_leaving_point_fails_when_it_comes_back) {
+  // It leaves through the bottom at t = 4 and is outside for ever.
+  const Moving_point_2 entering = moving(0, 3, 0, -1);
+  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 4.0), std::nullopt);
+}
+
+TEST_F(Linear_kinetic_traits_2_test, in_circle_that_is_only_touched_never_fails) {
+  const Moving_point_2 tangential = moving(-5, 1, 1, 0);
+  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, tangential, 0.0), std::nullopt);
+}
+
+TEST_F(Linear_kinetic_traits_2_test, in_circle_that_is_zero_for_ever_never_fails) {
+  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, resting(0, 1), 0.0), std::nullopt);
+}
+
+TEST_F(Linear_kinetic_traits_2_test, in_circle_failure_times_may_be_irrational) {
+  // |(t - 3, t - 3)| = 1 first at t = 3 - sqrt(1/2).
+  const Moving_point_2 entering = moving(-3, -3, 1, 1);
+  const auto time = traits.in_circle_failure_time(east, resting(0, 1), west, entering, 0.0);
+  ASSERT_TRUE(time);
+  const Algebraic_number root_of_a_half(Polynomial{17, -12, 2}, Rational(2), Rational(3));
+  EXPECT_EQ(*time, root_of_a_half);
+}
+
+TEST_F(Linear_kinetic_traits_2_test, orientation_fails_when_the_turn_becomes_right) {
+  EXPECT_EQ(traits.orientation_failure_time(west, east, moving(0, 3, 0, -1), 0.0),
+            Algebraic_number(3.0));
+  EXPECT_EQ(traits.orientation_failure_time(west, east, moving(0, 3, 0, 1), 0.0), std::nullopt);
+  EXPECT_EQ(traits.orientation_failure_time(west, east, moving(0, 0, 1, 0), 0.0), std::nullopt);
+}
+
+TEST_F(Linear_kinetic_traits_2_test, coincidence_is_found_only_strictly_later) {
+  const Moving_point_2 a = moving(0, 0, 1, 2);
+  const Moving_point_2 b = moving(3, 6, 0, 0);
+  EXPECT_EQ(traits.coincidence_time(a, b, 0.0), Algebraic_number(3.0));
+  EXPECT_EQ(traits.coincidence_time(b, a, 0.0), Algebraic_number(3.0));
+  EXPECT_EQ(traits.coincidence_time(a, b, 3.0), std::nullopt);
+  EXPECT_EQ(traits.coincidence_time(a, moving(3, 6.0000001, 0, 0), 0.0), std::nullopt);
+  EXPECT_EQ(traits.coincidence_time(a, moving(1, 0, 1, 2), 0.0), std::nullopt);
+  EXPECT_EQ(traits.coincidence_time(a, moving(-1, -2, 1, 2, -1), 0.0), std::nullopt) << "the same";
+  // Only the y coordinates move against each other.
+  EXPECT_EQ(traits.coincidence_time(moving(1, 0, 1, 1), moving(1, 1, 1, 0), 0.0),
+            Algebraic_number(1.0));
+  EXPECT_EQ(traits.coincidence_time(moving(1, 0, 1, 1), moving(2, 1, 1, 0), 0.0), std::nullopt);
+}
+
+TEST_F(Linear_kinetic_traits_2_test, coincidence_time_need_not_be_a_binary64_number) {
+  const auto time = traits.coincidence_time(moving(0, 0, 3, 3), resting(1, 1), 0.0);
+  EXPECT_EQ(time, Algebraic_number(Rational(1, 3)));
+}
+
+TEST_F(Linear_kinetic_traits_2_test, every_certificate_is_counted_once_and_decided_once) {
+  traits.in_circle_failure_time(west, south, east, moving(0, 3, 0, -1), 0.0);
+  traits.in_circle_failure_time(west, south, east, resting(0, 1), 0.0);
+  traits.orientation_failure_time(west, east, moving(0, 3, 0, -1), 0.0);
+  traits.coincidence_time(west, east, 0.0);
+  const Certificate_counters& counters = traits.counters();
+  EXPECT_EQ(counters.created, 4u);
+  EXPECT_EQ(counters.root_solves, 2u) << "neither the zero polynomial nor a coincidence is solved";
+  EXPECT_EQ(counters.exact_decided + counters.filter_decided, counters.created);
+}
+
+TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicate_turns) {
+  constexpr unsigned seed = 11;
+  int failures = 0;
+  for (unsigned i = 0; i < 300u * static_cast<unsigned>(test::multiplier()); ++i) {
+    const auto m = test::random_motions(4, 10, 5, seed + i);
+    SCOPED_TRACE(test::describe(m));
+    Linear_kinetic_traits_2 traits;
+    const Moving_point_2 p(m[0]);
+    const Moving_point_2 q(m[1]);
+    const Moving_point_2 r(m[2]);
+    const Moving_point_2 s(m[3]);
+    const auto side = [&](const Rational& t) {
+      return CGAL::side_of_oriented_circle(test::place_at(m[0], t), test::place_at(m[1], t),
+                                           test::place_at(m[2], t), test::place_at(m[3], t));
+    };
+    const auto time = traits.in_circle_failure_time(p, q, r, s, 0.0);
+    const Rational just_before_everything(1, 1000000000);
+    if (!time) {
+      for (int t = 0; t < 20; ++t) ASSERT_NE(side(Rational(t)), CGAL::ON_POSITIVE_SIDE);
+      continue;
+    }
+    ++failures;
+    const Rational width = just_before_everything / 1000;
+    time->refine_to(width);
+    ASSERT_EQ(side(time->upper() + width), CGAL::ON_POSITIVE_SIDE);
+    if (*time == Algebraic_number(0.0)) continue;
+    for (int k = 1; k < 20; ++k) {
+      ASSERT_NE(side(time->lower() * k / 20), CGAL::ON_POSITIVE_SIDE) << k;
+    }
+  }
+  EXPECT_GT(failures, 100);
+}
+
+}  // namespace
+}  // namespace kinetri

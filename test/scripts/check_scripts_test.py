@@ -1,0 +1,214 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests of the checks in scripts/: each finds what it is for, and lets pass what is right."""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(SCRIPTS))
+
+import check_layers  # noqa: E402
+import check_sources  # noqa: E402
+import summarize_tests  # noqa: E402
+
+LICENCE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+
+
+class Tree(unittest.TestCase):
+    """A test with a source tree of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+
+    def write(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+
+class Layers(Tree):
+    def setUp(self):
+        super().setUp()
+        for layer in check_layers.LAYERS:
+            if layer != "apps":
+                self.write(f"include/kinetri/{layer}/{layer}.h", "")
+        self.write("include/kinetri/kinetri.h", '#include "kinetri/io/io.h"\n')
+
+    def violations(self, path, text):
+        self.write(path, text)
+        return check_layers.check(self.root)[1]
+
+    def assert_violation(self, path, text, line):
+        found = self.violations(path, text)
+        self.assertEqual(len(found), 1, found)
+        self.assertTrue(found[0].startswith(f"{path}:{line}: "), found[0])
+
+    def test_every_downward_include_passes(self):
+        for upper, number in check_layers.LAYERS.items():
+            folder = "apps" if upper == "apps" else f"src/{upper}"
+            for lower, other in check_layers.LAYERS.items():
+                if other < number or (upper == lower != "apps"):
+                    text = f'#include "kinetri/{lower}/{lower}.h"\n'
+                    self.assertEqual(self.violations(f"{folder}/{lower}.cpp", text), [])
+
+    def test_every_upward_include_fails(self):
+        for lower, number in check_layers.LAYERS.items():
+            for upper, other in check_layers.LAYERS.items():
+                if upper not in ("apps", lower) and other >= number:
+                    with self.subTest(lower=lower, upper=upper):
+                        path = f"include/kinetri/{lower}/upward.h"
+                        text = f'\n#include "kinetri/{upper}/{upper}.h"\n'
+                        self.assert_violation(path, text, 2)
+                        (self.root / path).unlink()
+
+    def test_relative_and_angle_includes_are_seen(self):
+        self.assert_violation("src/base/a.cpp", "#  include <kinetri/io/io.h>\n", 1)
+        (self.root / "src/base/a.cpp").unlink()
+        text = '#include "../../include/kinetri/io/io.h"\n'
+        self.assert_violation("src/base/b.cpp", text, 1)
+
+    def test_tests_are_checked_too(self):
+        self.assert_violation("test/base/a_test.cpp", '#include "kinetri/io/io.h"\n', 1)
+
+    def test_tests_may_look_sideways_and_use_support(self):
+        self.write("test/support/motions.h", "")
+        text = '#include "kinetri/events/events.h"\n#include "../support/motions.h"\n'
+        self.assertEqual(self.violations("test/kinetic/a_test.cpp", text), [])
+
+    def test_tests_of_no_layer_may_use_everything(self):
+        self.assertEqual(self.violations("test/property/a.cpp", '#include "kinetri/io/io.h"\n'), [])
+
+    def test_the_umbrella_is_for_the_program_only(self):
+        text = '#include "kinetri/kinetri.h"\n'
+        self.assertEqual(self.violations("apps/kinetri/main.cpp", text), [])
+        self.assert_violation("src/simulation/a.cpp", text, 1)
+
+    def test_missing_files_fail(self):
+        self.assert_violation("src/io/a.cpp", '#include "nlohmann/json.hpp"\n', 1)
+
+    def test_comments_do_not_count(self):
+        text = '// #include "kinetri/io/io.h"\n/*\n#include "kinetri/io/io.h"\n*/\n'
+        self.assertEqual(self.violations("src/base/a.cpp", text), [])
+
+    def test_lines_are_counted_through_block_comments(self):
+        text = '/* one\n * two */\n#include "kinetri/io/io.h"\n'
+        self.assert_violation("src/base/a.cpp", text, 3)
+
+    def test_libraries_where_they_belong_pass(self):
+        for path, name in (
+            ("src/base/a.cpp", "type_traits"),
+            ("src/algebra/a.cpp", "boost/multiprecision/gmp.hpp"),
+            ("src/algebra/b.cpp", "gmp.h"),
+            ("src/algebra/c.cpp", "CGAL/enum.h"),
+            ("src/kinetic/a.cpp", "CGAL/Bbox_2.h"),
+            ("src/triangulation/a.cpp", "CGAL/Delaunay_triangulation_2.h"),
+            ("src/io/a.cpp", "fmt/format.h"),
+            ("src/io/b.cpp", "nlohmann/json.hpp"),
+            ("src/io/c.cpp", "unistd.h"),
+            ("apps/kinetri/a.cpp", "CLI/CLI.hpp"),
+            ("apps/kinetri/b.cpp", "sys/resource.h"),
+            ("test/algebra/a_test.cpp", "gtest/gtest.h"),
+        ):
+            with self.subTest(path=path):
+                self.assertEqual(self.violations(path, f"#include <{name}>\n"), [])
+
+    def test_libraries_elsewhere_fail(self):
+        for path, name in (
+            ("src/base/a.cpp", "boost/optional.hpp"),
+            ("src/base/a.cpp", "stdint.h"),
+            ("src/algebra/a.cpp", "CGAL/Delaunay_triangulation_2.h"),
+            ("src/kinetic/a.cpp", "CGAL/Triangulation_2.h"),
+            ("src/kinetic/a.cpp", "CGAL/Delaunay_triangulation_2.h"),
+            ("src/events/a.cpp", "CGAL/enum.h"),
+            ("src/events/a.cpp", "gmp.h"),
+            ("src/triangulation/a.cpp", "fmt/format.h"),
+            ("src/simulation/a.cpp", "unistd.h"),
+            ("src/io/a.cpp", "CLI/CLI.hpp"),
+            ("apps/kinetri/a.cpp", "boost/program_options.hpp"),
+        ):
+            with self.subTest(path=path, name=name):
+                self.assert_violation(path, f"#include <{name}>\n", 1)
+                (self.root / path).unlink()
+
+    def test_an_empty_tree_is_no_success(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(check_layers.check(pathlib.Path(folder)), (0, []))
+
+
+class Sources(Tree):
+    def problems(self, path, text):
+        self.write(path, text)
+        return check_sources.check(self.root)[1]
+
+    def test_a_good_header_passes(self):
+        guard = "KINETRI_IO_POINTS_FILE_H"
+        text = LICENCE + f"#ifndef {guard}\n#define {guard}\n#endif\n"
+        self.assertEqual(self.problems("include/kinetri/io/points_file.h", text), [])
+
+    def test_a_wrong_guard_fails(self):
+        text = LICENCE + "#ifndef KINETRI_H\n#define KINETRI_H\n#endif\n"
+        found = self.problems("include/kinetri/io/points_file.h", text)
+        self.assertEqual(
+            found, ["include/kinetri/io/points_file.h:1: no include guard KINETRI_IO_POINTS_FILE_H"]
+        )
+
+    def test_a_missing_licence_fails(self):
+        for name in ("src/a.cpp", "CMakeLists.txt", "README.md", ".ci/run"):
+            with self.subTest(name=name):
+                self.assertEqual(len(self.problems(name, "one\ntwo\nthree\n" + LICENCE)), 1)
+                (self.root / name).unlink()
+
+    def test_a_path_of_a_machine_fails(self):
+        for path in ("/home/" + "someone/x", "/root" + "/x", "/Users" + "/me"):
+            with self.subTest(path=path):
+                self.assertEqual(len(self.problems("a.sh", f"# {LICENCE}cd {path}\n")), 1)
+
+    def test_ordinary_paths_pass(self):
+        text = LICENCE + "// /usr/lib, ~/work/x, a/root/b, ${HOME}/work/x, https://a.org/home\n"
+        self.assertEqual(self.problems("a.cpp", text), [])
+
+    def test_blanks_where_none_belong_fail(self):
+        for text in ("\tx\n", "x \n", "x"):
+            with self.subTest(text=text):
+                self.assertEqual(len(self.problems("a.cpp", LICENCE + text)), 1)
+
+    def test_what_is_built_is_not_checked(self):
+        self.assertEqual(self.problems("build/test/a.cpp", "x"), [])
+        self.assertEqual(check_sources.check(self.root)[0], 0)
+
+
+class Summary(Tree):
+    def outcome(self, test):
+        self.write("results.xml", f"<testsuite>{test}</testsuite>")
+        tree = summarize_tests.ElementTree.parse(self.root / "results.xml")
+        return summarize_tests.outcome(tree.getroot().find("testcase"))
+
+    def test_outcomes(self):
+        skipped = '<testcase status="notrun"><skipped message="{}"/></testcase>'
+        for test, expected in (
+            ('<testcase status="run"/>', "passed"),
+            ('<testcase status="fail"/>', "failed"),
+            ('<testcase status="disabled"/>', "skipped"),
+            (skipped.format("SKIP_RETURN_CODE=77"), "skipped"),
+            (skipped.format("SKIP_REGULAR_EXPRESSION_MATCHED"), "skipped"),
+            (skipped.format("Unable to find executable"), "failed"),
+            (skipped.format("Fixture dependency failed"), "failed"),
+        ):
+            with self.subTest(test=test):
+                self.assertEqual(self.outcome(test), expected)
+
+
+class Readme(unittest.TestCase):
+    def test_its_program_is_the_one_that_is_tested(self):
+        root = SCRIPTS.parent
+        program = (root / "test/install/consumer/main.cpp").read_text().replace(LICENCE, "", 1)
+        self.assertIn(f"```cpp\n{program}```\n", (root / "README.md").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()

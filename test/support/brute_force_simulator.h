@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The slow, obvious oracle for few moving points: every time at which any three are collinear, any
+// four cocircular or any two in one place is found, and between these times the Delaunay edges are
+// found by looking at all pairs and all circles. It shares with the library only the algebra.
+#ifndef KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
+#define KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "kinetri/algebra/real_roots.h"
+#include "kinetri/events/event.h"
+#include "support/motions.h"
+
+namespace kinetri::test {
+
+/// The Delaunay edges of static points.
+struct Static_edges {
+  std::set<Edge_ids> certain;   ///< in every Delaunay triangulation: some circle through the ends
+                                ///< has all other points strictly outside
+  std::set<Edge_ids> possible;  ///< in some Delaunay triangulation: ... not inside
+};
+
+inline Static_edges static_edges(const std::vector<Static_point>& points) {
+  Static_edges result;
+  const auto n = static_cast<Point_id>(points.size());
+  for (Point_id a = 0; a < n; ++a) {
+    for (Point_id b = a + 1; b < n; ++b) {
+      // Of the circles through a and b, each point to the left allows those on one side of its own
+      // circle, each point to the right those on the other side.
+      bool certain = true;
+      bool possible = true;
+      std::vector<Point_id> left;
+      std::vector<Point_id> right;
+      for (Point_id c = 0; c < n; ++c) {
+        if (c == a || c == b) continue;
+        switch (CGAL::orientation(points[a], points[b], points[c])) {
+          case CGAL::LEFT_TURN:
+            left.push_back(c);
+            break;
+          case CGAL::RIGHT_TURN:
+            right.push_back(c);
+            break;
+          default:
+            if (CGAL::collinear_are_ordered_along_line(points[a], points[c], points[b])) {
+              certain = possible = false;
+            }
+        }
+      }
+      for (const Point_id c : left) {
+        for (const Point_id d : right) {
+          const auto side =
+              CGAL::side_of_oriented_circle(points[a], points[b], points[c], points[d]);
+          if (side != CGAL::ON_NEGATIVE_SIDE) certain = false;
+          if (side == CGAL::ON_POSITIVE_SIDE) possible = false;
+        }
+      }
+      if (certain) result.certain.insert({a, b});
+      if (possible) result.possible.insert({a, b});
+    }
+  }
+  return result;
+}
+
+/// The polynomial of degree at most `degree` with the values of `value` at 0, 1, ..., degree, up to
+/// a positive factor: by Newton's divided differences.
+inline Polynomial interpolate(int degree, const std::function<Rational(const Rational&)>& value) {
+  std::vector<Rational> differences;
+  for (int i = 0; i <= degree; ++i) differences.push_back(value(Rational(i)));
+  for (int order = 1; order <= degree; ++order) {
+    for (int i = degree; i >= order; --i) {
+      auto& d = differences[static_cast<std::size_t>(i)];
+      d = (d - differences[static_cast<std::size_t>(i - 1)]) / order;
+    }
+  }
+  std::vector<Rational> coefficients = {differences.back()};
+  for (int i = degree - 1; i >= 0; --i) {
+    // coefficients * (t - i) + differences[i]
+    std::vector<Rational> next(coefficients.size() + 1, Rational(0));
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+      next[k + 1] += coefficients[k];
+      next[k] -= coefficients[k] * i;
+    }
+    next[0] += differences[static_cast<std::size_t>(i)];
+    coefficients = std::move(next);
+  }
+  return primitive_polynomial(coefficients);
+}
+
+/// The times after `start` at which the Delaunay triangulation of the motions may change, sorted.
+inline std::vector<Algebraic_number> critical_times(const std::vector<Linear_motion_2>& motions,
+                                                    const Algebraic_number& start) {
+  std::vector<Algebraic_number> times;
+  const auto add_roots = [&](int degree, const std::function<Rational(const Rational&)>& value) {
+    const Polynomial p = interpolate(degree, value);
+    if (p.is_zero()) return;
+    for (const Real_root& root : real_roots(p)) {
+      if (root.value > start) times.push_back(root.value);
+    }
+  };
+  const std::size_t n = motions.size();
+  const auto at = [&](std::size_t i, const Rational& t) { return place_at(motions[i], t); };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      add_roots(2, [&](const Rational& t) { return CGAL::squared_distance(at(i, t), at(j, t)); });
+      for (std::size_t k = j + 1; k < n; ++k) {
+        add_roots(2, [&](const Rational& t) {
+          return CGAL::determinant(at(j, t) - at(i, t), at(k, t) - at(i, t));
+        });
+        for (std::size_t l = k + 1; l < n; ++l) {
+          add_roots(4, [&](const Rational& t) {
+            const auto row = [&](std::size_t m) { return at(m, t) - at(l, t); };
+            const auto a = row(i);
+            const auto b = row(j);
+            const auto c = row(k);
+            return Rational(CGAL::determinant(a.x(), a.y(), a.squared_length(),  //
+                                              b.x(), b.y(), b.squared_length(),  //
+                                              c.x(), c.y(), c.squared_length()));
+          });
+        }
+      }
+    }
+  }
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// The Delaunay edges of the motions at a rational time.
+inline Static_edges edges_at(const std::vector<Linear_motion_2>& motions, const Rational& t) {
+  std::vector<Static_point> points;
+  for (const Linear_motion_2& m : motions) points.push_back(place_at(m, t));
+  return static_edges(points);
+}
+
+}  // namespace kinetri::test
+
+#endif  // KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
