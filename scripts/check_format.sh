@@ -33,10 +33,9 @@ mapfile -d '' files < <(find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) 
 
 if [[ ${1:-} == --fix ]]; then
   "$formatter" -i "${files[@]}"
-elif ! "$formatter" --dry-run -Werror "${files[@]}" 2>/dev/null; then
-  for file in "${files[@]}"; do
-    "$formatter" --dry-run -Werror "$file" 2>/dev/null || echo "$file: not formatted"
-  done
+elif ! problems=$("$formatter" --dry-run -Werror "${files[@]}" 2>&1); then
+  # The first problem of each file.
+  sed -nE 's/^([^ :]+:[0-9]+):[0-9]+: error: .*/\1: not formatted/p' <<<"$problems" | sort -t: -u -k1,1
   echo "run scripts/check_format.sh --fix"
   exit 1
 else

@@ -170,7 +170,9 @@ void Simulation_run::build() {
                     "distinct trajectories",
                     points.lines[first]));
   }
-  statistics_.seconds.build = stopwatch_.lap();
+  const Construction_seconds& construction = triangulation_->construction_seconds();
+  statistics_.seconds.initialize = construction.initialize;
+  statistics_.seconds.build = stopwatch_.lap() - construction.initialize;
   if (outputs_.initial_edges != nullptr) {
     write_edges(outputs_.initial_edges->stream(), triangulation_->finite_edge_ids());
   }

@@ -160,6 +160,11 @@ struct Algebraic_number::Representation {
   bool is_root_of(const Polynomial& p);
   void use_factor(Polynomial factor);
 
+  static bool changes_sign_over_intersection(const Polynomial& p, Representation& x,
+                                             Representation& y);
+  static Comparison_result compare_roots_of_one_polynomial(Representation& x, Representation& y);
+  static bool are_equal(Representation& x, Representation& y);
+
   std::optional<Isolation> isolation;  // none where the number is known to be rational
   // The number itself where it is known to be rational; else the ends of the isolation, made when
   // they are asked for.
@@ -544,7 +549,45 @@ int compare_dyadic(const Integer& x, unsigned long e, const Integer& y, unsigned
   return e < f ? Integer(x << (f - e)).compare(y) : x.compare(Integer(y << (e - f)));
 }
 
+// The order of numbers in intervals that do not overlap; nothing where they do.
+std::optional<Comparison_result> order_of_disjoint(const Isolation& s, const Isolation& t) {
+  if (compare_dyadic(s.b, s.e, t.a, t.e) <= 0) return CGAL::SMALLER;
+  if (compare_dyadic(s.a, s.e, t.b, t.e) >= 0) return CGAL::LARGER;
+  return std::nullopt;
+}
+
 }  // namespace
+
+// Whether p changes sign over the intersection of two overlapping isolating intervals. Each end of
+// it is an end of one of them.
+bool Algebraic_number::Representation::changes_sign_over_intersection(const Polynomial& p,
+                                                                      Representation& x,
+                                                                      Representation& y) {
+  return p.sign_at(std::max(x.lower_end(), y.lower_end())) !=
+         p.sign_at(std::min(x.upper_end(), y.upper_end()));
+}
+
+// The order of two roots of one polynomial in overlapping intervals. They are equal where it
+// changes sign over the intersection, which then holds the only root of either interval. Else each
+// number is in the part of its interval that the other does not share, so neither interval contains
+// the other.
+Comparison_result Algebraic_number::Representation::compare_roots_of_one_polynomial(
+    Representation& x, Representation& y) {
+  if (changes_sign_over_intersection(x.polynomials.front(), x, y)) return CGAL::EQUAL;
+  return comparison(x.lower_end().compare(y.lower_end()));
+}
+
+// Whether two numbers in overlapping intervals are equal. A root of the gcd of their polynomials in
+// the intersection is a root of both, so it is both numbers; the ends are not roots of it, each
+// being an end of an isolating interval. Equal numbers get that gcd as their polynomial, to be
+// compared without a gcd from then on.
+bool Algebraic_number::Representation::are_equal(Representation& x, Representation& y) {
+  const Polynomial common = gcd(x.polynomials.front(), y.polynomials.front());
+  if (common.degree() == 0 || !changes_sign_over_intersection(common, x, y)) return false;
+  x.use_factor(common);
+  y.use_factor(common);
+  return true;
+}
 
 Comparison_result compare(const Algebraic_number& a, const Rational& b) {
   return a.representation_->compare_with(b);
@@ -562,43 +605,16 @@ Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b) 
   while (!x.is_rational() && !y.is_rational()) {
     const Isolation& s = *x.isolation;
     const Isolation& t = *y.isolation;
-    if (compare_dyadic(s.b, s.e, t.a, t.e) <= 0) return CGAL::SMALLER;
-    if (compare_dyadic(s.a, s.e, t.b, t.e) >= 0) return CGAL::LARGER;
-
-    // The ends of the intersection of the two intervals.
-    const int lower_order = compare_dyadic(s.a, s.e, t.a, t.e);
-    const int upper_order = compare_dyadic(s.b, s.e, t.b, t.e);
+    if (const std::optional<Comparison_result> order = order_of_disjoint(s, t)) return *order;
 
     if (!known_different && equal_up_to_sign(x.polynomials.front(), y.polynomials.front())) {
-      // One polynomial: the numbers are equal where it changes sign over the intersection, which
-      // then holds the only root of either interval. Else each number is in the part of its
-      // interval that the other does not share, hence neither interval contains the other.
-      const Sign sign_lower =
-          lower_order >= 0 ? sign(s.value_a) : x.polynomials.front().sign_at(y.lower_end());
-      const Sign sign_upper =
-          upper_order <= 0 ? sign(s.value_b) : x.polynomials.front().sign_at(y.upper_end());
-      if (sign_lower != sign_upper) return CGAL::EQUAL;
-      return comparison(lower_order);
+      return Representation::compare_roots_of_one_polynomial(x, y);
     }
-
     if (!known_different && s.is_narrower_than_bits(bits_before_gcd) &&
         t.is_narrower_than_bits(bits_before_gcd)) {
-      Polynomial common = gcd(x.polynomials.front(), y.polynomials.front());
-      if (common.degree() >= 1) {
-        // A root of the gcd in the intersection is a root of both polynomials, so it is both
-        // numbers. The ends are not roots of it, each being an end of an isolating interval.
-        const Rational& lower = lower_order >= 0 ? x.lower_end() : y.lower_end();
-        const Rational& upper = upper_order <= 0 ? x.upper_end() : y.upper_end();
-        if (common.sign_at(lower) != common.sign_at(upper)) {
-          // From now on both have the same polynomial, and are compared without a gcd.
-          y.use_factor(common);
-          x.use_factor(std::move(common));
-          return CGAL::EQUAL;
-        }
-      }
+      if (Representation::are_equal(x, y)) return CGAL::EQUAL;
       known_different = true;
     }
-
     const bool x_is_wider = compare_dyadic(s.b - s.a, s.e, t.b - t.a, t.e) >= 0;
     (x_is_wider ? x : y).quadratic_step(std::numeric_limits<unsigned long>::max());
   }

@@ -233,9 +233,9 @@ class Roots_beyond {
     return variations;
   }
 
-  // k with 2^k <= distance of every root beyond `from`. At a positive root y of the shifted
-  // polynomial the terms of the sign opposite to c_0 outweigh c_0, so one of these m terms has
-  // |c_i| y^i >= |c_0| / m.
+  // Where to begin the search: k with 2^k <= distance of every root beyond `from`. Only the speed
+  // depends on it. At a positive root y of the shifted polynomial the terms of the sign opposite to
+  // c_0 outweigh c_0, so one of these m terms has |c_i| y^i >= |c_0| / m.
   long least_positive_root_exponent(const std::vector<Integer>& c) const {
     const int sign_constant = c.front().sign();
     const long opposite_terms = std::count_if(

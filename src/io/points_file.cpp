@@ -27,18 +27,14 @@ constexpr std::size_t longest_line = std::size_t{1} << 20U;
 constexpr std::size_t longest_quotation = 40;
 
 constexpr std::string_view not_a_number =
-    "is not a number; expected a decimal or hexadecimal floating point number such as -1.5, 2e-3 "
-    "or "
-    "0x1.8p3";
+    "is not a number; expected a decimal or hexadecimal floating point number such as -1.5, "
+    "2e-3 or 0x1.8p3";
 constexpr std::string_view not_finite = "is not finite; expected a finite number";
 constexpr std::string_view out_of_range =
     "is out of the range of binary64; expected 0, or a magnitude from 4.9e-324 to 1.8e308";
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
-}
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -64,15 +60,6 @@ std::string quoted(std::string_view text) {
     }
   }
   return result + (length < text.size() ? "...'" : "'");
-}
-
-// Whether the digits before the exponent include one other than 0.
-bool has_nonzero_digit(std::string_view digits, bool hexadecimal) {
-  for (const char c : digits) {
-    if (c == 'p' || c == 'P' || (!hexadecimal && (c == 'e' || c == 'E'))) return false;
-    if (c != '0' && c != '.') return true;
-  }
-  return false;
 }
 
 // Gives the lines of a stream one after the other, from one buffer.
@@ -297,7 +284,7 @@ Parsed_number parse_number(std::string_view text) {
   if (negative || digits.starts_with('+')) digits.remove_prefix(1);
   const bool hexadecimal = digits.starts_with("0x") || digits.starts_with("0X");
   if (hexadecimal) digits.remove_prefix(2);
-  // What std::from_chars takes besides: a second sign; names of numbers that are not finite.
+  // std::from_chars takes a minus sign; it would be the second one here.
   if (digits.starts_with('-')) return {0, not_a_number};
   const char* const end = digits.data() + digits.size();
   double value = 0;
@@ -305,8 +292,7 @@ Parsed_number parse_number(std::string_view text) {
       digits.data(), end, value, hexadecimal ? std::chars_format::hex : std::chars_format::general);
   if (error == std::errc::invalid_argument || stop != end) return {0, not_a_number};
   if (error == std::errc::result_out_of_range) return {0, out_of_range};
-  if (!std::isfinite(value)) return {0, is_letter(digits.front()) ? not_finite : out_of_range};
-  if (value == 0 && has_nonzero_digit(digits, hexadecimal)) return {0, out_of_range};
+  if (!std::isfinite(value)) return {0, not_finite};
   return {negative ? -value : value, {}};
 }
 

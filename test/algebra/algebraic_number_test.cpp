@@ -306,17 +306,22 @@ TEST(AlgebraicNumber, OrderAgainstRationalsIsTheTrueOne) {
 }
 
 TEST(AlgebraicNumber, RootsOfOnePolynomialWithOverlappingIntervalsAreOrdered) {
-  // Roots -sqrt(2), 1, sqrt(2).
-  const Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-1, 1};
-  const auto one = [&] { return Algebraic_number(p, Rational(-4, 3), Rational(4, 3)); };
-  const auto root_two = [&] { return Algebraic_number(-p, Rational(5, 4), Rational(3)); };
-  const auto minus_root_two = [&] { return Algebraic_number(p, Rational(-3), Rational(1, 2)); };
-  EXPECT_EQ(compare(one(), root_two()), CGAL::SMALLER);
-  EXPECT_EQ(compare(root_two(), one()), CGAL::LARGER);
-  EXPECT_EQ(compare(minus_root_two(), one()), CGAL::SMALLER);
-  EXPECT_EQ(compare(one(), minus_root_two()), CGAL::LARGER);
-  EXPECT_EQ(compare(root_two(), Algebraic_number(p, Rational(4, 3), Rational(7))), CGAL::EQUAL);
-  EXPECT_EQ(compare(one(), Algebraic_number(p, Rational(2, 3), Rational(4, 3))), CGAL::EQUAL);
+  // Roots -sqrt(3), -sqrt(2), sqrt(2), sqrt(3), in intervals with dyadic ends, which are kept.
+  const Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-3, 0, 1};
+  const auto root_two = [&] { return Algebraic_number(p, 1, Rational(13, 8)); };
+  const auto root_three = [&] { return Algebraic_number(-p, Rational(3, 2), 2); };
+  EXPECT_EQ(compare(root_two(), root_three()), CGAL::SMALLER);
+  EXPECT_EQ(compare(root_three(), root_two()), CGAL::LARGER);
+  // The same interval, one within the other, and two that overlap around the one root.
+  EXPECT_EQ(compare(root_two(), root_two()), CGAL::EQUAL);
+  EXPECT_EQ(compare(root_two(), Algebraic_number(p, Rational(5, 4), Rational(3, 2))), CGAL::EQUAL);
+  EXPECT_EQ(compare(Algebraic_number(-p, Rational(5, 4), Rational(3, 2)), root_two()), CGAL::EQUAL);
+  EXPECT_EQ(compare(root_two(), Algebraic_number(p, Rational(5, 4), Rational(27, 16))),
+            CGAL::EQUAL);
+  const auto minus_root_two = [&] { return Algebraic_number(p, Rational(-13, 8), -1); };
+  const auto minus_root_three = [&] { return Algebraic_number(p, -2, Rational(-3, 2)); };
+  EXPECT_EQ(compare(minus_root_two(), minus_root_three()), CGAL::LARGER);
+  EXPECT_EQ(compare(minus_root_three(), minus_root_two()), CGAL::SMALLER);
 }
 
 TEST(AlgebraicNumber, EqualRootsAmongOtherCommonRootsAreToldFromThem) {

@@ -313,6 +313,42 @@ TEST(FailureTime, AfterAFlipIsTheNextRootOfMinusThePolynomial) {
   EXPECT_EQ(flips, 4);
 }
 
+TEST(FailureTime, ARootInsideTheIsolatingIntervalOfTheTimeIsNotOverlooked) {
+  // The time is a root of p and of another polynomial; the next root of p is closer to it than the
+  // ends of its interval, for all that the sign of p at the time makes it shrink.
+  for (const long distance : {3L, 30L, 60L, 200L}) {
+    for (const bool irrational : {false, true}) {
+      SCOPED_TRACE(std::to_string(distance) + (irrational ? ", irrational" : ", rational"));
+      Random random(static_cast<std::uint64_t>(distance));
+      Known_polynomial p;
+      Known_polynomial of_time;
+      if (irrational) {
+        p.add_irrational_pair(0, 2, 1);
+        p.add_irrational_pair(two_to(-distance), 2, 1);
+        of_time.add_irrational_pair(0, 2, 1);
+      } else {
+        p.add_irrational_pair(-3, 2, 1);
+        p.add_rational(Rational(1, 3), 1);
+        p.add_rational(Rational(1, 3) + two_to(-distance), 1);
+        of_time.add_rational(Rational(1, 3), 1);
+      }
+      of_time.add_irrational_pair(0, 5, 1);
+      const Known_root& first = p.roots()[p.roots().size() - 2];
+      const Known_root& second = p.roots().back();
+      const auto time = [&] { return test::isolated_root(of_time, first, random); };
+      const std::optional<Real_root> root = first_root_after(p.polynomial(), time());
+      ASSERT_TRUE(root.has_value());
+      EXPECT_TRUE(test::is_the_number(root->value, second));
+      // Negative between the two: at once; minus that: at the second.
+      const Algebraic_number t = time();
+      EXPECT_EQ(failure_time(p.polynomial(), t), t);
+      const std::optional<Algebraic_number> failure = failure_time(-p.polynomial(), time());
+      ASSERT_TRUE(failure.has_value());
+      EXPECT_TRUE(test::is_the_number(*failure, second));
+    }
+  }
+}
+
 TEST(FailureTime, MayBeAskedForWithThePolynomialOfTheTimeItself) {
   const Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-7, 0, 1};
   const Algebraic_number t(p, 1, 2);

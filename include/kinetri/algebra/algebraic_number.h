@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Real algebraic numbers: a square-free polynomial and an interval that holds exactly one of its
-// roots; rationals are kept as such. All decisions are exact; the binary64 interval that each number
-// carries decides most comparisons, and the isolating interval is refined only where that one does
-// not separate.
+// roots; rationals are kept as such. All decisions are exact; the binary64 interval that each
+// number carries decides most comparisons, and the isolating interval is refined only where that
+// one does not separate.
 #ifndef KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 #define KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 
@@ -42,8 +42,8 @@ class Algebraic_number {
   const Polynomial& polynomial() const;
 
   /// The present isolating interval: lower == upper where the number is known to be rational, else
-  /// lower < number < upper, and polynomial() has opposite signs, not zero, at the two. Zero is never
-  /// inside. The references follow the interval as it shrinks.
+  /// lower < number < upper, and polynomial() has opposite signs, not zero, at the two. Zero is
+  /// never inside. The references follow the interval as it shrinks.
   const Rational& lower() const;
   const Rational& upper() const;
 
@@ -51,8 +51,9 @@ class Algebraic_number {
   /// isolating interval.
   const Double_interval& interval() const;
 
-  /// The tightest binary64 interval that contains the number: both bounds are the number where it is
-  /// a binary64 number, else its two neighbours. Does not depend on how far the number was refined.
+  /// The tightest binary64 interval that contains the number: both bounds are the number where it
+  /// is a binary64 number, else its two neighbours. Does not depend on how far the number was
+  /// refined.
   Double_interval tight_interval() const;
 
   /// The nearest binary64 number, ties to even.
@@ -66,8 +67,8 @@ class Algebraic_number {
   /// Source: J. Abbott, Quadratic interval refinement for real roots, ISSAC 2006 (poster).
   void refine_to(const Rational& width) const;
 
-  /// Makes the isolating interval at least 2^`bits` times narrower than its end nearer to zero is far
-  /// from zero: `bits` correct bits, however small the number is.
+  /// Makes the isolating interval at least 2^`bits` times narrower than its end nearer to zero is
+  /// far from zero: `bits` correct bits, however small the number is.
   void refine_to_bits(unsigned bits) const;
 
   /// Makes the isolating interval at least two times narrower.
@@ -99,8 +100,8 @@ Comparison_result compare(const Algebraic_number& a, const Rational& b);
 Sign sign_at(const Polynomial& p, const Algebraic_number& t);
 
 /// The sign of `p` in a sufficiently small open interval that ends, or begins, at `t`: the sign of
-/// the first derivative that does not vanish at `t`, negated for just before where its order is odd.
-/// Zero for the zero polynomial only.
+/// the first derivative that does not vanish at `t`, negated for just before where its order is
+/// odd. Zero for the zero polynomial only.
 Sign sign_just_before(const Polynomial& p, const Algebraic_number& t);
 Sign sign_just_after(const Polynomial& p, const Algebraic_number& t);
 
