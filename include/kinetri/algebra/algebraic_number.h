@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Real algebraic numbers: a square-free polynomial and an interval that holds exactly one of its
-// roots; rationals are kept as such. All decisions are exact; the binary64 interval that each number
-// carries decides most comparisons, and the isolating interval is refined only where that one does
-// not separate.
+// roots; rationals are kept as such. All decisions are exact; the binary64 interval that each
+// number carries decides most comparisons, and the isolating interval is refined only where that
+// one does not separate.
 #ifndef KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 #define KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 
@@ -14,6 +14,23 @@
 #include "kinetri/algebra/polynomial.h"
 
 namespace kinetri {
+
+/// A polynomial that is only made when it is needed: where binary64 intervals decide, it never is.
+class Root_source {
+ public:
+  virtual ~Root_source();
+
+  /// A polynomial of which the number is a root; not zero.
+  virtual Polynomial polynomial() const = 0;
+
+ protected:
+  Root_source();
+
+ private:
+  friend class Algebraic_number;
+  struct Representation;
+  std::unique_ptr<Representation> representation_;
+};
 
 /// A real algebraic number. Copies share one representation, so that a refinement made through one
 /// serves all. The value never changes; only the interval around it shrinks. Not safe to compare or
@@ -31,6 +48,11 @@ class Algebraic_number {
   /// and exactly one root between them (the caller's word).
   Algebraic_number(const Polynomial& p, const Rational& lower, const Rational& upper);
 
+  /// The only root of the polynomial of `source` between the bounds of `bracket`, ends not
+  /// included. Precondition: the polynomial has opposite signs, not zero, at the two ends (checked
+  /// when it is made), and exactly one root between them, of odd multiplicity (the caller's word).
+  Algebraic_number(std::shared_ptr<Root_source> source, const Double_interval& bracket);
+
   /// Whether the number is *known* to be rational: constructed as one, or found to be one while it
   /// was refined. False says nothing.
   bool is_known_rational() const;
@@ -42,17 +64,18 @@ class Algebraic_number {
   const Polynomial& polynomial() const;
 
   /// The present isolating interval: lower == upper where the number is known to be rational, else
-  /// lower < number < upper, and polynomial() has opposite signs, not zero, at the two. Zero is never
-  /// inside. The references follow the interval as it shrinks.
+  /// lower < number < upper, and polynomial() has opposite signs, not zero, at the two. Zero is
+  /// never inside. The references follow the interval as it shrinks.
   const Rational& lower() const;
   const Rational& upper() const;
 
-  /// A binary64 interval that contains the number, without any work: the outward rounding of the
-  /// isolating interval.
+  /// A binary64 interval that contains the number: the outward rounding of the isolating interval,
+  /// or the bracket of a number whose polynomial has not been made.
   const Double_interval& interval() const;
 
-  /// The tightest binary64 interval that contains the number: both bounds are the number where it is
-  /// a binary64 number, else its two neighbours. Does not depend on how far the number was refined.
+  /// The tightest binary64 interval that contains the number: both bounds are the number where it
+  /// is a binary64 number, else its two neighbours. Does not depend on how far the number was
+  /// refined.
   Double_interval tight_interval() const;
 
   /// The nearest binary64 number, ties to even.
@@ -66,8 +89,8 @@ class Algebraic_number {
   /// Source: J. Abbott, Quadratic interval refinement for real roots, ISSAC 2006 (poster).
   void refine_to(const Rational& width) const;
 
-  /// Makes the isolating interval at least 2^`bits` times narrower than its end nearer to zero is far
-  /// from zero: `bits` correct bits, however small the number is.
+  /// Makes the isolating interval at least 2^`bits` times narrower than its end nearer to zero is
+  /// far from zero: `bits` correct bits, however small the number is.
   void refine_to_bits(unsigned bits) const;
 
   /// Makes the isolating interval at least two times narrower.
@@ -88,8 +111,15 @@ class Algebraic_number {
   friend std::ostream& operator<<(std::ostream& out, const Algebraic_number& a);
 
  private:
-  struct Representation;
-  std::shared_ptr<Representation> representation_;
+  using Representation = Root_source::Representation;
+
+  Representation& representation() const;
+
+  // Always contains the number; may be wider than what the representation, shared with copies of
+  // this number, knows by now.
+  mutable Double_interval interval_;
+  // None for a binary64 number, which the interval holds, until more is asked of it.
+  mutable std::shared_ptr<Root_source> source_;
 };
 
 Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
@@ -99,8 +129,8 @@ Comparison_result compare(const Algebraic_number& a, const Rational& b);
 Sign sign_at(const Polynomial& p, const Algebraic_number& t);
 
 /// The sign of `p` in a sufficiently small open interval that ends, or begins, at `t`: the sign of
-/// the first derivative that does not vanish at `t`, negated for just before where its order is odd.
-/// Zero for the zero polynomial only.
+/// the first derivative that does not vanish at `t`, negated for just before where its order is
+/// odd. Zero for the zero polynomial only.
 Sign sign_just_before(const Polynomial& p, const Algebraic_number& t);
 Sign sign_just_after(const Polynomial& p, const Algebraic_number& t);
 

@@ -45,9 +45,9 @@ class Polynomial {
   Rational operator()(const Rational& t) const;
   /// The sign of the value at `t`; cheaper than the value, since no fraction is reduced.
   Sign sign_at(const Rational& t) const;
-  /// The sign on the whole closed interval where interval arithmetic finds it constant; nothing where
-  /// it does not decide, though the sign may be constant all the same. Exact integers throughout; as
-  /// the interval shrinks to a point that is not a root, the answer comes.
+  /// The sign on the whole closed interval where interval arithmetic finds it constant; nothing
+  /// where it does not decide, though the sign may be constant all the same. Exact integers
+  /// throughout; as the interval shrinks to a point that is not a root, the answer comes.
   /// Precondition: lower <= upper. Cost: two times that of `sign_at`.
   std::optional<Sign> sign_on(const Rational& lower, const Rational& upper) const;
   /// The sign for all sufficiently large t, and for all sufficiently small t.
@@ -98,8 +98,8 @@ Polynomial positive_pseudo_remainder(const Polynomial& a, const Polynomial& b);
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
 
 /// The primitive greatest common divisor with positive leading coefficient. gcd(0, 0) is 0;
-/// gcd(p, 0) is the primitive part of p up to sign. Coprime polynomials, the usual case, are told by
-/// their images modulo a prime, which costs next to nothing.
+/// gcd(p, 0) is the primitive part of p up to sign. Coprime polynomials, the usual case, are told
+/// by their images modulo a prime, which costs next to nothing.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
 /// The primitive polynomial with the same roots as `p`, each simple, and with the sign of `p`

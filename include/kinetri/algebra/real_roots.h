@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Real roots of polynomials as algebraic numbers: all of them, the first one after a given time, and
-// the first time at which a polynomial that must not be negative becomes so.
+// Real roots of polynomials as algebraic numbers: all of them, the first one after a given time,
+// and the first time at which a polynomial that must not be negative becomes so.
 //
-// Every function isolates by Sturm's theorem (sturm_sequence.h) and bisection. The functions that look
-// for the first root after a time ask Descartes' rule of signs before, which alone settles the cases of
-// no root and of one.
+// Every function isolates by Sturm's theorem (sturm_sequence.h) and bisection. The functions that
+// look for the first root after a time ask Descartes' rule of signs before, which alone settles the
+// cases of no root and of one.
 #ifndef KINETRI_ALGEBRA_REAL_ROOTS_H
 #define KINETRI_ALGEBRA_REAL_ROOTS_H
 
@@ -32,12 +32,12 @@ std::optional<Real_root> first_root_after(const Polynomial& p, const Algebraic_n
 /// The *failure time* of the certificate `p >= 0` from `t` on: inf { s > t : p(s) < 0 }.
 ///
 /// Cases: none if `p` is never negative after `t` (the zero polynomial included); `t` itself if `p`
-/// is negative just after `t`; otherwise the least root of odd multiplicity after `t`. A root of even
-/// multiplicity is a touch and not a failure.
+/// is negative just after `t`; otherwise the least root of odd multiplicity after `t`. A root of
+/// even multiplicity is a touch and not a failure.
 std::optional<Algebraic_number> failure_time(const Polynomial& p, const Algebraic_number& t);
 
-/// The paper's Algorithm 1 (Sturm3): the roots of a cubic read off its Sturm sequence. A last term of
-/// degree 2 gives the triple root; of degree 1 the double root, which is divided out to give the
+/// The paper's Algorithm 1 (Sturm3): the roots of a cubic read off its Sturm sequence. A last term
+/// of degree 2 gives the triple root; of degree 1 the double root, which is divided out to give the
 /// single one; of degree 0 the roots are simple and are isolated by counting.
 /// Result as real_roots. Precondition: p.degree() == 3.
 std::vector<Real_root> sturm_cubic_roots(const Polynomial& p);

@@ -4,7 +4,8 @@
 //
 // Sources: C. Sturm, 1829; S. Basu, R. Pollack, M.-F. Roy, Algorithms in Real Algebraic Geometry,
 // 2nd edition, section 2.2 (signed remainder sequences, Tarski queries); T. Vomacka, Computation of
-// topologic events in kinetic Delaunay triangulation using Sturm sequences of polynomials, section 5.
+// topologic events in kinetic Delaunay triangulation using Sturm sequences of polynomials,
+// section 5.
 #ifndef KINETRI_ALGEBRA_STURM_SEQUENCE_H
 #define KINETRI_ALGEBRA_STURM_SEQUENCE_H
 
@@ -26,8 +27,8 @@ struct Interval_end {
 /// not zero. Each term is known up to a positive factor only, and is kept primitive.
 ///
 /// With f_2 = f' the sequence counts the distinct real roots of f. Where f has multiple roots it is
-/// a *generalised* Sturm sequence: every term is a multiple of the last one, f_m = gcd(f, f'), whose
-/// roots are the multiple roots of f with multiplicity less one.
+/// a *generalised* Sturm sequence: every term is a multiple of the last one, f_m = gcd(f, f'),
+/// whose roots are the multiple roots of f with multiplicity less one.
 ///
 /// With f_2 = f' g it answers *Tarski queries*: the sum of sign(g) over the distinct roots of f.
 class Sturm_sequence {
