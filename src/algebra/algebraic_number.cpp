@@ -136,7 +136,7 @@ struct Isolation {
 
 // --- Representation ---------------------------------------------------------------------------
 
-struct Algebraic_number::Representation {
+struct Root_source::Representation {
   explicit Representation(Rational number) : lower(std::move(number)) {}
   Representation(const Polynomial& p, const Rational& first, const Rational& last) {
     isolate(p, first, last);
@@ -178,8 +178,8 @@ struct Algebraic_number::Representation {
   bool linear_is_made = false;
 };
 
-void Algebraic_number::Representation::isolate(const Polynomial& p, const Rational& first,
-                                               const Rational& last) {
+void Root_source::Representation::isolate(const Polynomial& p, const Rational& first,
+                                          const Rational& last) {
   KINETRI_PRECONDITION(first < last, "the isolating interval is not empty");
   KINETRI_PRECONDITION(p.degree() >= 1, "a polynomial without roots has no root to isolate");
   polynomials.push_front(primitive_part(p));
@@ -205,8 +205,8 @@ void Algebraic_number::Representation::isolate(const Polynomial& p, const Ration
 }
 
 // Dyadic ends inside the given ones, on finer and finer grids until the root is between them.
-void Algebraic_number::Representation::isolate_between_dyadic_ends(const Rational& first,
-                                                                   const Rational& last) {
+void Root_source::Representation::isolate_between_dyadic_ends(const Rational& first,
+                                                              const Rational& last) {
   const Rational width = last - first;
   long e = std::max(bit_length(denominator(width)) - bit_length(numerator(width)) + 2, 0L);
   for (;; e += 8) {
@@ -222,7 +222,7 @@ void Algebraic_number::Representation::isolate_between_dyadic_ends(const Rationa
   }
 }
 
-const Polynomial& Algebraic_number::Representation::polynomial() {
+const Polynomial& Root_source::Representation::polynomial() {
   if (is_rational() && !linear_is_made) {
     polynomials.push_front(Polynomial{Integer(-numerator(lower)), denominator(lower)});
     linear_is_made = true;
@@ -230,7 +230,7 @@ const Polynomial& Algebraic_number::Representation::polynomial() {
   return polynomials.front();
 }
 
-const Rational& Algebraic_number::Representation::lower_end() {
+const Rational& Root_source::Representation::lower_end() {
   if (!is_rational() && !ends_are_current) {
     lower = dyadic(isolation->a, isolation->e);
     upper = dyadic(isolation->b, isolation->e);
@@ -239,12 +239,12 @@ const Rational& Algebraic_number::Representation::lower_end() {
   return lower;
 }
 
-const Rational& Algebraic_number::Representation::upper_end() {
+const Rational& Root_source::Representation::upper_end() {
   lower_end();
   return is_rational() ? lower : upper;
 }
 
-const Double_interval& Algebraic_number::Representation::double_interval() {
+const Double_interval& Root_source::Representation::double_interval() {
   if (!interval_is_current) {
     interval = {to_interval(lower_end()).lower, to_interval(upper_end()).upper};
     interval_is_current = true;
@@ -252,14 +252,14 @@ const Double_interval& Algebraic_number::Representation::double_interval() {
   return interval;
 }
 
-void Algebraic_number::Representation::become_rational(Rational number) {
+void Root_source::Representation::become_rational(Rational number) {
   isolation.reset();
   lower = std::move(number);
   interval_is_current = false;
 }
 
 // Precondition: the polynomial has opposite signs, not zero, at the ends.
-void Algebraic_number::Representation::set_ends(Integer a, Integer b, unsigned long e) {
+void Root_source::Representation::set_ends(Integer a, Integer b, unsigned long e) {
   const mp_bitcnt_t common = std::min({mpz_scan1(raw(a), 0), mpz_scan1(raw(b), 0), e});
   isolation->a = a >> common;
   isolation->b = b >> common;
@@ -271,7 +271,7 @@ void Algebraic_number::Representation::set_ends(Integer a, Integer b, unsigned l
 }
 
 // Makes the dyadic number m an end of the isolation. `side` is the sign of the polynomial at m.
-void Algebraic_number::Representation::narrow_to(const Rational& m, Sign side) {
+void Root_source::Representation::narrow_to(const Rational& m, Sign side) {
   Isolation& s = *isolation;
   const unsigned long e = *dyadic_exponent(m);
   const auto degree = static_cast<unsigned long>(polynomials.front().degree());
@@ -293,7 +293,7 @@ void Algebraic_number::Representation::narrow_to(const Rational& m, Sign side) {
 }
 
 // The order of the number and m. An m inside the isolation becomes an end of it, if it can.
-Comparison_result Algebraic_number::Representation::compare_with(const Rational& m) {
+Comparison_result Root_source::Representation::compare_with(const Rational& m) {
   if (is_rational()) return comparison(lower.compare(m));
   if (m <= lower_end()) return CGAL::LARGER;
   if (m >= upper_end()) return CGAL::SMALLER;
@@ -310,7 +310,7 @@ Comparison_result Algebraic_number::Representation::compare_with(const Rational&
 // One step of quadratic interval refinement: the interval is divided into 2^k parts, k <= k_max,
 // and the part in which the secant meets zero is tried. Where that is the right one, the next step
 // has twice as many digits; else half as many. With k = 1 it is bisection.
-void Algebraic_number::Representation::quadratic_step(unsigned long k_max) {
+void Root_source::Representation::quadratic_step(unsigned long k_max) {
   Isolation& s = *isolation;
   const Polynomial& p = polynomials.front();
   const auto degree = static_cast<unsigned long>(p.degree());
@@ -361,7 +361,7 @@ void Algebraic_number::Representation::quadratic_step(unsigned long k_max) {
   }
 }
 
-void Algebraic_number::Representation::halve() {
+void Root_source::Representation::halve() {
   const Integer width = isolation->b - isolation->a;
   const unsigned long e = isolation->e;
   do {
@@ -369,7 +369,7 @@ void Algebraic_number::Representation::halve() {
   } while (!is_rational() && ((isolation->b - isolation->a) << 1) > (width << (isolation->e - e)));
 }
 
-void Algebraic_number::Representation::refine_to_bits(long bits) {
+void Root_source::Representation::refine_to_bits(long bits) {
   while (!is_rational() && !isolation->is_narrower_than_bits(bits)) {
     const Integer& near_zero = isolation->a.sign() >= 0 ? isolation->a : isolation->b;
     // No more digits than are asked for, unless it is unknown yet how small the number is.
@@ -382,7 +382,7 @@ void Algebraic_number::Representation::refine_to_bits(long bits) {
 
 // The gcd has the number as a root where it changes sign over the isolating interval: as a divisor
 // of polynomial() it has no other root there, and a simple one only.
-bool Algebraic_number::Representation::is_root_of(const Polynomial& p) {
+bool Root_source::Representation::is_root_of(const Polynomial& p) {
   if (p.is_zero()) return true;
   if (is_rational()) return p.sign_at(lower) == CGAL::ZERO;
   if (equal_up_to_sign(p, polynomials.front())) return true;
@@ -394,7 +394,7 @@ bool Algebraic_number::Representation::is_root_of(const Polynomial& p) {
 }
 
 // Precondition: `factor` divides the polynomial and has the number as a root.
-void Algebraic_number::Representation::use_factor(Polynomial factor) {
+void Root_source::Representation::use_factor(Polynomial factor) {
   if (factor.degree() == 1) return become_rational(linear_root(factor));
   if (factor.degree() == polynomials.front().degree()) return;
   polynomials.push_front(std::move(factor));
@@ -403,64 +403,104 @@ void Algebraic_number::Representation::use_factor(Polynomial factor) {
 
 // --- Construction and access ------------------------------------------------------------------
 
-Algebraic_number::Algebraic_number() : Algebraic_number(Rational(0)) {}
+namespace {
 
-Algebraic_number::Algebraic_number(double value)
-    : representation_(std::make_shared<Representation>(to_rational(value))) {
-  const double bound = value == 0 ? 0.0 : value;  // 0, never -0
-  representation_->interval = {bound, bound};
-  representation_->interval_is_current = true;
+constexpr Double_interval everything = {-std::numeric_limits<double>::infinity(),
+                                        std::numeric_limits<double>::infinity()};
+
+// The source of a number that has its representation from the start.
+struct Known_root : Root_source {
+  Polynomial polynomial() const override {
+    KINETRI_ASSERT(false, "the representation is there");
+    return {};
+  }
+};
+
+}  // namespace
+
+Root_source::Root_source() = default;
+Root_source::~Root_source() = default;
+
+Algebraic_number::Algebraic_number() = default;
+
+Algebraic_number::Algebraic_number(double value) {
+  KINETRI_PRECONDITION(std::isfinite(value), "an infinity or a NaN is no number");
+  const double bound = value == 0 ? 0 : value;  // the one zero
+  interval_ = {bound, bound};
 }
 
 Algebraic_number::Algebraic_number(const Rational& value)
-    : representation_(std::make_shared<Representation>(value)) {}
+    : interval_(everything), source_(std::make_shared<Known_root>()) {
+  source_->representation_ = std::make_unique<Representation>(value);
+}
 
 Algebraic_number::Algebraic_number(const Polynomial& p, const Rational& lower,
                                    const Rational& upper)
-    : representation_(std::make_shared<Representation>(p, lower, upper)) {}
+    : interval_(everything), source_(std::make_shared<Known_root>()) {
+  source_->representation_ = std::make_unique<Representation>(p, lower, upper);
+}
+
+Algebraic_number::Algebraic_number(std::shared_ptr<Root_source> source,
+                                   const Double_interval& bracket)
+    : interval_(bracket), source_(std::move(source)) {}
+
+Root_source::Representation& Algebraic_number::representation() const {
+  if (source_ == nullptr) {
+    source_ = std::make_shared<Known_root>();
+    source_->representation_ = std::make_unique<Representation>(to_rational(interval_.lower));
+  } else if (source_->representation_ == nullptr) {
+    source_->representation_ = std::make_unique<Representation>(odd_part(source_->polynomial()),
+                                                                to_rational(interval_.lower),
+                                                                to_rational(interval_.upper));
+  }
+  return *source_->representation_;
+}
 
 bool Algebraic_number::is_known_rational() const {
-  return representation_->is_rational();
+  return representation().is_rational();
 }
 
 const Rational& Algebraic_number::rational() const {
   KINETRI_PRECONDITION(is_known_rational(), "the number is known to be rational");
-  return representation_->lower;
+  return representation().lower;
 }
 
 const Polynomial& Algebraic_number::polynomial() const {
-  return representation_->polynomial();
+  return representation().polynomial();
 }
 
 const Rational& Algebraic_number::lower() const {
-  return representation_->lower_end();
+  return representation().lower_end();
 }
 
 const Rational& Algebraic_number::upper() const {
-  return representation_->upper_end();
+  return representation().upper_end();
 }
 
 const Double_interval& Algebraic_number::interval() const {
-  return representation_->double_interval();
+  if (source_ != nullptr && source_->representation_ != nullptr) {
+    interval_ = source_->representation_->double_interval();
+  }
+  return interval_;
 }
 
 bool Algebraic_number::is_root_of(const Polynomial& p) const {
-  return representation_->is_root_of(p);
+  return representation().is_root_of(p);
 }
 
 // --- Refinement -------------------------------------------------------------------------------
 
 void Algebraic_number::refine() const {
-  if (!representation_->is_rational()) representation_->halve();
+  if (!representation().is_rational()) representation().halve();
 }
 
 void Algebraic_number::refine_to_bits(unsigned bits) const {
-  representation_->refine_to_bits(static_cast<long>(bits));
+  representation().refine_to_bits(static_cast<long>(bits));
 }
 
 void Algebraic_number::refine_to(const Rational& width) const {
   KINETRI_PRECONDITION(width.sign() > 0, "an irrational number has no interval of width 0");
-  Representation& r = *representation_;
+  Representation& r = representation();
   // 2^exponent <= width
   const long exponent = bit_length(numerator(width)) - bit_length(denominator(width)) - 1;
   while (!r.is_rational()) {
@@ -474,7 +514,8 @@ void Algebraic_number::refine_to(const Rational& width) const {
 // --- Approximation ----------------------------------------------------------------------------
 
 Double_interval Algebraic_number::tight_interval() const {
-  Representation& r = *representation_;
+  if (source_ == nullptr) return interval_;
+  Representation& r = representation();
   while (!r.is_rational()) {
     const double below = to_interval(lower()).lower;
     const double above = to_interval(upper()).upper;
@@ -501,14 +542,14 @@ double Algebraic_number::to_double() const {
     return scaled_by_power_of_two(x > 0 ? 1 : -1, std::numeric_limits<double>::max_exponent);
   };
   const Rational halfway = (end(tight.lower) + end(tight.upper)) / 2;
-  const Comparison_result order = representation_->compare_with(halfway);
+  const Comparison_result order = representation().compare_with(halfway);
   if (order == CGAL::EQUAL) return kinetri::to_double(rational());
   return order == CGAL::SMALLER ? tight.lower : tight.upper;
 }
 
 Big_float Algebraic_number::to_big_float(unsigned bits) const {
   KINETRI_PRECONDITION(bits >= 2, "the precision is at least 2 bits");
-  Representation& r = *representation_;
+  Representation& r = representation();
   Big_float result;
   mpfr_set_prec(result.backend().data(), static_cast<mpfr_prec_t>(bits));
 
@@ -590,17 +631,19 @@ bool Algebraic_number::Representation::are_equal(Representation& x, Representati
 }
 
 Comparison_result compare(const Algebraic_number& a, const Rational& b) {
-  return a.representation_->compare_with(b);
+  return a.representation().compare_with(b);
 }
 
 Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b) {
-  using Representation = Algebraic_number::Representation;
-  Representation& x = *a.representation_;
-  Representation& y = *b.representation_;
-  if (&x == &y) return CGAL::EQUAL;
-  if (x.double_interval().upper < y.double_interval().lower) return CGAL::SMALLER;
-  if (x.double_interval().lower > y.double_interval().upper) return CGAL::LARGER;
+  if (a.interval_.upper < b.interval_.lower) return CGAL::SMALLER;
+  if (a.interval_.lower > b.interval_.upper) return CGAL::LARGER;
+  if (a.source_ == b.source_) return CGAL::EQUAL;  // also for two binary64 numbers that overlap
+  if (a.interval().upper < b.interval().lower) return CGAL::SMALLER;
+  if (a.interval().lower > b.interval().upper) return CGAL::LARGER;
 
+  using Representation = Algebraic_number::Representation;
+  Representation& x = a.representation();
+  Representation& y = b.representation();
   bool known_different = false;
   while (!x.is_rational() && !y.is_rational()) {
     const Isolation& s = *x.isolation;

@@ -1,36 +1,106 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/linear_kinetic_traits_2.h"
 
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
+#include "kinetri/kinetic/linear_filter.h"
 
 namespace kinetri {
+namespace {
 
-std::optional<Algebraic_number> Linear_kinetic_traits_2::exact_failure_time(
-    const Polynomial& certificate, const Time& t) {
+using Time = Algebraic_number;
+
+// The polynomials of failures that the filter has bracketed, made when an exact decision needs
+// them.
+struct In_circle_root : Root_source {
+  In_circle_root(const Moving_point_2& a, const Moving_point_2& b, const Moving_point_2& c,
+                 const Moving_point_2& d)
+      : p(a.motion()), q(b.motion()), r(c.motion()), s(d.motion()) {}
+  Polynomial polynomial() const override {
+    return in_circle_polynomial(Moving_point_2(p), Moving_point_2(q), Moving_point_2(r),
+                                Moving_point_2(s));
+  }
+  Linear_motion_2 p, q, r, s;
+};
+
+struct Orientation_root : Root_source {
+  Orientation_root(const Moving_point_2& a, const Moving_point_2& b, const Moving_point_2& c)
+      : p(a.motion()), q(b.motion()), r(c.motion()) {}
+  Polynomial polynomial() const override {
+    return orientation_polynomial(Moving_point_2(p), Moving_point_2(q), Moving_point_2(r));
+  }
+  Linear_motion_2 p, q, r;
+};
+
+// The outlook that a verdict of the filter is. Precondition: it is not unknown.
+template <class Make_source>
+std::optional<Outlook<Time>> outlook(const Filter_verdict& verdict, Certificate_counters& counters,
+                                     const Make_source& make_source) {
+  ++counters.filter_decided;
+  if (verdict.kind == Filter_verdict::Kind::fails) {
+    ++counters.root_solves;
+    return Outlook<Time>{Time(make_source(), {verdict.lower, verdict.upper}), true};
+  }
+  if (std::isinf(verdict.upper)) return std::nullopt;
+  return Outlook<Time>{Time(verdict.upper), false};
+}
+
+}  // namespace
+
+std::optional<Outlook<Time>> Linear_kinetic_traits_2::exact_outlook(const Polynomial& certificate,
+                                                                    const Time& t) {
   ++counters_.exact_decided;
   if (certificate.degree() > 0) ++counters_.root_solves;
-  return failure_time(certificate, t);
+  std::optional<Time> failure = failure_time(certificate, t);
+  if (!failure) return std::nullopt;
+  // The filter starts from this time's interval when the event has been executed, and knows nothing
+  // if that is wide.
+  failure->refine_to_bits(std::numeric_limits<double>::digits);
+  return Outlook<Time>{std::move(*failure), true};
 }
 
-std::optional<Algebraic_number> Linear_kinetic_traits_2::in_circle_failure_time(
-    const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s, const Time& t) {
+std::optional<Outlook<Time>> Linear_kinetic_traits_2::in_circle_outlook(
+    const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s, const Time& t,
+    Certificate_state state) {
   ++counters_.created;
-  return exact_failure_time(-in_circle_polynomial(p, q, r, s), t);
+  if (arithmetic_ == Arithmetic::filtered) {
+    const Filter_verdict verdict =
+        filter_in_circle(p.motion(), q.motion(), r.motion(), s.motion(), t.interval(),
+                         state == Certificate_state::vanishes);
+    if (verdict.kind != Filter_verdict::Kind::unknown) {
+      return outlook(verdict, counters_,
+                     [&] { return std::make_shared<In_circle_root>(p, q, r, s); });
+    }
+  }
+  return exact_outlook(-in_circle_polynomial(p, q, r, s), t);
 }
 
-std::optional<Algebraic_number> Linear_kinetic_traits_2::orientation_failure_time(const Point_2& p,
-                                                                                  const Point_2& q,
-                                                                                  const Point_2& r,
-                                                                                  const Time& t) {
+std::optional<Outlook<Time>> Linear_kinetic_traits_2::orientation_outlook(
+    const Point_2& p, const Point_2& q, const Point_2& r, const Time& t, Certificate_state state) {
   ++counters_.created;
-  return exact_failure_time(orientation_polynomial(p, q, r), t);
+  if (arithmetic_ == Arithmetic::filtered) {
+    const Filter_verdict verdict = filter_orientation(
+        p.motion(), q.motion(), r.motion(), t.interval(), state == Certificate_state::vanishes);
+    if (verdict.kind != Filter_verdict::Kind::unknown) {
+      return outlook(verdict, counters_,
+                     [&] { return std::make_shared<Orientation_root>(p, q, r); });
+    }
+  }
+  return exact_outlook(orientation_polynomial(p, q, r), t);
 }
 
-std::optional<Algebraic_number> Linear_kinetic_traits_2::coincidence_time(const Point_2& p,
-                                                                          const Point_2& q,
-                                                                          const Time& t) {
+std::optional<Time> Linear_kinetic_traits_2::coincidence_time(const Point_2& p, const Point_2& q,
+                                                              const Time& t) {
   ++counters_.created;
+  if (arithmetic_ == Arithmetic::filtered && certainly_never_coincide(p.motion(), q.motion())) {
+    ++counters_.filter_decided;
+    return std::nullopt;
+  }
   ++counters_.exact_decided;
   const Polynomial x = x_difference(p, q);
   const Polynomial y = y_difference(p, q);
@@ -40,7 +110,7 @@ std::optional<Algebraic_number> Linear_kinetic_traits_2::coincidence_time(const 
   if (moving.degree() != 1) return std::nullopt;
   const Rational root(-moving[0], moving[1]);
   if (other.sign_at(root) != CGAL::ZERO || compare(t, root) != CGAL::SMALLER) return std::nullopt;
-  return Algebraic_number(root);
+  return Time(root);
 }
 
 }  // namespace kinetri

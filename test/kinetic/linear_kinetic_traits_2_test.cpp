@@ -13,60 +13,95 @@ namespace {
 Moving_point_2 moving(double x, double y, double vx, double vy, double epoch = 0) {
   return Moving_point_2(Linear_motion_2{{x, y}, {vx, vy}, epoch});
 }
-Moving_point_2 resting(double x, double y) { return moving(x, y, 0, 0); }
+Moving_point_2 resting(double x, double y) {
+  return moving(x, y, 0, 0);
+}
 
-class Linear_kinetic_traits_2_test : public testing::Test {
+// The failure time at the end of the outlooks, each of which must hold as far as it says.
+template <class Outlook_after>
+std::optional<Algebraic_number> failure_of(const Outlook_after& outlook_after,
+                                           Algebraic_number time) {
+  auto outlook = outlook_after(time, Certificate_state::any);
+  while (outlook && !outlook->is_failure) {
+    EXPECT_LT(time, outlook->time);
+    time = outlook->time;
+    outlook = outlook_after(time, Certificate_state::any);
+  }
+  if (!outlook) return std::nullopt;
+  return outlook->time;
+}
+
+class Linear_kinetic_traits_2_test : public testing::TestWithParam<Arithmetic> {
  protected:
-  Linear_kinetic_traits_2 traits;
+  std::optional<Algebraic_number> in_circle_failure_time(const Moving_point_2& p,
+                                                         const Moving_point_2& q,
+                                                         const Moving_point_2& r,
+                                                         const Moving_point_2& s, double t) {
+    return failure_of(
+        [&](const Algebraic_number& after, Certificate_state state) {
+          return traits.in_circle_outlook(p, q, r, s, after, state);
+        },
+        t);
+  }
+  std::optional<Algebraic_number> orientation_failure_time(const Moving_point_2& p,
+                                                           const Moving_point_2& q,
+                                                           const Moving_point_2& r, double t) {
+    return failure_of(
+        [&](const Algebraic_number& after, Certificate_state state) {
+          return traits.orientation_outlook(p, q, r, after, state);
+        },
+        t);
+  }
+
+  Linear_kinetic_traits_2 traits{GetParam()};
   const Moving_point_2 west = resting(-1, 0);
   const Moving_point_2 south = resting(0, -1);
   const Moving_point_2 east = resting(1, 0);
 };
 
-TEST_F(Linear_kinetic_traits_2_test, in_circle_fails_when_the_point_enters_the_circle) {
+TEST_P(Linear_kinetic_traits_2_test, in_circle_fails_when_the_point_enters_the_circle) {
   const Moving_point_2 entering = moving(0, 3, 0, -1);
-  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 0.0), Algebraic_number(2.0));
-  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 1.5), Algebraic_number(2.0));
+  EXPECT_EQ(in_circle_failure_time(west, south, east, entering, 0.0), Algebraic_number(2.0));
+  EXPECT_EQ(in_circle_failure_time(west, south, east, entering, 1.5), Algebraic_number(2.0));
 }
 
-TEST_F(Linear_kinetic_traits_2_test, in_circle_violated_just_after_fails_at_once) {
+TEST_P(Linear_kinetic_traits_2_test, in_circle_violated_just_after_fails_at_once) {
   const Moving_point_2 entering = moving(0, 3, 0, -1);
-  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 2.0), Algebraic_number(2.0));
-  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 3.0), Algebraic_number(3.0));
+  EXPECT_EQ(in_circle_failure_time(west, south, east, entering, 2.0), Algebraic_number(2.0));
+  EXPECT_EQ(in_circle_failure_time(west, south, east, entering, 3.0), Algebraic_number(3.0));
 }
 
-TEST_F(Linear_kinetic_traits_2_test, in_circle_of_a_leaving_point_fails_when_it_comes_back) {
+TEST_P(Linear_kinetic_traits_2_test, in_circle_of_a_leaving_point_fails_when_it_comes_back) {
   // It leaves through the bottom at t = 4 and is outside for ever.
   const Moving_point_2 entering = moving(0, 3, 0, -1);
-  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, entering, 4.0), std::nullopt);
+  EXPECT_EQ(in_circle_failure_time(west, south, east, entering, 4.0), std::nullopt);
 }
 
-TEST_F(Linear_kinetic_traits_2_test, in_circle_that_is_only_touched_never_fails) {
+TEST_P(Linear_kinetic_traits_2_test, in_circle_that_is_only_touched_never_fails) {
   const Moving_point_2 tangential = moving(-5, 1, 1, 0);
-  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, tangential, 0.0), std::nullopt);
+  EXPECT_EQ(in_circle_failure_time(west, south, east, tangential, 0.0), std::nullopt);
 }
 
-TEST_F(Linear_kinetic_traits_2_test, in_circle_that_is_zero_for_ever_never_fails) {
-  EXPECT_EQ(traits.in_circle_failure_time(west, south, east, resting(0, 1), 0.0), std::nullopt);
+TEST_P(Linear_kinetic_traits_2_test, in_circle_that_is_zero_for_ever_never_fails) {
+  EXPECT_EQ(in_circle_failure_time(west, south, east, resting(0, 1), 0.0), std::nullopt);
 }
 
-TEST_F(Linear_kinetic_traits_2_test, in_circle_failure_times_may_be_irrational) {
+TEST_P(Linear_kinetic_traits_2_test, in_circle_failure_times_may_be_irrational) {
   // |(t - 3, t - 3)| = 1 first at t = 3 - sqrt(1/2).
   const Moving_point_2 entering = moving(-3, -3, 1, 1);
-  const auto time = traits.in_circle_failure_time(east, resting(0, 1), west, entering, 0.0);
+  const auto time = in_circle_failure_time(east, resting(0, 1), west, entering, 0.0);
   ASSERT_TRUE(time);
   const Algebraic_number root_of_a_half(Polynomial{17, -12, 2}, Rational(2), Rational(3));
   EXPECT_EQ(*time, root_of_a_half);
 }
 
-TEST_F(Linear_kinetic_traits_2_test, orientation_fails_when_the_turn_becomes_right) {
-  EXPECT_EQ(traits.orientation_failure_time(west, east, moving(0, 3, 0, -1), 0.0),
-            Algebraic_number(3.0));
-  EXPECT_EQ(traits.orientation_failure_time(west, east, moving(0, 3, 0, 1), 0.0), std::nullopt);
-  EXPECT_EQ(traits.orientation_failure_time(west, east, moving(0, 0, 1, 0), 0.0), std::nullopt);
+TEST_P(Linear_kinetic_traits_2_test, orientation_fails_when_the_turn_becomes_right) {
+  EXPECT_EQ(orientation_failure_time(west, east, moving(0, 3, 0, -1), 0.0), Algebraic_number(3.0));
+  EXPECT_EQ(orientation_failure_time(west, east, moving(0, 3, 0, 1), 0.0), std::nullopt);
+  EXPECT_EQ(orientation_failure_time(west, east, moving(0, 0, 1, 0), 0.0), std::nullopt);
 }
 
-TEST_F(Linear_kinetic_traits_2_test, coincidence_is_found_only_strictly_later) {
+TEST_P(Linear_kinetic_traits_2_test, coincidence_is_found_only_strictly_later) {
   const Moving_point_2 a = moving(0, 0, 1, 2);
   const Moving_point_2 b = moving(3, 6, 0, 0);
   EXPECT_EQ(traits.coincidence_time(a, b, 0.0), Algebraic_number(3.0));
@@ -81,20 +116,104 @@ TEST_F(Linear_kinetic_traits_2_test, coincidence_is_found_only_strictly_later) {
   EXPECT_EQ(traits.coincidence_time(moving(1, 0, 1, 1), moving(2, 1, 1, 0), 0.0), std::nullopt);
 }
 
-TEST_F(Linear_kinetic_traits_2_test, coincidence_time_need_not_be_a_binary64_number) {
+TEST_P(Linear_kinetic_traits_2_test, coincidence_time_need_not_be_a_binary64_number) {
   const auto time = traits.coincidence_time(moving(0, 0, 3, 3), resting(1, 1), 0.0);
   EXPECT_EQ(time, Algebraic_number(Rational(1, 3)));
 }
 
-TEST_F(Linear_kinetic_traits_2_test, every_certificate_is_counted_once_and_decided_once) {
-  traits.in_circle_failure_time(west, south, east, moving(0, 3, 0, -1), 0.0);
-  traits.in_circle_failure_time(west, south, east, resting(0, 1), 0.0);
-  traits.orientation_failure_time(west, east, moving(0, 3, 0, -1), 0.0);
-  traits.coincidence_time(west, east, 0.0);
-  const Certificate_counters& counters = traits.counters();
-  EXPECT_EQ(counters.created, 4u);
-  EXPECT_EQ(counters.root_solves, 2u) << "neither the zero polynomial nor a coincidence is solved";
-  EXPECT_EQ(counters.exact_decided + counters.filter_decided, counters.created);
+INSTANTIATE_TEST_SUITE_P(Arithmetics, Linear_kinetic_traits_2_test,
+                         testing::Values(Arithmetic::filtered, Arithmetic::exact_only),
+                         [](const auto& instance) {
+                           return instance.param == Arithmetic::filtered ? "filtered" : "exact";
+                         });
+
+// Which stage decides chosen cases.
+class Deciding_stage : public testing::Test {
+ protected:
+  void expect_stage(std::uint64_t filtered, std::uint64_t exact, std::uint64_t solved) {
+    const Certificate_counters& c = traits.counters();
+    EXPECT_EQ(c.created, filtered + exact);
+    EXPECT_EQ(c.filter_decided, filtered);
+    EXPECT_EQ(c.exact_decided, exact);
+    EXPECT_EQ(c.root_solves, solved);
+  }
+
+  Linear_kinetic_traits_2 traits;
+  const Moving_point_2 west = resting(-1, 0);
+  const Moving_point_2 south = resting(0, -1);
+  const Moving_point_2 east = resting(1, 0);
+};
+
+TEST_F(Deciding_stage, of_a_certificate_that_holds_for_now_is_the_filter) {
+  const auto outlook = traits.in_circle_outlook(west, south, east, moving(0, 30, 0, -1), 0.0,
+                                                Certificate_state::any);
+  ASSERT_TRUE(outlook);
+  EXPECT_FALSE(outlook->is_failure);
+  expect_stage(1, 0, 0);
+}
+
+TEST_F(Deciding_stage, of_a_simple_root_near_by_is_the_filter) {
+  const auto outlook = traits.in_circle_outlook(west, south, east, moving(0.1, 1.1, 0, -1), 0.0,
+                                                Certificate_state::any);
+  ASSERT_TRUE(outlook);
+  EXPECT_TRUE(outlook->is_failure);
+  expect_stage(1, 0, 1);
+}
+
+TEST_F(Deciding_stage, of_a_certificate_that_never_fails_is_the_filter) {
+  // The whole plane is dilated: the predicates are multiplied by a power of 1 + t.
+  const auto dilated = [](double x, double y) { return moving(x, y, x, y); };
+  EXPECT_FALSE(traits.in_circle_outlook(dilated(-1, 0), dilated(0, -1), dilated(1, 0),
+                                        dilated(0.5, 2), 0.0, Certificate_state::any));
+  EXPECT_FALSE(traits.orientation_outlook(dilated(-1, 0), dilated(1, 0), dilated(0, 1), 0.0,
+                                          Certificate_state::any));
+  EXPECT_FALSE(
+      traits.in_circle_outlook(west, south, east, resting(0, 2), 0.0, Certificate_state::any));
+  EXPECT_FALSE(traits.coincidence_time(west, moving(0, 0, 0, 1), 0.0));
+  expect_stage(4, 0, 0);
+}
+
+TEST_F(Deciding_stage, of_a_violation_at_once_is_exact) {
+  const auto outlook =
+      traits.in_circle_outlook(west, south, east, moving(0, 1, 0, -1), 0.0, Certificate_state::any);
+  ASSERT_TRUE(outlook);
+  EXPECT_EQ(outlook->time, Algebraic_number(0.0));
+  expect_stage(0, 1, 1);
+}
+
+TEST_F(Deciding_stage, of_points_cocircular_for_ever_is_exact_without_looking_for_roots) {
+  EXPECT_FALSE(
+      traits.in_circle_outlook(west, south, east, resting(0, 1), 0.0, Certificate_state::any));
+  expect_stage(0, 1, 0);
+}
+
+TEST_F(Deciding_stage, of_a_touch_is_exact) {
+  EXPECT_FALSE(traits.in_circle_outlook(west, south, east, moving(-0.125, 1, 1, 0), 0.0,
+                                        Certificate_state::any));
+  expect_stage(0, 1, 1);
+}
+
+TEST_F(Deciding_stage, of_the_root_after_a_known_one_is_the_filter) {
+  // The point has entered at t = 1/8 and leaves at the bottom much later: its edge was flipped.
+  const Moving_point_2 through = moving(0.1, 1.1, 0, -1);
+  const auto entering =
+      traits.in_circle_outlook(west, south, east, through, 0.0, Certificate_state::any);
+  ASSERT_TRUE(entering && entering->is_failure);
+  const auto outlook = traits.in_circle_outlook(south, west, east, through, entering->time,
+                                                Certificate_state::vanishes);
+  ASSERT_TRUE(outlook);
+  EXPECT_GT(outlook->time, entering->time);
+  expect_stage(2, 0, outlook->is_failure ? 2 : 1);
+}
+
+TEST_F(Deciding_stage, of_magnitudes_beyond_the_filter_is_exact) {
+  const auto outlook =
+      traits.in_circle_outlook(resting(-0x1p300, 0), resting(0, -0x1p300), resting(0x1p300, 0),
+                               moving(0, 3 * 0x1p300, 0, -0x1p300), 0.0, Certificate_state::any);
+  ASSERT_TRUE(outlook);
+  EXPECT_TRUE(outlook->is_failure);
+  EXPECT_EQ(outlook->time, Algebraic_number(2.0));
+  expect_stage(0, 1, 1);
 }
 
 TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicate_turns) {
@@ -112,7 +231,11 @@ TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicat
       return CGAL::side_of_oriented_circle(test::place_at(m[0], t), test::place_at(m[1], t),
                                            test::place_at(m[2], t), test::place_at(m[3], t));
     };
-    const auto time = traits.in_circle_failure_time(p, q, r, s, 0.0);
+    const auto time = failure_of(
+        [&](const Algebraic_number& after, Certificate_state state) {
+          return traits.in_circle_outlook(p, q, r, s, after, state);
+        },
+        0.0);
     const Rational just_before_everything(1, 1000000000);
     if (!time) {
       for (int t = 0; t < 20; ++t) ASSERT_NE(side(Rational(t)), CGAL::ON_POSITIVE_SIDE);

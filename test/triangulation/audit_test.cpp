@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Audits find what is wrong: in a triangulation broken by hand, and in one whose traits miss events.
+// Audits find what is wrong: in a triangulation broken by hand, and in one whose traits miss
+// events.
 #include "kinetri/triangulation/audit.h"
 
 #include <gtest/gtest.h>
@@ -105,20 +106,24 @@ TEST(Audit, finds_an_edge_that_is_not_delaunay) {
   EXPECT_TRUE(mentions(kinetic.audit(Audit_level::reference), "missing"));
 }
 
-// Finds no failures while `deaf`; as a static member, so that the copy that the audit makes hears.
+// Finds no failures while `deaf`.
 struct Forgetful_traits : Linear_kinetic_traits_2 {
+  static Forgetful_traits exact() { return {}; }
+
   static inline bool deaf_to_circles = false;
   static inline bool deaf_to_turns = false;
 
-  std::optional<Time> in_circle_failure_time(const Point_2& p, const Point_2& q, const Point_2& r,
-                                             const Point_2& s, const Time& t) {
+  std::optional<Outlook<Time>> in_circle_outlook(const Point_2& p, const Point_2& q,
+                                                 const Point_2& r, const Point_2& s, const Time& t,
+                                                 Certificate_state state) {
     if (deaf_to_circles) return std::nullopt;
-    return Linear_kinetic_traits_2::in_circle_failure_time(p, q, r, s, t);
+    return Linear_kinetic_traits_2::in_circle_outlook(p, q, r, s, t, state);
   }
-  std::optional<Time> orientation_failure_time(const Point_2& p, const Point_2& q, const Point_2& r,
-                                               const Time& t) {
+  std::optional<Outlook<Time>> orientation_outlook(const Point_2& p, const Point_2& q,
+                                                   const Point_2& r, const Time& t,
+                                                   Certificate_state state) {
     if (deaf_to_turns) return std::nullopt;
-    return Linear_kinetic_traits_2::orientation_failure_time(p, q, r, t);
+    return Linear_kinetic_traits_2::orientation_outlook(p, q, r, t, state);
   }
 };
 

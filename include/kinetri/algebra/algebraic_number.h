@@ -15,6 +15,23 @@
 
 namespace kinetri {
 
+/// A polynomial that is only made when it is needed: where binary64 intervals decide, it never is.
+class Root_source {
+ public:
+  virtual ~Root_source();
+
+  /// A polynomial of which the number is a root; not zero.
+  virtual Polynomial polynomial() const = 0;
+
+ protected:
+  Root_source();
+
+ private:
+  friend class Algebraic_number;
+  struct Representation;
+  std::unique_ptr<Representation> representation_;
+};
+
 /// A real algebraic number. Copies share one representation, so that a refinement made through one
 /// serves all. The value never changes; only the interval around it shrinks. Not safe to compare or
 /// refine from two threads at once where the numbers share a representation.
@@ -30,6 +47,11 @@ class Algebraic_number {
   /// Precondition: `p` is square-free and has opposite signs, not zero, at the two ends (checked),
   /// and exactly one root between them (the caller's word).
   Algebraic_number(const Polynomial& p, const Rational& lower, const Rational& upper);
+
+  /// The only root of the polynomial of `source` between the bounds of `bracket`, ends not
+  /// included. Precondition: the polynomial has opposite signs, not zero, at the two ends (checked
+  /// when it is made), and exactly one root between them, of odd multiplicity (the caller's word).
+  Algebraic_number(std::shared_ptr<Root_source> source, const Double_interval& bracket);
 
   /// Whether the number is *known* to be rational: constructed as one, or found to be one while it
   /// was refined. False says nothing.
@@ -47,8 +69,8 @@ class Algebraic_number {
   const Rational& lower() const;
   const Rational& upper() const;
 
-  /// A binary64 interval that contains the number, without any work: the outward rounding of the
-  /// isolating interval.
+  /// A binary64 interval that contains the number: the outward rounding of the isolating interval,
+  /// or the bracket of a number whose polynomial has not been made.
   const Double_interval& interval() const;
 
   /// The tightest binary64 interval that contains the number: both bounds are the number where it
@@ -89,8 +111,15 @@ class Algebraic_number {
   friend std::ostream& operator<<(std::ostream& out, const Algebraic_number& a);
 
  private:
-  struct Representation;
-  std::shared_ptr<Representation> representation_;
+  using Representation = Root_source::Representation;
+
+  Representation& representation() const;
+
+  // Always contains the number; may be wider than what the representation, shared with copies of
+  // this number, knows by now.
+  mutable Double_interval interval_;
+  // None for a binary64 number, which the interval holds, until more is asked of it.
+  mutable std::shared_ptr<Root_source> source_;
 };
 
 Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);

@@ -20,9 +20,8 @@ namespace kinetri::detail {
 }  // namespace kinetri::detail
 
 #define KINETRI_PRECONDITION(condition, message) \
-  ((condition)                                   \
-       ? static_cast<void>(0)                    \
-       : ::kinetri::detail::precondition_failed(#condition, message, __FILE__, __LINE__))
+  ((condition) ? static_cast<void>(0)            \
+               : ::kinetri::detail::precondition_failed(#condition, message, __FILE__, __LINE__))
 
 #define KINETRI_ASSERT(condition, message) \
   ((condition) ? static_cast<void>(0)      \

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The event: what happened to the triangulation at one exact time, in terms of point ids. A value
-// that observers receive and that the event log prints; the order of simultaneous events is fixed here.
+// that observers receive and that the event log prints; the order of simultaneous events is fixed
+// here.
 #ifndef KINETRI_EVENTS_EVENT_H
 #define KINETRI_EVENTS_EVENT_H
 
@@ -40,10 +41,12 @@ std::string_view name(Event_kind kind);
 using Edge_ids = std::array<Point_id, 2>;
 
 /// The ends in order.
-constexpr Edge_ids edge_ids(Point_id a, Point_id b) { return a < b ? Edge_ids{a, b} : Edge_ids{b, a}; }
+constexpr Edge_ids edge_ids(Point_id a, Point_id b) {
+  return a < b ? Edge_ids{a, b} : Edge_ids{b, a};
+}
 
-/// An event at an exact time. `removed` and `added` are finite edges; which of them and of the points
-/// are present depends on the kind.
+/// An event at an exact time. `removed` and `added` are finite edges; which of them and of the
+/// points are present depends on the kind.
 template <class Time>
 struct Event {
   std::uint64_t number = 0;  ///< 0 for the first event of a run, then one more each
@@ -58,8 +61,8 @@ struct Event {
 /// Called before and after each event, in the order in which the observers were added. Derive and
 /// override what is needed. An observer must not change the triangulation.
 ///
-/// In `before_event` the triangulation still has the removed edge, in `after_event` it has the added
-/// one. Within a group of simultaneous events it is Delaunay only after the last of them.
+/// In `before_event` the triangulation still has the removed edge, in `after_event` it has the
+/// added one. Within a group of simultaneous events it is Delaunay only after the last of them.
 template <class Time>
 class Event_observer {
  public:

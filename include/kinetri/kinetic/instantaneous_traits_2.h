@@ -6,6 +6,7 @@
 #ifndef KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
 #define KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
 
+#include <initializer_list>
 #include <memory>
 #include <utility>
 
@@ -14,6 +15,10 @@
 #include "kinetri/kinetic/moving_point_2.h"
 
 namespace kinetri {
+
+/// Whether decisions are left to floating point where it is certain, or always made exactly. The
+/// decisions are the same.
+enum class Arithmetic { filtered, exact_only };
 
 /// The traits. Copies share the instant, so that a triangulation, which copies its traits, follows
 /// when the instant is set through any copy.
@@ -45,68 +50,79 @@ class Instantaneous_traits_2 {
   };
 
   /// The instant 0, at it.
-  Instantaneous_traits_2() : instant_(std::make_shared<Instant>()) {}
-  explicit Instantaneous_traits_2(Instant instant)
-      : instant_(std::make_shared<Instant>(std::move(instant))) {}
+  Instantaneous_traits_2() : Instantaneous_traits_2(Instant{}) {}
+  explicit Instantaneous_traits_2(Instant instant, Arithmetic arithmetic = Arithmetic::filtered)
+      : state_(std::make_shared<State>(State{std::move(instant), arithmetic})) {}
 
-  const Instant& instant() const { return *instant_; }
+  const Instant& instant() const { return state_->instant; }
   /// Moves this object and all its copies to another instant. Cost: none. What was built on the
   /// traits stays right only if no certificate failed on the way.
-  void set_instant(Instant instant) const { *instant_ = std::move(instant); }
+  void set_instant(Instant instant) const { state_->instant = std::move(instant); }
 
-  /// Base of the predicates: they read the shared instant.
-  class Predicate {
-   public:
-    explicit Predicate(const Instant& instant) : instant_(&instant) {}
-
-   protected:
-    Sign sign(const Polynomial& p) const { return sign_at(p, *instant_); }
-
-   private:
-    const Instant* instant_;
+ private:
+  struct State {
+    Instant instant;
+    Arithmetic arithmetic;
   };
 
+  // Base of the predicates: they read the shared state.
+  class Predicate {
+   public:
+    explicit Predicate(const State& state) : state_(&state) {}
+
+   protected:
+    Sign x_order(const Point_2& p, const Point_2& q) const;
+    Sign y_order(const Point_2& p, const Point_2& q) const;
+    Sign orientation(const Point_2& p, const Point_2& q, const Point_2& r) const;
+    Sign in_circle(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s) const;
+    Sign distance_order(const Point_2& p, const Point_2& q, const Point_2& r) const;
+    Sign scalar_product(const Point_2& p, const Point_2& q, const Point_2& r) const;
+
+   private:
+    // The interval of the time, if a filter may be asked about these points.
+    const Double_interval* filtered_interval(std::initializer_list<const Point_2*> points) const;
+
+    const State* state_;
+  };
+
+ public:
   struct Compare_x_2 : Predicate {
     using Predicate::Predicate;
-    Comparison_result operator()(const Point_2& p, const Point_2& q) const {
-      return sign(x_difference(p, q));
-    }
+    Comparison_result operator()(const Point_2& p, const Point_2& q) const { return x_order(p, q); }
   };
   struct Compare_y_2 : Predicate {
     using Predicate::Predicate;
-    Comparison_result operator()(const Point_2& p, const Point_2& q) const {
-      return sign(y_difference(p, q));
-    }
+    Comparison_result operator()(const Point_2& p, const Point_2& q) const { return y_order(p, q); }
   };
   struct Less_x_2 : Predicate {
     using Predicate::Predicate;
     bool operator()(const Point_2& p, const Point_2& q) const {
-      return sign(x_difference(p, q)) == CGAL::NEGATIVE;
+      return x_order(p, q) == CGAL::NEGATIVE;
     }
   };
   struct Less_y_2 : Predicate {
     using Predicate::Predicate;
     bool operator()(const Point_2& p, const Point_2& q) const {
-      return sign(y_difference(p, q)) == CGAL::NEGATIVE;
+      return y_order(p, q) == CGAL::NEGATIVE;
     }
   };
   struct Orientation_2 : Predicate {
     using Predicate::Predicate;
     CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-      return sign(orientation_polynomial(p, q, r));
+      return orientation(p, q, r);
     }
   };
   struct Side_of_oriented_circle_2 : Predicate {
     using Predicate::Predicate;
     CGAL::Oriented_side operator()(const Point_2& p, const Point_2& q, const Point_2& r,
                                    const Point_2& s) const {
-      return sign(in_circle_polynomial(p, q, r, s));
+      return in_circle(p, q, r, s);
     }
   };
   struct Compare_distance_2 : Predicate {
     using Predicate::Predicate;
     Comparison_result operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-      return sign(distance_difference(p, q, r));
+      return distance_order(p, q, r);
     }
   };
   /// Whether `q` lies strictly between `p` and `r`. Precondition: the three are collinear at the
@@ -114,7 +130,7 @@ class Instantaneous_traits_2 {
   struct Collinear_are_strictly_ordered_along_line_2 : Predicate {
     using Predicate::Predicate;
     bool operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-      return sign(scalar_product_polynomial(p, q, r)) == CGAL::NEGATIVE;
+      return scalar_product(p, q, r) == CGAL::NEGATIVE;
     }
   };
 
@@ -141,18 +157,18 @@ class Instantaneous_traits_2 {
     }
   };
 
-  Compare_x_2 compare_x_2_object() const { return Compare_x_2(*instant_); }
-  Compare_y_2 compare_y_2_object() const { return Compare_y_2(*instant_); }
-  Less_x_2 less_x_2_object() const { return Less_x_2(*instant_); }
-  Less_y_2 less_y_2_object() const { return Less_y_2(*instant_); }
-  Orientation_2 orientation_2_object() const { return Orientation_2(*instant_); }
+  Compare_x_2 compare_x_2_object() const { return Compare_x_2(*state_); }
+  Compare_y_2 compare_y_2_object() const { return Compare_y_2(*state_); }
+  Less_x_2 less_x_2_object() const { return Less_x_2(*state_); }
+  Less_y_2 less_y_2_object() const { return Less_y_2(*state_); }
+  Orientation_2 orientation_2_object() const { return Orientation_2(*state_); }
   Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const {
-    return Side_of_oriented_circle_2(*instant_);
+    return Side_of_oriented_circle_2(*state_);
   }
-  Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(*instant_); }
+  Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(*state_); }
   Collinear_are_strictly_ordered_along_line_2 collinear_are_strictly_ordered_along_line_2_object()
       const {
-    return Collinear_are_strictly_ordered_along_line_2(*instant_);
+    return Collinear_are_strictly_ordered_along_line_2(*state_);
   }
   Construct_point_2 construct_point_2_object() const { return {}; }
   Construct_segment_2 construct_segment_2_object() const { return {}; }
@@ -162,7 +178,7 @@ class Instantaneous_traits_2 {
   Construct_circumcenter_2 construct_circumcenter_2_object() const { return {}; }
 
  private:
-  std::shared_ptr<Instant> instant_;
+  std::shared_ptr<State> state_;
 };
 
 }  // namespace kinetri

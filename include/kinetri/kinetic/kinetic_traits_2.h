@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "kinetri/base/ids.h"
+#include "kinetri/kinetic/instant.h"
 
 namespace kinetri {
 
@@ -22,6 +23,22 @@ struct Certificate_counters {
   friend bool operator==(const Certificate_counters&, const Certificate_counters&) = default;
 };
 
+/// What is known of a certificate from some time on. A certificate of which it is known that it
+/// never fails has no outlook.
+template <class Time>
+struct Outlook {
+  Time time;
+  bool is_failure = true;  ///< it fails at `time`; else it certainly holds up to and at `time`, and
+                           ///< is to be looked at again then
+};
+
+/// What is known of the time after which an outlook is asked for.
+enum class Certificate_state {
+  any,       ///< nothing
+  vanishes,  ///< the certificate vanishes at that time, at which its negation has failed: the edge
+             ///< has just been flipped
+};
+
 /// A model has the types
 ///
 ///   Motion                 a trajectory
@@ -30,29 +47,31 @@ struct Certificate_counters {
 ///   Instantaneous_traits   a model of CGAL's DelaunayTriangulationTraits_2 on Point_2 at an
 ///   instant
 ///
-/// and three certificates, each given by its *failure time* from `t` on: the infimum of the times
-/// after `t` at which it is violated. That is `t` itself if it is violated just after `t`, and
-/// nothing if it is never violated.
+/// and three certificates, each given by its outlook from `t` on. The *failure time* is the infimum
+/// of the times after `t` at which the certificate is violated: `t` itself if it is violated just
+/// after `t`, and none if it is never violated. An outlook may stop short of it where that saves
+/// work.
 ///
-///   in_circle_failure_time(p, q, r, s, t)   s is not inside the circle through p, q, r
-///   orientation_failure_time(p, q, r, t)    p, q, r do not make a right turn
-///   coincidence_time(p, q, t)               the first time *strictly* after t at which p and q are
-///                                           in one place; nothing if they always are
+///   in_circle_outlook(p, q, r, s, t, state)   s is not inside the circle through p, q, r
+///   orientation_outlook(p, q, r, t, state)    p, q, r do not make a right turn
+///   coincidence_time(p, q, t)                 the first time *strictly* after t at which p and q
+///   are
+///                                             in one place; none if they never or always are
 template <class Traits>
 concept KineticTraits_2 = requires(Traits traits, const Traits const_traits,
                                    const typename Traits::Motion motion,
-                                   const typename Traits::Point_2 p,
-                                   const typename Traits::Time t) {
+                                   const typename Traits::Point_2 p, const typename Traits::Time t,
+                                   Certificate_state state) {
   typename Traits::Instantaneous_traits;
   requires std::totally_ordered<typename Traits::Time>;
   typename Traits::Point_2;
   requires std::constructible_from<typename Traits::Point_2, typename Traits::Motion, Point_id>;
   {
-    traits.in_circle_failure_time(p, p, p, p, t)
-    } -> std::same_as<std::optional<typename Traits::Time>>;
+    traits.in_circle_outlook(p, p, p, p, t, state)
+    } -> std::same_as<std::optional<Outlook<typename Traits::Time>>>;
   {
-    traits.orientation_failure_time(p, p, p, t)
-    } -> std::same_as<std::optional<typename Traits::Time>>;
+    traits.orientation_outlook(p, p, p, t, state)
+    } -> std::same_as<std::optional<Outlook<typename Traits::Time>>>;
   { traits.coincidence_time(p, p, t) } -> std::same_as<std::optional<typename Traits::Time>>;
   { const_traits.counters() } -> std::convertible_to<Certificate_counters>;
 };

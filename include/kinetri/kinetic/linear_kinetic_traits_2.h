@@ -6,6 +6,7 @@
 #define KINETRI_KINETIC_LINEAR_KINETIC_TRAITS_2_H
 
 #include <optional>
+#include <utility>
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/kinetic/instantaneous_traits_2.h"
@@ -17,7 +18,8 @@ namespace kinetri {
 
 /// Certificates of linear motion; see KineticTraits_2 for their contracts. In-circle certificates
 /// are polynomials of degree at most 4 in time, orientation of degree at most 2, coincidence of
-/// degree 1. Every failure time is exact. Cost: some ten microseconds each.
+/// degree 1. Every failure time is exact. Cost: some 50 nanoseconds where the filter decides
+/// (kinetri/kinetic/linear_filter.h), some 50 microseconds otherwise.
 class Linear_kinetic_traits_2 {
  public:
   using Motion = Linear_motion_2;
@@ -25,21 +27,32 @@ class Linear_kinetic_traits_2 {
   using Time = Algebraic_number;
   using Instantaneous_traits = Instantaneous_traits_2;
 
-  std::optional<Time> in_circle_failure_time(const Point_2& p, const Point_2& q, const Point_2& r,
-                                             const Point_2& s, const Time& t);
-  std::optional<Time> orientation_failure_time(const Point_2& p, const Point_2& q, const Point_2& r,
-                                               const Time& t);
+  explicit Linear_kinetic_traits_2(Arithmetic arithmetic = Arithmetic::filtered)
+      : arithmetic_(arithmetic) {}
+
+  std::optional<Outlook<Time>> in_circle_outlook(const Point_2& p, const Point_2& q,
+                                                 const Point_2& r, const Point_2& s, const Time& t,
+                                                 Certificate_state state);
+  std::optional<Outlook<Time>> orientation_outlook(const Point_2& p, const Point_2& q,
+                                                   const Point_2& r, const Time& t,
+                                                   Certificate_state state);
   /// The coincidence time of linear motions is rational.
   std::optional<Time> coincidence_time(const Point_2& p, const Point_2& q, const Time& t);
+
+  /// The predicates at an instant, in the same arithmetic.
+  Instantaneous_traits instantaneous_traits(Instant instant) const {
+    return Instantaneous_traits(std::move(instant), arithmetic_);
+  }
+
+  /// Traits that decide everything exactly.
+  static Linear_kinetic_traits_2 exact() { return Linear_kinetic_traits_2(Arithmetic::exact_only); }
 
   const Certificate_counters& counters() const noexcept { return counters_; }
 
  private:
-  // The one place where a certificate's polynomial becomes a failure time. A filter that answers
-  // from floating point goes in front of it and of the construction of the polynomial; what it
-  // cannot decide comes here.
-  std::optional<Time> exact_failure_time(const Polynomial& certificate, const Time& t);
+  std::optional<Outlook<Time>> exact_outlook(const Polynomial& certificate, const Time& t);
 
+  Arithmetic arithmetic_;
   Certificate_counters counters_;
 };
 

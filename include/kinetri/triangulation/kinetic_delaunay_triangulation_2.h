@@ -5,20 +5,20 @@
 // that joins them:
 //
 //   between two calls of a public function the triangulation is Delaunay just after current_time(),
-//   and each edge whose certificate ever fails again has exactly one event in the queue, at the
-//   exact time of that failure.
+//   and each edge whose certificate may ever fail again has exactly one entry in the queue: either
+//   its failure, at its exact time, or a time up to which the certificate certainly holds, and at
+//   which it is looked at again.
 //
-// One event's way through the code: `step` takes it from the queue; `execute` looks at its kind;
-// `flip_edge` flips and calls `schedule` for the five edges whose quadrilateral has changed;
-// `schedule` asks `next_failure` for the certificate's failure time, which the kinetic traits
-// compute, and pushes the new event.
+// One event's way through the code: `settle` looks at certificates again until a failure is first
+// in the queue; `run_instant` takes it out; `execute` looks at its kind; `flip_edge` flips and
+// calls `schedule` for the five edges whose quadrilateral has changed; `schedule` asks `next_entry`
+// for the certificate's outlook, which the kinetic traits compute, and pushes the new entry.
 #ifndef KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
 #define KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
 
 #include <CGAL/Delaunay_triangulation_2.h>
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -49,6 +49,12 @@ struct Triangulation_counters {
   std::uint64_t rebuilds = 0;         ///< reconstructions at a degenerate instant
 
   std::uint64_t number_of_events() const;
+};
+
+/// How long the two stages of construction took, in seconds of wall-clock time.
+struct Construction_seconds {
+  double build = 0;       ///< the triangulation just after the start
+  double initialize = 0;  ///< its certificates and the queue
 };
 
 /// The Delaunay triangulation of moving points, exact at every time.
@@ -111,8 +117,9 @@ class Kinetic_delaunay_triangulation_2 {
 
   // ---- time ----
 
-  /// The time of the next event; none if the triangulation never changes again. O(1).
-  std::optional<Time> next_event_time() const;
+  /// The time of the next event; none if the triangulation never changes again. Looks at
+  /// certificates again as far as is needed to know.
+  std::optional<Time> next_event_time();
 
   /// Goes to next_event_time() and executes all events of that time, so that the triangulation is
   /// Delaunay just after it. Returns their number; 0 if there is no next event.
@@ -130,6 +137,7 @@ class Kinetic_delaunay_triangulation_2 {
   void remove_observer(Observer& observer) { std::erase(observers_, &observer); }
 
   const Triangulation_counters& counters() const { return counters_; }
+  const Construction_seconds& construction_seconds() const { return construction_seconds_; }
   const Queue_counters& queue_counters() const { return queue_.counters(); }
   Certificate_counters certificate_counters() const { return traits_.counters(); }
 
@@ -140,23 +148,24 @@ class Kinetic_delaunay_triangulation_2 {
  private:
   friend class detail::Auditor<Kinetic_delaunay_triangulation_2>;
 
-  /// The failure of one edge's certificate, as the queue holds it. For `rebuild` the ends of the
-  /// edge coincide at that time.
-  struct Scheduled_event {
-    Time time;
-    Event_kind kind = Event_kind::flip;
-    Edge_ids ids = {};  // the finite end twice for an edge to the infinite vertex
-    Edge edge;          // either of its two faces
+  /// What the queue holds an entry for, in the order of entries at one time.
+  enum class Entry_kind : std::uint8_t {
+    look_again,   ///< the certificate certainly holds until then
+    coincidence,  ///< the ends of the edge coincide
+    hull_insert,
+    hull_remove,
+    flip,
   };
 
-  /// By exact time, then kind, then ids: a total order on the events of a queue.
+  struct Entry {
+    Time time;
+    Edge edge;  // either of its two faces
+    Entry_kind kind = Entry_kind::look_again;
+  };
+
+  /// By exact time, then kind, then ids: a total order on the entries of a queue.
   struct Earlier {
-    bool operator()(const Scheduled_event& a, const Scheduled_event& b) const;
-  };
-
-  struct Failure {
-    Time time;
-    Event_kind kind;
+    bool operator()(const Entry& a, const Entry& b) const;
   };
 
   // Construction.
@@ -164,22 +173,25 @@ class Kinetic_delaunay_triangulation_2 {
   void index_vertices();
 
   // Certificates.
-  std::optional<Failure> next_failure(const Edge& edge, const Time& after, Traits& traits) const;
-  std::optional<Failure> topological_failure(const Edge& edge, const Time& after,
-                                             Traits& traits) const;
+  std::optional<Entry> next_entry(const Edge& edge, const Time& after, Certificate_state state,
+                                  Traits& traits) const;
+  std::optional<Entry> topological_entry(const Edge& edge, const Time& after,
+                                         Certificate_state state, Traits& traits) const;
   std::array<Vertex_handle, 3> hull_turn(const Edge& infinite_edge) const;
-  Edge_ids ids_of(const Edge& edge) const;
-  void schedule(const Edge& edge);
+  static Edge_ids ids_of(const Edge& edge);
+  void schedule(const Edge& edge, const Time& after,
+                Certificate_state state = Certificate_state::any);
   void schedule_all();
   void unschedule(const Edge& edge);
   void set_event(const Edge& edge, Queue_handle handle);
 
   // Events.
+  bool settle(const std::optional<Time>& until);
   std::size_t run_instant();
-  void execute(const Scheduled_event& event);
+  void execute(const Entry& event);
   bool can_insert_into_hull(const Edge& hull_edge) const;
   bool can_remove_from_hull(const Edge& infinite_edge) const;
-  void flip_edge(const Scheduled_event& event);
+  void flip_edge(const Edge& edge, Event_kind kind);
   void rebuild();
   template <class Change>
   void report(Event<Time> event, Change change);
@@ -188,9 +200,10 @@ class Kinetic_delaunay_triangulation_2 {
   Time current_time_;
   Triangulation triangulation_;
   std::vector<Vertex_handle> vertices_;  // by point id
-  Indexed_queue<Scheduled_event, Earlier> queue_;
+  Indexed_queue<Entry, Earlier> queue_;
   std::vector<Observer*> observers_;
   Triangulation_counters counters_;
+  Construction_seconds construction_seconds_;
 };
 
 extern template class Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>;

@@ -25,7 +25,7 @@ namespace kinetri {
 namespace detail {
 
 inline std::string edge_name(const Edge_ids& ids) {
-  if (ids[0] == ids[1]) return "edge from " + std::to_string(ids[0]) + " to infinity";
+  if (ids[1] == no_point) return "edge from " + std::to_string(ids[0]) + " to infinity";
   return "edge " + std::to_string(ids[0]) + "-" + std::to_string(ids[1]);
 }
 
@@ -51,7 +51,8 @@ class Auditor {
   using Face_handle = typename KineticTriangulation::Face_handle;
   using Edge = typename KineticTriangulation::Edge;
   using Time = typename KineticTriangulation::Time;
-  using Instantaneous_traits = typename KineticTriangulation::Instantaneous_traits;
+  using Entry = typename KineticTriangulation::Entry;
+  using Traits = decltype(KineticTriangulation::traits_);
 
   void place_points();
   bool has_touch(const Time& time) const;
@@ -61,6 +62,7 @@ class Auditor {
   void check_delaunay();
   void check_reference();
   void check_certificates();
+  std::optional<Entry> next_failure(const Edge& edge, Traits& traits) const;
 
   const Place& place(Vertex_handle v) const { return places_[v->point().id()]; }
   std::string name(const Edge& edge) const { return edge_name(audited_.ids_of(edge)); }
@@ -110,7 +112,7 @@ void Auditor<KineticTriangulation>::place_points() {
 template <class KineticTriangulation>
 bool Auditor<KineticTriangulation>::has_touch(const Time& time) const {
   if (triangulation_.dimension() < 2) return false;
-  const Instantaneous_traits after(Instant{time, Side::after});
+  const auto after = audited_.traits_.instantaneous_traits({time, Side::after});
   return std::ranges::any_of(triangulation_.finite_face_handles(), [&](Face_handle f) {
     return CGAL::collinear(place(f->vertex(0)), place(f->vertex(1)), place(f->vertex(2))) &&
            after.orientation_2_object()(f->vertex(0)->point(), f->vertex(1)->point(),
@@ -134,7 +136,7 @@ void Auditor<KineticTriangulation>::check_links() {
   }
   if (!queue_.is_valid()) fail("the queue is out of order");
   if (!queue_.empty() && queue_.top().time <= audited_.current_time_) {
-    fail("the event of " + edge_name(queue_.top().ids) + " is not in the future");
+    fail("the event of " + name(queue_.top().edge) + " is not in the future");
   }
   if (triangulation_.dimension() < 1) return;
   std::size_t events = 0;
@@ -251,19 +253,35 @@ void Auditor<KineticTriangulation>::check_reference() {
   }
 }
 
+// The next failure of the edge, computed anew.
+template <class KineticTriangulation>
+auto Auditor<KineticTriangulation>::next_failure(const Edge& edge, Traits& traits) const
+    -> std::optional<Entry> {
+  auto entry = audited_.next_entry(edge, audited_.current_time_, Certificate_state::any, traits);
+  while (entry && entry->kind == KineticTriangulation::Entry_kind::look_again) {
+    entry = audited_.next_entry(edge, entry->time, Certificate_state::any, traits);
+  }
+  return entry;
+}
+
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::check_certificates() {
   if (triangulation_.dimension() < 1) return;
-  auto traits = audited_.traits_;  // a copy, so that the counters stay those of the run
+  using Kind = typename KineticTriangulation::Entry_kind;
+  Traits traits = audited_.traits_.exact();
   for (const Edge& edge : triangulation_.all_edges()) {
     if (triangulation_.dimension() == 1 && triangulation_.is_infinite(edge)) continue;
-    const auto failure = audited_.next_failure(edge, audited_.current_time_, traits);
+    const auto failure = next_failure(edge, traits);
     const Queue_handle handle = edge.first->event(edge.second);
-    if (failure.has_value() != (handle != no_event)) {
-      fail(name(edge) +
-           (failure ? " will fail but has no event" : " has an event but never fails"));
-    } else if (failure &&
-               (failure->time != queue_[handle].time || failure->kind != queue_[handle].kind)) {
+    if (handle == no_event) {
+      if (failure) fail(name(edge) + " will fail but has no event");
+    } else if (queue_[handle].kind == Kind::look_again) {
+      if (failure && failure->time <= queue_[handle].time) {
+        fail(name(edge) + " fails before it is looked at again");
+      }
+    } else if (!failure) {
+      fail(name(edge) + " has an event but never fails");
+    } else if (failure->time != queue_[handle].time || failure->kind != queue_[handle].kind) {
       fail(name(edge) + " has an event at another time, or of another kind, than its failure");
     }
   }

@@ -7,6 +7,7 @@
 #define KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <tuple>
 #include <utility>
@@ -30,15 +31,20 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
     points.emplace_back(motion, static_cast<Point_id>(points.size()));
   }
   vertices_.resize(points.size());
+  const auto started = std::chrono::steady_clock::now();
   triangulation_ = build(points, start);
   index_vertices();
+  const auto built = std::chrono::steady_clock::now();
   schedule_all();
+  const auto initialized = std::chrono::steady_clock::now();
+  using Seconds = std::chrono::duration<double>;
+  construction_seconds_ = {Seconds(built - started).count(), Seconds(initialized - built).count()};
 }
 
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> points,
                                                      const Time& time) const -> Triangulation {
-  Triangulation result(Instantaneous_traits(Instant{time, Side::after}));
+  Triangulation result(traits_.instantaneous_traits({time, Side::after}));
   result.insert(points.begin(), points.end());
   if (result.number_of_vertices() == points.size()) return result;
   // CGAL keeps one vertex for points in one place. Points in one place just after a time are in one
@@ -97,60 +103,73 @@ auto Kinetic_delaunay_triangulation_2<Traits>::hull_turn(const Edge& infinite_ed
   return {there, right, here};
 }
 
+// The infinite vertex has the id no_point.
 template <KineticTraits_2 Traits>
-Edge_ids Kinetic_delaunay_triangulation_2<Traits>::ids_of(const Edge& edge) const {
-  const Vertex_handle a = edge.first->vertex(Triangulation::cw(edge.second));
-  const Vertex_handle b = edge.first->vertex(Triangulation::ccw(edge.second));
-  if (triangulation_.is_infinite(a)) return {b->point().id(), b->point().id()};
-  if (triangulation_.is_infinite(b)) return {a->point().id(), a->point().id()};
-  return edge_ids(a->point().id(), b->point().id());
+Edge_ids Kinetic_delaunay_triangulation_2<Traits>::ids_of(const Edge& edge) {
+  return edge_ids(edge.first->vertex(Triangulation::cw(edge.second))->point().id(),
+                  edge.first->vertex(Triangulation::ccw(edge.second))->point().id());
 }
 
-// The failure of the certificate that says that the edge belongs to the triangulation.
+// The entry for the certificate that says that the edge belongs to the triangulation.
 // Precondition: dimension 2.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::topological_failure(const Edge& edge,
-                                                                   const Time& after,
-                                                                   Traits& traits) const
-    -> std::optional<Failure> {
-  const auto failure = [](std::optional<Time> time, Event_kind kind) -> std::optional<Failure> {
-    if (!time) return std::nullopt;
-    return Failure{std::move(*time), kind};
+auto Kinetic_delaunay_triangulation_2<Traits>::topological_entry(const Edge& edge,
+                                                                 const Time& after,
+                                                                 Certificate_state state,
+                                                                 Traits& traits) const
+    -> std::optional<Entry> {
+  const auto entry = [&edge](std::optional<Outlook<Time>> outlook,
+                             Entry_kind kind) -> std::optional<Entry> {
+    if (!outlook) return std::nullopt;
+    return Entry{std::move(outlook->time), edge,
+                 outlook->is_failure ? kind : Entry_kind::look_again};
   };
-  if (triangulation_.is_infinite(edge)) {
+  const auto& [face, i] = edge;
+  const Vertex_handle left = face->vertex(Triangulation::cw(i));
+  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+  if (triangulation_.is_infinite(left) || triangulation_.is_infinite(right)) {
     const auto [previous, here, next] = hull_turn(edge);
-    return failure(
-        traits.orientation_failure_time(previous->point(), here->point(), next->point(), after),
-        Event_kind::hull_remove);
+    return entry(
+        traits.orientation_outlook(previous->point(), here->point(), next->point(), after, state),
+        Entry_kind::hull_remove);
   }
-  const Edge mirror = triangulation_.mirror_edge(edge);
-  const bool is_outside = triangulation_.is_infinite(edge.first);
-  const auto& [face, i] = is_outside ? mirror : edge;
-  const Point_2& apex = face->vertex(i)->point();
-  const Point_2& a = face->vertex(Triangulation::ccw(i))->point();
-  const Point_2& b = face->vertex(Triangulation::cw(i))->point();
-  if (is_outside || triangulation_.is_infinite(mirror.first)) {
-    return failure(traits.orientation_failure_time(a, b, apex, after), Event_kind::hull_insert);
+  const Vertex_handle apex = face->vertex(i);
+  const Vertex_handle opposite = triangulation_.tds().mirror_vertex(face, i);
+  if (triangulation_.is_infinite(apex)) {
+    return entry(
+        traits.orientation_outlook(left->point(), right->point(), opposite->point(), after, state),
+        Entry_kind::hull_insert);
   }
-  const Point_2& opposite = mirror.first->vertex(mirror.second)->point();
-  return failure(traits.in_circle_failure_time(a, b, apex, opposite, after), Event_kind::flip);
+  if (triangulation_.is_infinite(opposite)) {
+    return entry(
+        traits.orientation_outlook(right->point(), left->point(), apex->point(), after, state),
+        Entry_kind::hull_insert);
+  }
+  return entry(traits.in_circle_outlook(right->point(), left->point(), apex->point(),
+                                        opposite->point(), after, state),
+               Entry_kind::flip);
 }
 
 // The earlier of the edge's two certificates: that it belongs to the triangulation, and that its
 // ends are apart. Points that come together share edges just before, so that watching edges finds
-// every coincidence.
+// every coincidence. While an in-circle or orientation certificate is certainly positive, no two of
+// its points coincide.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::next_failure(const Edge& edge, const Time& after,
-                                                            Traits& traits) const
-    -> std::optional<Failure> {
-  std::optional<Failure> result;
-  if (triangulation_.dimension() == 2) result = topological_failure(edge, after, traits);
+auto Kinetic_delaunay_triangulation_2<Traits>::next_entry(const Edge& edge, const Time& after,
+                                                          Certificate_state state,
+                                                          Traits& traits) const
+    -> std::optional<Entry> {
+  std::optional<Entry> result;
+  if (triangulation_.dimension() == 2) {
+    result = topological_entry(edge, after, state, traits);
+    if (result && result->kind == Entry_kind::look_again) return result;
+  }
   if (triangulation_.is_infinite(edge)) return result;
   const Vertex_handle a = edge.first->vertex(Triangulation::cw(edge.second));
   const Vertex_handle b = edge.first->vertex(Triangulation::ccw(edge.second));
   std::optional<Time> meeting = traits.coincidence_time(a->point(), b->point(), after);
   if (meeting && (!result || *meeting <= result->time)) {
-    result = Failure{std::move(*meeting), Event_kind::rebuild};
+    result = Entry{std::move(*meeting), edge, Entry_kind::coincidence};
   }
   return result;
 }
@@ -158,11 +177,12 @@ auto Kinetic_delaunay_triangulation_2<Traits>::next_failure(const Edge& edge, co
 // ---- scheduling ----
 
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::Earlier::operator()(const Scheduled_event& a,
-                                                                   const Scheduled_event& b) const {
+bool Kinetic_delaunay_triangulation_2<Traits>::Earlier::operator()(const Entry& a,
+                                                                   const Entry& b) const {
   const auto order = a.time <=> b.time;
   if (order != 0) return order < 0;
-  return std::tie(a.kind, a.ids) < std::tie(b.kind, b.ids);
+  if (a.kind != b.kind) return a.kind < b.kind;
+  return ids_of(a.edge) < ids_of(b.edge);
 }
 
 template <KineticTraits_2 Traits>
@@ -173,67 +193,87 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Edge& edge, Queue
   mirror.first->set_event(mirror.second, handle);
 }
 
+// Replaces the entry of the edge by that of its certificate from `after` on.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Edge& edge) {
-  std::optional<Failure> failure = next_failure(edge, current_time_, traits_);
-  set_event(edge, failure
-                      ? queue_.push({std::move(failure->time), failure->kind, ids_of(edge), edge})
-                      : no_event);
+void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Edge& edge, const Time& after,
+                                                        Certificate_state state) {
+  std::optional<Entry> entry = next_entry(edge, after, state, traits_);
+  const Queue_handle present = edge.first->event(edge.second);
+  if (!entry) return unschedule(edge);
+  if (present == no_event) {
+    set_event(edge, queue_.push(std::move(*entry)));
+  } else {
+    queue_.update(present, std::move(*entry));
+    set_event(edge, present);
+  }
 }
 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
   if (triangulation_.dimension() < 1) return;
   for (const Edge& edge : triangulation_.all_edges()) {
-    if (triangulation_.dimension() == 2 || !triangulation_.is_infinite(edge)) schedule(edge);
+    if (triangulation_.dimension() == 2 || !triangulation_.is_infinite(edge)) {
+      schedule(edge, current_time_);
+    }
   }
 }
 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Edge& edge) {
   const Queue_handle handle = edge.first->event(edge.second);
-  if (handle == no_event) return;
-  queue_.erase(handle);
+  if (handle != no_event) queue_.erase(handle);
   set_event(edge, no_event);
 }
 
 // ---- time ----
 
+// Looks at certificates again until the first entry of the queue is a failure, or is later than
+// `until`. Returns whether it is a failure at or before `until`.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() const -> std::optional<Time> {
-  if (queue_.empty()) return std::nullopt;
+bool Kinetic_delaunay_triangulation_2<Traits>::settle(const std::optional<Time>& until) {
+  while (!queue_.empty() && (!until || queue_.top().time <= *until)) {
+    if (queue_.top().kind != Entry_kind::look_again) return true;
+    const Time time = queue_.top().time;
+    schedule(Edge(queue_.top().edge), time);
+  }
+  return false;
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() -> std::optional<Time> {
+  if (!settle(std::nullopt)) return std::nullopt;
   return queue_.top().time;
 }
 
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::step() {
-  return queue_.empty() ? 0 : run_instant();
+  return settle(std::nullopt) ? run_instant() : 0;
 }
 
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& time) {
   KINETRI_PRECONDITION(time >= current_time_, "time only advances");
   std::size_t events = 0;
-  while (!queue_.empty() && queue_.top().time <= time) events += run_instant();
+  while (settle(time)) events += run_instant();
   current_time_ = time;
   triangulation_.geom_traits().set_instant({current_time_, Side::after});
   return events;
 }
 
-// Executes every event of the next event time t. Each flip makes the triangulation more nearly
-// Delaunay just after t, and an edge that a flip leaves violated just after t has its event at t
-// itself; so the state is Delaunay just after t when no event at t is left. docs/MATH.md has the
-// argument, and why it ends.
+// Executes every event of the time t that is first in the queue. Each flip makes the triangulation
+// more nearly Delaunay just after t, and an edge that a flip leaves violated just after t has its
+// event at t itself; so the state is Delaunay just after t when no event at t is left. docs/MATH.md
+// has the argument, and why it ends.
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
   const std::uint64_t before = counters_.number_of_events();
   current_time_ = queue_.top().time;
   triangulation_.geom_traits().set_instant({current_time_, Side::after});
   do {
-    const Scheduled_event event = queue_.pop();
+    const Entry event = queue_.pop();
     set_event(event.edge, no_event);
     execute(event);
-  } while (!queue_.empty() && queue_.top().time == current_time_);
+  } while (settle(current_time_));
   const std::uint64_t executed = counters_.number_of_events() - before;
   ++counters_.instants;
   counters_.largest_instant = std::max(counters_.largest_instant, executed);
@@ -243,17 +283,22 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
 // ---- events ----
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::execute(const Scheduled_event& event) {
+void Kinetic_delaunay_triangulation_2<Traits>::execute(const Entry& event) {
   switch (event.kind) {
-    case Event_kind::flip:
-      return flip_edge(event);
-    case Event_kind::hull_insert:
-      return can_insert_into_hull(event.edge) ? flip_edge(event) : rebuild();
-    case Event_kind::hull_remove:
-      return can_remove_from_hull(event.edge) ? flip_edge(event) : rebuild();
-    default:
+    case Entry_kind::flip:
+      return flip_edge(event.edge, Event_kind::flip);
+    case Entry_kind::hull_insert:
+      if (!can_insert_into_hull(event.edge)) return rebuild();
+      return flip_edge(event.edge, Event_kind::hull_insert);
+    case Entry_kind::hull_remove:
+      if (!can_remove_from_hull(event.edge)) return rebuild();
+      return flip_edge(event.edge, Event_kind::hull_remove);
+    case Entry_kind::coincidence:
       return rebuild();
+    case Entry_kind::look_again:
+      break;
   }
+  KINETRI_ASSERT(false, "an event is a failure");
 }
 
 // Whether the triangle at a hull edge, flat at this time, can be taken away: its apex lies between
@@ -267,7 +312,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(const Edge& 
   const auto& [face, i] = inside;
   const Vertex_handle apex = face->vertex(i);
   if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
-  const Instantaneous_traits now(Instant{current_time_, Side::at});
+  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
   return now.collinear_are_strictly_ordered_along_line_2_object()(
       face->vertex(Triangulation::cw(i))->point(), apex->point(),
       face->vertex(Triangulation::ccw(i))->point());
@@ -281,7 +326,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::can_remove_from_hull(
     const Edge& infinite_edge) const {
   const auto [previous, here, next] = hull_turn(infinite_edge);
   if (triangulation_.is_edge(previous, next)) return false;
-  const Instantaneous_traits now(Instant{current_time_, Side::at});
+  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
   return now.collinear_are_strictly_ordered_along_line_2_object()(previous->point(), here->point(),
                                                                   next->point());
 }
@@ -297,7 +342,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event, Change 
   for (Observer* observer : observers_) observer->after_event(event);
 }
 
-// Flips the event's edge, finite or infinite:
+// Flips an edge, finite or infinite, whose event has been taken from the queue:
 //
 //         c                  c
 //       / | \              /   \           The four outer edges keep their place but get a new
@@ -305,38 +350,34 @@ void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event, Change 
 //       \ | /              \   /           certificates are made anew.
 //         d                  d
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Scheduled_event& event) {
-  const Face_handle face = event.edge.first;
-  const int i = event.edge.second;
+void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Edge& edge, Event_kind kind) {
+  const auto& [face, i] = edge;
   const Face_handle neighbor = face->neighbor(i);
   const int j = triangulation_.tds().mirror_index(face, i);
-  const auto finite_ids = [this](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
-    if (triangulation_.is_infinite(a) || triangulation_.is_infinite(b)) return std::nullopt;
-    return edge_ids(a->point().id(), b->point().id());
+  const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
+    const Edge_ids ids = edge_ids(a->point().id(), b->point().id());
+    if (ids[1] == no_point) return std::nullopt;
+    return ids;
   };
 
-  Event<Time> done;
-  done.kind = event.kind;
-  done.time = current_time_;
-  done.removed =
+  Event<Time> event;
+  event.kind = kind;
+  event.time = current_time_;
+  event.removed =
       finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
-  done.added = finite_ids(face->vertex(i), neighbor->vertex(j));
-  report(std::move(done), [&] {
-    for (const Edge& outer :
-         {Edge(face, Triangulation::cw(i)), Edge(face, Triangulation::ccw(i)),
-          Edge(neighbor, Triangulation::cw(j)), Edge(neighbor, Triangulation::ccw(j))}) {
-      unschedule(outer);
-    }
+  event.added = finite_ids(face->vertex(i), neighbor->vertex(j));
+  report(std::move(event), [&] {
+    // Each of the outer edges is seen from outside, where the flip changes nothing.
+    const std::array<Edge, 4> outer = {
+        triangulation_.mirror_edge(Edge(face, Triangulation::cw(i))),
+        triangulation_.mirror_edge(Edge(face, Triangulation::ccw(i))),
+        triangulation_.mirror_edge(Edge(neighbor, Triangulation::cw(j))),
+        triangulation_.mirror_edge(Edge(neighbor, Triangulation::ccw(j)))};
     triangulation_.tds().flip(face, i);
-    // CGAL keeps the two faces and leaves `neighbor` as the one across the new edge.
-    const int diagonal = face->index(neighbor);
-    const int mirror = neighbor->index(face);
-    for (const Edge& outer :
-         {Edge(face, diagonal), Edge(face, Triangulation::cw(diagonal)),
-          Edge(face, Triangulation::ccw(diagonal)), Edge(neighbor, Triangulation::cw(mirror)),
-          Edge(neighbor, Triangulation::ccw(mirror))}) {
-      schedule(outer);
-    }
+    const Edge diagonal(face, face->index(neighbor));
+    set_event(diagonal, no_event);
+    schedule(diagonal, current_time_, Certificate_state::vanishes);
+    for (const Edge& e : outer) schedule(e, current_time_);
   });
 }
 
