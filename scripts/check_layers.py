@@ -87,7 +87,8 @@ def includes(text):
 
 def target_of(root, path, name):
     """The file of the project that `name`, included by `path`, means, relative to the root."""
-    for folder in (root / "include", (root / path).parent, root / "src", root / "apps", root / "test"):
+    folders = [(root / path).parent, root / "include", root / "src", root / "test"]
+    for folder in folders + sorted((root / "apps").glob("*/")):
         file = (folder / name).resolve()
         if file.is_file() and file.is_relative_to(root):
             return file.relative_to(root)

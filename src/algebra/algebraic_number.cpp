@@ -601,9 +601,9 @@ std::optional<Comparison_result> order_of_disjoint(const Isolation& s, const Iso
 
 // Whether p changes sign over the intersection of two overlapping isolating intervals. Each end of
 // it is an end of one of them.
-bool Algebraic_number::Representation::changes_sign_over_intersection(const Polynomial& p,
-                                                                      Representation& x,
-                                                                      Representation& y) {
+bool Root_source::Representation::changes_sign_over_intersection(const Polynomial& p,
+                                                                 Representation& x,
+                                                                 Representation& y) {
   return p.sign_at(std::max(x.lower_end(), y.lower_end())) !=
          p.sign_at(std::min(x.upper_end(), y.upper_end()));
 }
@@ -612,8 +612,8 @@ bool Algebraic_number::Representation::changes_sign_over_intersection(const Poly
 // changes sign over the intersection, which then holds the only root of either interval. Else each
 // number is in the part of its interval that the other does not share, so neither interval contains
 // the other.
-Comparison_result Algebraic_number::Representation::compare_roots_of_one_polynomial(
-    Representation& x, Representation& y) {
+Comparison_result Root_source::Representation::compare_roots_of_one_polynomial(Representation& x,
+                                                                               Representation& y) {
   if (changes_sign_over_intersection(x.polynomials.front(), x, y)) return CGAL::EQUAL;
   return comparison(x.lower_end().compare(y.lower_end()));
 }
@@ -622,7 +622,7 @@ Comparison_result Algebraic_number::Representation::compare_roots_of_one_polynom
 // the intersection is a root of both, so it is both numbers; the ends are not roots of it, each
 // being an end of an isolating interval. Equal numbers get that gcd as their polynomial, to be
 // compared without a gcd from then on.
-bool Algebraic_number::Representation::are_equal(Representation& x, Representation& y) {
+bool Root_source::Representation::are_equal(Representation& x, Representation& y) {
   const Polynomial common = gcd(x.polynomials.front(), y.polynomials.front());
   if (common.degree() == 0 || !changes_sign_over_intersection(common, x, y)) return false;
   x.use_factor(common);

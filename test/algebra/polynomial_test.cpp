@@ -197,9 +197,10 @@ TEST(Polynomial, ArithmeticWithItselfOrItsOwnCoefficientIsRight) {
   Polynomial p{2, 3, 5};
   p *= p[0];
   EXPECT_EQ(p, (Polynomial{4, 6, 10}));
-  p += p;
+  const Polynomial& itself = p;
+  p += itself;
   EXPECT_EQ(p, (Polynomial{8, 12, 20}));
-  p -= p;
+  p -= itself;
   EXPECT_TRUE(p.is_zero());
 }
 
