@@ -34,7 +34,12 @@ Simulate_command::Simulate_command(CLI::App& program)
   add("--edges", edges_, "FILE", "Write the edges at the end here");
   add("--stats", stats_, "FILE", "Write counts and times here, as JSON");
   add("--audit", audit_, "none|end|events",
-      "Check everything exactly, never (default), at the end, or after every event too");
+      "Check everything exactly: never (default), at the end, or after every event too (there "
+      "without "
+      "recomputing all failure times)");
+  command_->add_flag(
+      "--exact-only", exact_only_,
+      "Decide everything by exact arithmetic, without filters: the same events, slower");
   add("--box", box_, "XMIN,YMIN,XMAX,YMAX", "Reflect points at these walls (not supported yet)");
   add("--collisions", collisions_, "none|log|...",
       "What points with a radius do that touch (only none, the default, is supported yet)");
@@ -73,6 +78,7 @@ Simulation_settings Simulate_command::settings() const {
   result.edges = edges_;
   result.stats = stats_;
   result.audit = static_cast<Audit_mode>(choice_argument("--audit", audit_, audit_modes));
+  if (exact_only_) result.arithmetic = Arithmetic::exact_only;
   result.progress =
       static_cast<Progress_mode>(choice_argument("--progress", progress_, progress_modes));
   if (quiet_) result.progress = Progress_mode::never;

@@ -41,6 +41,7 @@ class Simulate_command {
   std::optional<std::string> box_;
   std::string collisions_ = "none";
   std::string progress_ = "auto";
+  bool exact_only_ = false;
   bool quiet_ = false;
 };
 

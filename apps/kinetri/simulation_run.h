@@ -8,6 +8,7 @@
 #include <string>
 
 #include "exit_code.h"
+#include "kinetri/kinetic/instantaneous_traits_2.h"
 #include "progress.h"
 
 namespace kinetri::app {
@@ -28,6 +29,7 @@ struct Simulation_settings {
   std::optional<std::string> edges;
   std::optional<std::string> stats;
   Audit_mode audit = Audit_mode::none;
+  Arithmetic arithmetic = Arithmetic::filtered;
   Progress_mode progress = Progress_mode::automatic;
   bool quiet = false;
 };

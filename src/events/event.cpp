@@ -5,15 +5,24 @@ namespace kinetri {
 
 std::string_view name(Event_kind kind) {
   switch (kind) {
-    case Event_kind::rebuild: return "rebuild";
-    case Event_kind::hull_insert: return "hull_insert";
-    case Event_kind::hull_remove: return "hull_remove";
-    case Event_kind::flip: return "flip";
-    case Event_kind::wall: return "wall";
-    case Event_kind::collision: return "collision";
-    case Event_kind::insert: return "insert";
-    case Event_kind::erase: return "erase";
-    case Event_kind::trajectory: return "trajectory";
+    case Event_kind::rebuild:
+      return "rebuild";
+    case Event_kind::hull_insert:
+      return "hull_insert";
+    case Event_kind::hull_remove:
+      return "hull_remove";
+    case Event_kind::flip:
+      return "flip";
+    case Event_kind::wall:
+      return "wall";
+    case Event_kind::collision:
+      return "collision";
+    case Event_kind::insert:
+      return "insert";
+    case Event_kind::erase:
+      return "erase";
+    case Event_kind::trajectory:
+      return "trajectory";
   }
   return "unknown";
 }

@@ -108,7 +108,7 @@ TEST(Audit, finds_an_edge_that_is_not_delaunay) {
 
 // Finds no failures while `deaf`.
 struct Forgetful_traits : Linear_kinetic_traits_2 {
-  static Forgetful_traits exact() { return {}; }
+  static Forgetful_traits exact() { return Forgetful_traits(); }
 
   static inline bool deaf_to_circles = false;
   static inline bool deaf_to_turns = false;

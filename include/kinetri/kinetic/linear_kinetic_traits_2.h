@@ -27,8 +27,8 @@ class Linear_kinetic_traits_2 {
   using Time = Algebraic_number;
   using Instantaneous_traits = Instantaneous_traits_2;
 
-  explicit Linear_kinetic_traits_2(Arithmetic arithmetic = Arithmetic::filtered)
-      : arithmetic_(arithmetic) {}
+  Linear_kinetic_traits_2() = default;
+  explicit Linear_kinetic_traits_2(Arithmetic arithmetic) : arithmetic_(arithmetic) {}
 
   std::optional<Outlook<Time>> in_circle_outlook(const Point_2& p, const Point_2& q,
                                                  const Point_2& r, const Point_2& s, const Time& t,
@@ -52,7 +52,7 @@ class Linear_kinetic_traits_2 {
  private:
   std::optional<Outlook<Time>> exact_outlook(const Polynomial& certificate, const Time& t);
 
-  Arithmetic arithmetic_;
+  Arithmetic arithmetic_ = Arithmetic::filtered;
   Certificate_counters counters_;
 };
 
