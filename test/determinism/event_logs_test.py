@@ -4,6 +4,8 @@
 
 usage: event_logs_test.py builds PROGRAM OTHER_PROGRAM WORK_DIR
          of two builds of the program, degenerate input included
+       event_logs_test.py arithmetic PROGRAM WORK_DIR
+         of a run with filters and of one without, degenerate input included
        event_logs_test.py rows PROGRAM WORK_DIR
          of a points file and of the same with its rows in another order, once the points have their
          old numbers back; on input without simultaneous events, whose order is by number
@@ -53,7 +55,7 @@ def generate(program, scenario, seed, file):
 class Run:
     """`kinetri simulate` of a file: what it wrote and how it ended."""
 
-    def __init__(self, program, points, until, prefix):
+    def __init__(self, program, points, until, prefix, *options):
         files = {
             "--events": prefix.with_suffix(".events.csv"),
             "--initial-edges": prefix.with_suffix(".initial.csv"),
@@ -62,6 +64,7 @@ class Run:
         for file in files.values():
             file.unlink(missing_ok=True)
         command = [program, "simulate", points, "--until", until, "--audit", "end", "--quiet"]
+        command += options
         for option, file in files.items():
             command += [option, file]
         command = [str(word) for word in command]
@@ -91,13 +94,14 @@ def compare(what, one, one_lines, other, other_lines):
     )
 
 
-def compare_builds(program, other_program, folder):
+def compare_with(program, folder, run_other):
+    """`run_other` is a function of the points file and the end of the simulation."""
     for scenario, until, least in GENERIC + DEGENERATE:
         for seed in SEEDS:
             points = folder / "points.csv"
             generate(program, scenario, seed, points)
             one = Run(program, points, until, folder / "one")
-            other = Run(other_program, points, until, folder / "other")
+            other = run_other(points, until)
             one.check_done(least)
             compare(
                 "ends", one, [str(one.code), *one.errors], other, [str(other.code), *other.errors]
@@ -105,6 +109,14 @@ def compare_builds(program, other_program, folder):
             for what in ("initial", "events", "edges"):
                 compare(what, one, getattr(one, what), other, getattr(other, what))
             print(f"{scenario}, seed {seed}: {len(one.events) - 1} events, the same")
+
+
+def compare_builds(program, other_program, folder):
+    compare_with(program, folder, lambda *run: Run(other_program, *run, folder / "other"))
+
+
+def compare_arithmetic(program, folder):
+    compare_with(program, folder, lambda *run: Run(program, *run, folder / "other", "--exact-only"))
 
 
 def rename_events(lines, old_ids):
@@ -154,15 +166,14 @@ def compare_rows(program, folder):
 
 def main():
     arguments = sys.argv[1:]
-    if len(arguments) not in (3, 4) or arguments[0] != {3: "rows", 4: "builds"}[len(arguments)]:
+    modes = {"builds": (4, compare_builds), "arithmetic": (3, compare_arithmetic),
+             "rows": (3, compare_rows)}
+    if not arguments or arguments[0] not in modes or len(arguments) != modes[arguments[0]][0]:
         sys.exit(__doc__)
     folder = pathlib.Path(arguments.pop())
     folder.mkdir(parents=True, exist_ok=True)
     try:
-        if arguments[0] == "builds":
-            compare_builds(*arguments[1:], folder)
-        else:
-            compare_rows(*arguments[1:], folder)
+        modes[arguments[0]][1](*arguments[1:], folder)
     except Difference as difference:
         print(difference)
         return 1
