@@ -22,6 +22,16 @@ namespace {
 using Item = std::pair<int, int>;  // priority, serial number
 using Queue = Indexed_queue<Item, std::less<Item>>;
 
+// The same order with bounds so loose that about half of the comparisons are left to it.
+struct Bounding_less : std::less<Item> {
+  Double_interval bounds(const Item& item) const {
+    const double priority = item.first;
+    return {priority - item.first % 3, priority + 1};
+  }
+};
+static_assert(Bounding_order<Bounding_less, Item>);
+static_assert(!Bounding_order<std::less<Item>, Item>);
+
 // The reference: a map from handle to item, scanned for the least one.
 class Linear_scan_queue {
  public:
@@ -65,6 +75,7 @@ class Linear_scan_queue {
 };
 
 // Does the same to both queues, and compares what they show.
+template <class Less>
 class Pair_of_queues {
  public:
   explicit Pair_of_queues(std::uint64_t seed, int priorities)
@@ -127,20 +138,21 @@ class Pair_of_queues {
   std::mt19937_64 random_;
   std::uint64_t priorities_;
   int serial_ = 0;
-  Queue queue_;
+  Indexed_queue<Item, Less> queue_;
   Linear_scan_queue reference_;
 };
 
 class RandomOperations : public testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(RandomOperations, AgreeWithLinearScan) {
+template <class Less>
+void expect_agreement_with_linear_scan(std::uint64_t seed) {
   for (const int priorities : {1, 3, 50, 1'000'000}) {
-    Pair_of_queues queues(GetParam(), priorities);
+    Pair_of_queues<Less> queues(seed, priorities);
     // Growing, shrinking to nothing, growing again, so that handles are reused at every size.
     for (const unsigned growth : {60U, 20U, 55U, 35U}) {
       for (int i = 0; i < 800; ++i) {
         queues.operate(growth);
-        ASSERT_NO_FATAL_FAILURE(queues.compare()) << "seed " << GetParam() << ", operation " << i;
+        ASSERT_NO_FATAL_FAILURE(queues.compare()) << "seed " << seed << ", operation " << i;
         if (i % 40 != 0) continue;
         ASSERT_NO_FATAL_FAILURE(queues.compare_everything());
       }
@@ -150,6 +162,14 @@ TEST_P(RandomOperations, AgreeWithLinearScan) {
     queues.operate(100);
     ASSERT_NO_FATAL_FAILURE(queues.compare_everything());
   }
+}
+
+TEST_P(RandomOperations, AgreeWithLinearScan) {
+  expect_agreement_with_linear_scan<std::less<Item>>(GetParam());
+}
+
+TEST_P(RandomOperations, WithBoundsAgreeWithLinearScan) {
+  expect_agreement_with_linear_scan<Bounding_less>(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomOperations, testing::Range<std::uint64_t>(1, 9));

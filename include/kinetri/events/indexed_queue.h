@@ -6,12 +6,15 @@
 #define KINETRI_EVENTS_INDEXED_QUEUE_H
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "kinetri/algebra/number_types.h"
 #include "kinetri/base/check.h"
 
 namespace kinetri {
@@ -31,6 +34,14 @@ struct Queue_counters {
   std::uint64_t peak = 0;
 
   friend bool operator==(const Queue_counters&, const Queue_counters&) = default;
+};
+
+/// An order that bounds its items: `bounds` gives an interval for each, and items with disjoint
+/// intervals are in the order of these. The queue keeps the bounds in the heap itself, and asks the
+/// order, with the memory accesses that this costs, only about items whose bounds overlap.
+template <class Less, class Item>
+concept Bounding_order = requires(const Less& less, const Item& item) {
+  { less.bounds(item) } -> std::same_as<Double_interval>;
 };
 
 /// A 4-ary implicit heap with an index. `Less` is a strict weak order on `Item`; give it a total
@@ -59,7 +70,7 @@ class Indexed_queue {
   /// The handle of the least item, and that item. Precondition: not empty.
   Queue_handle top_handle() const {
     KINETRI_PRECONDITION(!empty(), "top of an empty queue");
-    return heap_.front();
+    return heap_.front().handle;
   }
   const Item& top() const { return items_[top_handle()]; }
 
@@ -90,23 +101,47 @@ class Indexed_queue {
   static constexpr std::size_t arity = 4;
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
-  bool less(Queue_handle a, Queue_handle b) const { return less_(items_[a], items_[b]); }
+  struct Unbounded {};
+  using Bounds = std::conditional_t<Bounding_order<Less, Item>, Double_interval, Unbounded>;
 
-  void place(std::size_t position, Queue_handle handle) {
-    heap_[position] = handle;
-    position_[handle] = static_cast<std::uint32_t>(position);
+  // What the heap holds: a handle, and the bounds of its item.
+  struct Node {
+    [[no_unique_address]] Bounds bounds;
+    Queue_handle handle;
+  };
+
+  Node node(Queue_handle handle) const {
+    if constexpr (Bounding_order<Less, Item>) {
+      return {less_.bounds(items_[handle]), handle};
+    } else {
+      return {{}, handle};
+    }
+  }
+
+  bool less(const Node& a, const Node& b) const {
+    if constexpr (Bounding_order<Less, Item>) {
+      if (a.bounds.upper < b.bounds.lower) return true;
+      if (b.bounds.upper < a.bounds.lower) return false;
+    }
+    return less_(items_[a.handle], items_[b.handle]);
+  }
+
+  void place(std::size_t position, const Node& node) {
+    heap_[position] = node;
+    position_[node.handle] = static_cast<std::uint32_t>(position);
   }
 
   Queue_handle acquire_handle(Item&& item);
   Item take(Queue_handle handle);
   std::size_t least_child(std::size_t first_child) const;
-  bool sift_up(std::size_t position, Queue_handle handle);
-  void sift_down(std::size_t position, Queue_handle handle);
-  void restore_order(std::size_t position, Queue_handle handle);
+  bool sift_up(std::size_t position, const Node& node);
+  void sift_down(std::size_t position, const Node& node);
+  void restore_order(std::size_t position, const Node& node);
 
-  // Invariants: heap_[position_[h]] == h for each handle h in use; position_[h] == nowhere for each
-  // one in free_; items_ and position_ are equally long, and each handle is in use or in free_.
-  std::vector<Queue_handle> heap_;
+  // Invariants: heap_[position_[h]].handle == h for each handle h in use; position_[h] == nowhere
+  // for each one in free_; items_ and position_ are equally long, and each handle is in use or in
+  // free_.
+  std::vector<Node> heap_;
   std::vector<Item> items_;              // by handle
   std::vector<std::uint32_t> position_;  // by handle: its index in heap_
   std::vector<Queue_handle> free_;       // a stack
@@ -118,8 +153,9 @@ template <class Item, class Less>
 Queue_handle Indexed_queue<Item, Less>::push(Item item) {
   KINETRI_PRECONDITION(heap_.size() < nowhere, "the queue is full");
   const Queue_handle handle = acquire_handle(std::move(item));
-  heap_.push_back(handle);
-  if (!sift_up(heap_.size() - 1, handle)) place(heap_.size() - 1, handle);
+  const Node added = node(handle);
+  heap_.push_back(added);
+  if (!sift_up(heap_.size() - 1, added)) place(heap_.size() - 1, added);
   ++counters_.pushed;
   counters_.peak = std::max<std::uint64_t>(counters_.peak, heap_.size());
   return handle;
@@ -134,7 +170,7 @@ template <class Item, class Less>
 void Indexed_queue<Item, Less>::update(Queue_handle handle, Item item) {
   KINETRI_PRECONDITION(contains(handle), "the handle names no item of the queue");
   items_[handle] = std::move(item);
-  restore_order(position_[handle], handle);
+  restore_order(position_[handle], node(handle));
   ++counters_.pushed;
   ++counters_.discarded;
 }
@@ -160,7 +196,7 @@ bool Indexed_queue<Item, Less>::is_valid() const {
   if (items_.size() != position_.size() || heap_.size() + free_.size() != items_.size())
     return false;
   for (std::size_t i = 0; i < heap_.size(); ++i) {
-    if (heap_[i] >= position_.size() || position_[heap_[i]] != i) return false;
+    if (heap_[i].handle >= position_.size() || position_[heap_[i].handle] != i) return false;
     if (i > 0 && less(heap_[i], heap_[(i - 1) / arity])) return false;
   }
   return std::all_of(free_.begin(), free_.end(), [this](Queue_handle handle) {
@@ -186,9 +222,9 @@ Queue_handle Indexed_queue<Item, Less>::acquire_handle(Item&& item) {
 template <class Item, class Less>
 Item Indexed_queue<Item, Less>::take(Queue_handle handle) {
   const std::size_t position = position_[handle];
-  const Queue_handle last = heap_.back();
+  const Node last = heap_.back();
   heap_.pop_back();
-  if (last != handle) restore_order(position, last);
+  if (last.handle != handle) restore_order(position, last);
   position_[handle] = nowhere;
   free_.push_back(handle);
   return std::move(items_[handle]);
@@ -205,39 +241,39 @@ std::size_t Indexed_queue<Item, Less>::least_child(std::size_t first_child) cons
   return least;
 }
 
-// Moves the hole at `position` up to where `handle` belongs and fills it. Returns false, and has
-// done nothing, if the handle does not belong above `position`.
+// Moves the hole at `position` up to where `node` belongs and fills it. Returns false, and has
+// done nothing, if the node does not belong above `position`.
 template <class Item, class Less>
-bool Indexed_queue<Item, Less>::sift_up(std::size_t position, Queue_handle handle) {
+bool Indexed_queue<Item, Less>::sift_up(std::size_t position, const Node& node) {
   const std::size_t start = position;
   while (position > 0) {
     const std::size_t parent = (position - 1) / arity;
-    if (!less(handle, heap_[parent])) break;
+    if (!less(node, heap_[parent])) break;
     place(position, heap_[parent]);
     position = parent;
   }
   if (position == start) return false;
-  place(position, handle);
+  place(position, node);
   return true;
 }
 
-// Moves the hole at `position` down to where `handle` belongs and fills it.
+// Moves the hole at `position` down to where `node` belongs and fills it.
 template <class Item, class Less>
-void Indexed_queue<Item, Less>::sift_down(std::size_t position, Queue_handle handle) {
+void Indexed_queue<Item, Less>::sift_down(std::size_t position, const Node& node) {
   for (std::size_t child = arity * position + 1; child < heap_.size();
        child = arity * position + 1) {
     const std::size_t least = least_child(child);
-    if (!less(heap_[least], handle)) break;
+    if (!less(heap_[least], node)) break;
     place(position, heap_[least]);
     position = least;
   }
-  place(position, handle);
+  place(position, node);
 }
 
-// Fills the hole at `position` with `handle`, whose item may belong above or below it.
+// Fills the hole at `position` with `node`, which may belong above or below it.
 template <class Item, class Less>
-void Indexed_queue<Item, Less>::restore_order(std::size_t position, Queue_handle handle) {
-  if (!sift_up(position, handle)) sift_down(position, handle);
+void Indexed_queue<Item, Less>::restore_order(std::size_t position, const Node& node) {
+  if (!sift_up(position, node)) sift_down(position, node);
 }
 
 }  // namespace kinetri

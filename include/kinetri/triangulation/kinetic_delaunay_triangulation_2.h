@@ -166,6 +166,7 @@ class Kinetic_delaunay_triangulation_2 {
   /// By exact time, then kind, then ids: a total order on the entries of a queue.
   struct Earlier {
     bool operator()(const Entry& a, const Entry& b) const;
+    Double_interval bounds(const Entry& entry) const { return entry.time.interval(); }
   };
 
   // Construction.
