@@ -17,22 +17,11 @@
 #include <ostream>
 #include <utility>
 
+#include "gmp_access.h"
 #include "kinetri/base/check.h"
 
 namespace kinetri {
 namespace {
-
-mpz_ptr raw(Integer& x) {
-  return x.backend().data();
-}
-mpz_srcptr raw(const Integer& x) {
-  return x.backend().data();
-}
-
-// 0 for 0.
-long bit_length(const Integer& x) {
-  return x.is_zero() ? 0 : static_cast<long>(mpz_sizeinbase(raw(x), 2));
-}
 
 Integer numerator(const Rational& x) {
   return boost::multiprecision::numerator(x);
@@ -81,15 +70,6 @@ Integer scaled_value(const Polynomial& p, const Integer& x, unsigned long e) {
     mpz_add(raw(result), raw(result), raw(term));
   }
   return result;
-}
-
-bool equal_up_to_sign(const Polynomial& p, const Polynomial& q) {
-  if (p.degree() != q.degree()) return false;
-  if (p == q) return true;
-  for (int i = p.degree(); i >= 0; --i) {
-    if (mpz_cmpabs(raw(p[i]), raw(q[i])) != 0 || p[i].sign() != -q[i].sign()) return false;
-  }
-  return true;
 }
 
 // The root of a polynomial of degree 1.

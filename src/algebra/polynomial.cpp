@@ -9,17 +9,11 @@
 #include <ostream>
 #include <utility>
 
+#include "gmp_access.h"
 #include "kinetri/base/check.h"
 
 namespace kinetri {
 namespace {
-
-mpz_ptr raw(Integer& x) {
-  return x.backend().data();
-}
-mpz_srcptr raw(const Integer& x) {
-  return x.backend().data();
-}
 
 // A positive denominator d whose powers multiply the coefficients when a polynomial is evaluated
 // without fractions. A power of two, which a binary64 number has, costs shifts only.

@@ -7,25 +7,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "gmp_access.h"
 #include "kinetri/algebra/sturm_sequence.h"
 #include "kinetri/base/check.h"
 
 namespace kinetri {
 namespace {
-
-mpz_ptr raw(Integer& x) {
-  return x.backend().data();
-}
-mpz_srcptr raw(const Integer& x) {
-  return x.backend().data();
-}
-
-long bit_length(mpz_srcptr x) {
-  return mpz_sgn(x) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(x, 2));
-}
-long bit_length(const Integer& x) {
-  return bit_length(raw(x));
-}
 
 // 2^(exponent - 1) < |x| < 2^(exponent + 1). Precondition: x is not zero.
 long exponent_of(const Rational& x) {
@@ -38,10 +25,6 @@ Rational power_of_two(long exponent) {
 
 long floor_quotient(long a, long b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
-}
-
-bool equal_up_to_sign(const Polynomial& p, const Polynomial& q) {
-  return p.degree() == q.degree() && (p == q || p == -q);
 }
 
 Algebraic_number linear_root(const Polynomial& p) {

@@ -23,11 +23,11 @@ class Certificates {
  public:
   explicit Certificates(unsigned seed) : random_(seed) {}
 
-  static constexpr int flavors = 7;
+  static constexpr int flavors = 8;
   static const char* name(int flavor) {
     constexpr const char* names[flavors] = {
         "random",          "tiny integers",   "nearly cocircular", "wild magnitude",
-        "common velocity", "far-away epochs", "subnormal"};
+        "common velocity", "far-away epochs", "cancellation",      "subnormal"};
     return names[flavor];
   }
 
@@ -69,6 +69,18 @@ class Certificates {
       case 5:
         for (auto& a : m) a.epoch = 1e5 * small() + real();
         break;
+      case 6: {
+        // A unit square that moves fast, from places far apart: its coordinates cancel, but for the
+        // rounding of the places.
+        const Vector_2 common = {1e6 * real(), 1e6 * real()};
+        constexpr std::array<Vector_2, 4> square = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+        for (std::size_t i = 0; i < m.size(); ++i) {
+          const double epoch = real();
+          m[i] = {{common.x * epoch + square[i].x, common.y * epoch + square[i].y}, common, epoch};
+          if (integer_(random_) > 0) m[i].velocity.x += 1e-6 * real();
+        }
+        break;
+      }
       default:
         for (auto& a : m) {
           a.position = {5e-324 * std::round(1000 * real()), 5e-324 * std::round(1000 * real())};

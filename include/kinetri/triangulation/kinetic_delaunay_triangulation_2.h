@@ -191,7 +191,6 @@ class Kinetic_delaunay_triangulation_2 {
   std::size_t run_instant();
   void execute(const Entry& event);
   bool can_insert_into_hull(const Edge& hull_edge) const;
-  bool can_remove_from_hull(const Edge& infinite_edge) const;
   void flip_edge(const Edge& edge, Event_kind kind);
   void rebuild();
   template <class Change>

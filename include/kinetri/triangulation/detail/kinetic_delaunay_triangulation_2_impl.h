@@ -291,7 +291,6 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Entry& event) {
       if (!can_insert_into_hull(event.edge)) return rebuild();
       return flip_edge(event.edge, Event_kind::hull_insert);
     case Entry_kind::hull_remove:
-      if (!can_remove_from_hull(event.edge)) return rebuild();
       return flip_edge(event.edge, Event_kind::hull_remove);
     case Entry_kind::coincidence:
       return rebuild();
@@ -316,19 +315,6 @@ bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(const Edge& 
   return now.collinear_are_strictly_ordered_along_line_2_object()(
       face->vertex(Triangulation::cw(i))->point(), apex->point(),
       face->vertex(Triangulation::ccw(i))->point());
-}
-
-// Whether a hull vertex, at this time collinear with its two hull neighbors, can be covered by the
-// edge between them: it lies between them, and they are not neighbors already. Otherwise the whole
-// hull went flat.
-template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::can_remove_from_hull(
-    const Edge& infinite_edge) const {
-  const auto [previous, here, next] = hull_turn(infinite_edge);
-  if (triangulation_.is_edge(previous, next)) return false;
-  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
-  return now.collinear_are_strictly_ordered_along_line_2_object()(previous->point(), here->point(),
-                                                                  next->point());
 }
 
 // Reports `event` to the observers around `change`, which makes it happen.
