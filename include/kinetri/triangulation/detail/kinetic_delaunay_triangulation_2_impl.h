@@ -337,7 +337,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event, Change 
 //         d                  d
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Edge& edge, Event_kind kind) {
-  const auto& [face, i] = edge;
+  const Face_handle face = edge.first;
+  const int i = edge.second;
   const Face_handle neighbor = face->neighbor(i);
   const int j = triangulation_.tds().mirror_index(face, i);
   const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
