@@ -31,6 +31,7 @@ void write_stats(std::ostream& out, const Run_statistics& statistics) {
       {"instants", triangulation.instants},
       {"largest_instant", triangulation.largest_instant},
       {"rebuilds", triangulation.rebuilds},
+      {"looks_again", triangulation.looks_again},
       {"certificates",
        {{"created", certificates.created},
         {"root_solves", certificates.root_solves},

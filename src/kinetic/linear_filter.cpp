@@ -25,9 +25,12 @@ constexpr double least_size = 0x1p-200;
 constexpr double greatest_size = 0x1p200;
 
 // The window is this share of the time in which the points would pass their distance from one
-// another at their relative speed: long enough that most certificates are replaced before it ends,
-// and short enough that few have a root in it.
-constexpr double window_share = 0.2;
+// another at their relative speed: long enough that most certificates are replaced before it ends.
+constexpr double window_share = 0.4;
+
+// A failure later than this share of the window is not looked for yet: probably the certificate is
+// replaced before it comes.
+constexpr double worthwhile = 0.3;
 
 constexpr int max_depth = 8;
 
@@ -50,37 +53,42 @@ double max_abs(double a, double b) {
   return std::max(std::abs(a), std::abs(b));
 }
 
-Difference difference(const Linear_motion_2& p, const Linear_motion_2& q, double origin,
-                      Magnitudes& magnitudes) {
-  Difference d;
-  d.slope_x = p.velocity.x - q.velocity.x;
-  d.slope_y = p.velocity.y - q.velocity.y;
-  double place;
-  if (p.epoch == q.epoch) {
-    // Taking the difference first keeps the coordinates' common part out of the error.
-    const double elapsed = origin - p.epoch;
-    const double x = p.position.x - q.position.x;
-    const double y = p.position.y - q.position.y;
-    const double moved_x = d.slope_x * elapsed;
-    const double moved_y = d.slope_y * elapsed;
-    d.x = x + moved_x;
-    d.y = y + moved_y;
-    place = max_abs(x, y) + max_abs(moved_x, moved_y);
-  } else {
-    const double elapsed_p = origin - p.epoch;
-    const double elapsed_q = origin - q.epoch;
-    const double moved_px = p.velocity.x * elapsed_p;
-    const double moved_py = p.velocity.y * elapsed_p;
-    const double moved_qx = q.velocity.x * elapsed_q;
-    const double moved_qy = q.velocity.y * elapsed_q;
-    d.x = (p.position.x + moved_px) - (q.position.x + moved_qx);
-    d.y = (p.position.y + moved_py) - (q.position.y + moved_qy);
-    place = max_abs(p.position.x, p.position.y) + max_abs(moved_px, moved_py) +
-            max_abs(q.position.x, q.position.y) + max_abs(moved_qx, moved_qy);
-  }
+// Taking the difference first keeps the coordinates' common part out of the error.
+inline Difference difference_from_one_epoch(const Linear_motion_2& p, const Linear_motion_2& q,
+                                            double elapsed, Magnitudes& magnitudes) {
+  const double x = p.position.x - q.position.x;
+  const double y = p.position.y - q.position.y;
+  const double slope_x = p.velocity.x - q.velocity.x;
+  const double slope_y = p.velocity.y - q.velocity.y;
+  const double moved_x = slope_x * elapsed;
+  const double moved_y = slope_y * elapsed;
+  magnitudes.place = std::max(magnitudes.place, max_abs(x, y) + max_abs(moved_x, moved_y));
+  magnitudes.slope = std::max(magnitudes.slope, max_abs(slope_x, slope_y));
+  return {x + moved_x, y + moved_y, slope_x, slope_y};
+}
+
+Difference difference_from_two_epochs(const Linear_motion_2& p, const Linear_motion_2& q,
+                                      double origin, Magnitudes& magnitudes) {
+  const double elapsed_p = origin - p.epoch;
+  const double elapsed_q = origin - q.epoch;
+  const double moved_px = p.velocity.x * elapsed_p;
+  const double moved_py = p.velocity.y * elapsed_p;
+  const double moved_qx = q.velocity.x * elapsed_q;
+  const double moved_qy = q.velocity.y * elapsed_q;
+  const double slope_x = p.velocity.x - q.velocity.x;
+  const double slope_y = p.velocity.y - q.velocity.y;
+  const double place = max_abs(p.position.x, p.position.y) + max_abs(moved_px, moved_py) +
+                       max_abs(q.position.x, q.position.y) + max_abs(moved_qx, moved_qy);
   magnitudes.place = std::max(magnitudes.place, place);
-  magnitudes.slope = std::max(magnitudes.slope, max_abs(d.slope_x, d.slope_y));
-  return d;
+  magnitudes.slope = std::max(magnitudes.slope, max_abs(slope_x, slope_y));
+  return {(p.position.x + moved_px) - (q.position.x + moved_qx),
+          (p.position.y + moved_py) - (q.position.y + moved_qy), slope_x, slope_y};
+}
+
+inline Difference difference(const Linear_motion_2& p, const Linear_motion_2& q, double origin,
+                             Magnitudes& magnitudes) {
+  return p.epoch == q.epoch ? difference_from_one_epoch(p, q, origin - q.epoch, magnitudes)
+                            : difference_from_two_epochs(p, q, origin, magnitudes);
 }
 
 double max_abs(const Difference& d) {
@@ -138,25 +146,24 @@ std::array<double, M> split(std::array<double, M>& b) {
 }
 
 // Narrows the only root in [lower, upper], at which the polynomial goes from positive to negative,
-// by Newton's method with bisection as its guard, and certifies the bracket by the signs at its
-// ends. Returns false if the ends cannot be certified.
+// by Newton's method from `w` with bisection as its guard, and certifies the bracket by the signs
+// at its ends. Returns false if the ends cannot be certified.
 template <std::size_t M>
-bool bracket_root(const std::array<double, M>& c, double error, double& lower, double& upper) {
+bool bracket_root(const std::array<double, M>& c, double error, double w, double& lower,
+                  double& upper) {
   double low = lower;
   double high = upper;
-  double w = 0.5 * (low + high);
-  double derivative = 0;
+  double derivative = slope(c, w);
   for (int i = 0; i < 12; ++i) {
     const double v = value(c, w);
     if (std::abs(v) <= error) break;
     (v > 0 ? low : high) = w;
-    derivative = slope(c, w);
     double next = w - v / derivative;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (next == w) break;
     w = next;
+    derivative = slope(c, w);
   }
-  derivative = slope(c, w);
   // The values grow linearly beside a simple root: twice the error from there they are certain.
   double distance = std::max(3 * error / std::abs(derivative), 4 * unit_roundoff * w);
   for (int i = 0; i < 6; ++i, distance *= 4) {
@@ -171,10 +178,48 @@ bool bracket_root(const std::array<double, M>& c, double error, double& lower, d
   return false;
 }
 
-// The first failure of the polynomial with coefficients `c`, each value of which over [0, 1] is
-// known up to `error`: whether it is positive on all of [0, 1], or a bracket of its first root.
+// Up to which share of its interval a polynomial, given by Bernstein coefficients that are known up
+// to `error`, is certainly positive: the graph lies above the lower convex hull of the points
+// (i / degree, b[i] - error). Zero if it may be negative at the start.
+template <std::size_t M>
+double positive_share(const std::array<double, M>& b, double error) {
+  if (std::ranges::all_of(b, [error](double x) { return x > error; })) return 1;
+  std::size_t i = 0;
+  while (b[i] > error) {
+    std::size_t next = i + 1;
+    double least = b[next] - b[i];
+    for (std::size_t k = i + 2; k < M; ++k) {
+      const double rise = (b[k] - b[i]) / static_cast<double>(k - i);
+      if (rise < least) {
+        least = rise;
+        next = k;
+      }
+    }
+    if (!(b[next] > error)) {
+      // Rounded down by far more than these operations can err.
+      const double crossing = static_cast<double>(i) + (b[i] - error) / -least;
+      return crossing / static_cast<double>(M - 1) * (1 - 0x1p-40);
+    }
+    i = next;
+  }
+  return 0;
+}
+
+// Whether the signs of the coefficients are certain and change just once.
+template <std::size_t M>
+bool has_one_change(const std::array<double, M>& b, double error) {
+  std::size_t i = 0;
+  while (i < M && b[i] > error) ++i;
+  return i > 0 && i < M &&
+         std::all_of(b.begin() + static_cast<std::ptrdiff_t>(i), b.end(),
+                     [error](double x) { return x < -error; });
+}
+
+// How long the polynomial with coefficients `c`, each value of which over [0, 1] is known up to
+// `error`, is certainly positive; or a bracket of its first root, where that is near.
 template <std::size_t M>
 Filter_verdict first_failure(const std::array<double, M>& c, double error) {
+  using Kind = Filter_verdict::Kind;
   struct Piece {
     std::array<double, M> b;
     double lower;
@@ -186,22 +231,17 @@ Filter_verdict first_failure(const std::array<double, M>& c, double error) {
   stack[0] = {bernstein(c), 0, 1, 0};
   while (size > 0) {
     Piece piece = stack[static_cast<std::size_t>(--size)];
-    bool positive = true;
-    bool decided = true;
-    int changes = 0;
-    for (std::size_t i = 0; i < M; ++i) {
-      const bool is_positive = piece.b[i] > error;
-      decided = decided && (is_positive || piece.b[i] < -error);
-      if (i > 0 && is_positive != positive) ++changes;
-      positive = is_positive;
-      if (i == 0 && !is_positive) return {};
-    }
-    if (decided && changes == 0) continue;
-    if (decided && changes == 1) {
+    const double share = positive_share(piece.b, error);
+    if (share == 1) continue;
+    const double until = piece.lower + share * piece.width;
+    if (until >= worthwhile) return {Kind::holds, until, until};
+    if (share == 0) return {};
+    if (has_one_change(piece.b, error)) {
       double lower = piece.lower;
       double upper = piece.lower + piece.width;
-      if (!bracket_root(c, error, lower, upper)) return {};
-      return {Filter_verdict::Kind::fails, lower, upper};
+      const double secant = piece.b.front() / (piece.b.front() - piece.b.back());
+      if (!bracket_root(c, error, lower + secant * piece.width, lower, upper)) return {};
+      return {Kind::fails, lower, upper};
     }
     if (piece.depth == max_depth) return {};
     const double width = 0.5 * piece.width;
@@ -209,20 +249,22 @@ Filter_verdict first_failure(const std::array<double, M>& c, double error) {
     stack[static_cast<std::size_t>(size++)] = {right, piece.lower + width, width, piece.depth + 1};
     stack[static_cast<std::size_t>(size++)] = {piece.b, piece.lower, width, piece.depth + 1};
   }
-  return {Filter_verdict::Kind::holds, 1, 1};
+  return {Kind::holds, 1, 1};
 }
 
 // The verdict in time for that in w, rounded to the safe side.
 Filter_verdict in_time(const Filter_verdict& v, double origin, double window,
                        const Double_interval& after) {
-  // Rounding in origin + w * window is at most one unit in the last place of each of the two.
-  const auto down = [](double x) { return std::nextafter(x, -infinity); };
-  const auto up = [](double x) { return std::nextafter(x, infinity); };
+  // Rounding in origin + w * window is at most one unit in the last place of each of the two. These
+  // go at least one further, whatever the rounding mode.
+  const auto ulp = [](double x) { return std::abs(x) * 0x1p-52 + 0x1p-1074; };
+  const auto down = [ulp](double x) { return x - ulp(x); };
+  const auto up = [ulp](double x) { return x + ulp(x); };
   switch (v.kind) {
     case Filter_verdict::Kind::unknown:
       return v;
     case Filter_verdict::Kind::holds: {
-      const double until = down(origin + down(window));
+      const double until = down(origin + down(v.upper * window));
       if (!(until > after.upper)) return {};
       return {Filter_verdict::Kind::holds, until, until};
     }
@@ -255,7 +297,7 @@ Filter_verdict judge(const std::array<double, M>& c, double scale, double units,
   Filter_verdict verdict = first_failure(quotient, error + 2 * norm * scale * rest);
   if (verdict.kind == Filter_verdict::Kind::fails) {
     // c itself gives the narrower bracket, and the next certificate starts from there.
-    bracket_root(c, error, verdict.lower, verdict.upper);
+    bracket_root(c, error, 0.5 * (verdict.lower + verdict.upper), verdict.lower, verdict.upper);
   }
   return in_time(verdict, after.lower, window, after);
 }
@@ -277,9 +319,9 @@ struct Frame {
   double orientation_scale() const { return size * total; }
 };
 
-constexpr double in_circle_units = 1024;
+constexpr double in_circle_units = 2048;
 constexpr double in_circle_norm = 12;
-constexpr double orientation_units = 128;
+constexpr double orientation_units = 256;
 constexpr double orientation_norm = 4;
 
 // The frame of the given window; the slopes of the differences become those over the window.
@@ -440,7 +482,7 @@ bool certainly_never_coincide(const Linear_motion_2& p, const Linear_motion_2& q
   if (!(m.place > least_size && m.place < greatest_size)) return false;
   if (!(m.slope > least_size && m.slope < greatest_size)) return false;
   const double cross = d.x * d.slope_y - d.y * d.slope_x;
-  return std::abs(cross) > 32 * unit_roundoff * (m.place * m.slope);
+  return std::abs(cross) > 64 * unit_roundoff * (m.place * m.slope);
 }
 
 }  // namespace kinetri

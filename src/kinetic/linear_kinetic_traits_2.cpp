@@ -38,70 +38,83 @@ struct Orientation_root : Root_source {
 };
 
 // The outlook that a verdict of the filter is. Precondition: it is not unknown.
-template <class Make_source>
-std::optional<Outlook<Time>> outlook(const Filter_verdict& verdict, Certificate_counters& counters,
-                                     const Make_source& make_source) {
+Outlook<Time> outlook(const Filter_verdict& verdict, Certificate_counters& counters) {
+  using Kind = Outlook<Time>::Kind;
   ++counters.filter_decided;
   if (verdict.kind == Filter_verdict::Kind::fails) {
     ++counters.root_solves;
-    return Outlook<Time>{Time(make_source(), {verdict.lower, verdict.upper}), true};
+    return {Kind::fails, {verdict.lower, verdict.upper}};
   }
-  if (std::isinf(verdict.upper)) return std::nullopt;
-  return Outlook<Time>{Time(verdict.upper), false};
+  if (std::isinf(verdict.upper)) return {};
+  return {Kind::holds, {verdict.upper, verdict.upper}};
+}
+
+Outlook<Time> exact_outlook(const Polynomial& certificate, const Time& t,
+                            Certificate_counters& counters) {
+  ++counters.exact_decided;
+  if (certificate.degree() > 0) ++counters.root_solves;
+  std::optional<Time> failure = failure_time(certificate, t);
+  if (!failure) return {};
+  // The filter starts from this time's interval when the event has been executed, and knows nothing
+  // if that is wide.
+  failure->refine_to_bits(std::numeric_limits<double>::digits);
+  const Double_interval bounds = failure->interval();
+  return {Outlook<Time>::Kind::fails, bounds, std::make_unique<Time>(std::move(*failure))};
 }
 
 }  // namespace
 
-std::optional<Outlook<Time>> Linear_kinetic_traits_2::exact_outlook(const Polynomial& certificate,
-                                                                    const Time& t) {
-  ++counters_.exact_decided;
-  if (certificate.degree() > 0) ++counters_.root_solves;
-  std::optional<Time> failure = failure_time(certificate, t);
-  if (!failure) return std::nullopt;
-  // The filter starts from this time's interval when the event has been executed, and knows nothing
-  // if that is wide.
-  failure->refine_to_bits(std::numeric_limits<double>::digits);
-  return Outlook<Time>{std::move(*failure), true};
-}
-
-std::optional<Outlook<Time>> Linear_kinetic_traits_2::in_circle_outlook(
-    const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s, const Time& t,
-    Certificate_state state) {
-  ++counters_.created;
+Outlook<Time> Linear_kinetic_traits_2::in_circle_outlook(const Point_2& p, const Point_2& q,
+                                                         const Point_2& r, const Point_2& s,
+                                                         const Time& t, Certificate_state state,
+                                                         Certificate_counters& counters) const {
+  ++counters.created;
   if (arithmetic_ == Arithmetic::filtered) {
     const Filter_verdict verdict =
         filter_in_circle(p.motion(), q.motion(), r.motion(), s.motion(), t.interval(),
                          state == Certificate_state::vanishes);
     if (verdict.kind != Filter_verdict::Kind::unknown) {
-      return outlook(verdict, counters_,
-                     [&] { return std::make_shared<In_circle_root>(p, q, r, s); });
+      return outlook(verdict, counters);
     }
   }
-  return exact_outlook(-in_circle_polynomial(p, q, r, s), t);
+  return exact_outlook(-in_circle_polynomial(p, q, r, s), t, counters);
 }
 
-std::optional<Outlook<Time>> Linear_kinetic_traits_2::orientation_outlook(
-    const Point_2& p, const Point_2& q, const Point_2& r, const Time& t, Certificate_state state) {
-  ++counters_.created;
+Outlook<Time> Linear_kinetic_traits_2::orientation_outlook(const Point_2& p, const Point_2& q,
+                                                           const Point_2& r, const Time& t,
+                                                           Certificate_state state,
+                                                           Certificate_counters& counters) const {
+  ++counters.created;
   if (arithmetic_ == Arithmetic::filtered) {
     const Filter_verdict verdict = filter_orientation(
         p.motion(), q.motion(), r.motion(), t.interval(), state == Certificate_state::vanishes);
     if (verdict.kind != Filter_verdict::Kind::unknown) {
-      return outlook(verdict, counters_,
-                     [&] { return std::make_shared<Orientation_root>(p, q, r); });
+      return outlook(verdict, counters);
     }
   }
-  return exact_outlook(orientation_polynomial(p, q, r), t);
+  return exact_outlook(orientation_polynomial(p, q, r), t, counters);
 }
 
-std::optional<Time> Linear_kinetic_traits_2::coincidence_time(const Point_2& p, const Point_2& q,
-                                                              const Time& t) {
-  ++counters_.created;
+Time Linear_kinetic_traits_2::in_circle_failure(const Point_2& p, const Point_2& q,
+                                                const Point_2& r, const Point_2& s,
+                                                const Double_interval& bounds) const {
+  return Time(std::make_shared<In_circle_root>(p, q, r, s), bounds);
+}
+
+Time Linear_kinetic_traits_2::orientation_failure(const Point_2& p, const Point_2& q,
+                                                  const Point_2& r,
+                                                  const Double_interval& bounds) const {
+  return Time(std::make_shared<Orientation_root>(p, q, r), bounds);
+}
+
+std::optional<Time> Linear_kinetic_traits_2::coincidence_time(
+    const Point_2& p, const Point_2& q, const Time& t, Certificate_counters& counters) const {
+  ++counters.created;
   if (arithmetic_ == Arithmetic::filtered && certainly_never_coincide(p.motion(), q.motion())) {
-    ++counters_.filter_decided;
+    ++counters.filter_decided;
     return std::nullopt;
   }
-  ++counters_.exact_decided;
+  ++counters.exact_decided;
   const Polynomial x = x_difference(p, q);
   const Polynomial y = y_difference(p, q);
   // Linear polynomials: a common root is a root of the one that is not constant, and of the other.

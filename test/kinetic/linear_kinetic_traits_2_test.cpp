@@ -17,18 +17,35 @@ Moving_point_2 resting(double x, double y) {
   return moving(x, y, 0, 0);
 }
 
+using Kind = Outlook<Algebraic_number>::Kind;
+
 // The failure time at the end of the outlooks, each of which must hold as far as it says.
-template <class Outlook_after>
+template <class Outlook_after, class Failure_in>
 std::optional<Algebraic_number> failure_of(const Outlook_after& outlook_after,
-                                           Algebraic_number time) {
-  auto outlook = outlook_after(time, Certificate_state::any);
-  while (outlook && !outlook->is_failure) {
-    EXPECT_LT(time, outlook->time);
-    time = outlook->time;
-    outlook = outlook_after(time, Certificate_state::any);
+                                           const Failure_in& failure_in, Algebraic_number time) {
+  Outlook<Algebraic_number> outlook = outlook_after(time);
+  while (outlook.kind == Kind::holds) {
+    EXPECT_EQ(outlook.bounds.lower, outlook.bounds.upper);
+    EXPECT_LT(time, Algebraic_number(outlook.bounds.lower));
+    time = outlook.bounds.lower;
+    outlook = outlook_after(time);
   }
-  if (!outlook) return std::nullopt;
-  return outlook->time;
+  if (outlook.kind == Kind::holds_for_ever) return std::nullopt;
+  return outlook.failure ? *outlook.failure : failure_in(outlook.bounds);
+}
+
+std::optional<Algebraic_number> in_circle_failure_time(const Linear_kinetic_traits_2& traits,
+                                                       const Moving_point_2& p,
+                                                       const Moving_point_2& q,
+                                                       const Moving_point_2& r,
+                                                       const Moving_point_2& s, double t) {
+  Certificate_counters counters;
+  return failure_of(
+      [&](const Algebraic_number& after) {
+        return traits.in_circle_outlook(p, q, r, s, after, Certificate_state::any, counters);
+      },
+      [&](const Double_interval& bounds) { return traits.in_circle_failure(p, q, r, s, bounds); },
+      t);
 }
 
 class Linear_kinetic_traits_2_test : public testing::TestWithParam<Arithmetic> {
@@ -37,23 +54,25 @@ class Linear_kinetic_traits_2_test : public testing::TestWithParam<Arithmetic> {
                                                          const Moving_point_2& q,
                                                          const Moving_point_2& r,
                                                          const Moving_point_2& s, double t) {
-    return failure_of(
-        [&](const Algebraic_number& after, Certificate_state state) {
-          return traits.in_circle_outlook(p, q, r, s, after, state);
-        },
-        t);
+    return kinetri::in_circle_failure_time(traits, p, q, r, s, t);
   }
   std::optional<Algebraic_number> orientation_failure_time(const Moving_point_2& p,
                                                            const Moving_point_2& q,
                                                            const Moving_point_2& r, double t) {
     return failure_of(
-        [&](const Algebraic_number& after, Certificate_state state) {
-          return traits.orientation_outlook(p, q, r, after, state);
+        [&](const Algebraic_number& after) {
+          return traits.orientation_outlook(p, q, r, after, Certificate_state::any, counters);
         },
+        [&](const Double_interval& bounds) { return traits.orientation_failure(p, q, r, bounds); },
         t);
   }
+  std::optional<Algebraic_number> coincidence_time(const Moving_point_2& p, const Moving_point_2& q,
+                                                   double t) {
+    return traits.coincidence_time(p, q, t, counters);
+  }
 
-  Linear_kinetic_traits_2 traits{GetParam()};
+  const Linear_kinetic_traits_2 traits{GetParam()};
+  Certificate_counters counters;
   const Moving_point_2 west = resting(-1, 0);
   const Moving_point_2 south = resting(0, -1);
   const Moving_point_2 east = resting(1, 0);
@@ -104,20 +123,19 @@ TEST_P(Linear_kinetic_traits_2_test, orientation_fails_when_the_turn_becomes_rig
 TEST_P(Linear_kinetic_traits_2_test, coincidence_is_found_only_strictly_later) {
   const Moving_point_2 a = moving(0, 0, 1, 2);
   const Moving_point_2 b = moving(3, 6, 0, 0);
-  EXPECT_EQ(traits.coincidence_time(a, b, 0.0), Algebraic_number(3.0));
-  EXPECT_EQ(traits.coincidence_time(b, a, 0.0), Algebraic_number(3.0));
-  EXPECT_EQ(traits.coincidence_time(a, b, 3.0), std::nullopt);
-  EXPECT_EQ(traits.coincidence_time(a, moving(3, 6.0000001, 0, 0), 0.0), std::nullopt);
-  EXPECT_EQ(traits.coincidence_time(a, moving(1, 0, 1, 2), 0.0), std::nullopt);
-  EXPECT_EQ(traits.coincidence_time(a, moving(-1, -2, 1, 2, -1), 0.0), std::nullopt) << "the same";
+  EXPECT_EQ(coincidence_time(a, b, 0.0), Algebraic_number(3.0));
+  EXPECT_EQ(coincidence_time(b, a, 0.0), Algebraic_number(3.0));
+  EXPECT_EQ(coincidence_time(a, b, 3.0), std::nullopt);
+  EXPECT_EQ(coincidence_time(a, moving(3, 6.0000001, 0, 0), 0.0), std::nullopt);
+  EXPECT_EQ(coincidence_time(a, moving(1, 0, 1, 2), 0.0), std::nullopt);
+  EXPECT_EQ(coincidence_time(a, moving(-1, -2, 1, 2, -1), 0.0), std::nullopt) << "the same";
   // Only the y coordinates move against each other.
-  EXPECT_EQ(traits.coincidence_time(moving(1, 0, 1, 1), moving(1, 1, 1, 0), 0.0),
-            Algebraic_number(1.0));
-  EXPECT_EQ(traits.coincidence_time(moving(1, 0, 1, 1), moving(2, 1, 1, 0), 0.0), std::nullopt);
+  EXPECT_EQ(coincidence_time(moving(1, 0, 1, 1), moving(1, 1, 1, 0), 0.0), Algebraic_number(1.0));
+  EXPECT_EQ(coincidence_time(moving(1, 0, 1, 1), moving(2, 1, 1, 0), 0.0), std::nullopt);
 }
 
 TEST_P(Linear_kinetic_traits_2_test, coincidence_time_need_not_be_a_binary64_number) {
-  const auto time = traits.coincidence_time(moving(0, 0, 3, 3), resting(1, 1), 0.0);
+  const auto time = coincidence_time(moving(0, 0, 3, 3), resting(1, 1), 0.0);
   EXPECT_EQ(time, Algebraic_number(Rational(1, 3)));
 }
 
@@ -131,88 +149,88 @@ INSTANTIATE_TEST_SUITE_P(Arithmetics, Linear_kinetic_traits_2_test,
 class Deciding_stage : public testing::Test {
  protected:
   void expect_stage(std::uint64_t filtered, std::uint64_t exact, std::uint64_t solved) {
-    const Certificate_counters& c = traits.counters();
-    EXPECT_EQ(c.created, filtered + exact);
-    EXPECT_EQ(c.filter_decided, filtered);
-    EXPECT_EQ(c.exact_decided, exact);
-    EXPECT_EQ(c.root_solves, solved);
+    EXPECT_EQ(counters.created, filtered + exact);
+    EXPECT_EQ(counters.filter_decided, filtered);
+    EXPECT_EQ(counters.exact_decided, exact);
+    EXPECT_EQ(counters.root_solves, solved);
   }
 
-  Linear_kinetic_traits_2 traits;
+  // The outlook from time 0 of the circle through the three points below.
+  Outlook<Algebraic_number> outlook(const Moving_point_2& s) {
+    return traits.in_circle_outlook(west, south, east, s, 0.0, Certificate_state::any, counters);
+  }
+
+  const Linear_kinetic_traits_2 traits;
+  Certificate_counters counters;
   const Moving_point_2 west = resting(-1, 0);
   const Moving_point_2 south = resting(0, -1);
   const Moving_point_2 east = resting(1, 0);
 };
 
 TEST_F(Deciding_stage, of_a_certificate_that_holds_for_now_is_the_filter) {
-  const auto outlook = traits.in_circle_outlook(west, south, east, moving(0, 30, 0, -1), 0.0,
-                                                Certificate_state::any);
-  ASSERT_TRUE(outlook);
-  EXPECT_FALSE(outlook->is_failure);
+  EXPECT_EQ(outlook(moving(0, 30, 0, -1)).kind, Kind::holds);
   expect_stage(1, 0, 0);
 }
 
 TEST_F(Deciding_stage, of_a_simple_root_near_by_is_the_filter) {
-  const auto outlook = traits.in_circle_outlook(west, south, east, moving(0.1, 1.1, 0, -1), 0.0,
-                                                Certificate_state::any);
-  ASSERT_TRUE(outlook);
-  EXPECT_TRUE(outlook->is_failure);
+  EXPECT_EQ(outlook(moving(0.1, 1.1, 0, -1)).kind, Kind::fails);
   expect_stage(1, 0, 1);
 }
 
 TEST_F(Deciding_stage, of_a_certificate_that_never_fails_is_the_filter) {
   // The whole plane is dilated: the predicates are multiplied by a power of 1 + t.
   const auto dilated = [](double x, double y) { return moving(x, y, x, y); };
-  EXPECT_FALSE(traits.in_circle_outlook(dilated(-1, 0), dilated(0, -1), dilated(1, 0),
-                                        dilated(0.5, 2), 0.0, Certificate_state::any));
-  EXPECT_FALSE(traits.orientation_outlook(dilated(-1, 0), dilated(1, 0), dilated(0, 1), 0.0,
-                                          Certificate_state::any));
-  EXPECT_FALSE(
-      traits.in_circle_outlook(west, south, east, resting(0, 2), 0.0, Certificate_state::any));
-  EXPECT_FALSE(traits.coincidence_time(west, moving(0, 0, 0, 1), 0.0));
+  EXPECT_EQ(traits
+                .in_circle_outlook(dilated(-1, 0), dilated(0, -1), dilated(1, 0), dilated(0.5, 2),
+                                   0.0, Certificate_state::any, counters)
+                .kind,
+            Kind::holds_for_ever);
+  EXPECT_EQ(traits
+                .orientation_outlook(dilated(-1, 0), dilated(1, 0), dilated(0, 1), 0.0,
+                                     Certificate_state::any, counters)
+                .kind,
+            Kind::holds_for_ever);
+  EXPECT_EQ(outlook(resting(0, 2)).kind, Kind::holds_for_ever);
+  EXPECT_FALSE(traits.coincidence_time(west, moving(0, 0, 0, 1), 0.0, counters));
   expect_stage(4, 0, 0);
 }
 
 TEST_F(Deciding_stage, of_a_violation_at_once_is_exact) {
-  const auto outlook =
-      traits.in_circle_outlook(west, south, east, moving(0, 1, 0, -1), 0.0, Certificate_state::any);
-  ASSERT_TRUE(outlook);
-  EXPECT_EQ(outlook->time, Algebraic_number(0.0));
+  const auto violated = outlook(moving(0, 1, 0, -1));
+  ASSERT_TRUE(violated.failure);
+  EXPECT_EQ(*violated.failure, Algebraic_number(0.0));
   expect_stage(0, 1, 1);
 }
 
 TEST_F(Deciding_stage, of_points_cocircular_for_ever_is_exact_without_looking_for_roots) {
-  EXPECT_FALSE(
-      traits.in_circle_outlook(west, south, east, resting(0, 1), 0.0, Certificate_state::any));
+  EXPECT_EQ(outlook(resting(0, 1)).kind, Kind::holds_for_ever);
   expect_stage(0, 1, 0);
 }
 
 TEST_F(Deciding_stage, of_a_touch_is_exact) {
-  EXPECT_FALSE(traits.in_circle_outlook(west, south, east, moving(-0.125, 1, 1, 0), 0.0,
-                                        Certificate_state::any));
+  EXPECT_EQ(outlook(moving(-0.125, 1, 1, 0)).kind, Kind::holds_for_ever);
   expect_stage(0, 1, 1);
 }
 
 TEST_F(Deciding_stage, of_the_root_after_a_known_one_is_the_filter) {
   // The point has entered at t = 1/8 and leaves at the bottom much later: its edge was flipped.
   const Moving_point_2 through = moving(0.1, 1.1, 0, -1);
-  const auto entering =
-      traits.in_circle_outlook(west, south, east, through, 0.0, Certificate_state::any);
-  ASSERT_TRUE(entering && entering->is_failure);
-  const auto outlook = traits.in_circle_outlook(south, west, east, through, entering->time,
-                                                Certificate_state::vanishes);
-  ASSERT_TRUE(outlook);
-  EXPECT_GT(outlook->time, entering->time);
-  expect_stage(2, 0, outlook->is_failure ? 2 : 1);
+  const auto entering = outlook(through);
+  ASSERT_EQ(entering.kind, Kind::fails);
+  const Algebraic_number entered =
+      traits.in_circle_failure(west, south, east, through, entering.bounds);
+  const auto leaving = traits.in_circle_outlook(south, west, east, through, entered,
+                                                Certificate_state::vanishes, counters);
+  EXPECT_GT(leaving.bounds.lower, entering.bounds.upper);
+  expect_stage(2, 0, leaving.kind == Kind::fails ? 2 : 1);
 }
 
 TEST_F(Deciding_stage, of_magnitudes_beyond_the_filter_is_exact) {
-  const auto outlook =
-      traits.in_circle_outlook(resting(-0x1p300, 0), resting(0, -0x1p300), resting(0x1p300, 0),
-                               moving(0, 3 * 0x1p300, 0, -0x1p300), 0.0, Certificate_state::any);
-  ASSERT_TRUE(outlook);
-  EXPECT_TRUE(outlook->is_failure);
-  EXPECT_EQ(outlook->time, Algebraic_number(2.0));
+  const auto distant = traits.in_circle_outlook(
+      resting(-0x1p300, 0), resting(0, -0x1p300), resting(0x1p300, 0),
+      moving(0, 3 * 0x1p300, 0, -0x1p300), 0.0, Certificate_state::any, counters);
+  ASSERT_TRUE(distant.failure);
+  EXPECT_EQ(*distant.failure, Algebraic_number(2.0));
   expect_stage(0, 1, 1);
 }
 
@@ -222,7 +240,6 @@ TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicat
   for (unsigned i = 0; i < 300u * static_cast<unsigned>(test::multiplier()); ++i) {
     const auto m = test::random_motions(4, 10, 5, seed + i);
     SCOPED_TRACE(test::describe(m));
-    Linear_kinetic_traits_2 traits;
     const Moving_point_2 p(m[0]);
     const Moving_point_2 q(m[1]);
     const Moving_point_2 r(m[2]);
@@ -231,11 +248,7 @@ TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicat
       return CGAL::side_of_oriented_circle(test::place_at(m[0], t), test::place_at(m[1], t),
                                            test::place_at(m[2], t), test::place_at(m[3], t));
     };
-    const auto time = failure_of(
-        [&](const Algebraic_number& after, Certificate_state state) {
-          return traits.in_circle_outlook(p, q, r, s, after, state);
-        },
-        0.0);
+    const auto time = in_circle_failure_time(Linear_kinetic_traits_2(), p, q, r, s, 0.0);
     const Rational just_before_everything(1, 1000000000);
     if (!time) {
       for (int t = 0; t < 20; ++t) ASSERT_NE(side(Rational(t)), CGAL::ON_POSITIVE_SIDE);

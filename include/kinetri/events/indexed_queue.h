@@ -6,11 +6,11 @@
 #define KINETRI_EVENTS_INDEXED_QUEUE_H
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,34 +37,42 @@ struct Queue_counters {
 };
 
 /// An order that bounds its items: `bounds` gives an interval for each, and items with disjoint
-/// intervals are in the order of these. The queue keeps the bounds in the heap itself, and asks the
-/// order, with the memory accesses that this costs, only about items whose bounds overlap.
+/// intervals are in the order of these. The queue asks the order, with the memory accesses that
+/// this costs, only about items whose bounds overlap.
 template <class Less, class Item>
 concept Bounding_order = requires(const Less& less, const Item& item) {
   { less.bounds(item) } -> std::same_as<Double_interval>;
 };
 
-/// A 4-ary implicit heap with an index. `Less` is a strict weak order on `Item`; give it a total
-/// one, and the order of pops depends on the items alone, not on the history of the queue. `Item`
-/// is movable; it need not be copyable.
+/// A calendar queue with an index: the items whose turn is near are in a 4-ary implicit heap, the
+/// others lie unordered in slots by their lower bounds, and reach the heap slot by slot. An item
+/// that is replaced before its time, as most are, is never compared with another. Where the order
+/// is not a Bounding_order all items are in the heap.
 ///
-/// push, pop, update, erase: O(log n) comparisons and moves of handles; items stay where they are
-/// until they leave, and are then released at once. top, contains, operator[]: O(1).
-/// An exception thrown by the order leaves the queue unusable but destructible.
+/// `Less` is a strict weak order on `Item`; give it a total one, and the order of pops depends on
+/// the items alone, not on the history of the queue. `Item` is movable; it need not be copyable.
+///
+/// push, pop, update, erase: constant expected cost where the bounds spread evenly, never more than
+/// O(log n) comparisons; items stay where they are until they leave, and are then released at
+/// once. top, contains, operator[]: O(1). An exception thrown by the order leaves the queue
+/// unusable but destructible.
+///
+/// Source: R. Brown, Calendar queues: a fast O(1) priority queue implementation for the simulation
+/// event set problem, Communications of the ACM 31, 1988.
 template <class Item, class Less>
 class Indexed_queue {
  public:
   explicit Indexed_queue(Less less = Less()) : less_(std::move(less)) {}
 
   bool empty() const noexcept { return heap_.empty(); }
-  std::size_t size() const noexcept { return heap_.size(); }
+  std::size_t size() const noexcept { return heap_.size() + far_; }
 
   /// Whether `handle` names an item of the queue.
   bool contains(Queue_handle handle) const noexcept {
     return handle < position_.size() && position_[handle] != nowhere;
   }
 
-  /// Inserts `item`. Precondition: size() < 2^32 - 1.
+  /// Inserts `item`. Precondition: size() < 2^32 - 2.
   Queue_handle push(Item item);
 
   /// The handle of the least item, and that item. Precondition: not empty.
@@ -94,37 +102,40 @@ class Indexed_queue {
 
   const Queue_counters& counters() const noexcept { return counters_; }
 
-  /// Whether the heap order and the index are intact. O(n); for audits.
+  /// Whether heap order, slots and index are intact. O(n); for audits.
   bool is_valid() const;
 
  private:
   static constexpr std::size_t arity = 4;
+  static constexpr std::size_t items_per_slot = 16;
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
-
-  struct Unbounded {};
-  using Bounds = std::conditional_t<Bounding_order<Less, Item>, Double_interval, Unbounded>;
+  static constexpr std::uint32_t far = nowhere - 1;
 
   // What the heap holds: a handle, and the bounds of its item.
   struct Node {
-    [[no_unique_address]] Bounds bounds;
+    Double_interval bounds;
     Queue_handle handle;
   };
 
-  Node node(Queue_handle handle) const {
+  Double_interval bounds(Queue_handle handle) const {
     if constexpr (Bounding_order<Less, Item>) {
-      return {less_.bounds(items_[handle]), handle};
+      return less_.bounds(items_[handle]);
     } else {
-      return {{}, handle};
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      return {-infinity, infinity};
     }
   }
 
   bool less(const Node& a, const Node& b) const {
-    if constexpr (Bounding_order<Less, Item>) {
-      if (a.bounds.upper < b.bounds.lower) return true;
-      if (b.bounds.upper < a.bounds.lower) return false;
-    }
+    if (a.bounds.upper < b.bounds.lower) return true;
+    if (b.bounds.upper < a.bounds.lower) return false;
     return less_(items_[a.handle], items_[b.handle]);
   }
+
+  // The number of the slot of a bound, before truncation: monotone in the bound, even as rounded.
+  double slot(double bound) const { return (bound - origin_) * slots_per_unit_; }
+  // Whether the slot of a bound has been opened. So is what has no slot (0 times infinity).
+  bool is_open(double bound) const { return !(slot(bound) >= static_cast<double>(open_slots_)); }
 
   void place(std::size_t position, const Node& node) {
     heap_[position] = node;
@@ -133,31 +144,48 @@ class Indexed_queue {
 
   Queue_handle acquire_handle(Item&& item);
   Item take(Queue_handle handle);
+  void insert(Queue_handle handle);
+  void insert_into_heap(const Node& node);
+  void remove(Queue_handle handle);
+  void settle();
+  void open_next_slot();
+  void spread();
+  bool choose_slots();
+
   std::size_t least_child(std::size_t first_child) const;
   bool sift_up(std::size_t position, const Node& node);
   void sift_down(std::size_t position, const Node& node);
   void restore_order(std::size_t position, const Node& node);
 
-  // Invariants: heap_[position_[h]].handle == h for each handle h in use; position_[h] == nowhere
-  // for each one in free_; items_ and position_ are equally long, and each handle is in use or in
-  // free_.
+  // Invariants: an item is in the heap if its lower bound is in an open slot, else it is far. So
+  // long as the upper bound of the heap's least item is in an open slot, that item is the least of
+  // all; between two calls from outside it is. position_[h] says where the item of h is: its index
+  // in heap_, or far. A far item is recorded in its slot, unless that is beyond the last one; slots
+  // may also hold records of items that have left or moved, which are recognized when they are
+  // opened.
   std::vector<Node> heap_;
   std::vector<Item> items_;              // by handle
-  std::vector<std::uint32_t> position_;  // by handle: its index in heap_
+  std::vector<std::uint32_t> position_;  // by handle
   std::vector<Queue_handle> free_;       // a stack
+  std::vector<std::vector<Queue_handle>> slots_;
+  std::size_t open_slots_ = 1;
+  double origin_ = 0;
+  double slots_per_unit_ = 0;
+  std::size_t far_ = 0;             // the number of far items
+  std::size_t records_ = 0;         // in all slots
+  std::size_t size_at_spread_ = 0;  // when the slots were chosen
   Queue_counters counters_;
   [[no_unique_address]] Less less_;
 };
 
 template <class Item, class Less>
 Queue_handle Indexed_queue<Item, Less>::push(Item item) {
-  KINETRI_PRECONDITION(heap_.size() < nowhere, "the queue is full");
+  KINETRI_PRECONDITION(size() < far, "the queue is full");
   const Queue_handle handle = acquire_handle(std::move(item));
-  const Node added = node(handle);
-  heap_.push_back(added);
-  if (!sift_up(heap_.size() - 1, added)) place(heap_.size() - 1, added);
+  insert(handle);
+  settle();
   ++counters_.pushed;
-  counters_.peak = std::max<std::uint64_t>(counters_.peak, heap_.size());
+  counters_.peak = std::max<std::uint64_t>(counters_.peak, size());
   return handle;
 }
 
@@ -169,8 +197,10 @@ Item Indexed_queue<Item, Less>::pop() {
 template <class Item, class Less>
 void Indexed_queue<Item, Less>::update(Queue_handle handle, Item item) {
   KINETRI_PRECONDITION(contains(handle), "the handle names no item of the queue");
+  remove(handle);
   items_[handle] = std::move(item);
-  restore_order(position_[handle], node(handle));
+  insert(handle);
+  settle();
   ++counters_.pushed;
   ++counters_.discarded;
 }
@@ -184,27 +214,36 @@ void Indexed_queue<Item, Less>::erase(Queue_handle handle) {
 
 template <class Item, class Less>
 void Indexed_queue<Item, Less>::clear() {
-  counters_.discarded += heap_.size();
-  heap_.clear();
-  items_.clear();
-  position_.clear();
-  free_.clear();
+  Indexed_queue cleared(less_);
+  cleared.counters_ = counters_;
+  cleared.counters_.discarded += size();
+  *this = std::move(cleared);
 }
 
 template <class Item, class Less>
 bool Indexed_queue<Item, Less>::is_valid() const {
-  if (items_.size() != position_.size() || heap_.size() + free_.size() != items_.size())
-    return false;
+  if (items_.size() != position_.size() || size() + free_.size() != items_.size()) return false;
   for (std::size_t i = 0; i < heap_.size(); ++i) {
     if (heap_[i].handle >= position_.size() || position_[heap_[i].handle] != i) return false;
     if (i > 0 && less(heap_[i], heap_[(i - 1) / arity])) return false;
+    if (!is_open(heap_[i].bounds.lower)) return false;
+  }
+  if (far_ > 0 && (heap_.empty() || !is_open(heap_.front().bounds.upper))) return false;
+  for (std::size_t h = 0; h < position_.size(); ++h) {
+    if (position_[h] != far) continue;
+    const auto handle = static_cast<Queue_handle>(h);
+    const double s = slot(bounds(handle).lower);
+    if (!(s >= static_cast<double>(open_slots_))) return false;
+    if (!(s < static_cast<double>(slots_.size()))) continue;
+    const auto& records = slots_[static_cast<std::size_t>(s)];
+    if (std::find(records.begin(), records.end(), handle) == records.end()) return false;
   }
   return std::all_of(free_.begin(), free_.end(), [this](Queue_handle handle) {
     return handle < position_.size() && position_[handle] == nowhere;
   });
 }
 
-// Stores the item under a handle that is not in the heap yet; the last one that became free first.
+// Stores the item under a handle that is not in use yet; the last one that became free first.
 template <class Item, class Less>
 Queue_handle Indexed_queue<Item, Less>::acquire_handle(Item&& item) {
   if (!free_.empty()) {
@@ -218,16 +257,128 @@ Queue_handle Indexed_queue<Item, Less>::acquire_handle(Item&& item) {
   return static_cast<Queue_handle>(items_.size() - 1);
 }
 
-// Removes the item of `handle` from heap and index. Moving it out releases what it owned.
+// Removes the item of `handle` and frees the handle. Moving it out releases what it owned.
 template <class Item, class Less>
 Item Indexed_queue<Item, Less>::take(Queue_handle handle) {
-  const std::size_t position = position_[handle];
+  remove(handle);
+  free_.push_back(handle);
+  settle();
+  return std::move(items_[handle]);
+}
+
+// Puts the item of `handle`, which is nowhere, where it belongs.
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::insert(Queue_handle handle) {
+  const Node node = {bounds(handle), handle};
+  if (is_open(node.bounds.lower)) return insert_into_heap(node);
+  position_[handle] = far;
+  ++far_;
+  const double s = slot(node.bounds.lower);
+  if (!(s < static_cast<double>(slots_.size()))) return;
+  slots_[static_cast<std::size_t>(s)].push_back(handle);
+  ++records_;
+}
+
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::insert_into_heap(const Node& node) {
+  heap_.push_back(node);
+  if (!sift_up(heap_.size() - 1, node)) place(heap_.size() - 1, node);
+}
+
+// Takes the item of `handle` out of the heap; of a far one only the record stays, until its slot is
+// opened.
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
+  const std::uint32_t position = position_[handle];
+  position_[handle] = nowhere;
+  if (position == far) {
+    --far_;
+    return;
+  }
   const Node last = heap_.back();
   heap_.pop_back();
   if (last.handle != handle) restore_order(position, last);
-  position_[handle] = nowhere;
-  free_.push_back(handle);
-  return std::move(items_[handle]);
+}
+
+// Opens slots until the least item of all is in the heap.
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::settle() {
+  constexpr std::size_t least_size = 4 * items_per_slot;
+  if constexpr (Bounding_order<Less, Item>) {
+    if (size() > least_size && (size() / 4 > size_at_spread_ || records_ / 8 > size())) {
+      far_ = size();
+      for (const Node& node : heap_) position_[node.handle] = far;
+      heap_.clear();
+      spread();
+    }
+  }
+  while (far_ > 0 && (heap_.empty() || !is_open(heap_.front().bounds.upper))) open_next_slot();
+}
+
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::open_next_slot() {
+  if (open_slots_ >= slots_.size()) return spread();
+  const std::vector<Queue_handle> records = std::exchange(slots_[open_slots_], {});
+  ++open_slots_;
+  records_ -= records.size();
+  for (const Queue_handle handle : records) {
+    if (position_[handle] != far) continue;
+    const Node node = {bounds(handle), handle};
+    if (!is_open(node.bounds.lower)) continue;
+    --far_;
+    insert_into_heap(node);
+  }
+}
+
+// Distributes the far items over slots chosen for them. Costs O(n), and happens when the queue has
+// grown to a multiple, or when the nearer half of the items has been opened.
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::spread() {
+  slots_.clear();
+  records_ = 0;
+  size_at_spread_ = size();
+  if (!choose_slots()) {
+    slots_.clear();
+    origin_ = 0;
+    slots_per_unit_ = 0;
+  }
+  open_slots_ = 1;
+  far_ = 0;
+  for (Queue_handle handle = 0; handle < position_.size(); ++handle) {
+    if (position_[handle] == far) insert(handle);
+  }
+}
+
+// Chooses slots for the nearer half of the far items, or more of them where half are at one time.
+// Returns false, and the heap is left to do it all, where they are too few, or too near or too far
+// from one another.
+template <class Item, class Less>
+bool Indexed_queue<Item, Less>::choose_slots() {
+  if (far_ <= items_per_slot) return false;
+  constexpr std::size_t sample_size = 512;
+  const std::size_t stride = position_.size() / sample_size + 1;
+  std::vector<double> sample;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t h = 0; h < position_.size(); ++h) {
+    if (position_[h] != far) continue;
+    const double lower = bounds(static_cast<Queue_handle>(h)).lower;
+    least = std::min(least, lower);
+    if (h % stride == 0) sample.push_back(lower);
+  }
+  std::sort(sample.begin(), sample.end());
+  for (std::size_t rest = sample.size() / 2; rest > 0; rest /= 2) {
+    const std::size_t nearer = sample.size() - rest;
+    if (!(sample[nearer] > least)) continue;
+    const double share = static_cast<double>(nearer) / static_cast<double>(sample.size());
+    const auto count =
+        static_cast<std::size_t>(share * static_cast<double>(far_)) / items_per_slot + 2;
+    origin_ = least;
+    slots_per_unit_ = static_cast<double>(count - 1) / (sample[nearer] - least);
+    if (!std::isfinite(least) || !std::isnormal(slots_per_unit_)) return false;
+    slots_.resize(count);
+    return true;
+  }
+  return false;
 }
 
 // The position of the least of the children that begin at `first_child`, which exists.

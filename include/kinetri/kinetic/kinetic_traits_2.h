@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "kinetri/base/ids.h"
@@ -20,16 +21,31 @@ struct Certificate_counters {
   std::uint64_t filter_decided = 0;  ///< decided by floating point with a proved error bound
   std::uint64_t exact_decided = 0;   ///< decided by exact arithmetic
 
+  Certificate_counters& operator+=(const Certificate_counters& other);
+
   friend bool operator==(const Certificate_counters&, const Certificate_counters&) = default;
 };
 
-/// What is known of a certificate from some time on. A certificate of which it is known that it
-/// never fails has no outlook.
+inline Certificate_counters& Certificate_counters::operator+=(const Certificate_counters& other) {
+  created += other.created;
+  root_solves += other.root_solves;
+  filter_decided += other.filter_decided;
+  exact_decided += other.exact_decided;
+  return *this;
+}
+
+/// What is known of a certificate from some time on.
 template <class Time>
 struct Outlook {
-  Time time;
-  bool is_failure = true;  ///< it fails at `time`; else it certainly holds up to and at `time`, and
-                           ///< is to be looked at again then
+  enum class Kind : std::uint8_t {
+    holds_for_ever,  ///< it never fails
+    holds,           ///< it certainly holds up to and at the binary64 number bounds.lower, which is
+                     ///< bounds.upper, and is to be looked at again then
+    fails,           ///< it fails, at a time within `bounds`
+  };
+  Kind kind = Kind::holds_for_ever;
+  Double_interval bounds = {};
+  std::unique_ptr<Time> failure = nullptr;  ///< the time, where it had to be made already
 };
 
 /// What is known of the time after which an outlook is asked for.
@@ -47,33 +63,43 @@ enum class Certificate_state {
 ///   Instantaneous_traits   a model of CGAL's DelaunayTriangulationTraits_2 on Point_2 at an
 ///   instant
 ///
-/// and three certificates, each given by its outlook from `t` on. The *failure time* is the infimum
-/// of the times after `t` at which the certificate is violated: `t` itself if it is violated just
-/// after `t`, and none if it is never violated. An outlook may stop short of it where that saves
-/// work.
+/// and three certificates, each given by its outlook from `t` on and counted in `counters`. The
+/// *failure time* is the infimum of the times after `t` at which the certificate is violated: `t`
+/// itself if it is violated just after `t`, and none if it is never violated. An outlook may stop
+/// short of it where that saves work.
 ///
-///   in_circle_outlook(p, q, r, s, t, state)   s is not inside the circle through p, q, r
-///   orientation_outlook(p, q, r, t, state)    p, q, r do not make a right turn
-///   coincidence_time(p, q, t)                 the first time *strictly* after t at which p and q
-///   are
-///                                             in one place; none if they never or always are
+///   in_circle_outlook(p, q, r, s, t, state, counters)   s is not inside the circle through p, q, r
+///   orientation_outlook(p, q, r, t, state, counters)    p, q, r do not make a right turn
+///   coincidence_time(p, q, t, counters)                 the first time *strictly* after t at which
+///                                                       p and q are in one place; none if they
+///                                                       never or always are
+///
+/// The failure times themselves, which are seldom needed, are made from an outlook's bounds:
+///
+///   in_circle_failure(p, q, r, s, bounds)
+///   orientation_failure(p, q, r, bounds)
+///
+/// A traits object is used from several threads at once.
 template <class Traits>
-concept KineticTraits_2 = requires(Traits traits, const Traits const_traits,
-                                   const typename Traits::Motion motion,
+concept KineticTraits_2 = requires(const Traits traits, const typename Traits::Motion motion,
                                    const typename Traits::Point_2 p, const typename Traits::Time t,
-                                   Certificate_state state) {
+                                   const Double_interval bounds, Certificate_state state,
+                                   Certificate_counters& counters) {
   typename Traits::Instantaneous_traits;
   requires std::totally_ordered<typename Traits::Time>;
   typename Traits::Point_2;
   requires std::constructible_from<typename Traits::Point_2, typename Traits::Motion, Point_id>;
   {
-    traits.in_circle_outlook(p, p, p, p, t, state)
-    } -> std::same_as<std::optional<Outlook<typename Traits::Time>>>;
+    traits.in_circle_outlook(p, p, p, p, t, state, counters)
+    } -> std::same_as<Outlook<typename Traits::Time>>;
   {
-    traits.orientation_outlook(p, p, p, t, state)
-    } -> std::same_as<std::optional<Outlook<typename Traits::Time>>>;
-  { traits.coincidence_time(p, p, t) } -> std::same_as<std::optional<typename Traits::Time>>;
-  { const_traits.counters() } -> std::convertible_to<Certificate_counters>;
+    traits.orientation_outlook(p, p, p, t, state, counters)
+    } -> std::same_as<Outlook<typename Traits::Time>>;
+  { traits.in_circle_failure(p, p, p, p, bounds) } -> std::same_as<typename Traits::Time>;
+  { traits.orientation_failure(p, p, p, bounds) } -> std::same_as<typename Traits::Time>;
+  {
+    traits.coincidence_time(p, p, t, counters)
+    } -> std::same_as<std::optional<typename Traits::Time>>;
 };
 
 }  // namespace kinetri

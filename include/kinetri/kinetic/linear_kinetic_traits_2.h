@@ -30,14 +30,19 @@ class Linear_kinetic_traits_2 {
   Linear_kinetic_traits_2() = default;
   explicit Linear_kinetic_traits_2(Arithmetic arithmetic) : arithmetic_(arithmetic) {}
 
-  std::optional<Outlook<Time>> in_circle_outlook(const Point_2& p, const Point_2& q,
-                                                 const Point_2& r, const Point_2& s, const Time& t,
-                                                 Certificate_state state);
-  std::optional<Outlook<Time>> orientation_outlook(const Point_2& p, const Point_2& q,
-                                                   const Point_2& r, const Time& t,
-                                                   Certificate_state state);
+  Outlook<Time> in_circle_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
+                                  const Point_2& s, const Time& t, Certificate_state state,
+                                  Certificate_counters& counters) const;
+  Outlook<Time> orientation_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
+                                    const Time& t, Certificate_state state,
+                                    Certificate_counters& counters) const;
+  Time in_circle_failure(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s,
+                         const Double_interval& bounds) const;
+  Time orientation_failure(const Point_2& p, const Point_2& q, const Point_2& r,
+                           const Double_interval& bounds) const;
   /// The coincidence time of linear motions is rational.
-  std::optional<Time> coincidence_time(const Point_2& p, const Point_2& q, const Time& t);
+  std::optional<Time> coincidence_time(const Point_2& p, const Point_2& q, const Time& t,
+                                       Certificate_counters& counters) const;
 
   /// The predicates at an instant, in the same arithmetic.
   Instantaneous_traits instantaneous_traits(Instant instant) const {
@@ -47,13 +52,8 @@ class Linear_kinetic_traits_2 {
   /// Traits that decide everything exactly.
   static Linear_kinetic_traits_2 exact() { return Linear_kinetic_traits_2(Arithmetic::exact_only); }
 
-  const Certificate_counters& counters() const noexcept { return counters_; }
-
  private:
-  std::optional<Outlook<Time>> exact_outlook(const Polynomial& certificate, const Time& t);
-
   Arithmetic arithmetic_ = Arithmetic::filtered;
-  Certificate_counters counters_;
 };
 
 static_assert(KineticTraits_2<Linear_kinetic_traits_2>);

@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -47,6 +48,7 @@ struct Triangulation_counters {
   std::uint64_t instants = 0;         ///< distinct times at which something happened
   std::uint64_t largest_instant = 0;  ///< the most events at one time
   std::uint64_t rebuilds = 0;         ///< reconstructions at a degenerate instant
+  std::uint64_t looks_again = 0;      ///< certificates looked at again, as they held so far
 
   std::uint64_t number_of_events() const;
 };
@@ -139,7 +141,7 @@ class Kinetic_delaunay_triangulation_2 {
   const Triangulation_counters& counters() const { return counters_; }
   const Construction_seconds& construction_seconds() const { return construction_seconds_; }
   const Queue_counters& queue_counters() const { return queue_.counters(); }
-  Certificate_counters certificate_counters() const { return traits_.counters(); }
+  const Certificate_counters& certificate_counters() const { return certificate_counters_; }
 
   /// Checks the present state up to `level`; see Audit_level. Costs from O(n) link checks to O(n)
   /// failure times. Changes nothing.
@@ -157,16 +159,38 @@ class Kinetic_delaunay_triangulation_2 {
     flip,
   };
 
+  /// The exact time is made from the edge's certificate, when bounds do not decide. Until then the
+  /// corners of the edge's two faces must stay what they were when the entry was made.
   struct Entry {
-    Time time;
-    Edge edge;  // either of its two faces
+    Double_interval bounds;
+    mutable std::unique_ptr<const Time> time;
+    Face_handle face;
+    std::uint8_t index = 0;  // the edge is the one opposite this vertex of the face
     Entry_kind kind = Entry_kind::look_again;
+
+    Edge edge() const { return Edge(face, index); }
   };
 
   /// By exact time, then kind, then ids: a total order on the entries of a queue.
   struct Earlier {
+    const Kinetic_delaunay_triangulation_2* triangulation;
+
     bool operator()(const Entry& a, const Entry& b) const;
-    Double_interval bounds(const Entry& entry) const { return entry.time.interval(); }
+    Double_interval bounds(const Entry& entry) const { return entry.bounds; }
+  };
+
+  /// An edge as its two faces see it. In dimension 1, where edges have no two sides, `there` is the
+  /// same as `here`.
+  struct Two_sided_edge {
+    Edge here;
+    Edge there;
+  };
+
+  /// What says that an edge belongs to the triangulation, and the event of its failure: points for
+  /// the kinetic traits, four for in-circle, three for orientation.
+  struct Certificate {
+    Entry_kind kind;
+    std::array<const Point_2*, 4> points;
   };
 
   // Construction.
@@ -174,24 +198,28 @@ class Kinetic_delaunay_triangulation_2 {
   void index_vertices();
 
   // Certificates.
-  std::optional<Entry> next_entry(const Edge& edge, const Time& after, Certificate_state state,
-                                  Traits& traits) const;
-  std::optional<Entry> topological_entry(const Edge& edge, const Time& after,
-                                         Certificate_state state, Traits& traits) const;
-  std::array<Vertex_handle, 3> hull_turn(const Edge& infinite_edge) const;
+  Two_sided_edge two_sided(const Edge& edge) const;
+  Certificate certificate(const Two_sided_edge& edge) const;
+  std::array<Vertex_handle, 3> hull_turn(const Two_sided_edge& infinite_edge) const;
+  Outlook<Time> outlook(const Certificate& certificate, const Time& after, Certificate_state state,
+                        const Traits& traits, Certificate_counters& counters) const;
+  std::optional<Entry> next_entry(const Two_sided_edge& edge, const Time& after,
+                                  Certificate_state state, const Traits& traits,
+                                  Certificate_counters& counters) const;
+  const Time& time(const Entry& entry) const;
   static Edge_ids ids_of(const Edge& edge);
-  void schedule(const Edge& edge, const Time& after,
+  void schedule(const Two_sided_edge& edge, const Time& after,
                 Certificate_state state = Certificate_state::any);
   void schedule_all();
-  void unschedule(const Edge& edge);
-  void set_event(const Edge& edge, Queue_handle handle);
+  void unschedule(const Two_sided_edge& edge);
+  static void set_event(const Two_sided_edge& edge, Queue_handle handle);
 
   // Events.
   bool settle(const std::optional<Time>& until);
   std::size_t run_instant();
-  void execute(const Entry& event);
-  bool can_insert_into_hull(const Edge& hull_edge) const;
-  void flip_edge(const Edge& edge, Event_kind kind);
+  void execute(const Two_sided_edge& edge, Entry_kind kind);
+  bool can_insert_into_hull(const Two_sided_edge& hull_edge) const;
+  void flip_edge(const Two_sided_edge& edge, Event_kind kind);
   void rebuild();
   template <class Change>
   void report(Event<Time> event, Change change);
@@ -200,7 +228,8 @@ class Kinetic_delaunay_triangulation_2 {
   Time current_time_;
   Triangulation triangulation_;
   std::vector<Vertex_handle> vertices_;  // by point id
-  Indexed_queue<Entry, Earlier> queue_;
+  Indexed_queue<Entry, Earlier> queue_{Earlier{this}};
+  Certificate_counters certificate_counters_;
   std::vector<Observer*> observers_;
   Triangulation_counters counters_;
   Construction_seconds construction_seconds_;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -52,7 +53,7 @@ class Auditor {
   using Edge = typename KineticTriangulation::Edge;
   using Time = typename KineticTriangulation::Time;
   using Entry = typename KineticTriangulation::Entry;
-  using Traits = decltype(KineticTriangulation::traits_);
+  using Traits = std::remove_cv_t<decltype(KineticTriangulation::traits_)>;
 
   void place_points();
   bool has_touch(const Time& time) const;
@@ -62,7 +63,7 @@ class Auditor {
   void check_delaunay();
   void check_reference();
   void check_certificates();
-  std::optional<Entry> next_failure(const Edge& edge, Traits& traits) const;
+  std::optional<Entry> next_failure(const Edge& edge, const Traits& traits) const;
 
   const Place& place(Vertex_handle v) const { return places_[v->point().id()]; }
   std::string name(const Edge& edge) const { return edge_name(audited_.ids_of(edge)); }
@@ -96,7 +97,7 @@ Audit_report Auditor<KineticTriangulation>::run(Audit_level level) {
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::place_points() {
   const Time& now = audited_.current_time_;
-  Time end = queue_.empty() ? Time(Rational(now.upper() + 1)) : queue_.top().time;
+  Time end = queue_.empty() ? Time(Rational(now.upper() + 1)) : audited_.time(queue_.top());
   do {
     const Rational time = simplest_between(now, end);
     places_.clear();
@@ -135,8 +136,8 @@ void Auditor<KineticTriangulation>::check_links() {
     }
   }
   if (!queue_.is_valid()) fail("the queue is out of order");
-  if (!queue_.empty() && queue_.top().time <= audited_.current_time_) {
-    fail("the event of " + name(queue_.top().edge) + " is not in the future");
+  if (!queue_.empty() && audited_.time(queue_.top()) <= audited_.current_time_) {
+    fail("the event of " + name(queue_.top().edge()) + " is not in the future");
   }
   if (triangulation_.dimension() < 1) return;
   std::size_t events = 0;
@@ -150,7 +151,7 @@ void Auditor<KineticTriangulation>::check_links() {
     ++events;
     if (!queue_.contains(handle)) {
       fail(name(edge) + " has an event that is not queued");
-    } else if (queue_[handle].edge != edge && queue_[handle].edge != mirror) {
+    } else if (queue_[handle].edge() != edge && queue_[handle].edge() != mirror) {
       fail(name(edge) + " has the event of another edge");
     }
   }
@@ -177,7 +178,7 @@ void Auditor<KineticTriangulation>::check_embedding() {
   }
   for (const Edge& edge : triangulation_.all_edges()) {
     if (!triangulation_.is_infinite(edge)) continue;
-    const auto turn = audited_.hull_turn(edge);
+    const auto turn = audited_.hull_turn(audited_.two_sided(edge));
     if (CGAL::orientation(place(turn[0]), place(turn[1]), place(turn[2])) == CGAL::RIGHT_TURN) {
       fail("the hull is not convex at", turn);
     }
@@ -255,11 +256,16 @@ void Auditor<KineticTriangulation>::check_reference() {
 
 // The next failure of the edge, computed anew.
 template <class KineticTriangulation>
-auto Auditor<KineticTriangulation>::next_failure(const Edge& edge, Traits& traits) const
+auto Auditor<KineticTriangulation>::next_failure(const Edge& edge, const Traits& traits) const
     -> std::optional<Entry> {
-  auto entry = audited_.next_entry(edge, audited_.current_time_, Certificate_state::any, traits);
+  Certificate_counters unused;
+  const auto next = [&](const Time& after) {
+    return audited_.next_entry(audited_.two_sided(edge), after, Certificate_state::any, traits,
+                               unused);
+  };
+  auto entry = next(audited_.current_time_);
   while (entry && entry->kind == KineticTriangulation::Entry_kind::look_again) {
-    entry = audited_.next_entry(edge, entry->time, Certificate_state::any, traits);
+    entry = next(audited_.time(*entry));
   }
   return entry;
 }
@@ -268,7 +274,7 @@ template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::check_certificates() {
   if (triangulation_.dimension() < 1) return;
   using Kind = typename KineticTriangulation::Entry_kind;
-  Traits traits = audited_.traits_.exact();
+  const Traits traits = audited_.traits_.exact();
   for (const Edge& edge : triangulation_.all_edges()) {
     if (triangulation_.dimension() == 1 && triangulation_.is_infinite(edge)) continue;
     const auto failure = next_failure(edge, traits);
@@ -276,12 +282,13 @@ void Auditor<KineticTriangulation>::check_certificates() {
     if (handle == no_event) {
       if (failure) fail(name(edge) + " will fail but has no event");
     } else if (queue_[handle].kind == Kind::look_again) {
-      if (failure && failure->time <= queue_[handle].time) {
+      if (failure && audited_.time(*failure) <= audited_.time(queue_[handle])) {
         fail(name(edge) + " fails before it is looked at again");
       }
     } else if (!failure) {
       fail(name(edge) + " has an event but never fails");
-    } else if (failure->time != queue_[handle].time || failure->kind != queue_[handle].kind) {
+    } else if (audited_.time(*failure) != audited_.time(queue_[handle]) ||
+               failure->kind != queue_[handle].kind) {
       fail(name(edge) + " has an event at another time, or of another kind, than its failure");
     }
   }

@@ -88,15 +88,21 @@ std::vector<Edge_ids> Kinetic_delaunay_triangulation_2<Traits>::finite_edge_ids(
 
 // ---- certificates ----
 
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::two_sided(const Edge& edge) const -> Two_sided_edge {
+  if (triangulation_.dimension() < 2) return {edge, edge};
+  return {edge, triangulation_.mirror_edge(edge)};
+}
+
 // Previous hull vertex, the edge's own, and the next one, counterclockwise around the hull, for an
 // edge to the infinite vertex. In a face that lists (infinite, b, a) counterclockwise the hull
 // runs from a to b.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::hull_turn(const Edge& infinite_edge) const
+auto Kinetic_delaunay_triangulation_2<Traits>::hull_turn(const Two_sided_edge& infinite_edge) const
     -> std::array<Vertex_handle, 3> {
-  const auto& [face, i] = infinite_edge;
+  const auto& [face, i] = infinite_edge.here;
   const Vertex_handle here = face->vertex(i);
-  const Vertex_handle there = triangulation_.tds().mirror_vertex(face, i);
+  const Vertex_handle there = infinite_edge.there.first->vertex(infinite_edge.there.second);
   const Vertex_handle left = face->vertex(Triangulation::cw(i));
   const Vertex_handle right = face->vertex(Triangulation::ccw(i));
   if (triangulation_.is_infinite(right)) return {here, left, there};
@@ -110,44 +116,38 @@ Edge_ids Kinetic_delaunay_triangulation_2<Traits>::ids_of(const Edge& edge) {
                   edge.first->vertex(Triangulation::ccw(edge.second))->point().id());
 }
 
-// The entry for the certificate that says that the edge belongs to the triangulation.
 // Precondition: dimension 2.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::topological_entry(const Edge& edge,
-                                                                 const Time& after,
-                                                                 Certificate_state state,
-                                                                 Traits& traits) const
-    -> std::optional<Entry> {
-  const auto entry = [&edge](std::optional<Outlook<Time>> outlook,
-                             Entry_kind kind) -> std::optional<Entry> {
-    if (!outlook) return std::nullopt;
-    return Entry{std::move(outlook->time), edge,
-                 outlook->is_failure ? kind : Entry_kind::look_again};
-  };
-  const auto& [face, i] = edge;
+auto Kinetic_delaunay_triangulation_2<Traits>::certificate(const Two_sided_edge& edge) const
+    -> Certificate {
+  const auto& [face, i] = edge.here;
   const Vertex_handle left = face->vertex(Triangulation::cw(i));
   const Vertex_handle right = face->vertex(Triangulation::ccw(i));
   if (triangulation_.is_infinite(left) || triangulation_.is_infinite(right)) {
     const auto [previous, here, next] = hull_turn(edge);
-    return entry(
-        traits.orientation_outlook(previous->point(), here->point(), next->point(), after, state),
-        Entry_kind::hull_remove);
+    return {Entry_kind::hull_remove, {&previous->point(), &here->point(), &next->point()}};
   }
   const Vertex_handle apex = face->vertex(i);
-  const Vertex_handle opposite = triangulation_.tds().mirror_vertex(face, i);
+  const Vertex_handle opposite = edge.there.first->vertex(edge.there.second);
   if (triangulation_.is_infinite(apex)) {
-    return entry(
-        traits.orientation_outlook(left->point(), right->point(), opposite->point(), after, state),
-        Entry_kind::hull_insert);
+    return {Entry_kind::hull_insert, {&left->point(), &right->point(), &opposite->point()}};
   }
   if (triangulation_.is_infinite(opposite)) {
-    return entry(
-        traits.orientation_outlook(right->point(), left->point(), apex->point(), after, state),
-        Entry_kind::hull_insert);
+    return {Entry_kind::hull_insert, {&right->point(), &left->point(), &apex->point()}};
   }
-  return entry(traits.in_circle_outlook(right->point(), left->point(), apex->point(),
-                                        opposite->point(), after, state),
-               Entry_kind::flip);
+  return {Entry_kind::flip, {&right->point(), &left->point(), &apex->point(), &opposite->point()}};
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::outlook(const Certificate& certificate,
+                                                       const Time& after, Certificate_state state,
+                                                       const Traits& traits,
+                                                       Certificate_counters& counters) const
+    -> Outlook<Time> {
+  const auto& [p, q, r, s] = certificate.points;
+  return certificate.kind == Entry_kind::flip
+             ? traits.in_circle_outlook(*p, *q, *r, *s, after, state, counters)
+             : traits.orientation_outlook(*p, *q, *r, after, state, counters);
 }
 
 // The earlier of the edge's two certificates: that it belongs to the triangulation, and that its
@@ -155,23 +155,50 @@ auto Kinetic_delaunay_triangulation_2<Traits>::topological_entry(const Edge& edg
 // every coincidence. While an in-circle or orientation certificate is certainly positive, no two of
 // its points coincide.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::next_entry(const Edge& edge, const Time& after,
+auto Kinetic_delaunay_triangulation_2<Traits>::next_entry(const Two_sided_edge& edge,
+                                                          const Time& after,
                                                           Certificate_state state,
-                                                          Traits& traits) const
+                                                          const Traits& traits,
+                                                          Certificate_counters& counters) const
     -> std::optional<Entry> {
+  const auto& [face, i] = edge.here;
   std::optional<Entry> result;
   if (triangulation_.dimension() == 2) {
-    result = topological_entry(edge, after, state, traits);
-    if (result && result->kind == Entry_kind::look_again) return result;
+    const Certificate topological = certificate(edge);
+    Outlook<Time> next = outlook(topological, after, state, traits, counters);
+    using Kind = typename Outlook<Time>::Kind;
+    if (next.kind != Kind::holds_for_ever) {
+      result.emplace(next.bounds, std::move(next.failure), face, static_cast<std::uint8_t>(i),
+                     next.kind == Kind::fails ? topological.kind : Entry_kind::look_again);
+    }
+    if (next.kind == Kind::holds || topological.kind == Entry_kind::hull_remove) return result;
+  } else if (triangulation_.is_infinite(edge.here)) {
+    return std::nullopt;
   }
-  if (triangulation_.is_infinite(edge)) return result;
-  const Vertex_handle a = edge.first->vertex(Triangulation::cw(edge.second));
-  const Vertex_handle b = edge.first->vertex(Triangulation::ccw(edge.second));
-  std::optional<Time> meeting = traits.coincidence_time(a->point(), b->point(), after);
-  if (meeting && (!result || *meeting <= result->time)) {
-    result = Entry{std::move(*meeting), edge, Entry_kind::coincidence};
+  const Point_2& a = face->vertex(Triangulation::cw(i))->point();
+  const Point_2& b = face->vertex(Triangulation::ccw(i))->point();
+  std::optional<Time> meeting = traits.coincidence_time(a, b, after, counters);
+  if (meeting && (!result || *meeting <= time(*result))) {
+    const Double_interval bounds = meeting->interval();
+    result.emplace(bounds, std::make_unique<const Time>(std::move(*meeting)), face,
+                   static_cast<std::uint8_t>(i), Entry_kind::coincidence);
   }
   return result;
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::time(const Entry& entry) const -> const Time& {
+  if (entry.time != nullptr) return *entry.time;
+  if (entry.kind == Entry_kind::look_again) {
+    entry.time = std::make_unique<const Time>(entry.bounds.lower);
+    return *entry.time;
+  }
+  const Certificate failed = certificate(two_sided(entry.edge()));
+  const auto& [p, q, r, s] = failed.points;
+  entry.time = std::make_unique<const Time>(
+      failed.kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, entry.bounds)
+                                      : traits_.orientation_failure(*p, *q, *r, entry.bounds));
+  return *entry.time;
 }
 
 // ---- scheduling ----
@@ -179,50 +206,38 @@ auto Kinetic_delaunay_triangulation_2<Traits>::next_entry(const Edge& edge, cons
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::Earlier::operator()(const Entry& a,
                                                                    const Entry& b) const {
-  const auto order = a.time <=> b.time;
+  const auto order = triangulation->time(a) <=> triangulation->time(b);
   if (order != 0) return order < 0;
   if (a.kind != b.kind) return a.kind < b.kind;
-  return ids_of(a.edge) < ids_of(b.edge);
+  return ids_of(a.edge()) < ids_of(b.edge());
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Edge& edge, Queue_handle handle) {
-  edge.first->set_event(edge.second, handle);
-  if (triangulation_.dimension() < 2) return;
-  const Edge mirror = triangulation_.mirror_edge(edge);
-  mirror.first->set_event(mirror.second, handle);
+void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Two_sided_edge& edge,
+                                                         Queue_handle handle) {
+  edge.here.first->set_event(edge.here.second, handle);
+  edge.there.first->set_event(edge.there.second, handle);
 }
 
-// Replaces the entry of the edge by that of its certificate from `after` on.
+// Pushes the entry of the edge's certificate from `after` on. Precondition: the edge has none.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Edge& edge, const Time& after,
+void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Two_sided_edge& edge,
+                                                        const Time& after,
                                                         Certificate_state state) {
-  std::optional<Entry> entry = next_entry(edge, after, state, traits_);
-  const Queue_handle present = edge.first->event(edge.second);
-  if (!entry) return unschedule(edge);
-  if (present == no_event) {
-    set_event(edge, queue_.push(std::move(*entry)));
-  } else {
-    queue_.update(present, std::move(*entry));
-    set_event(edge, present);
-  }
+  std::optional<Entry> entry = next_entry(edge, after, state, traits_, certificate_counters_);
+  set_event(edge, entry ? queue_.push(std::move(*entry)) : no_event);
 }
 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
   if (triangulation_.dimension() < 1) return;
-  for (const Edge& edge : triangulation_.all_edges()) {
-    if (triangulation_.dimension() == 2 || !triangulation_.is_infinite(edge)) {
-      schedule(edge, current_time_);
-    }
-  }
+  for (const Edge& edge : triangulation_.all_edges()) schedule(two_sided(edge), current_time_);
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Edge& edge) {
-  const Queue_handle handle = edge.first->event(edge.second);
+void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
+  const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle != no_event) queue_.erase(handle);
-  set_event(edge, no_event);
 }
 
 // ---- time ----
@@ -231,10 +246,16 @@ void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Edge& edge) {
 // `until`. Returns whether it is a failure at or before `until`.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::settle(const std::optional<Time>& until) {
-  while (!queue_.empty() && (!until || queue_.top().time <= *until)) {
+  const auto is_due = [&](const Entry& entry) {
+    if (!until || entry.bounds.upper < until->interval().lower) return true;
+    if (entry.bounds.lower > until->interval().upper) return false;
+    return time(entry) <= *until;
+  };
+  while (!queue_.empty() && is_due(queue_.top())) {
     if (queue_.top().kind != Entry_kind::look_again) return true;
-    const Time time = queue_.top().time;
-    schedule(Edge(queue_.top().edge), time);
+    const Entry entry = queue_.pop();
+    ++counters_.looks_again;
+    schedule(two_sided(entry.edge()), Time(entry.bounds.lower));
   }
   return false;
 }
@@ -242,7 +263,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::settle(const std::optional<Time>&
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() -> std::optional<Time> {
   if (!settle(std::nullopt)) return std::nullopt;
-  return queue_.top().time;
+  return time(queue_.top());
 }
 
 template <KineticTraits_2 Traits>
@@ -267,12 +288,11 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& tim
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
   const std::uint64_t before = counters_.number_of_events();
-  current_time_ = queue_.top().time;
+  current_time_ = time(queue_.top());
   triangulation_.geom_traits().set_instant({current_time_, Side::after});
   do {
     const Entry event = queue_.pop();
-    set_event(event.edge, no_event);
-    execute(event);
+    execute(two_sided(event.edge()), event.kind);
   } while (settle(current_time_));
   const std::uint64_t executed = counters_.number_of_events() - before;
   ++counters_.instants;
@@ -283,15 +303,16 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
 // ---- events ----
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::execute(const Entry& event) {
-  switch (event.kind) {
+void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edge,
+                                                       Entry_kind kind) {
+  switch (kind) {
     case Entry_kind::flip:
-      return flip_edge(event.edge, Event_kind::flip);
+      return flip_edge(edge, Event_kind::flip);
     case Entry_kind::hull_insert:
-      if (!can_insert_into_hull(event.edge)) return rebuild();
-      return flip_edge(event.edge, Event_kind::hull_insert);
+      if (!can_insert_into_hull(edge)) return rebuild();
+      return flip_edge(edge, Event_kind::hull_insert);
     case Entry_kind::hull_remove:
-      return flip_edge(event.edge, Event_kind::hull_remove);
+      return flip_edge(edge, Event_kind::hull_remove);
     case Entry_kind::coincidence:
       return rebuild();
     case Entry_kind::look_again:
@@ -304,11 +325,10 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Entry& event) {
 // the ends of the edge, and is no hull vertex yet. Otherwise several hull triangles went flat
 // together, possibly all of the triangulation.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(const Edge& hull_edge) const {
-  const Edge inside = triangulation_.is_infinite(hull_edge.first)
-                          ? triangulation_.mirror_edge(hull_edge)
-                          : hull_edge;
-  const auto& [face, i] = inside;
+bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
+    const Two_sided_edge& hull_edge) const {
+  const auto& [face, i] =
+      triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there : hull_edge.here;
   const Vertex_handle apex = face->vertex(i);
   if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
   const auto now = traits_.instantaneous_traits({current_time_, Side::at});
@@ -335,12 +355,13 @@ void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event, Change 
 //      a  |  b    ==>     a --- b          opposite vertex, and the diagonal is new: five
 //       \ | /              \   /           certificates are made anew.
 //         d                  d
+//
+// The outer edges' entries leave the queue first, while the corners that they speak of are there.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Edge& edge, Event_kind kind) {
-  const Face_handle face = edge.first;
-  const int i = edge.second;
-  const Face_handle neighbor = face->neighbor(i);
-  const int j = triangulation_.tds().mirror_index(face, i);
+void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& edge,
+                                                         Event_kind kind) {
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
   const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
     const Edge_ids ids = edge_ids(a->point().id(), b->point().id());
     if (ids[1] == no_point) return std::nullopt;
@@ -354,17 +375,16 @@ void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Edge& edge, Event
       finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
   event.added = finite_ids(face->vertex(i), neighbor->vertex(j));
   report(std::move(event), [&] {
-    // Each of the outer edges is seen from outside, where the flip changes nothing.
-    const std::array<Edge, 4> outer = {
-        triangulation_.mirror_edge(Edge(face, Triangulation::cw(i))),
-        triangulation_.mirror_edge(Edge(face, Triangulation::ccw(i))),
-        triangulation_.mirror_edge(Edge(neighbor, Triangulation::cw(j))),
-        triangulation_.mirror_edge(Edge(neighbor, Triangulation::ccw(j)))};
+    const std::array<Two_sided_edge, 4> before = {two_sided(Edge(face, Triangulation::cw(i))),
+                                                  two_sided(Edge(face, Triangulation::ccw(i))),
+                                                  two_sided(Edge(neighbor, Triangulation::cw(j))),
+                                                  two_sided(Edge(neighbor, Triangulation::ccw(j)))};
+    for (const Two_sided_edge& outer : before) unschedule(outer);
     triangulation_.tds().flip(face, i);
-    const Edge diagonal(face, face->index(neighbor));
-    set_event(diagonal, no_event);
-    schedule(diagonal, current_time_, Certificate_state::vanishes);
-    for (const Edge& e : outer) schedule(e, current_time_);
+    schedule(two_sided(Edge(face, face->index(neighbor))), current_time_,
+             Certificate_state::vanishes);
+    // From outside, where the flip has changed nothing, they are found again.
+    for (const Two_sided_edge& outer : before) schedule(two_sided(outer.there), current_time_);
   });
 }
 
