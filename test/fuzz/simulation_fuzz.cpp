@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A whole tiny simulation: points and a start from bytes, run with full audits, and once more
+// without filters; of few points also against the brute-force simulator.
+//
+// The first byte says how numbers are read: as small integers, one byte each, as such integers
+// times powers of two, two bytes each, or as any binary64 number. The second is the start.
+#include <bit>
+#include <cmath>
+#include <sstream>
+
+#include "fuzz/fuzz.h"
+#include "support/kinetic_runs.h"
+#include "support/same_run.h"
+
+namespace kinetri {
+namespace {
+
+using test::Fuzz_input;
+using test::require;
+
+constexpr std::size_t most_points = 8;
+constexpr std::size_t few_points = 5;
+constexpr int most_instants = 60;
+
+double number(Fuzz_input& input, int mode) {
+  switch (mode) {
+    case 0:
+      return input.integer(-4, 4);
+    case 1: {
+      const int mantissa = input.integer(-8, 8);
+      return std::ldexp(mantissa, 4 * static_cast<std::int8_t>(input.byte()));
+    }
+    default: {
+      const auto value = std::bit_cast<double>(input.word());
+      return std::isfinite(value) ? value : 0;
+    }
+  }
+}
+
+bool has_twins(const std::vector<Linear_motion_2>& motions) {
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    for (std::size_t j = i + 1; j < motions.size(); ++j) {
+      if (same_trajectory(motions[i], motions[j])) return true;
+    }
+  }
+  return false;
+}
+
+void check(const std::vector<Linear_motion_2>& motions, const Algebraic_number& start) {
+  test::Kinetic_delaunay kinetic(motions, start);
+  test::Kinetic_delaunay exact(motions, start, Linear_kinetic_traits_2::exact());
+  test::Event_recorder one(kinetic);
+  test::Event_recorder other(exact);
+  for (int i = 0; i < most_instants && kinetic.next_event_time(); ++i) {
+    require(kinetic.next_event_time() == exact.next_event_time(), "another time without filters");
+    kinetic.step();
+    exact.step();
+    const std::string problem = test::audit_problem(kinetic, Audit_level::certificates);
+    require(problem.empty(), problem);
+  }
+  const std::string problem = test::difference(one.events, other.events);
+  require(problem.empty(), problem);
+}
+
+}  // namespace
+}  // namespace kinetri
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  kinetri::test::Fuzz_input input(data, size);
+  const int mode = input.integer(0, 2);
+  const kinetri::Algebraic_number start(kinetri::Rational(input.integer(-8, 8), 2));
+  std::vector<kinetri::Linear_motion_2> motions;
+  while (!input.at_end() && motions.size() < kinetri::most_points) {
+    kinetri::Linear_motion_2 m;
+    for (double* const x : {&m.position.x, &m.position.y, &m.velocity.x, &m.velocity.y}) {
+      *x = kinetri::number(input, mode);
+    }
+    motions.push_back(m);
+  }
+  try {
+    kinetri::check(motions, start);
+    kinetri::test::require(!kinetri::has_twins(motions), "one trajectory twice, not refused");
+    if (motions.size() <= kinetri::few_points) {
+      const auto problem = kinetri::test::difference_from_brute_force(motions, start);
+      kinetri::test::require(problem.empty(), problem + "\n" + kinetri::test::describe(motions));
+    }
+  } catch (const kinetri::Coincident_trajectories_error&) {
+    kinetri::test::require(kinetri::has_twins(motions), "refused, though no trajectory is twice");
+  }
+  return 0;
+}
