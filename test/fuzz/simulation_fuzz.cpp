@@ -20,16 +20,27 @@ using test::Fuzz_input;
 using test::require;
 
 constexpr std::size_t most_points = 8;
-constexpr std::size_t few_points = 5;
-constexpr int most_instants = 60;
+constexpr int most_instants = 40;
 
-double number(Fuzz_input& input, int mode) {
-  switch (mode) {
-    case 0:
+enum class Numbers { small, scaled, any };
+
+Numbers read_numbers(Fuzz_input& input) {
+  const int choice = input.integer(0, 7);
+  return choice < 5 ? Numbers::small : choice < 7 ? Numbers::scaled : Numbers::any;
+}
+
+// The brute-force simulator is for few points, of few bits.
+std::size_t points_for_brute_force(Numbers numbers) {
+  return numbers == Numbers::small ? 5 : numbers == Numbers::scaled ? 4 : 0;
+}
+
+double number(Fuzz_input& input, Numbers numbers) {
+  switch (numbers) {
+    case Numbers::small:
       return input.integer(-4, 4);
-    case 1: {
+    case Numbers::scaled: {
       const int mantissa = input.integer(-8, 8);
-      return std::ldexp(mantissa, 4 * static_cast<std::int8_t>(input.byte()));
+      return std::ldexp(mantissa, 10 * input.integer(-10, 10));
     }
     default: {
       const auto value = std::bit_cast<double>(input.word());
@@ -68,20 +79,20 @@ void check(const std::vector<Linear_motion_2>& motions, const Algebraic_number& 
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   kinetri::test::Fuzz_input input(data, size);
-  const int mode = input.integer(0, 2);
+  const auto numbers = kinetri::read_numbers(input);
   const kinetri::Algebraic_number start(kinetri::Rational(input.integer(-8, 8), 2));
   std::vector<kinetri::Linear_motion_2> motions;
   while (!input.at_end() && motions.size() < kinetri::most_points) {
     kinetri::Linear_motion_2 m;
     for (double* const x : {&m.position.x, &m.position.y, &m.velocity.x, &m.velocity.y}) {
-      *x = kinetri::number(input, mode);
+      *x = kinetri::number(input, numbers);
     }
     motions.push_back(m);
   }
   try {
     kinetri::check(motions, start);
     kinetri::test::require(!kinetri::has_twins(motions), "one trajectory twice, not refused");
-    if (motions.size() <= kinetri::few_points) {
+    if (motions.size() <= kinetri::points_for_brute_force(numbers)) {
       const auto problem = kinetri::test::difference_from_brute_force(motions, start);
       kinetri::test::require(problem.empty(), problem + "\n" + kinetri::test::describe(motions));
     }

@@ -9,12 +9,14 @@
 // target stops the program is in ./fuzz-last-input: a fuzzer may run it alone, and so may this
 // program.
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fuzz/fuzz.h"
@@ -44,11 +46,18 @@ Bytes contents_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void run(const Bytes& input) {
+Bytes last_input;
+
+// The program is about to end; a handler that writes a file is as good as it needs to be.
+extern "C" void keep_last_input(int /*signal*/) {
   std::ofstream("fuzz-last-input", std::ios::binary)
-      .write(reinterpret_cast<const char*>(input.data()),
-             static_cast<std::streamsize>(input.size()));
-  LLVMFuzzerTestOneInput(input.data(), input.size());
+      .write(reinterpret_cast<const char*>(last_input.data()),
+             static_cast<std::streamsize>(last_input.size()));
+}
+
+void run(Bytes input) {
+  last_input = std::move(input);
+  LLVMFuzzerTestOneInput(last_input.data(), last_input.size());
 }
 
 std::size_t below(std::mt19937_64& random, std::size_t end) {
@@ -101,6 +110,7 @@ int main(int argc, char** argv) {
   const char* multiplier = std::getenv("KINETRI_TEST_MULTIPLIER");
   const unsigned long count =
       std::stoul(argv[1]) * std::max(1UL, multiplier == nullptr ? 1UL : std::stoul(multiplier));
+  std::signal(SIGABRT, keep_last_input);
   std::vector<Bytes> seeds;
   for (int i = 2; i < argc; ++i) {
     for (const auto& file : files_of(argv[i])) seeds.push_back(contents_of(file));
@@ -114,7 +124,6 @@ int main(int argc, char** argv) {
       run(changed(seeds[below(random, seeds.size())], seeds[below(random, seeds.size())], random));
     }
   }
-  std::filesystem::remove("fuzz-last-input");
   std::cout << seeds.size() << " files and " << count << " random inputs passed\n";
   return 0;
 }
