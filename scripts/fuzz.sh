@@ -63,7 +63,9 @@ for target in "${chosen[@]}"; do
   corpus="$dir/corpus/$target"
   mkdir -p "$corpus"
   seeds=()
-  if [[ $target == points_file ]]; then seeds=("$kinetri_root/data/degenerate"); fi
+  if [[ $target == points_file ]]; then
+    seeds=("$kinetri_root/test/fuzz/corpus/points_file" "$kinetri_root/data/degenerate")
+  fi
   kinetri_say "Fuzzing $target for $seconds seconds; output in $dir/$target.log ..."
   if "$dir/test/fuzz/kinetri_${target}_fuzzer" -max_total_time="$seconds" -timeout=60 \
     -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$dir/crashes/$target-" \

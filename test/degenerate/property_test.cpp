@@ -84,6 +84,10 @@ struct Grid {
   int size;
   int speed;
   int cases;
+
+  friend std::ostream& operator<<(std::ostream& out, const Grid& grid) {
+    return out << grid.cases << " cases";
+  }
 };
 
 class Grid_properties : public testing::TestWithParam<Grid> {};

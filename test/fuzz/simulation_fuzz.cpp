@@ -19,7 +19,7 @@ namespace {
 using test::Fuzz_input;
 using test::require;
 
-constexpr std::size_t most_points = 8;
+constexpr int most_points = 8;
 constexpr int most_instants = 40;
 
 enum class Numbers { small, scaled, any };
@@ -31,7 +31,7 @@ Numbers read_numbers(Fuzz_input& input) {
 
 // The brute-force simulator is for few points, of few bits.
 std::size_t points_for_brute_force(Numbers numbers) {
-  return numbers == Numbers::small ? 5 : numbers == Numbers::scaled ? 4 : 0;
+  return numbers == Numbers::small ? 6 : numbers == Numbers::scaled ? 4 : 0;
 }
 
 double number(Fuzz_input& input, Numbers numbers) {
@@ -82,7 +82,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto numbers = kinetri::read_numbers(input);
   const kinetri::Algebraic_number start(kinetri::Rational(input.integer(-8, 8), 2));
   std::vector<kinetri::Linear_motion_2> motions;
-  while (!input.at_end() && motions.size() < kinetri::most_points) {
+  for (int points = input.integer(0, kinetri::most_points); points > 0; --points) {
     kinetri::Linear_motion_2 m;
     for (double* const x : {&m.position.x, &m.position.y, &m.velocity.x, &m.velocity.y}) {
       *x = kinetri::number(input, numbers);
