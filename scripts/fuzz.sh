@@ -62,13 +62,15 @@ code=0
 for target in "${chosen[@]}"; do
   corpus="$dir/corpus/$target"
   mkdir -p "$corpus"
-  seeds=()
+  # The other targets read this many bytes at most; without seeds, libFuzzer would begin with few.
+  seeds=() lengths=(-max_len=300 -len_control=0)
   if [[ $target == points_file ]]; then
+    lengths=(-max_len=20000)
     seeds=("$kinetri_root/test/fuzz/corpus/points_file" "$kinetri_root/data/degenerate")
   fi
   kinetri_say "Fuzzing $target for $seconds seconds; output in $dir/$target.log ..."
   if "$dir/test/fuzz/kinetri_${target}_fuzzer" -max_total_time="$seconds" -timeout=60 \
-    -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$dir/crashes/$target-" \
+    -rss_limit_mb=4096 -print_final_stats=1 "${lengths[@]}" -artifact_prefix="$dir/crashes/$target-" \
     "$corpus" "${seeds[@]}" >"$dir/$target.log" 2>&1; then
     kinetri_say "  nothing found in $(sed -n 's/^stat::number_of_executed_units: *//p' "$dir/$target.log") inputs"
   else
