@@ -2,7 +2,7 @@
 # Finds the libraries that are seen through the public headers. Used by the build and, installed, by
 # KinetriConfig.cmake, so that an installed library names no path of the machine it was built on.
 #
-# Defines Boost::headers, CGAL::CGAL, Kinetri::gmp and Kinetri::mpfr; sets kinetri_missing to what is
+# Defines Boost::headers, CGAL::CGAL, TBB::tbb, Kinetri::gmp and Kinetri::mpfr; sets kinetri_missing to what is
 # wrong, or to "".
 set(kinetri_missing "")
 
@@ -15,6 +15,7 @@ set(kinetri_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
 set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
 find_package(Boost QUIET CONFIG)
 find_package(CGAL QUIET)
+find_package(TBB QUIET)
 set(CMAKE_MESSAGE_LOG_LEVEL "${kinetri_log_level}")
 unset(kinetri_log_level)
 
@@ -25,6 +26,10 @@ if(NOT TARGET CGAL::CGAL)
   string(APPEND kinetri_missing "CGAL was not found (Debian: libcgal-dev). ")
 elseif(CGAL_VERSION VERSION_LESS 5.5)
   string(APPEND kinetri_missing "CGAL ${CGAL_VERSION} is too old; expected 5.5 or newer. ")
+endif()
+
+if(NOT TARGET TBB::tbb)
+  string(APPEND kinetri_missing "oneTBB was not found (Debian: libtbb-dev). ")
 endif()
 
 foreach(name IN ITEMS gmp mpfr)

@@ -34,7 +34,7 @@ install(FILES ${generated_dir}/KinetriConfig.cmake ${generated_dir}/KinetriConfi
 file(RELATIVE_PATH pkgconfig_to_prefix
   /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 string(REGEX REPLACE "/$" "" pkgconfig_to_prefix "${pkgconfig_to_prefix}")
-set(pkgconfig_requires "gmp mpfr")
+set(pkgconfig_requires "gmp mpfr tbb")
 set(pkgconfig_cflags "")
 get_target_property(cgal_definitions CGAL::CGAL INTERFACE_COMPILE_DEFINITIONS)
 if("CGAL_USE_GMPXX=1" IN_LIST cgal_definitions)

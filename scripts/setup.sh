@@ -19,7 +19,7 @@ kinetri_fail() {
 # came from elsewhere will do as well, `package=program`.
 kinetri_packages() {
   printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libfmt-dev libgmp-dev \
-    libmpfr-dev nlohmann-json3-dev
+    libmpfr-dev libtbb-dev nlohmann-json3-dev
   # Either build tool will do; Ninja is the one to install.
   command -v make >/dev/null || printf '%s\n' ninja-build=ninja
   if [[ $1 != demo ]]; then

@@ -142,6 +142,7 @@ struct Root_source::Representation {
 
   static bool changes_sign_over_intersection(const Polynomial& p, Representation& x,
                                              Representation& y);
+  static Comparison_result compare(Representation& x, Representation& y);
   static Comparison_result compare_roots_of_one_polynomial(Representation& x, Representation& y);
   static bool are_equal(Representation& x, Representation& y);
 
@@ -457,11 +458,14 @@ const Rational& Algebraic_number::upper() const {
   return representation().upper_end();
 }
 
-const Double_interval& Algebraic_number::interval() const {
-  if (source_ != nullptr && source_->representation_ != nullptr) {
-    interval_ = source_->representation_->double_interval();
-  }
-  return interval_;
+Algebraic_number Algebraic_number::detached() const {
+  if (source_ == nullptr) return *this;
+  if (is_known_rational()) return rational();
+  return {polynomial(), lower(), upper()};
+}
+
+void Algebraic_number::follow_representation() const {
+  interval_ = source_->representation_->double_interval();
 }
 
 bool Algebraic_number::is_root_of(const Polynomial& p) const {
@@ -620,10 +624,14 @@ Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b) 
   if (a.source_ == b.source_) return CGAL::EQUAL;  // also for two binary64 numbers that overlap
   if (a.interval().upper < b.interval().lower) return CGAL::SMALLER;
   if (a.interval().lower > b.interval().upper) return CGAL::LARGER;
+  const Comparison_result order =
+      Algebraic_number::Representation::compare(a.representation(), b.representation());
+  // Of many simultaneous events each is compared with several others: once is enough.
+  if (order == CGAL::EQUAL) b.source_ = a.source_;
+  return order;
+}
 
-  using Representation = Algebraic_number::Representation;
-  Representation& x = a.representation();
-  Representation& y = b.representation();
+Comparison_result Root_source::Representation::compare(Representation& x, Representation& y) {
   bool known_different = false;
   while (!x.is_rational() && !y.is_rational()) {
     const Isolation& s = *x.isolation;
@@ -631,11 +639,11 @@ Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b) 
     if (const std::optional<Comparison_result> order = order_of_disjoint(s, t)) return *order;
 
     if (!known_different && equal_up_to_sign(x.polynomials.front(), y.polynomials.front())) {
-      return Representation::compare_roots_of_one_polynomial(x, y);
+      return compare_roots_of_one_polynomial(x, y);
     }
     if (!known_different && s.is_narrower_than_bits(bits_before_gcd) &&
         t.is_narrower_than_bits(bits_before_gcd)) {
-      if (Representation::are_equal(x, y)) return CGAL::EQUAL;
+      if (are_equal(x, y)) return CGAL::EQUAL;
       known_different = true;
     }
     const bool x_is_wider = compare_dyadic(s.b - s.a, s.e, t.b - t.a, t.e) >= 0;

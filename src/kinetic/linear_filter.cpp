@@ -27,11 +27,11 @@ constexpr double greatest_size = 0x1p200;
 
 // The window is this share of the time in which the points would pass their distance from one
 // another at their relative speed: long enough that most certificates are replaced before it ends.
-constexpr double window_share = 0.4;
+constexpr double window_share = 0.5;
 
 // A failure later than this share of the window is not looked for yet: probably the certificate is
 // replaced before it comes.
-constexpr double worthwhile = 0.3;
+constexpr double worthwhile = 0.18;
 
 constexpr int max_depth = 8;
 
@@ -231,14 +231,14 @@ Filter_verdict first_failure(const std::array<double, M>& c, const std::array<do
     const double share = positive_share(piece.b, error);
     if (share == 1) continue;
     const double until = piece.lower + share * piece.width;
-    if (until >= worthwhile) return {Kind::holds, until, until};
+    if (until >= worthwhile) return {Kind::holds, {until, until}};
     if (share == 0) return {};
     if (has_one_change(piece.b, error)) {
       double lower = piece.lower;
       double upper = piece.lower + piece.width;
       const double secant = piece.b.front() / (piece.b.front() - piece.b.back());
       if (!bracket_root(c, error, lower + secant * piece.width, lower, upper)) return {};
-      return {Kind::fails, lower, upper};
+      return {Kind::fails, {lower, upper}};
     }
     if (piece.depth == max_depth) return {};
     const double width = 0.5 * piece.width;
@@ -246,7 +246,7 @@ Filter_verdict first_failure(const std::array<double, M>& c, const std::array<do
     stack[static_cast<std::size_t>(size++)] = {right, piece.lower + width, width, piece.depth + 1};
     stack[static_cast<std::size_t>(size++)] = {piece.b, piece.lower, width, piece.depth + 1};
   }
-  return {Kind::holds, 1, 1};
+  return {Kind::holds, {1, 1}};
 }
 
 // The verdict in time for that in w, rounded to the safe side.
@@ -257,21 +257,12 @@ Filter_verdict in_time(const Filter_verdict& v, double origin, double window,
   const auto ulp = [](double x) { return std::abs(x) * 0x1p-52 + 0x1p-1074; };
   const auto down = [ulp](double x) { return x - ulp(x); };
   const auto up = [ulp](double x) { return x + ulp(x); };
-  switch (v.kind) {
-    case Filter_verdict::Kind::unknown:
-      return v;
-    case Filter_verdict::Kind::holds: {
-      const double until = down(origin + down(v.upper * window));
-      if (!(until > after.upper)) return {};
-      return {Filter_verdict::Kind::holds, until, until};
-    }
-    case Filter_verdict::Kind::fails:
-      break;
-  }
-  const double lower = down(origin + down(v.lower * window));
-  const double upper = up(origin + up(v.upper * window));
-  if (!(lower > after.upper) || !(upper < infinity)) return {};
-  return {Filter_verdict::Kind::fails, lower, upper};
+  const double lower = down(origin + down(v.bounds.lower * window));
+  if (!(lower > after.upper)) return {};
+  if (v.kind == Filter_verdict::Kind::holds) return {v.kind, {lower, lower}};
+  const double upper = up(origin + up(v.bounds.upper * window));
+  if (v.kind == Filter_verdict::Kind::unknown || !(upper < infinity)) return {};
+  return {v.kind, {lower, upper}};
 }
 
 // The window, the sizes that belong to it, and the errors that follow from them.
@@ -312,8 +303,8 @@ Filter_verdict judge(const std::array<double, M>& c, double error, double window
                      const Double_interval& after) {
   const std::array<double, M> b = bernstein(c);
   if (least(b) > error) {
-    if (least(c) > error) return {Filter_verdict::Kind::holds, infinity, infinity};
-    return in_time({Filter_verdict::Kind::holds, 1, 1}, after.lower, window, after);
+    if (least(c) > error) return {Filter_verdict::Kind::holds_for_ever, {}};
+    return in_time({Filter_verdict::Kind::holds, {1, 1}}, after.lower, window, after);
   }
   return in_time(first_failure(c, b, error), after.lower, window, after);
 }
@@ -330,11 +321,12 @@ Filter_verdict judge_after_root(const std::array<double, M>& c, double error, do
   std::array<double, M - 1> g;
   std::copy(c.begin() + 1, c.end(), g.begin());
   const double error_of_g = error + 2 * norm * error * rest;
-  if (least(g) > error_of_g) return {Filter_verdict::Kind::holds, infinity, infinity};
+  if (least(g) > error_of_g) return {Filter_verdict::Kind::holds_for_ever, {}};
   Filter_verdict verdict = first_failure(g, bernstein(g), error_of_g);
   if (verdict.kind == Filter_verdict::Kind::fails) {
     // c itself gives the narrower bracket, and the next certificate starts from there.
-    bracket_root(c, error, 0.5 * (verdict.lower + verdict.upper), verdict.lower, verdict.upper);
+    auto& [lower, upper] = verdict.bounds;
+    bracket_root(c, error, 0.5 * (lower + upper), lower, upper);
   }
   return in_time(verdict, after.lower, window, after);
 }
@@ -342,7 +334,7 @@ Filter_verdict judge_after_root(const std::array<double, M>& c, double error, do
 // The verdict on a certificate whose points do not move against each other.
 Filter_verdict judge_constant(double value, double error) {
   if (!(value > error)) return {};
-  return {Filter_verdict::Kind::holds, infinity, infinity};
+  return {Filter_verdict::Kind::holds_for_ever, {}};
 }
 
 // The vector products of the places and slopes of two differences, as the polynomial in time that

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/linear_kinetic_traits_2.h"
 
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -41,12 +40,15 @@ struct Orientation_root : Root_source {
 Outlook<Time> outlook(const Filter_verdict& verdict, Certificate_counters& counters) {
   using Kind = Outlook<Time>::Kind;
   ++counters.filter_decided;
-  if (verdict.kind == Filter_verdict::Kind::fails) {
-    ++counters.root_solves;
-    return {Kind::fails, {verdict.lower, verdict.upper}};
+  switch (verdict.kind) {
+    case Filter_verdict::Kind::fails:
+      ++counters.root_solves;
+      return {Kind::fails, verdict.bounds};
+    case Filter_verdict::Kind::holds:
+      return {Kind::holds, verdict.bounds};
+    default:
+      return {Kind::holds_for_ever};
   }
-  if (std::isinf(verdict.upper)) return {};
-  return {Kind::holds, {verdict.upper, verdict.upper}};
 }
 
 Outlook<Time> exact_outlook(const Polynomial& certificate, const Time& t,

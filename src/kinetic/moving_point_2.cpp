@@ -69,7 +69,7 @@ constexpr int no_exponent = 1 << 20;  // above that of every binary64 number and
 }  // namespace
 
 Moving_point_2::Moving_point_2(Trajectory_2 trajectory)
-    : constructed_(std::make_shared<const Trajectory_2>(std::move(trajectory))) {
+    : constructed_(new Trajectory_2(std::move(trajectory))) {
   KINETRI_PRECONDITION(!constructed_->w.is_zero(), "a trajectory whose denominator is zero");
 }
 

@@ -28,6 +28,8 @@ struct Bounding_less : std::less<Item> {
     const double priority = item.first;
     return {priority - item.first % 3, priority + 7 * item.first % 5};
   }
+  void prefetch(const Item& /*item*/) const {}
+  void prefetch_more(const Item& /*item*/) const {}
 };
 static_assert(Bounding_order<Bounding_less, Item>);
 static_assert(!Bounding_order<std::less<Item>, Item>);
@@ -203,6 +205,28 @@ TEST(IndexedQueue, OrderOfPopsDoesNotDependOnHistory) {
   }
   while (!plain.empty()) ASSERT_EQ(shuffled.pop(), plain.pop());
   EXPECT_TRUE(shuffled.empty());
+}
+
+// Items assigned at once are under their indices, and go on like pushed ones.
+TEST(IndexedQueue, AssignedItemsAreLikePushedOnes) {
+  std::mt19937_64 random(5);
+  std::vector<Item> items;
+  for (int i = 0; i < 3000; ++i) items.emplace_back(static_cast<int>(random() % 100'000), i);
+  Indexed_queue<Item, Bounding_less> assigned;
+  Indexed_queue<Item, Bounding_less> pushed;
+  assigned.assign(items, items.size());
+  for (const Item& item : items) pushed.push(item);
+  EXPECT_TRUE(assigned.is_valid());
+  EXPECT_EQ(assigned.counters(), pushed.counters());
+  for (Queue_handle handle = 0; handle < items.size(); ++handle) {
+    ASSERT_EQ(assigned[handle], items[handle]);
+    if (handle % 3 == 0) continue;
+    const Item later = {items[handle].first + 50'000, items[handle].second};
+    assigned.update(handle, later);
+    pushed.update(handle, later);
+  }
+  while (!pushed.empty()) ASSERT_EQ(assigned.pop(), pushed.pop());
+  EXPECT_TRUE(assigned.empty());
 }
 
 TEST(IndexedQueue, ErasingAnItemMayMoveItsReplacementUp) {

@@ -33,8 +33,9 @@ class Root_source {
 };
 
 /// A real algebraic number. Copies share one representation, so that a refinement made through one
-/// serves all. The value never changes; only the interval around it shrinks. Not safe to compare or
-/// refine from two threads at once where the numbers share a representation.
+/// serves all; so do numbers that have been found equal. The value never changes; only the interval
+/// around it shrinks. Not safe to compare or refine from two threads at once where the numbers
+/// share a representation.
 class Algebraic_number {
  public:
   /// Zero.
@@ -53,6 +54,9 @@ class Algebraic_number {
   /// when it is made), and exactly one root between them, of odd multiplicity (the caller's word).
   Algebraic_number(std::shared_ptr<Root_source> source, const Double_interval& bracket);
 
+  /// The same number with a representation of its own, for use in another thread.
+  Algebraic_number detached() const;
+
   /// Whether the number is *known* to be rational: constructed as one, or found to be one while it
   /// was refined. False says nothing.
   bool is_known_rational() const;
@@ -60,7 +64,8 @@ class Algebraic_number {
   const Rational& rational() const;
 
   /// A square-free primitive polynomial of which this number is a root. A later comparison may find
-  /// one of lower degree and give that one from then on; a reference given out stays good.
+  /// one of lower degree and give that one from then on. References given out, here and below, are
+  /// good until the number is compared with another or assigned to.
   const Polynomial& polynomial() const;
 
   /// The present isolating interval: lower == upper where the number is known to be rational, else
@@ -71,7 +76,10 @@ class Algebraic_number {
 
   /// A binary64 interval that contains the number: the outward rounding of the isolating interval,
   /// or the bracket of a number whose polynomial has not been made.
-  const Double_interval& interval() const;
+  const Double_interval& interval() const {
+    if (source_ != nullptr && source_->representation_ != nullptr) follow_representation();
+    return interval_;
+  }
 
   /// The tightest binary64 interval that contains the number: both bounds are the number where it
   /// is a binary64 number, else its two neighbours. Does not depend on how far the number was
@@ -114,6 +122,7 @@ class Algebraic_number {
   using Representation = Root_source::Representation;
 
   Representation& representation() const;
+  void follow_representation() const;
 
   // Always contains the number; may be wider than what the representation, shared with copies of
   // this number, knows by now.

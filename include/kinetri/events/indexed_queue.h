@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -40,9 +41,15 @@ struct Queue_counters {
 /// An order that bounds its items: `bounds` gives an interval for each, and items with disjoint
 /// intervals are in the order of these. The queue asks the order, with the memory accesses that
 /// this costs, only about items whose bounds overlap.
+///
+/// It has two functions more, which may ask for the memory that an item will need: `prefetch` is
+/// called for each of several items whose turn comes near, then, for each of them, `prefetch_more`,
+/// which may use what the former has asked for.
 template <class Less, class Item>
 concept Bounding_order = requires(const Less& less, const Item& item) {
   { less.bounds(item) } -> std::same_as<Double_interval>;
+  less.prefetch(item);
+  less.prefetch_more(item);
 };
 
 /// A calendar queue with an index: the items whose turn is near are in a 4-ary implicit heap, the
@@ -76,6 +83,11 @@ class Indexed_queue {
   /// Inserts `item`. Precondition: size() < 2^32 - 2.
   Queue_handle push(Item item);
 
+  /// Inserts all of `items`, the first under the handle 0 and so on: faster than one by one. The
+  /// queue will hardly ever hold more than `capacity` items.
+  /// Precondition: the queue is empty and has had no item since it was made or cleared.
+  void assign(std::span<Item> items, std::size_t capacity);
+
   /// The handle of the least item, and that item. Precondition: not empty.
   Queue_handle top_handle() const {
     KINETRI_PRECONDITION(!empty(), "top of an empty queue");
@@ -108,7 +120,7 @@ class Indexed_queue {
 
  private:
   static constexpr std::size_t arity = 4;
-  static constexpr std::size_t items_per_slot = 16;
+  static constexpr std::size_t items_per_slot = 8;
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::uint32_t far = nowhere - 1;
 
@@ -205,6 +217,19 @@ Queue_handle Indexed_queue<Item, Less>::push(Item item) {
   ++counters_.pushed;
   counters_.peak = std::max<std::uint64_t>(counters_.peak, size());
   return handle;
+}
+
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::assign(std::span<Item> items, std::size_t capacity) {
+  KINETRI_PRECONDITION(places_.empty(), "the queue has been used");
+  KINETRI_PRECONDITION(items.size() < far, "too many items");
+  places_.reserve(std::max(capacity, items.size()));
+  for (Item& item : items) places_.push_back({std::move(item), far});
+  far_ = places_.size();
+  spread();
+  settle();
+  counters_.pushed += size();
+  counters_.peak = std::max<std::uint64_t>(counters_.peak, size());
 }
 
 template <class Item, class Less>
@@ -376,13 +401,20 @@ void Indexed_queue<Item, Less>::open_next_slot() {
   ++open_slots_;
   while (chunk != Chunk::none) {
     Chunk& records = chunks_[chunk];
-    for (std::size_t i = 0; i < records.size; ++i) {
-      const Queue_handle handle = records.handles[i];
+    const std::span<const Queue_handle> handles(records.handles.data(), records.size);
+    for (const Queue_handle handle : handles) __builtin_prefetch(&places_[handle]);
+    for (const Queue_handle handle : handles) {
       if (places_[handle].position != far) continue;
       const Node node = {bounds(handle), handle};
       if (!is_open(node.bounds.lower)) continue;
       --far_;
+      if constexpr (Bounding_order<Less, Item>) less_.prefetch(places_[handle].item);
       insert_into_heap(node);
+    }
+    if constexpr (Bounding_order<Less, Item>) {
+      for (const Queue_handle handle : handles) {
+        if (places_[handle].position < far) less_.prefetch_more(places_[handle].item);
+      }
     }
     records_ -= records.size;
     const std::uint32_t next = records.next;
@@ -417,6 +449,7 @@ void Indexed_queue<Item, Less>::spread() {
 // near or too far from one another.
 template <class Item, class Less>
 bool Indexed_queue<Item, Less>::choose_slots() {
+  if constexpr (!Bounding_order<Less, Item>) return false;
   if (far_ <= items_per_slot) return false;
   constexpr std::size_t sample_size = 256;
   const std::size_t stride = places_.size() / sample_size + 1;

@@ -6,6 +6,8 @@
 #ifndef KINETRI_KINETIC_LINEAR_FILTER_H
 #define KINETRI_KINETIC_LINEAR_FILTER_H
 
+#include <cstdint>
+
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
@@ -13,14 +15,14 @@ namespace kinetri {
 
 /// What the filter knows about a certificate from some time on.
 struct Filter_verdict {
-  enum class Kind {
-    holds,    ///< the certificate is positive up to `upper`, which is infinite if for ever
-    fails,    ///< positive up to `lower`; then, up to `upper`, one simple root: the failure
-    unknown,  ///< nothing is known
+  enum class Kind : std::uint8_t {
+    unknown,         ///< nothing is known
+    holds_for_ever,  ///< the certificate is positive
+    holds,           ///< positive up to bounds.upper, which is bounds.lower
+    fails,           ///< positive up to bounds.lower; then, up to bounds.upper, one simple root
   };
   Kind kind = Kind::unknown;
-  double lower = 0;
-  double upper = 0;
+  Double_interval bounds = {};
 };
 
 /// The in-circle certificate (s is not inside the circle through p, q, r) after a time in `after`:

@@ -7,7 +7,9 @@
 #define KINETRI_KINETIC_MOVING_POINT_2_H
 
 #include <array>
-#include <memory>
+#include <boost/smart_ptr/intrusive_ptr.hpp>
+#include <boost/smart_ptr/intrusive_ref_counter.hpp>
+#include <utility>
 
 #include "kinetri/algebra/polynomial.h"
 #include "kinetri/base/ids.h"
@@ -17,7 +19,11 @@ namespace kinetri {
 
 /// A trajectory in homogeneous coordinates: the place at time t is (x(t) / w(t), y(t) / w(t)).
 /// It is undefined where w vanishes.
-struct Trajectory_2 {
+struct Trajectory_2 : boost::intrusive_ref_counter<Trajectory_2> {
+  Trajectory_2() = default;
+  Trajectory_2(Polynomial x_, Polynomial y_, Polynomial w_)
+      : x(std::move(x_)), y(std::move(y_)), w(std::move(w_)) {}
+
   Polynomial x;
   Polynomial y;
   Polynomial w;
@@ -56,7 +62,7 @@ class Moving_point_2 {
 
  private:
   Linear_motion_2 motion_;
-  std::shared_ptr<const Trajectory_2> constructed_;
+  boost::intrusive_ptr<const Trajectory_2> constructed_;
   Point_id id_ = no_point;
 };
 

@@ -11,7 +11,7 @@
 //
 // One event's way through the code: `settle` looks at certificates again until a failure is first
 // in the queue; `run_instant` takes it out; `execute` looks at its kind; `flip_edge` flips and
-// calls `schedule` for the five edges whose quadrilateral has changed; `schedule` asks `next_entry`
+// calls `schedule` for the five edges whose quadrilateral has changed; `schedule` asks `prospect`
 // for the certificate's outlook, which the kinetic traits compute, and pushes the new entry.
 #ifndef KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
 #define KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,6 +40,23 @@ namespace detail {
 
 template <class KineticTriangulation>
 class Auditor;
+
+/// Asks for the vertex or face of a handle, which may lie in two cache lines.
+template <class Handle>
+void prefetch(Handle handle) {
+  const auto* first = reinterpret_cast<const char*>(&*handle);
+  __builtin_prefetch(first);
+  __builtin_prefetch(first + sizeof(*handle) - 1);
+}
+
+/// Asks for the vertices and the neighbors of a face.
+template <class Face_handle>
+void prefetch_around(Face_handle face) {
+  for (int i = 0; i < 3; ++i) {
+    prefetch(face->vertex(i));
+    prefetch(face->neighbor(i));
+  }
+}
 
 }  // namespace detail
 
@@ -83,7 +101,8 @@ class Kinetic_delaunay_triangulation_2 {
   ///
   /// Throws Coincident_trajectories_error if two motions are the same trajectory, and
   /// Precondition_error if a number is not finite or there are 2^32 - 1 points or more.
-  /// Cost: expected O(n log n) exact predicates and O(n) failure times.
+  /// Cost: expected O(n log n) exact predicates and O(n) failure times, the latter on all threads
+  /// that oneTBB has, with the same result for any number of them.
   template <class InputIterator>
   Kinetic_delaunay_triangulation_2(InputIterator first, InputIterator last,
                                    const Time& start = Time(), const Traits& traits = Traits())
@@ -179,6 +198,8 @@ class Kinetic_delaunay_triangulation_2 {
 
     bool operator()(const Entry& a, const Entry& b) const;
     Double_interval bounds(const Entry& entry) const { return entry.bounds; }
+    static void prefetch(const Entry& entry) { detail::prefetch(entry.face); }
+    static void prefetch_more(const Entry& entry) { detail::prefetch_around(entry.face); }
   };
 
   /// An edge as its two faces see it. In dimension 1, where edges have no two sides, `there` is the
@@ -186,6 +207,13 @@ class Kinetic_delaunay_triangulation_2 {
   struct Two_sided_edge {
     Edge here;
     Edge there;
+  };
+
+  /// What the queue shall hold for an edge. `time` is the exact time, where it is known already.
+  struct Prospect {
+    Entry_kind kind;
+    Double_interval bounds;
+    std::unique_ptr<Time> time;
   };
 
   /// What says that an edge belongs to the triangulation, and the event of its failure: points for
@@ -200,23 +228,27 @@ class Kinetic_delaunay_triangulation_2 {
   void index_vertices();
 
   // Certificates.
+  std::vector<Edge> edges() const;
   Two_sided_edge two_sided(const Edge& edge) const;
   Certificate certificate(const Two_sided_edge& edge) const;
   std::array<Vertex_handle, 3> hull_turn(const Two_sided_edge& infinite_edge) const;
   Outlook<Time> outlook(const Certificate& certificate, const Time& after, Certificate_state state,
                         const Traits& traits, Certificate_counters& counters) const;
-  std::optional<Entry> next_entry(const Two_sided_edge& edge, const Time& after,
-                                  Certificate_state state, const Traits& traits,
-                                  Certificate_counters& counters) const;
+  std::optional<Prospect> prospect(const Two_sided_edge& edge, const Time& after,
+                                   Certificate_state state, const Traits& traits,
+                                   Certificate_counters& counters) const;
+  Time make_time(const Two_sided_edge& edge, Entry_kind kind, const Double_interval& bounds) const;
   const Time& time(const Entry& entry) const;
   static Edge_ids ids_of(const Edge& edge);
   void schedule(const Two_sided_edge& edge, const Time& after,
                 Certificate_state state = Certificate_state::any);
+  Entry make_entry(const Edge& edge, Prospect prospect);
   void schedule_all();
   void unschedule(const Two_sided_edge& edge);
   static void set_event(const Two_sided_edge& edge, Queue_handle handle);
 
   // Events.
+  Entry pop_entry();
   bool settle(const std::optional<Time>& until);
   std::size_t run_instant();
   void execute(const Two_sided_edge& edge, Entry_kind kind);

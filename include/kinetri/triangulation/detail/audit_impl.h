@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -52,7 +53,7 @@ class Auditor {
   using Face_handle = typename KineticTriangulation::Face_handle;
   using Edge = typename KineticTriangulation::Edge;
   using Time = typename KineticTriangulation::Time;
-  using Entry = typename KineticTriangulation::Entry;
+  using Prospect = typename KineticTriangulation::Prospect;
   using Traits = std::remove_cv_t<decltype(KineticTriangulation::traits_)>;
 
   void place_points();
@@ -63,7 +64,7 @@ class Auditor {
   void check_delaunay();
   void check_reference();
   void check_certificates();
-  std::optional<Entry> next_failure(const Edge& edge, const Traits& traits) const;
+  std::optional<Prospect> next_failure(const Edge& edge, const Traits& traits) const;
 
   const Place& place(Vertex_handle v) const { return places_[v->point().id()]; }
   std::string name(const Edge& edge) const { return edge_name(audited_.ids_of(edge)); }
@@ -257,17 +258,21 @@ void Auditor<KineticTriangulation>::check_reference() {
 // The next failure of the edge, computed anew.
 template <class KineticTriangulation>
 auto Auditor<KineticTriangulation>::next_failure(const Edge& edge, const Traits& traits) const
-    -> std::optional<Entry> {
+    -> std::optional<Prospect> {
   Certificate_counters unused;
+  const auto sides = audited_.two_sided(edge);
   const auto next = [&](const Time& after) {
-    return audited_.next_entry(audited_.two_sided(edge), after, Certificate_state::any, traits,
-                               unused);
+    return audited_.prospect(sides, after, Certificate_state::any, traits, unused);
   };
-  auto entry = next(audited_.current_time_);
-  while (entry && entry->kind == KineticTriangulation::Entry_kind::look_again) {
-    entry = next(audited_.time(*entry));
+  auto prospect = next(audited_.current_time_);
+  while (prospect && prospect->kind == KineticTriangulation::Entry_kind::look_again) {
+    prospect = next(Time(prospect->bounds.lower));
   }
-  return entry;
+  if (prospect && !prospect->time) {
+    prospect->time =
+        std::make_unique<Time>(audited_.make_time(sides, prospect->kind, prospect->bounds));
+  }
+  return prospect;
 }
 
 template <class KineticTriangulation>
@@ -282,12 +287,12 @@ void Auditor<KineticTriangulation>::check_certificates() {
     if (handle == no_event) {
       if (failure) fail(name(edge) + " will fail but has no event");
     } else if (queue_[handle].kind == Kind::look_again) {
-      if (failure && audited_.time(*failure) <= audited_.time(queue_[handle])) {
+      if (failure && *failure->time <= audited_.time(queue_[handle])) {
         fail(name(edge) + " fails before it is looked at again");
       }
     } else if (!failure) {
       fail(name(edge) + " has an event but never fails");
-    } else if (audited_.time(*failure) != audited_.time(queue_[handle]) ||
+    } else if (*failure->time != audited_.time(queue_[handle]) ||
                failure->kind != queue_[handle].kind) {
       fail(name(edge) + " has an event at another time, or of another kind, than its failure");
     }

@@ -6,6 +6,9 @@
 #ifndef KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
 
+#include <tbb/parallel_for_each.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <chrono>
 #include <iterator>
@@ -91,7 +94,13 @@ std::vector<Edge_ids> Kinetic_delaunay_triangulation_2<Traits>::finite_edge_ids(
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::two_sided(const Edge& edge) const -> Two_sided_edge {
   if (triangulation_.dimension() < 2) return {edge, edge};
-  return {edge, triangulation_.mirror_edge(edge)};
+  // Without branches, which nothing could predict.
+  const auto& [face, i] = edge;
+  const Face_handle neighbor = face->neighbor(i);
+  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+  const int right_there =
+      (neighbor->vertex(1) == right ? 1 : 0) + (neighbor->vertex(2) == right ? 2 : 0);
+  return {edge, Edge(neighbor, Triangulation::ccw(right_there))};
 }
 
 // Previous hull vertex, the edge's own, and the next one, counterclockwise around the hull, for an
@@ -155,51 +164,55 @@ auto Kinetic_delaunay_triangulation_2<Traits>::outlook(const Certificate& certif
 // every coincidence. While an in-circle or orientation certificate is certainly positive, no two of
 // its points coincide.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::next_entry(const Two_sided_edge& edge,
-                                                          const Time& after,
-                                                          Certificate_state state,
-                                                          const Traits& traits,
-                                                          Certificate_counters& counters) const
-    -> std::optional<Entry> {
-  const auto& [face, i] = edge.here;
-  std::optional<Entry> result;
+auto Kinetic_delaunay_triangulation_2<Traits>::prospect(const Two_sided_edge& edge,
+                                                        const Time& after, Certificate_state state,
+                                                        const Traits& traits,
+                                                        Certificate_counters& counters) const
+    -> std::optional<Prospect> {
+  std::optional<Prospect> result;
   if (triangulation_.dimension() == 2) {
+    using Kind = typename Outlook<Time>::Kind;
     const Certificate topological = certificate(edge);
     Outlook<Time> next = outlook(topological, after, state, traits, counters);
-    using Kind = typename Outlook<Time>::Kind;
     if (next.kind != Kind::holds_for_ever) {
-      result = Entry{next.bounds, face, Time_pool::none, static_cast<std::uint8_t>(i),
-                     next.kind == Kind::fails ? topological.kind : Entry_kind::look_again};
-      if (next.failure) result->time = times_.keep(std::move(*next.failure));
+      result = Prospect{next.kind == Kind::fails ? topological.kind : Entry_kind::look_again,
+                        next.bounds, std::move(next.failure)};
     }
     if (next.kind == Kind::holds || topological.kind == Entry_kind::hull_remove) return result;
   } else if (triangulation_.is_infinite(edge.here)) {
     return std::nullopt;
   }
-  const Point_2& a = face->vertex(Triangulation::cw(i))->point();
-  const Point_2& b = face->vertex(Triangulation::ccw(i))->point();
-  std::optional<Time> meeting = traits.coincidence_time(a, b, after, counters);
-  if (meeting && (!result || *meeting <= time(*result))) {
-    if (result) times_.release(result->time);
-    const Double_interval bounds = meeting->interval();
-    result = Entry{bounds, face, times_.keep(std::move(*meeting)), static_cast<std::uint8_t>(i),
-                   Entry_kind::coincidence};
+  const auto& [face, i] = edge.here;
+  std::optional<Time> meeting =
+      traits.coincidence_time(face->vertex(Triangulation::cw(i))->point(),
+                              face->vertex(Triangulation::ccw(i))->point(), after, counters);
+  if (!meeting) return result;
+  if (result) {
+    const Time failure =
+        result->time ? *result->time : make_time(edge, result->kind, result->bounds);
+    if (*meeting > failure) return result;
   }
-  return result;
+  const Double_interval bounds = meeting->interval();
+  return Prospect{Entry_kind::coincidence, bounds, std::make_unique<Time>(std::move(*meeting))};
+}
+
+// The exact time of a look or of a failure of the certificate, within bounds that the traits gave.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::make_time(const Two_sided_edge& edge,
+                                                         Entry_kind kind,
+                                                         const Double_interval& bounds) const
+    -> Time {
+  if (kind == Entry_kind::look_again) return Time(bounds.lower);
+  const auto& [p, q, r, s] = certificate(edge).points;
+  return kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
+                                  : traits_.orientation_failure(*p, *q, *r, bounds);
 }
 
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::time(const Entry& entry) const -> const Time& {
-  if (entry.time != Time_pool::none) return times_[entry.time];
-  if (entry.kind == Entry_kind::look_again) {
-    entry.time = times_.keep(Time(entry.bounds.lower));
-    return times_[entry.time];
+  if (entry.time == Time_pool::none) {
+    entry.time = times_.keep(make_time(two_sided(entry.edge()), entry.kind, entry.bounds));
   }
-  const Certificate failed = certificate(two_sided(entry.edge()));
-  const auto& [p, q, r, s] = failed.points;
-  entry.time = times_.keep(failed.kind == Entry_kind::flip
-                               ? traits_.in_circle_failure(*p, *q, *r, *s, entry.bounds)
-                               : traits_.orientation_failure(*p, *q, *r, entry.bounds));
   return times_[entry.time];
 }
 
@@ -221,19 +234,93 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Two_sided_edge& e
   edge.there.first->set_event(edge.there.second, handle);
 }
 
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::make_entry(const Edge& edge, Prospect prospect)
+    -> Entry {
+  const auto time = prospect.time ? times_.keep(std::move(*prospect.time)) : Time_pool::none;
+  return {prospect.bounds, edge.first, time, static_cast<std::uint8_t>(edge.second), prospect.kind};
+}
+
 // Pushes the entry of the edge's certificate from `after` on. Precondition: the edge has none.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Two_sided_edge& edge,
                                                         const Time& after,
                                                         Certificate_state state) {
-  std::optional<Entry> entry = next_entry(edge, after, state, traits_, certificate_counters_);
-  set_event(edge, entry ? queue_.push(std::move(*entry)) : no_event);
+  std::optional<Prospect> next = prospect(edge, after, state, traits_, certificate_counters_);
+  set_event(edge, next ? queue_.push(make_entry(edge.here, std::move(*next))) : no_event);
 }
 
+// All edges, infinite ones too, each from the side that its ids choose. CGAL's iterator chooses by
+// address, which is another one in each run, and certificates are rounded otherwise from the other
+// side.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge> {
+  std::vector<Edge> result;
+  if (triangulation_.dimension() < 1) return result;
+  if (triangulation_.dimension() == 1) {
+    for (const Face_handle face : triangulation_.all_face_handles()) result.emplace_back(face, 2);
+    return result;
+  }
+  result.reserve(3 * (vertices_.size() + 1));
+  for (const Face_handle face : triangulation_.all_face_handles()) {
+    for (int i = 0; i < 3; ++i) {
+      if (face->vertex(Triangulation::cw(i))->point().id() <
+          face->vertex(Triangulation::ccw(i))->point().id()) {
+        result.emplace_back(face, i);
+      }
+    }
+  }
+  return result;
+}
+
+// Schedules every edge; the queue is empty. The prospects of a block of edges are found by several
+// threads; only the queue is filled by one.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
-  if (triangulation_.dimension() < 1) return;
-  for (const Edge& edge : triangulation_.all_edges()) schedule(two_sided(edge), current_time_);
+  constexpr std::size_t edges_per_task = 4096;
+  struct Task {
+    std::span<const Edge> edges;
+    Time after;  // exact numbers are not shared by threads
+    std::vector<std::optional<Prospect>> prospects;
+    Certificate_counters counters;
+  };
+  const std::vector<Edge> all = edges();
+  std::vector<Entry> entries;
+  entries.reserve(all.size());
+  std::vector<Task> tasks(2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
+  for (std::size_t first = 0; first < all.size();) {
+    for (Task& task : tasks) {
+      task.edges = std::span(all).subspan(first, std::min(edges_per_task, all.size() - first));
+      task.after = current_time_.detached();
+      first += task.edges.size();
+    }
+    const auto work = [this](Task& task) {
+      for (std::size_t i = 0; i < task.edges.size(); ++i) {
+        if (i + 12 < task.edges.size()) detail::prefetch(task.edges[i + 12].first);
+        if (i + 6 < task.edges.size()) detail::prefetch_around(task.edges[i + 6].first);
+        task.prospects.push_back(prospect(two_sided(task.edges[i]), task.after,
+                                          Certificate_state::any, traits_, task.counters));
+      }
+    };
+    if (all.size() <= edges_per_task) {
+      work(tasks.front());
+    } else {
+      tbb::parallel_for_each(tasks, work);
+    }
+    for (Task& task : tasks) {
+      for (std::size_t i = 0; i < task.edges.size(); ++i) {
+        Queue_handle event = no_event;
+        if (task.prospects[i]) {
+          event = static_cast<Queue_handle>(entries.size());
+          entries.push_back(make_entry(task.edges[i], std::move(*task.prospects[i])));
+        }
+        set_event(two_sided(task.edges[i]), event);
+      }
+      task.prospects.clear();
+      certificate_counters_ += std::exchange(task.counters, {});
+    }
+  }
+  queue_.assign(entries, all.size());
 }
 
 template <KineticTraits_2 Traits>
@@ -246,6 +333,19 @@ void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& 
 
 // ---- time ----
 
+// Takes the first entry from the queue, and asks for the memory that the next one will need: what
+// is around its face has been asked for when it came near.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::pop_entry() -> Entry {
+  const Entry entry = queue_.pop();
+  times_.release(entry.time);
+  if (!queue_.empty()) {
+    const auto [face, i] = queue_.top().edge();
+    detail::prefetch_around(face->neighbor(i));
+  }
+  return entry;
+}
+
 // Looks at certificates again until the first entry of the queue is a failure, or is later than
 // `until`. Returns whether it is a failure at or before `until`.
 template <KineticTraits_2 Traits>
@@ -257,8 +357,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::settle(const std::optional<Time>&
   };
   while (!queue_.empty() && is_due(queue_.top())) {
     if (queue_.top().kind != Entry_kind::look_again) return true;
-    const Entry entry = queue_.pop();
-    times_.release(entry.time);
+    const Entry entry = pop_entry();
     ++counters_.looks_again;
     schedule(two_sided(entry.edge()), Time(entry.bounds.lower));
   }
@@ -296,8 +395,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
   current_time_ = time(queue_.top());
   triangulation_.geom_traits().set_instant({current_time_, Side::after});
   do {
-    const Entry event = queue_.pop();
-    times_.release(event.time);
+    const Entry event = pop_entry();
     execute(two_sided(event.edge()), event.kind);
   } while (settle(current_time_));
   const std::uint64_t executed = counters_.number_of_events() - before;
