@@ -41,9 +41,9 @@ NUMBER_TYPES = (
 LIBRARIES = {
     "base": (),
     "algebra": NUMBER_TYPES,
-    "kinetic": NUMBER_TYPES + ("CGAL/",),
+    "kinetic": NUMBER_TYPES + ("CGAL/", "boost/smart_ptr/"),
     "events": (),
-    "triangulation": NUMBER_TYPES + ("CGAL/",),
+    "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/"),
     "simulation": (),
     "io": ("nlohmann/", "fmt/"),
     "apps": ("CLI/", "nlohmann/", "fmt/"),

@@ -20,10 +20,14 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit_roundoff = 0x1p-53;
 
-// Sizes and slopes outside of this range might under- or overflow on their way to the fourth power,
-// or to that of the window's length.
+// Sizes, slopes and windows outside of this range might under- or overflow on their way to the
+// fourth power.
 constexpr double least_size = 0x1p-200;
 constexpr double greatest_size = 0x1p200;
+
+bool is_in_range(double x) {
+  return x > least_size && x < greatest_size;
+}
 
 // The window is this share of the time in which the points would pass their distance from one
 // another at their relative speed: long enough that most certificates are replaced before it ends.
@@ -279,14 +283,13 @@ struct Frame {
     size = greatest(m.extent) + moved + 0x1p-49 * terms;
   }
 
-  bool is_in_range() const { return size > least_size && total < greatest_size; }
+  bool is_in_range() const {
+    return size > least_size && total < greatest_size &&
+           (window == 0 || kinetri::is_in_range(window));
+  }
   double in_circle_error() const { return 2048 * unit_roundoff * (size * size) * (size * total); }
   double orientation_error() const { return 256 * unit_roundoff * (size * total); }
 };
-
-bool is_in_range(double slope) {
-  return slope > least_size && slope < greatest_size;
-}
 
 // The window for looking ahead. Precondition: the slope is in range.
 double window_ahead(const Magnitudes& m) {
@@ -501,7 +504,7 @@ bool certainly_never_coincide(const Linear_motion_2& p, const Linear_motion_2& q
   const double slope = greatest(m.slope);
   if (slope == 0) return true;
   const double terms = sum(m.terms);
-  if (!(terms > least_size && terms < greatest_size && is_in_range(slope))) return false;
+  if (!is_in_range(terms) || !is_in_range(slope)) return false;
   const double cross = vector_product(d, Difference{d.slope, Pair{}}).low[0];
   return std::abs(cross) > 64 * unit_roundoff * (terms * slope);
 }

@@ -258,7 +258,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge
   std::vector<Edge> result;
   if (triangulation_.dimension() < 1) return result;
   if (triangulation_.dimension() == 1) {
-    for (const Face_handle face : triangulation_.all_face_handles()) result.emplace_back(face, 2);
+    for (const Edge& edge : triangulation_.all_edges()) result.push_back(edge);
     return result;
   }
   result.reserve(3 * (vertices_.size() + 1));
