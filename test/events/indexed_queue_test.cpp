@@ -207,6 +207,40 @@ TEST(IndexedQueue, OrderOfPopsDoesNotDependOnHistory) {
   EXPECT_TRUE(shuffled.empty());
 }
 
+struct Bounded_item {
+  double lower;
+  double upper;
+  double value;
+};
+struct By_value {
+  bool operator()(const Bounded_item& a, const Bounded_item& b) const { return a.value < b.value; }
+  Double_interval bounds(const Bounded_item& item) const { return {item.lower, item.upper}; }
+  void prefetch(const Bounded_item& /*item*/) const {}
+  void prefetch_more(const Bounded_item& /*item*/) const {}
+};
+
+// The bounds of the first item reach beyond the near ones, which matters when another one comes
+// that is not near.
+TEST(IndexedQueue, AnItemOfWideBoundsIsComparedWithLaterOnes) {
+  for (double width : {0.0, 1.0, 10.0, 1000.0, 1e6}) {
+    Indexed_queue<Bounded_item, By_value> queue;
+    std::vector<Bounded_item> items;
+    for (int i = 0; i < 200; ++i) items.push_back({i + 1.0, i + 1.0, i + 1.0});
+    queue.assign(items, items.size());
+    while (queue.size() > 1) queue.pop();
+    queue.push({1, 200 + width, 200 + width});
+    queue.pop();
+    for (const double value : {201.0, 300.0, 5000.0}) queue.push({value, value, value});
+    ASSERT_TRUE(queue.is_valid()) << "width " << width;
+    double previous = 0;
+    while (!queue.empty()) {
+      const double value = queue.pop().value;
+      ASSERT_LE(previous, value) << "width " << width;
+      previous = value;
+    }
+  }
+}
+
 // Items assigned at once are under their indices, and go on like pushed ones.
 TEST(IndexedQueue, AssignedItemsAreLikePushedOnes) {
   std::mt19937_64 random(5);

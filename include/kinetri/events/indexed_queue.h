@@ -321,10 +321,8 @@ void Indexed_queue<Item, Less>::add(Queue_handle handle) {
     for (const Node& node : heap_) places_[node.handle].position = far;
     heap_.clear();
     spread();
-    settle();
-  } else if (heap_.empty() || heap_.front().handle == handle) {
-    settle();
   }
+  settle();
 }
 
 // Puts the item of `handle`, which is nowhere, where it belongs.

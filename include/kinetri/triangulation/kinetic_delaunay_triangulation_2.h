@@ -41,9 +41,10 @@ namespace detail {
 template <class KineticTriangulation>
 class Auditor;
 
-/// Asks for the vertex or face of a handle, which may lie in two cache lines.
+/// Asks for the vertex or face of a handle, if there is one; it may lie in two cache lines.
 template <class Handle>
 void prefetch(Handle handle) {
+  if (handle == Handle()) return;
   const auto* first = reinterpret_cast<const char*>(&*handle);
   __builtin_prefetch(first);
   __builtin_prefetch(first + sizeof(*handle) - 1);

@@ -339,7 +339,7 @@ template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::pop_entry() -> Entry {
   const Entry entry = queue_.pop();
   times_.release(entry.time);
-  if (!queue_.empty()) {
+  if (!queue_.empty() && triangulation_.dimension() == 2) {
     const auto [face, i] = queue_.top().edge();
     detail::prefetch_around(face->neighbor(i));
   }
