@@ -152,8 +152,8 @@ inline std::array<double, 2> bernstein(std::array<double, 2> c, double width) {
   return {c[0], c[0] + c[1] * width};
 }
 
-/// The first t > 0 at which the polynomial with c[0] > 0 becomes negative; `never` if there is none.
-/// `scale` is a typical root. Adds one to `solves` if the signs do not already tell.
+/// The first t > 0 at which the polynomial with c[0] > 0 becomes negative; `never` if there is
+/// none. `scale` is a typical root. Adds one to `solves` if the signs do not already tell.
 template <std::size_t M>
 double first_failure(const std::array<double, M>& c, double scale, std::uint64_t& solves) {
   const int changes = sign_changes(c);

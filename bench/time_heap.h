@@ -6,7 +6,6 @@
 #ifndef KINETRI_BENCH_TIME_HEAP_H
 #define KINETRI_BENCH_TIME_HEAP_H
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -60,13 +59,18 @@ class Time_heap {
     position_[entry.id] = static_cast<std::uint32_t>(position);
   }
 
+  // Chosen without branches, which would be predicted badly.
   std::size_t least_child(std::size_t first) const {
-    const std::size_t end = std::min(first + arity, heap_.size());
-    std::size_t least = first;
-    for (std::size_t child = first + 1; child < end; ++child) {
-      if (heap_[child].time < heap_[least].time) least = child;
+    const auto least = [this](std::size_t a, std::size_t b) {
+      return heap_[b].time < heap_[a].time ? b : a;
+    };
+    if (first + arity <= heap_.size()) {
+      return least(least(first, first + 1), least(first + 2, first + 3));
     }
-    return least;
+    std::size_t result = first;
+    for (std::size_t child = first + 1; child < heap_.size(); ++child)
+      result = least(result, child);
+    return result;
   }
 
   // Fills the hole at `position` with `entry`, which may belong above or below it.

@@ -87,8 +87,8 @@ class Uncertified_kinetic_delaunay {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> finite_edge_ids() const;
 
  private:
-  using Tds = CGAL::Triangulation_data_structure_2<Moving_vertex_base_2<>,
-                                                   Numbered_edges_face_base_2<>>;
+  using Tds =
+      CGAL::Triangulation_data_structure_2<Moving_vertex_base_2<>, Numbered_edges_face_base_2<>>;
   using Vertex = Tds::Vertex;
   using Vertex_handle = Tds::Vertex_handle;
   using Face_handle = Tds::Face_handle;
@@ -115,6 +115,8 @@ class Uncertified_kinetic_delaunay {
   double first_look_in_window(const std::array<double, M>& c, double window);
 
   void flip(std::uint32_t edge);
+  bool schedule_finite(std::uint32_t diagonal, const std::array<std::uint32_t, 4>& outer,
+                       Face_handle face, int i, Face_handle neighbor, int j);
 
   Outlook_range range_;
   double now_ = 0;
