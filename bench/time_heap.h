@@ -6,9 +6,11 @@
 #ifndef KINETRI_BENCH_TIME_HEAP_H
 #define KINETRI_BENCH_TIME_HEAP_H
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace kinetri::bench {
@@ -29,6 +31,10 @@ class Time_heap {
 
   bool empty() const { return heap_.empty(); }
   const Entry& top() const { return heap_.front(); }
+  /// The entries of which one is the next after the top, or fewer.
+  std::span<const Entry> after_top() const {
+    return {heap_.data() + 1, std::min(arity, heap_.size() - 1)};
+  }
   bool contains(std::uint32_t id) const { return position_[id] != nowhere; }
 
   /// Gives `id` the time `time`, whether it has an entry or not.

@@ -304,7 +304,8 @@ void Uncertified_kinetic_delaunay::set_time(std::uint32_t edge, double time) {
   }
 }
 
-// The vertex indices of CGAL's flip: `face` keeps the edges i's clockwise and loses its other ones.
+// Flips as CGAL does: each of the two faces keeps one outer edge in its place and hands the other
+// one to its neighbor.
 void Uncertified_kinetic_delaunay::flip(std::uint32_t edge) {
   const auto [face, i] = edges_[edge];
   const Face_handle neighbor = face->neighbor(i);
@@ -375,6 +376,10 @@ void Uncertified_kinetic_delaunay::advance_to(double time) {
   while (!queue_.empty() && queue_.top().time <= time) {
     const auto [when, edge] = queue_.top();
     now_ = std::max(now_, when);
+    // Large inputs wait for memory: ask for the faces that are probably next.
+    for (const Time_heap::Entry& next : queue_.after_top()) {
+      __builtin_prefetch(&*edges_[next.id].face);
+    }
     // The entry stays first until schedule() replaces it, and is not counted as discarded there.
     --counters_.discarded;
     if (look_again_[edge] != 0) {

@@ -4,6 +4,12 @@
 // doubles and certifies nothing. It is what one writes who wants speed and takes input in general
 // position for granted: rounding can give it wrong events, and coinciding points or several events
 // at one time can make it wrong for good.
+//
+// Measured: the lazy way beats the eager one, windows of 0.5 to 0.9 of the time scale do better
+// than shorter and longer ones, the outer certificates of a flip in pairs do better than one by
+// one, replacing the first entry costs as much as popping and pushing, asking memory early for the
+// next faces pays but for their corners and neighbors too does not, and compiler options that relax
+// rounding and errno change nothing.
 #ifndef KINETRI_BENCH_UNCERTIFIED_KINETIC_DELAUNAY_H
 #define KINETRI_BENCH_UNCERTIFIED_KINETIC_DELAUNAY_H
 
