@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# What scripts/demo.sh and scripts/test.sh have in common: the packages they need, and the calls of
-# CMake. Source it for its functions, or run it to install what is missing:
+# What scripts/demo.sh, scripts/test.sh and scripts/fuzz.sh have in common: the packages they need,
+# and the calls of CMake. Source it for its functions, or run it to install what is missing:
 #
-#   scripts/setup.sh demo|test
+#   scripts/setup.sh demo|test|fuzz
 
 kinetri_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -15,19 +15,21 @@ kinetri_fail() {
   exit 1
 }
 
-# kinetri_packages demo|test: the Debian packages needed, as `package` or, where a program that came
-# from elsewhere will do as well, `package=program`.
+# kinetri_packages demo|test|fuzz: the Debian packages needed, as `package` or, where a program that
+# came from elsewhere will do as well, `package=program`.
 kinetri_packages() {
   printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libfmt-dev libgmp-dev \
     libmpfr-dev nlohmann-json3-dev
   # Either build tool will do; Ninja is the one to install.
   command -v make >/dev/null || printf '%s\n' ninja-build=ninja
-  if [[ $1 == test ]]; then
+  if [[ $1 != demo ]]; then
     printf '%s\n' libgtest-dev librapidcheck-dev pkg-config=pkg-config python3=python3
   fi
+  # The sanitizers' and libFuzzer's libraries.
+  if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi
 }
 
-# kinetri_missing demo|test: those of them that are not there, one a line.
+# kinetri_missing demo|test|fuzz: those of them that are not there, one a line.
 kinetri_missing() {
   local entry package program
   while IFS= read -r entry; do
@@ -41,7 +43,7 @@ kinetri_missing() {
   done < <(kinetri_packages "$1")
 }
 
-# kinetri_setup demo|test: installs the missing packages. Silent if there are none.
+# kinetri_setup demo|test|fuzz: installs the missing packages. Silent if there are none.
 kinetri_setup() {
   local missing
   if ! command -v dpkg-query >/dev/null; then
@@ -119,8 +121,8 @@ kinetri_build() {
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
   set -euo pipefail
-  if [[ $# -ne 1 || ! $1 =~ ^(demo|test)$ ]]; then
-    printf 'usage: %s demo|test\nInstalls the Debian packages that are missing.\n' "$0" >&2
+  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|fuzz)$ ]]; then
+    printf 'usage: %s demo|test|fuzz\nInstalls the Debian packages that are missing.\n' "$0" >&2
     exit 2
   fi
   kinetri_setup "$1"

@@ -25,6 +25,8 @@ namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20U;
 constexpr std::size_t longest_quotation = 40;
+// The buffer doubles where a line does not fit, so that a small file does not pay for a long line.
+constexpr std::size_t first_buffer = std::size_t{1} << 16U;
 
 constexpr std::string_view not_a_number =
     "is not a number; expected a decimal or hexadecimal floating point number such as -1.5, "
@@ -66,7 +68,7 @@ std::string quoted(std::string_view text) {
 class Line_reader {
  public:
   Line_reader(std::istream& in, const std::string& name) : in_(in), name_(name) {
-    buffer_.resize(2 * longest_line);
+    buffer_.resize(first_buffer);
   }
 
   // The number of the last line, counted from 1.
@@ -105,6 +107,7 @@ class Line_reader {
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;
     begin_ = 0;
+    if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
     in_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
     if (in_.bad()) {
       throw Input_error(name_, line_, "reading failed; expected a readable file of points");

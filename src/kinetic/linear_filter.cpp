@@ -3,8 +3,8 @@
 // The filter works with the polynomial of the certificate in w, where the time is origin + w *
 // window and 0 <= w <= 1. `size` bounds the difference of any two of the points in either
 // coordinate, over the whole window; the errors below are in units of 2^-53 * size^degree and are
-// derived in docs/MATH.md, section 7. Where a number overflows a comparison is false, and the
-// verdict is unknown.
+// derived in docs/MATH.md, section 7. An overflow on the way shows in the sizes, which are out of
+// range then, and the verdict is unknown.
 #include "kinetri/kinetic/linear_filter.h"
 
 #include <algorithm>
@@ -12,15 +12,16 @@
 #include <cmath>
 #include <limits>
 
+#include "coordinate_pair.h"
+
 namespace kinetri {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit_roundoff = 0x1p-53;
 
-// Sizes outside of this range might under- or overflow on their way to the fourth power. With all
-// slopes that matter at least 2^-1022 / 2^-200 times smaller than a size, what underflows is far
-// below the error.
+// Sizes and slopes outside of this range might under- or overflow on their way to the fourth power,
+// or to that of the window's length.
 constexpr double least_size = 0x1p-200;
 constexpr double greatest_size = 0x1p200;
 
@@ -37,62 +38,56 @@ constexpr int max_depth = 8;
 template <std::size_t N>
 using Coefficients = std::array<double, N + 1>;
 
-// The difference of two linear motions, place + slope * u with u the time from the origin, and
-// bounds on its size.
+// The difference of two linear motions: place + slope * (time - origin).
 struct Difference {
-  double x, y;              // at the origin
-  double slope_x, slope_y;  // per unit of time
+  Pair place;
+  Pair slope;
 };
 
+// Bounds for the differences that a polynomial is made from, by coordinate.
 struct Magnitudes {
-  double place = 0;  // of x and y, and of all the numbers they were made from
-  double slope = 0;
+  Pair terms = {};   // the sum of all numbers that the places were made from
+  Pair extent = {};  // of the places
+  Pair slope = {};
+
+  void add(const Difference& d) {
+    extent = greater(absolute(d.place), extent);
+    slope = greater(absolute(d.slope), slope);
+  }
 };
-
-double max_abs(double a, double b) {
-  return std::max(std::abs(a), std::abs(b));
-}
-
-// Taking the difference first keeps the coordinates' common part out of the error.
-inline Difference difference_from_one_epoch(const Linear_motion_2& p, const Linear_motion_2& q,
-                                            double elapsed, Magnitudes& magnitudes) {
-  const double x = p.position.x - q.position.x;
-  const double y = p.position.y - q.position.y;
-  const double slope_x = p.velocity.x - q.velocity.x;
-  const double slope_y = p.velocity.y - q.velocity.y;
-  const double moved_x = slope_x * elapsed;
-  const double moved_y = slope_y * elapsed;
-  magnitudes.place = std::max(magnitudes.place, max_abs(x, y) + max_abs(moved_x, moved_y));
-  magnitudes.slope = std::max(magnitudes.slope, max_abs(slope_x, slope_y));
-  return {x + moved_x, y + moved_y, slope_x, slope_y};
-}
 
 Difference difference_from_two_epochs(const Linear_motion_2& p, const Linear_motion_2& q,
-                                      double origin, Magnitudes& magnitudes) {
-  const double elapsed_p = origin - p.epoch;
-  const double elapsed_q = origin - q.epoch;
-  const double moved_px = p.velocity.x * elapsed_p;
-  const double moved_py = p.velocity.y * elapsed_p;
-  const double moved_qx = q.velocity.x * elapsed_q;
-  const double moved_qy = q.velocity.y * elapsed_q;
-  const double slope_x = p.velocity.x - q.velocity.x;
-  const double slope_y = p.velocity.y - q.velocity.y;
-  const double place = max_abs(p.position.x, p.position.y) + max_abs(moved_px, moved_py) +
-                       max_abs(q.position.x, q.position.y) + max_abs(moved_qx, moved_qy);
-  magnitudes.place = std::max(magnitudes.place, place);
-  magnitudes.slope = std::max(magnitudes.slope, max_abs(slope_x, slope_y));
-  return {(p.position.x + moved_px) - (q.position.x + moved_qx),
-          (p.position.y + moved_py) - (q.position.y + moved_qy), slope_x, slope_y};
+                                      double origin, Magnitudes& m) {
+  const Pair moved_p = pair(p.velocity) * (origin - p.epoch);
+  const Pair moved_q = pair(q.velocity) * (origin - q.epoch);
+  m.terms += absolute(pair(p.position)) + absolute(moved_p);
+  m.terms += absolute(pair(q.position)) + absolute(moved_q);
+  return {(pair(p.position) + moved_p) - (pair(q.position) + moved_q),
+          pair(p.velocity) - pair(q.velocity)};
 }
 
 inline Difference difference(const Linear_motion_2& p, const Linear_motion_2& q, double origin,
-                             Magnitudes& magnitudes) {
-  return p.epoch == q.epoch ? difference_from_one_epoch(p, q, origin - q.epoch, magnitudes)
-                            : difference_from_two_epochs(p, q, origin, magnitudes);
+                             Magnitudes& m) {
+  Difference d;
+  if (p.epoch == q.epoch) {
+    // Taking the difference first keeps the coordinates' common part out of the error.
+    d.slope = pair(p.velocity) - pair(q.velocity);
+    const Pair place = pair(p.position) - pair(q.position);
+    const Pair moved = d.slope * (origin - q.epoch);
+    m.terms += absolute(place) + absolute(moved);
+    d.place = place + moved;
+  } else {
+    d = difference_from_two_epochs(p, q, origin, m);
+  }
+  m.add(d);
+  return d;
 }
 
-double max_abs(const Difference& d) {
-  return max_abs(d.x, d.y);
+template <std::size_t M>
+inline double least(const std::array<double, M>& c) {
+  double result = c[0];
+  for (std::size_t i = 1; i < M; ++i) result = std::min(result, c[i]);
+  return result;
 }
 
 // The Bernstein coefficients over [0, 1].
@@ -183,7 +178,7 @@ bool bracket_root(const std::array<double, M>& c, double error, double w, double
 // (i / degree, b[i] - error). Zero if it may be negative at the start.
 template <std::size_t M>
 double positive_share(const std::array<double, M>& b, double error) {
-  if (std::ranges::all_of(b, [error](double x) { return x > error; })) return 1;
+  if (least(b) > error) return 1;
   std::size_t i = 0;
   while (b[i] > error) {
     std::size_t next = i + 1;
@@ -215,10 +210,12 @@ bool has_one_change(const std::array<double, M>& b, double error) {
                      [error](double x) { return x < -error; });
 }
 
-// How long the polynomial with coefficients `c`, each value of which over [0, 1] is known up to
-// `error`, is certainly positive; or a bracket of its first root, where that is near.
+// How long the polynomial with coefficients `c` and Bernstein coefficients `b`, each value of which
+// over [0, 1] is known up to `error`, is certainly positive; or a bracket of its first root, where
+// that is near.
 template <std::size_t M>
-Filter_verdict first_failure(const std::array<double, M>& c, double error) {
+Filter_verdict first_failure(const std::array<double, M>& c, const std::array<double, M>& b,
+                             double error) {
   using Kind = Filter_verdict::Kind;
   struct Piece {
     std::array<double, M> b;
@@ -228,7 +225,7 @@ Filter_verdict first_failure(const std::array<double, M>& c, double error) {
   };
   std::array<Piece, max_depth + 1> stack;
   int size = 1;
-  stack[0] = {bernstein(c), 0, 1, 0};
+  stack[0] = {b, 0, 1, 0};
   while (size > 0) {
     Piece piece = stack[static_cast<std::size_t>(--size)];
     const double share = positive_share(piece.b, error);
@@ -277,24 +274,64 @@ Filter_verdict in_time(const Filter_verdict& v, double origin, double window,
   return {Filter_verdict::Kind::fails, lower, upper};
 }
 
-// `units` is the error of a value in units of 2^-53 * scale, `norm` * scale bounds the sum of the
-// coefficients' magnitudes.
-template <std::size_t M>
-Filter_verdict judge(const std::array<double, M>& c, double scale, double units, double norm,
-                     double window, const Double_interval& after, bool vanishes_at) {
-  const double error = units * unit_roundoff * scale;
-  const auto first = vanishes_at ? 1 : 0;
-  if (std::all_of(c.begin() + first, c.end(), [error](double x) { return x > error; })) {
-    return {Filter_verdict::Kind::holds, infinity, infinity};
+// The window, the sizes that belong to it, and the errors that follow from them.
+struct Frame {
+  double window = 0;
+  double size = 0;
+  double total = 0;
+
+  Frame(const Magnitudes& m, double length) : window(length) {
+    const double terms = sum(m.terms);
+    const double moved = greatest(m.slope) * window;
+    total = terms + moved;
+    // The last term is more than the error of the extent.
+    size = greatest(m.extent) + moved + 0x1p-49 * terms;
   }
-  if (!vanishes_at) return in_time(first_failure(c, error), after.lower, window, after);
+
+  bool is_in_range() const { return size > least_size && total < greatest_size; }
+  double in_circle_error() const { return 2048 * unit_roundoff * (size * size) * (size * total); }
+  double orientation_error() const { return 256 * unit_roundoff * (size * total); }
+};
+
+bool is_in_range(double slope) {
+  return slope > least_size && slope < greatest_size;
+}
+
+// The window for looking ahead. Precondition: the slope is in range.
+double window_ahead(const Magnitudes& m) {
+  return window_share * greatest(m.extent) / greatest(m.slope);
+}
+
+// The sum of the coefficients' magnitudes is at most this many times error.
+constexpr double in_circle_norm = 12 / (2048 * unit_roundoff);
+constexpr double orientation_norm = 4 / (256 * unit_roundoff);
+
+// The verdict on the polynomial with coefficients `c`, whose values are known up to `error`.
+template <std::size_t M>
+Filter_verdict judge(const std::array<double, M>& c, double error, double window,
+                     const Double_interval& after) {
+  const std::array<double, M> b = bernstein(c);
+  if (least(b) > error) {
+    if (least(c) > error) return {Filter_verdict::Kind::holds, infinity, infinity};
+    return in_time({Filter_verdict::Kind::holds, 1, 1}, after.lower, window, after);
+  }
+  return in_time(first_failure(c, b, error), after.lower, window, after);
+}
+
+// Likewise where it has a known root at the time in `after`, of which the next one is wanted.
+// `norm` times `error` bounds the sum of the coefficients' magnitudes.
+template <std::size_t M>
+Filter_verdict judge_after_root(const std::array<double, M>& c, double error, double norm,
+                                double window, const Double_interval& after) {
   // c(w) = (w - r) g(w) with 0 <= r <= rest: g has the coefficients c_1, c_2, ... up to an error
   // that r makes, and the next root of c after r is that of g.
   const double rest = 2 * (after.upper - after.lower) / window;
   if (!(rest < 0x1p-10)) return {};
-  std::array<double, M - 1> quotient;
-  std::copy(c.begin() + 1, c.end(), quotient.begin());
-  Filter_verdict verdict = first_failure(quotient, error + 2 * norm * scale * rest);
+  std::array<double, M - 1> g;
+  std::copy(c.begin() + 1, c.end(), g.begin());
+  const double error_of_g = error + 2 * norm * error * rest;
+  if (least(g) > error_of_g) return {Filter_verdict::Kind::holds, infinity, infinity};
+  Filter_verdict verdict = first_failure(g, bernstein(g), error_of_g);
   if (verdict.kind == Filter_verdict::Kind::fails) {
     // c itself gives the narrower bracket, and the next certificate starts from there.
     bracket_root(c, error, 0.5 * (verdict.lower + verdict.upper), verdict.lower, verdict.upper);
@@ -303,89 +340,60 @@ Filter_verdict judge(const std::array<double, M>& c, double scale, double units,
 }
 
 // The verdict on a certificate whose points do not move against each other.
-Filter_verdict judge_constant(double value, double scale, double units) {
-  if (!(value > units * unit_roundoff * scale)) return {};
+Filter_verdict judge_constant(double value, double error) {
+  if (!(value > error)) return {};
   return {Filter_verdict::Kind::holds, infinity, infinity};
 }
 
-// The window and the sizes that belong to it.
-struct Frame {
-  double window = 0;
-  double size = 0;
-  double total = 0;
-
-  bool is_in_range() const { return size > least_size && total < greatest_size; }
-  double in_circle_scale() const { return size * size * size * total; }
-  double orientation_scale() const { return size * total; }
+// The vector products of the places and slopes of two differences, as the polynomial in time that
+// is the product of the differences.
+struct Product {
+  Pair low;     // the coefficients of degree 0 and 1
+  double high;  // that of degree 2
 };
 
-constexpr double in_circle_units = 2048;
-constexpr double in_circle_norm = 12;
-constexpr double orientation_units = 256;
-constexpr double orientation_norm = 4;
-
-// The frame of the given window; the slopes of the differences become those over the window.
-template <std::size_t N>
-Frame frame(std::array<Difference, N>& differences, const Magnitudes& m, double extent,
-            double window) {
-  for (Difference& d : differences) {
-    d.slope_x *= window;
-    d.slope_y *= window;
-  }
-  // The last term is more than the error of the extent.
-  return {window, extent + m.slope * window + 0x1p-49 * m.place, m.place + m.slope * window};
+inline Product vector_product(const Difference& a, const Difference& b) {
+  const Pair place = swapped(b.place);
+  const Pair slope = swapped(b.slope);
+  const Pair pp = a.place * place;
+  const Pair ps = a.place * slope;
+  const Pair sp = a.slope * place;
+  const Pair ss = a.slope * slope;
+  const Pair from_place = firsts(pp, ps) - seconds(pp, ps);
+  const Pair from_slope = firsts(sp, ss) - seconds(sp, ss);
+  return {from_place + Pair{0, from_slope[0]}, from_slope[1]};
 }
 
-template <std::size_t N>
-double extent_of(const std::array<Difference, N>& differences) {
-  double extent = 0;
-  for (const Difference& d : differences) extent = std::max(extent, max_abs(d));
-  return extent;
+inline Product squared_length(const Difference& a) {
+  const Pair pp = a.place * a.place;
+  const Pair ps = a.place * a.slope;
+  const Pair half = firsts(pp, ps) + seconds(pp, ps);
+  return {half + Pair{0, half[1]}, sum(a.slope * a.slope)};
 }
 
-// The frame for looking ahead.
-template <std::size_t N>
-Frame frame_ahead(std::array<Difference, N>& differences, const Magnitudes& m) {
-  const double extent = extent_of(differences);
-  return frame(differences, m, extent, m.slope == 0 ? 1 : window_share * extent / m.slope);
-}
-
-// The frame for a given interval of time.
-template <std::size_t N>
-Frame frame_of(std::array<Difference, N>& differences, const Magnitudes& m,
-               const Double_interval& interval) {
-  const double length = interval.upper - interval.lower;
-  return frame(differences, m, extent_of(differences), length == 0 ? 0 : 2 * length);
-}
-
-// Minus the in-circle determinant of differences to the fourth point.
-Coefficients<4> in_circle_coefficients(const std::array<Difference, 3>& d) {
-  Coefficients<4> c = {};
+// Minus the in-circle determinant of differences to the fourth point, in powers of w.
+inline Coefficients<4> in_circle_coefficients(const std::array<Difference, 3>& d, double window) {
+  Pair c01 = {};
+  Pair c12 = {};
+  Pair c23 = {};
+  double c4 = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Difference& a = d[i];
-    const Difference& b = d[(i + 1) % 3];
-    const Difference& e = d[(i + 2) % 3];
-    const double l0 = a.x * a.x + a.y * a.y;
-    const double l1 = 2 * (a.x * a.slope_x + a.y * a.slope_y);
-    const double l2 = a.slope_x * a.slope_x + a.slope_y * a.slope_y;
-    const double m0 = b.x * e.y - b.y * e.x;
-    const double m1 = (b.x * e.slope_y - b.y * e.slope_x) + (b.slope_x * e.y - b.slope_y * e.x);
-    const double m2 = b.slope_x * e.slope_y - b.slope_y * e.slope_x;
-    c[0] -= l0 * m0;
-    c[1] -= l0 * m1 + l1 * m0;
-    c[2] -= l0 * m2 + l1 * m1 + l2 * m0;
-    c[3] -= l1 * m2 + l2 * m1;
-    c[4] -= l2 * m2;
+    const Product l = squared_length(d[i]);
+    const Product m = vector_product(d[(i + 1) % 3], d[(i + 2) % 3]);
+    c01 -= l.low[0] * m.low;
+    c12 -= l.low[1] * m.low;
+    c23 -= l.high * m.low + m.high * l.low;
+    c4 -= l.high * m.high;
   }
-  return c;
+  const double window_2 = window * window;
+  return {c01[0], (c01[1] + c12[0]) * window, (c12[1] + c23[0]) * window_2,
+          c23[1] * (window_2 * window), c4 * (window_2 * window_2)};
 }
 
 // The orientation of differences to the first point.
-Coefficients<2> orientation_coefficients(const std::array<Difference, 2>& d) {
-  const auto& [a, b] = d;
-  return {a.x * b.y - a.y * b.x,
-          (a.x * b.slope_y - a.y * b.slope_x) + (a.slope_x * b.y - a.slope_y * b.x),
-          a.slope_x * b.slope_y - a.slope_y * b.slope_x};
+Coefficients<2> orientation_coefficients(const std::array<Difference, 2>& d, double window) {
+  const Product m = vector_product(d[0], d[1]);
+  return {m.low[0], m.low[1] * window, m.high * (window * window)};
 }
 
 // The sign of a polynomial all of whose values over [0, 1] are certainly of one sign, else zero.
@@ -400,12 +408,23 @@ Sign certain_sign(const std::array<double, M>& c, double error) {
 // The sign of a coordinate of the difference p - q throughout the interval.
 Sign certain_coordinate(double value, double slope, const Magnitudes& m,
                         const Double_interval& interval) {
-  const double error = 8 * unit_roundoff * m.place +
+  const double error = 16 * unit_roundoff * sum(m.terms) +
                        2 * std::abs(slope) * (interval.upper - interval.lower) +
                        std::numeric_limits<double>::min();
   if (value > error) return CGAL::POSITIVE;
   if (value < -error) return CGAL::NEGATIVE;
   return CGAL::ZERO;
+}
+
+// The frame for a given interval of time.
+Frame frame_of(const Magnitudes& m, const Double_interval& interval) {
+  return Frame(m, 2 * (interval.upper - interval.lower));
+}
+
+// Whether the polynomial over the window can be computed without under- or overflow.
+bool is_safe(const Magnitudes& m, const Frame& f) {
+  const double slope = greatest(m.slope);
+  return f.is_in_range() && (f.window == 0 || slope == 0 || is_in_range(slope));
 }
 
 }  // namespace
@@ -414,75 +433,85 @@ Filter_verdict filter_in_circle(const Linear_motion_2& p, const Linear_motion_2&
                                 const Linear_motion_2& r, const Linear_motion_2& s,
                                 const Double_interval& after, bool vanishes_at) {
   Magnitudes m;
-  std::array<Difference, 3> d = {difference(p, s, after.lower, m), difference(q, s, after.lower, m),
-                                 difference(r, s, after.lower, m)};
-  const Frame f = frame_ahead(d, m);
-  if (!f.is_in_range() || !(f.window > 0)) return {};
-  const Coefficients<4> c = in_circle_coefficients(d);
-  if (m.slope == 0) return judge_constant(c[0], f.in_circle_scale(), in_circle_units);
-  return judge(c, f.in_circle_scale(), in_circle_units, in_circle_norm, f.window, after,
-               vanishes_at);
+  const double origin = after.lower;
+  const std::array<Difference, 3> d = {difference(p, s, origin, m), difference(q, s, origin, m),
+                                       difference(r, s, origin, m)};
+  if (!is_in_range(greatest(m.slope))) {
+    const Frame f(m, 0);
+    if (greatest(m.slope) != 0 || !f.is_in_range()) return {};
+    return judge_constant(in_circle_coefficients(d, 0)[0], f.in_circle_error());
+  }
+  const Frame f(m, window_ahead(m));
+  if (!f.is_in_range()) return {};
+  const Coefficients<4> c = in_circle_coefficients(d, f.window);
+  const double error = f.in_circle_error();
+  return vanishes_at ? judge_after_root(c, error, in_circle_norm, f.window, after)
+                     : judge(c, error, f.window, after);
 }
 
 Filter_verdict filter_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
                                   const Linear_motion_2& r, const Double_interval& after,
                                   bool vanishes_at) {
   Magnitudes m;
-  std::array<Difference, 2> d = {difference(q, p, after.lower, m),
-                                 difference(r, p, after.lower, m)};
-  const Frame f = frame_ahead(d, m);
-  if (!f.is_in_range() || !(f.window > 0)) return {};
-  const Coefficients<2> c = orientation_coefficients(d);
-  if (m.slope == 0) return judge_constant(c[0], f.orientation_scale(), orientation_units);
-  return judge(c, f.orientation_scale(), orientation_units, orientation_norm, f.window, after,
-               vanishes_at);
+  const double origin = after.lower;
+  const std::array<Difference, 2> d = {difference(q, p, origin, m), difference(r, p, origin, m)};
+  if (!is_in_range(greatest(m.slope))) {
+    const Frame f(m, 0);
+    if (greatest(m.slope) != 0 || !f.is_in_range()) return {};
+    return judge_constant(orientation_coefficients(d, 0)[0], f.orientation_error());
+  }
+  const Frame f(m, window_ahead(m));
+  if (!f.is_in_range()) return {};
+  const Coefficients<2> c = orientation_coefficients(d, f.window);
+  const double error = f.orientation_error();
+  return vanishes_at ? judge_after_root(c, error, orientation_norm, f.window, after)
+                     : judge(c, error, f.window, after);
 }
 
 Sign certain_x_order(const Linear_motion_2& p, const Linear_motion_2& q,
                      const Double_interval& interval) {
   Magnitudes m;
   const Difference d = difference(p, q, interval.lower, m);
-  return certain_coordinate(d.x, d.slope_x, m, interval);
+  return certain_coordinate(d.place[0], d.slope[0], m, interval);
 }
 
 Sign certain_y_order(const Linear_motion_2& p, const Linear_motion_2& q,
                      const Double_interval& interval) {
   Magnitudes m;
   const Difference d = difference(p, q, interval.lower, m);
-  return certain_coordinate(d.y, d.slope_y, m, interval);
+  return certain_coordinate(d.place[1], d.slope[1], m, interval);
 }
 
 Sign certain_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
                          const Linear_motion_2& r, const Double_interval& interval) {
   Magnitudes m;
-  std::array<Difference, 2> d = {difference(q, p, interval.lower, m),
-                                 difference(r, p, interval.lower, m)};
-  const Frame f = frame_of(d, m, interval);
-  if (!f.is_in_range()) return CGAL::ZERO;
-  return certain_sign(orientation_coefficients(d),
-                      orientation_units * unit_roundoff * f.orientation_scale());
+  const std::array<Difference, 2> d = {difference(q, p, interval.lower, m),
+                                       difference(r, p, interval.lower, m)};
+  const Frame f = frame_of(m, interval);
+  if (!is_safe(m, f)) return CGAL::ZERO;
+  return certain_sign(orientation_coefficients(d, f.window), f.orientation_error());
 }
 
 Sign certain_in_circle(const Linear_motion_2& p, const Linear_motion_2& q, const Linear_motion_2& r,
                        const Linear_motion_2& s, const Double_interval& interval) {
   Magnitudes m;
-  std::array<Difference, 3> d = {difference(p, s, interval.lower, m),
-                                 difference(q, s, interval.lower, m),
-                                 difference(r, s, interval.lower, m)};
-  const Frame f = frame_of(d, m, interval);
-  if (!f.is_in_range()) return CGAL::ZERO;
-  return -certain_sign(in_circle_coefficients(d),
-                       in_circle_units * unit_roundoff * f.in_circle_scale());
+  const std::array<Difference, 3> d = {difference(p, s, interval.lower, m),
+                                       difference(q, s, interval.lower, m),
+                                       difference(r, s, interval.lower, m)};
+  const Frame f = frame_of(m, interval);
+  if (!is_safe(m, f)) return CGAL::ZERO;
+  return -certain_sign(in_circle_coefficients(d, f.window), f.in_circle_error());
 }
 
 bool certainly_never_coincide(const Linear_motion_2& p, const Linear_motion_2& q) {
   Magnitudes m;
   const Difference d = difference(p, q, p.epoch, m);
-  if (m.slope == 0) return true;
-  if (!(m.place > least_size && m.place < greatest_size)) return false;
-  if (!(m.slope > least_size && m.slope < greatest_size)) return false;
-  const double cross = d.x * d.slope_y - d.y * d.slope_x;
-  return std::abs(cross) > 64 * unit_roundoff * (m.place * m.slope);
+  const double slope = greatest(m.slope);
+  if (slope == 0) return true;
+  const double terms = sum(m.terms);
+  if (!(terms > least_size && terms < greatest_size && is_in_range(slope))) return false;
+  const double cross = vector_product(d, Difference{d.slope, Pair{}}).low[0];
+  return std::abs(cross) > 64 * unit_roundoff * (terms * slope);
 }
 
 }  // namespace kinetri

@@ -4,79 +4,13 @@
 // input so coarse that most instants are degenerate.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
-#include "support/brute_force_simulator.h"
+#include "support/same_run.h"
 
 namespace kinetri {
 namespace {
 
-using Kinetic_delaunay = Kinetic_delaunay_triangulation_2<>;
-using test::Static_edges;
-
-std::set<Edge_ids> edges_of(const Kinetic_delaunay& kinetic) {
-  const auto edges = kinetic.finite_edge_ids();
-  return {edges.begin(), edges.end()};
-}
-
-// The net change of the edges that the observed events made.
-class Net_change : public Kinetic_delaunay::Observer {
- public:
-  void after_event(const Event<Algebraic_number>& event) override {
-    time = event.time;
-    ++events;
-    if (event.removed) edges.erase(*event.removed);
-    if (event.added) edges.insert(*event.added);
-  }
-
-  std::set<Edge_ids> edges;
-  Algebraic_number time;
-  int events = 0;
-};
-
-// Runs both from `start` to the last critical time and compares the edges between all of them, and,
-// where the triangulation is unique, the times at which they change.
 void expect_same_run(const std::vector<Linear_motion_2>& motions, const Algebraic_number& start) {
-  SCOPED_TRACE(test::describe(motions));
-  Kinetic_delaunay kinetic(motions.begin(), motions.end(), start);
-  Net_change log;
-  log.edges = edges_of(kinetic);
-  kinetic.add_observer(log);
-
-  std::vector<Algebraic_number> times = test::critical_times(motions, start);
-  times.push_back(times.empty() ? Algebraic_number(Rational(start.upper() + 1))
-                                : Algebraic_number(Rational(times.back().upper() + 1)));
-  Algebraic_number previous = start;
-  std::set<Edge_ids> previous_edges = log.edges;
-  bool was_unique = true;
-  for (const Algebraic_number& time : times) {
-    // Everything between two critical times is alike: look at one time of it.
-    const Rational between = simplest_between(previous, time);
-    const int events_before = log.events;
-    kinetic.advance_to(Algebraic_number(between));
-    const Static_edges expected = test::edges_at(motions, between);
-    const std::set<Edge_ids> actual = edges_of(kinetic);
-    ASSERT_EQ(actual, log.edges) << "the log does not add up at " << between;
-    ASSERT_TRUE(std::ranges::includes(actual, expected.certain)) << "edge missing at " << between;
-    ASSERT_TRUE(std::ranges::includes(expected.possible, actual)) << "wrong edge at " << between;
-    if (log.events != events_before) {
-      ASSERT_EQ(log.time, previous) << "an event at no critical time";
-    } else {
-      ASSERT_EQ(actual, previous_edges);
-    }
-    const bool is_unique = expected.certain == expected.possible;
-    if (is_unique && was_unique && log.events != events_before && log.events == events_before + 1) {
-      ASSERT_NE(actual, previous_edges) << "an event that changes nothing";
-    }
-    ASSERT_TRUE(kinetic.audit(Audit_level::reference).passed())
-        << kinetic.audit(Audit_level::reference).failures.front() << " at " << between;
-    was_unique = is_unique;
-    previous = time;
-    previous_edges = actual;
-  }
-  kinetic.advance_to(times.back());
-  EXPECT_FALSE(kinetic.next_event_time()) << "an event after the last critical time";
+  ASSERT_EQ(test::difference_from_brute_force(motions, start), "") << test::describe(motions);
 }
 
 TEST(Brute_force, random_points_change_in_the_same_way) {

@@ -6,6 +6,7 @@
 #define KINETRI_EVENTS_INDEXED_QUEUE_H
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -69,7 +70,7 @@ class Indexed_queue {
 
   /// Whether `handle` names an item of the queue.
   bool contains(Queue_handle handle) const noexcept {
-    return handle < position_.size() && position_[handle] != nowhere;
+    return handle < places_.size() && places_[handle].position != nowhere;
   }
 
   /// Inserts `item`. Precondition: size() < 2^32 - 2.
@@ -80,7 +81,7 @@ class Indexed_queue {
     KINETRI_PRECONDITION(!empty(), "top of an empty queue");
     return heap_.front().handle;
   }
-  const Item& top() const { return items_[top_handle()]; }
+  const Item& top() const { return places_[top_handle()].item; }
 
   /// Removes the least item and returns it. Precondition: not empty.
   Item pop();
@@ -88,7 +89,7 @@ class Indexed_queue {
   /// The item of `handle`. Precondition: contains(handle).
   const Item& operator[](Queue_handle handle) const {
     KINETRI_PRECONDITION(contains(handle), "the handle names no item of the queue");
-    return items_[handle];
+    return places_[handle].item;
   }
 
   /// Replaces the item of `handle`. Precondition: contains(handle).
@@ -111,6 +112,21 @@ class Indexed_queue {
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::uint32_t far = nowhere - 1;
 
+  struct Place {
+    Item item;
+    std::uint32_t position;  // in the heap, or far, or nowhere
+  };
+
+  // A cache line of records of far items: a slot is a list of these.
+  struct Chunk {
+    static constexpr std::size_t capacity = 14;
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+    std::uint32_t next = none;
+    std::uint32_t size = 0;
+    std::array<Queue_handle, capacity> handles;
+  };
+
   // What the heap holds: a handle, and the bounds of its item.
   struct Node {
     Double_interval bounds;
@@ -119,7 +135,7 @@ class Indexed_queue {
 
   Double_interval bounds(Queue_handle handle) const {
     if constexpr (Bounding_order<Less, Item>) {
-      return less_.bounds(items_[handle]);
+      return less_.bounds(places_[handle].item);
     } else {
       constexpr double infinity = std::numeric_limits<double>::infinity();
       return {-infinity, infinity};
@@ -129,7 +145,7 @@ class Indexed_queue {
   bool less(const Node& a, const Node& b) const {
     if (a.bounds.upper < b.bounds.lower) return true;
     if (b.bounds.upper < a.bounds.lower) return false;
-    return less_(items_[a.handle], items_[b.handle]);
+    return less_(places_[a.handle].item, places_[b.handle].item);
   }
 
   // The number of the slot of a bound, before truncation: monotone in the bound, even as rounded.
@@ -139,15 +155,18 @@ class Indexed_queue {
 
   void place(std::size_t position, const Node& node) {
     heap_[position] = node;
-    position_[node.handle] = static_cast<std::uint32_t>(position);
+    places_[node.handle].position = static_cast<std::uint32_t>(position);
   }
 
   Queue_handle acquire_handle(Item&& item);
   Item take(Queue_handle handle);
+  void add(Queue_handle handle);
   void insert(Queue_handle handle);
   void insert_into_heap(const Node& node);
   void remove(Queue_handle handle);
   void settle();
+  bool has_long_slots() const;
+  void record(std::size_t slot, Queue_handle handle);
   void open_next_slot();
   void spread();
   bool choose_slots();
@@ -159,15 +178,15 @@ class Indexed_queue {
 
   // Invariants: an item is in the heap if its lower bound is in an open slot, else it is far. So
   // long as the upper bound of the heap's least item is in an open slot, that item is the least of
-  // all; between two calls from outside it is. position_[h] says where the item of h is: its index
-  // in heap_, or far. A far item is recorded in its slot, unless that is beyond the last one; slots
-  // may also hold records of items that have left or moved, which are recognized when they are
-  // opened.
+  // all; between two calls from outside it is. A far item is recorded in its slot, unless that is
+  // beyond the last one; slots may also hold records of items that have left or moved, which are
+  // recognized when they are opened.
   std::vector<Node> heap_;
-  std::vector<Item> items_;              // by handle
-  std::vector<std::uint32_t> position_;  // by handle
-  std::vector<Queue_handle> free_;       // a stack
-  std::vector<std::vector<Queue_handle>> slots_;
+  std::vector<Place> places_;         // by handle
+  std::vector<Queue_handle> free_;    // a stack
+  std::vector<std::uint32_t> slots_;  // the first chunk of each
+  std::vector<Chunk> chunks_;
+  std::uint32_t free_chunk_ = Chunk::none;  // the first of a list
   std::size_t open_slots_ = 1;
   double origin_ = 0;
   double slots_per_unit_ = 0;
@@ -182,8 +201,7 @@ template <class Item, class Less>
 Queue_handle Indexed_queue<Item, Less>::push(Item item) {
   KINETRI_PRECONDITION(size() < far, "the queue is full");
   const Queue_handle handle = acquire_handle(std::move(item));
-  insert(handle);
-  settle();
+  add(handle);
   ++counters_.pushed;
   counters_.peak = std::max<std::uint64_t>(counters_.peak, size());
   return handle;
@@ -198,9 +216,8 @@ template <class Item, class Less>
 void Indexed_queue<Item, Less>::update(Queue_handle handle, Item item) {
   KINETRI_PRECONDITION(contains(handle), "the handle names no item of the queue");
   remove(handle);
-  items_[handle] = std::move(item);
-  insert(handle);
-  settle();
+  places_[handle].item = std::move(item);
+  add(handle);
   ++counters_.pushed;
   ++counters_.discarded;
 }
@@ -222,24 +239,30 @@ void Indexed_queue<Item, Less>::clear() {
 
 template <class Item, class Less>
 bool Indexed_queue<Item, Less>::is_valid() const {
-  if (items_.size() != position_.size() || size() + free_.size() != items_.size()) return false;
+  if (size() + free_.size() != places_.size()) return false;
   for (std::size_t i = 0; i < heap_.size(); ++i) {
-    if (heap_[i].handle >= position_.size() || position_[heap_[i].handle] != i) return false;
+    if (heap_[i].handle >= places_.size() || places_[heap_[i].handle].position != i) return false;
     if (i > 0 && less(heap_[i], heap_[(i - 1) / arity])) return false;
     if (!is_open(heap_[i].bounds.lower)) return false;
   }
   if (far_ > 0 && (heap_.empty() || !is_open(heap_.front().bounds.upper))) return false;
-  for (std::size_t h = 0; h < position_.size(); ++h) {
-    if (position_[h] != far) continue;
+  for (std::size_t h = 0; h < places_.size(); ++h) {
+    if (places_[h].position != far) continue;
     const auto handle = static_cast<Queue_handle>(h);
     const double s = slot(bounds(handle).lower);
     if (!(s >= static_cast<double>(open_slots_))) return false;
     if (!(s < static_cast<double>(slots_.size()))) continue;
-    const auto& records = slots_[static_cast<std::size_t>(s)];
-    if (std::find(records.begin(), records.end(), handle) == records.end()) return false;
+    bool is_recorded = false;
+    for (std::uint32_t c = slots_[static_cast<std::size_t>(s)]; c != Chunk::none;
+         c = chunks_[c].next) {
+      const auto begin = chunks_[c].handles.begin();
+      const auto end = begin + chunks_[c].size;
+      is_recorded = is_recorded || std::find(begin, end, handle) != end;
+    }
+    if (!is_recorded) return false;
   }
   return std::all_of(free_.begin(), free_.end(), [this](Queue_handle handle) {
-    return handle < position_.size() && position_[handle] == nowhere;
+    return handle < places_.size() && places_[handle].position == nowhere;
   });
 }
 
@@ -249,12 +272,11 @@ Queue_handle Indexed_queue<Item, Less>::acquire_handle(Item&& item) {
   if (!free_.empty()) {
     const Queue_handle handle = free_.back();
     free_.pop_back();
-    items_[handle] = std::move(item);
+    places_[handle].item = std::move(item);
     return handle;
   }
-  items_.push_back(std::move(item));
-  position_.push_back(nowhere);
-  return static_cast<Queue_handle>(items_.size() - 1);
+  places_.push_back({std::move(item), nowhere});
+  return static_cast<Queue_handle>(places_.size() - 1);
 }
 
 // Removes the item of `handle` and frees the handle. Moving it out releases what it owned.
@@ -262,20 +284,51 @@ template <class Item, class Less>
 Item Indexed_queue<Item, Less>::take(Queue_handle handle) {
   remove(handle);
   free_.push_back(handle);
-  settle();
-  return std::move(items_[handle]);
+  return std::move(places_[handle].item);
+}
+
+// Adds the item of `handle` to the queue.
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::add(Queue_handle handle) {
+  insert(handle);
+  if (has_long_slots()) {
+    far_ = size();
+    for (const Node& node : heap_) places_[node.handle].position = far;
+    heap_.clear();
+    spread();
+    settle();
+  } else if (heap_.empty() || heap_.front().handle == handle) {
+    settle();
+  }
 }
 
 // Puts the item of `handle`, which is nowhere, where it belongs.
 template <class Item, class Less>
 void Indexed_queue<Item, Less>::insert(Queue_handle handle) {
   const Node node = {bounds(handle), handle};
-  if (is_open(node.bounds.lower)) return insert_into_heap(node);
-  position_[handle] = far;
-  ++far_;
   const double s = slot(node.bounds.lower);
-  if (!(s < static_cast<double>(slots_.size()))) return;
-  slots_[static_cast<std::size_t>(s)].push_back(handle);
+  if (!(s >= static_cast<double>(open_slots_))) {
+    return insert_into_heap(node);
+  }
+  places_[handle].position = far;
+  ++far_;
+  if (s < static_cast<double>(slots_.size())) record(static_cast<std::size_t>(s), handle);
+}
+
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::record(std::size_t slot, Queue_handle handle) {
+  std::uint32_t chunk = slots_[slot];
+  if (chunk == Chunk::none || chunks_[chunk].size == Chunk::capacity) {
+    if (free_chunk_ == Chunk::none) {
+      free_chunk_ = static_cast<std::uint32_t>(chunks_.size());
+      chunks_.emplace_back();
+    }
+    const std::uint32_t added = std::exchange(free_chunk_, chunks_[free_chunk_].next);
+    chunks_[added].next = chunk;
+    chunks_[added].size = 0;
+    chunk = slots_[slot] = added;
+  }
+  chunks_[chunk].handles[chunks_[chunk].size++] = handle;
   ++records_;
 }
 
@@ -289,8 +342,7 @@ void Indexed_queue<Item, Less>::insert_into_heap(const Node& node) {
 // opened.
 template <class Item, class Less>
 void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
-  const std::uint32_t position = position_[handle];
-  position_[handle] = nowhere;
+  const std::uint32_t position = std::exchange(places_[handle].position, nowhere);
   if (position == far) {
     --far_;
     return;
@@ -298,43 +350,54 @@ void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
   const Node last = heap_.back();
   heap_.pop_back();
   if (last.handle != handle) restore_order(position, last);
+  if (position == 0) settle();
 }
 
 // Opens slots until the least item of all is in the heap.
 template <class Item, class Less>
 void Indexed_queue<Item, Less>::settle() {
-  constexpr std::size_t least_size = 4 * items_per_slot;
-  if constexpr (Bounding_order<Less, Item>) {
-    if (size() > least_size && (size() / 4 > size_at_spread_ || records_ / 8 > size())) {
-      far_ = size();
-      for (const Node& node : heap_) position_[node.handle] = far;
-      heap_.clear();
-      spread();
-    }
-  }
   while (far_ > 0 && (heap_.empty() || !is_open(heap_.front().bounds.upper))) open_next_slot();
+}
+
+// Whether there are too many items for the slots, or too many records of items that have left.
+template <class Item, class Less>
+bool Indexed_queue<Item, Less>::has_long_slots() const {
+  if constexpr (Bounding_order<Less, Item>) {
+    constexpr std::size_t least_size = 4 * items_per_slot;
+    return size() > 4 * size_at_spread_ + least_size || records_ > 4 * size() + least_size;
+  }
+  return false;
 }
 
 template <class Item, class Less>
 void Indexed_queue<Item, Less>::open_next_slot() {
   if (open_slots_ >= slots_.size()) return spread();
-  const std::vector<Queue_handle> records = std::exchange(slots_[open_slots_], {});
+  std::uint32_t chunk = slots_[open_slots_];
   ++open_slots_;
-  records_ -= records.size();
-  for (const Queue_handle handle : records) {
-    if (position_[handle] != far) continue;
-    const Node node = {bounds(handle), handle};
-    if (!is_open(node.bounds.lower)) continue;
-    --far_;
-    insert_into_heap(node);
+  while (chunk != Chunk::none) {
+    Chunk& records = chunks_[chunk];
+    for (std::size_t i = 0; i < records.size; ++i) {
+      const Queue_handle handle = records.handles[i];
+      if (places_[handle].position != far) continue;
+      const Node node = {bounds(handle), handle};
+      if (!is_open(node.bounds.lower)) continue;
+      --far_;
+      insert_into_heap(node);
+    }
+    records_ -= records.size;
+    const std::uint32_t next = records.next;
+    records.next = std::exchange(free_chunk_, chunk);
+    chunk = next;
   }
 }
 
 // Distributes the far items over slots chosen for them. Costs O(n), and happens when the queue has
-// grown to a multiple, or when the nearer half of the items has been opened.
+// grown to a multiple, or when the nearer part of the items has been opened.
 template <class Item, class Less>
 void Indexed_queue<Item, Less>::spread() {
   slots_.clear();
+  chunks_.clear();
+  free_chunk_ = Chunk::none;
   records_ = 0;
   size_at_spread_ = size();
   if (!choose_slots()) {
@@ -344,29 +407,29 @@ void Indexed_queue<Item, Less>::spread() {
   }
   open_slots_ = 1;
   far_ = 0;
-  for (Queue_handle handle = 0; handle < position_.size(); ++handle) {
-    if (position_[handle] == far) insert(handle);
+  for (Queue_handle handle = 0; handle < places_.size(); ++handle) {
+    if (places_[handle].position == far) insert(handle);
   }
 }
 
-// Chooses slots for the nearer half of the far items, or more of them where half are at one time.
-// Returns false, and the heap is left to do it all, where they are too few, or too near or too far
-// from one another.
+// Chooses slots for the nearest three quarters of the far items, or for more of them where those
+// are at one time. Returns false, and the heap is left to do it all, where they are too few, or too
+// near or too far from one another.
 template <class Item, class Less>
 bool Indexed_queue<Item, Less>::choose_slots() {
   if (far_ <= items_per_slot) return false;
-  constexpr std::size_t sample_size = 512;
-  const std::size_t stride = position_.size() / sample_size + 1;
+  constexpr std::size_t sample_size = 256;
+  const std::size_t stride = places_.size() / sample_size + 1;
   std::vector<double> sample;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t h = 0; h < position_.size(); ++h) {
-    if (position_[h] != far) continue;
+  for (std::size_t h = 0; h < places_.size(); ++h) {
+    if (places_[h].position != far) continue;
     const double lower = bounds(static_cast<Queue_handle>(h)).lower;
     least = std::min(least, lower);
     if (h % stride == 0) sample.push_back(lower);
   }
   std::sort(sample.begin(), sample.end());
-  for (std::size_t rest = sample.size() / 2; rest > 0; rest /= 2) {
+  for (std::size_t rest = sample.size() / 4; rest > 0; rest /= 2) {
     const std::size_t nearer = sample.size() - rest;
     if (!(sample[nearer] > least)) continue;
     const double share = static_cast<double>(nearer) / static_cast<double>(sample.size());
@@ -375,7 +438,7 @@ bool Indexed_queue<Item, Less>::choose_slots() {
     origin_ = least;
     slots_per_unit_ = static_cast<double>(count - 1) / (sample[nearer] - least);
     if (!std::isfinite(least) || !std::isnormal(slots_per_unit_)) return false;
-    slots_.resize(count);
+    slots_.assign(count, Chunk::none);
     return true;
   }
   return false;

@@ -20,7 +20,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,6 +30,7 @@
 #include "kinetri/events/indexed_queue.h"
 #include "kinetri/kinetic/linear_kinetic_traits_2.h"
 #include "kinetri/triangulation/audit.h"
+#include "kinetri/triangulation/detail/time_pool.h"
 #include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
 
 namespace kinetri {
@@ -159,12 +159,14 @@ class Kinetic_delaunay_triangulation_2 {
     flip,
   };
 
+  using Time_pool = detail::Time_pool<Time>;
+
   /// The exact time is made from the edge's certificate, when bounds do not decide. Until then the
   /// corners of the edge's two faces must stay what they were when the entry was made.
   struct Entry {
     Double_interval bounds;
-    mutable std::unique_ptr<const Time> time;
     Face_handle face;
+    mutable typename Time_pool::Index time = Time_pool::none;
     std::uint8_t index = 0;  // the edge is the one opposite this vertex of the face
     Entry_kind kind = Entry_kind::look_again;
 
@@ -229,6 +231,7 @@ class Kinetic_delaunay_triangulation_2 {
   Triangulation triangulation_;
   std::vector<Vertex_handle> vertices_;  // by point id
   Indexed_queue<Entry, Earlier> queue_{Earlier{this}};
+  mutable Time_pool times_;  // of entries
   Certificate_counters certificate_counters_;
   std::vector<Observer*> observers_;
   Triangulation_counters counters_;

@@ -168,8 +168,9 @@ auto Kinetic_delaunay_triangulation_2<Traits>::next_entry(const Two_sided_edge& 
     Outlook<Time> next = outlook(topological, after, state, traits, counters);
     using Kind = typename Outlook<Time>::Kind;
     if (next.kind != Kind::holds_for_ever) {
-      result.emplace(next.bounds, std::move(next.failure), face, static_cast<std::uint8_t>(i),
-                     next.kind == Kind::fails ? topological.kind : Entry_kind::look_again);
+      result = Entry{next.bounds, face, Time_pool::none, static_cast<std::uint8_t>(i),
+                     next.kind == Kind::fails ? topological.kind : Entry_kind::look_again};
+      if (next.failure) result->time = times_.keep(std::move(*next.failure));
     }
     if (next.kind == Kind::holds || topological.kind == Entry_kind::hull_remove) return result;
   } else if (triangulation_.is_infinite(edge.here)) {
@@ -179,26 +180,27 @@ auto Kinetic_delaunay_triangulation_2<Traits>::next_entry(const Two_sided_edge& 
   const Point_2& b = face->vertex(Triangulation::ccw(i))->point();
   std::optional<Time> meeting = traits.coincidence_time(a, b, after, counters);
   if (meeting && (!result || *meeting <= time(*result))) {
+    if (result) times_.release(result->time);
     const Double_interval bounds = meeting->interval();
-    result.emplace(bounds, std::make_unique<const Time>(std::move(*meeting)), face,
-                   static_cast<std::uint8_t>(i), Entry_kind::coincidence);
+    result = Entry{bounds, face, times_.keep(std::move(*meeting)), static_cast<std::uint8_t>(i),
+                   Entry_kind::coincidence};
   }
   return result;
 }
 
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::time(const Entry& entry) const -> const Time& {
-  if (entry.time != nullptr) return *entry.time;
+  if (entry.time != Time_pool::none) return times_[entry.time];
   if (entry.kind == Entry_kind::look_again) {
-    entry.time = std::make_unique<const Time>(entry.bounds.lower);
-    return *entry.time;
+    entry.time = times_.keep(Time(entry.bounds.lower));
+    return times_[entry.time];
   }
   const Certificate failed = certificate(two_sided(entry.edge()));
   const auto& [p, q, r, s] = failed.points;
-  entry.time = std::make_unique<const Time>(
-      failed.kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, entry.bounds)
-                                      : traits_.orientation_failure(*p, *q, *r, entry.bounds));
-  return *entry.time;
+  entry.time = times_.keep(failed.kind == Entry_kind::flip
+                               ? traits_.in_circle_failure(*p, *q, *r, *s, entry.bounds)
+                               : traits_.orientation_failure(*p, *q, *r, entry.bounds));
+  return times_[entry.time];
 }
 
 // ---- scheduling ----
@@ -237,7 +239,9 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
   const Queue_handle handle = edge.here.first->event(edge.here.second);
-  if (handle != no_event) queue_.erase(handle);
+  if (handle == no_event) return;
+  times_.release(queue_[handle].time);
+  queue_.erase(handle);
 }
 
 // ---- time ----
@@ -254,6 +258,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::settle(const std::optional<Time>&
   while (!queue_.empty() && is_due(queue_.top())) {
     if (queue_.top().kind != Entry_kind::look_again) return true;
     const Entry entry = queue_.pop();
+    times_.release(entry.time);
     ++counters_.looks_again;
     schedule(two_sided(entry.edge()), Time(entry.bounds.lower));
   }
@@ -292,6 +297,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
   triangulation_.geom_traits().set_instant({current_time_, Side::after});
   do {
     const Entry event = queue_.pop();
+    times_.release(event.time);
     execute(two_sided(event.edge()), event.kind);
   } while (settle(current_time_));
   const std::uint64_t executed = counters_.number_of_events() - before;
@@ -397,6 +403,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild() {
   points.reserve(vertices_.size());
   for (const Vertex_handle v : vertices_) points.push_back(v->point());
   queue_.clear();
+  times_.clear();
   ++counters_.rebuilds;
 
   Triangulation rebuilt = build(points, current_time_);

@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Builds the fuzz targets with clang's libFuzzer and the sanitizers, and runs them. See --help.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+targets=(points_file algebra simulation)
+
+usage() {
+  cat <<EOF
+usage: scripts/fuzz.sh [--seconds N] [TARGET]...
+
+Runs each TARGET (${targets[*]}; default: all) for N seconds (default 60), one after the other, and
+keeps what it learns in build/fuzz/corpus. An input on which a target stops is left in
+build/fuzz/crashes, and the exit code is 1. Make a named regression of each: a file in
+data/degenerate or a test.
+
+Run one input again with
+
+  build/fuzz/test/fuzz/kinetri_TARGET_fuzzer FILE
+EOF
+}
+
+seconds=60 chosen=()
+while (($# > 0)); do
+  case $1 in
+    --help | -h) usage && exit 0 ;;
+    --seconds)
+      [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || { usage >&2 && exit 2; }
+      seconds=$2
+      shift
+      ;;
+    *)
+      [[ " ${targets[*]} " == *" $1 "* ]] || { usage >&2 && exit 2; }
+      chosen+=("$1")
+      ;;
+  esac
+  shift
+done
+if ((${#chosen[@]} == 0)); then chosen=("${targets[@]}"); fi
+
+kinetri_setup fuzz
+dir="$kinetri_root/build/fuzz"
+mkdir -p "$dir/crashes"
+generator=()
+if [[ ! -f $dir/CMakeCache.txt ]] && command -v ninja >/dev/null; then generator=(-G Ninja); fi
+launcher=
+if command -v ccache >/dev/null; then launcher=ccache; fi
+cd "$kinetri_root"
+kinetri_quietly "configuring" "$dir/configure.log" cmake -S . --preset asan-ubsan -B "$dir" \
+  "${generator[@]}" -DCMAKE_CXX_COMPILER=clang++ "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher" \
+  -DCMAKE_CXX_FLAGS=-fsanitize=fuzzer-no-link -DKINETRI_BUILD_PROGRAM=OFF -DKINETRI_FUZZ=ON
+programs=("${chosen[@]/#/kinetri_}")
+programs=("${programs[@]/%/_fuzzer}")
+kinetri_say "Building in $dir ..."
+kinetri_quietly "building" "$dir/build.log" cmake --build "$dir" --parallel "$(kinetri_jobs)" \
+  --target "${programs[@]}"
+
+code=0
+for target in "${chosen[@]}"; do
+  corpus="$dir/corpus/$target"
+  mkdir -p "$corpus"
+  # The other targets read this many bytes at most; without seeds, libFuzzer would begin with few.
+  seeds=() lengths=(-max_len=300 -len_control=0)
+  if [[ $target == points_file ]]; then
+    lengths=(-max_len=20000)
+    seeds=("$kinetri_root/test/fuzz/corpus/points_file" "$kinetri_root/data/degenerate")
+  fi
+  kinetri_say "Fuzzing $target for $seconds seconds; output in $dir/$target.log ..."
+  if "$dir/test/fuzz/kinetri_${target}_fuzzer" -max_total_time="$seconds" -timeout=60 \
+    -rss_limit_mb=4096 -print_final_stats=1 "${lengths[@]}" -artifact_prefix="$dir/crashes/$target-" \
+    "$corpus" "${seeds[@]}" >"$dir/$target.log" 2>&1; then
+    kinetri_say "  nothing found in $(sed -n 's/^stat::number_of_executed_units: *//p' "$dir/$target.log") inputs"
+  else
+    kinetri_say "  it stopped:"
+    grep -E -m 5 'ERROR|fuzz target:|runtime error|Test unit written' "$dir/$target.log" || tail -n 5 "$dir/$target.log"
+    code=1
+  fi
+done
+exit "$code"

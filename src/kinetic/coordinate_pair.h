@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Both coordinates of a planar vector in one register. For the inner loops of the filter, where it
+// halves the number of instructions; the vector types of GCC and Clang, whose arithmetic is that of
+// the components.
+#ifndef KINETRI_SRC_KINETIC_COORDINATE_PAIR_H
+#define KINETRI_SRC_KINETIC_COORDINATE_PAIR_H
+
+#include <algorithm>
+
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri {
+
+using Pair = double __attribute__((vector_size(16)));
+
+inline Pair pair(const Vector_2& v) {
+  return Pair{v.x, v.y};
+}
+
+inline Pair broadcast(double value) {
+  return Pair{value, value};
+}
+
+/// (a.first, b.first) and (a.second, b.second).
+inline Pair firsts(Pair a, Pair b) {
+  return __builtin_shufflevector(a, b, 0, 2);
+}
+inline Pair seconds(Pair a, Pair b) {
+  return __builtin_shufflevector(a, b, 1, 3);
+}
+
+inline Pair swapped(Pair a) {
+  return __builtin_shufflevector(a, a, 1, 0);
+}
+
+inline Pair absolute(Pair a) {
+  using Bits = long long __attribute__((vector_size(16)));
+  return reinterpret_cast<Pair>(reinterpret_cast<Bits>(a) & 0x7fffffffffffffffLL);
+}
+
+/// Of each coordinate; `b` where either is not a number.
+inline Pair greater(Pair a, Pair b) {
+  return a > b ? a : b;
+}
+
+inline double greatest(Pair a) {
+  return std::max(a[0], a[1]);
+}
+
+inline double sum(Pair a) {
+  return a[0] + a[1];
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_KINETIC_COORDINATE_PAIR_H

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The kinetic triangulation against the brute-force simulator, over a whole run.
+#ifndef KINETRI_TEST_SUPPORT_SAME_RUN_H
+#define KINETRI_TEST_SUPPORT_SAME_RUN_H
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/brute_force_simulator.h"
+#include "support/kinetic_runs.h"
+
+namespace kinetri::test {
+
+/// Runs both side by side.
+class Same_run {
+ public:
+  Same_run(const std::vector<Linear_motion_2>& motions, const Algebraic_number& start)
+      : motions_(motions), kinetic_(motions, start), recorder_(kinetic_), previous_(start) {}
+
+  /// What differs between `start` and the last critical time; empty if nothing does.
+  std::string problem() {
+    std::vector<Algebraic_number> times = critical_times(motions_, previous_);
+    times.emplace_back(Rational((times.empty() ? previous_ : times.back()).upper() + 1));
+    std::set<Edge_ids> edges = recorder_.edges;
+    for (const Algebraic_number& time : times) {
+      // Everything between two critical times is alike: look at one time of it.
+      const Rational between = simplest_between(previous_, time);
+      const std::string found = problem_at(between, edges);
+      if (!found.empty()) return found + " at " + between.str();
+      previous_ = time;
+    }
+    kinetic_.advance_to(times.back());
+    return kinetic_.next_event_time() ? "an event after the last critical time" : "";
+  }
+
+ private:
+  // Advances to `time`, before which the last critical time is previous_; `edges` are those of just
+  // before that one, and become those of `time`.
+  std::string problem_at(const Rational& time, std::set<Edge_ids>& edges) {
+    const std::size_t first = recorder_.events.size();
+    kinetic_.advance_to(Algebraic_number(time));
+    const std::size_t count = recorder_.events.size() - first;
+    const Static_edges expected = edges_at(motions_, time);
+    const std::set<Edge_ids> actual = edges_of(kinetic_);
+    if (actual != recorder_.edges) return "the log does not add up";
+    if (!std::ranges::includes(actual, expected.certain)) return "edge missing";
+    if (!std::ranges::includes(expected.possible, actual)) return "wrong edge";
+    for (std::size_t i = first; i < recorder_.events.size(); ++i) {
+      if (recorder_.events[i].time != previous_) return "an event at no critical time before";
+    }
+    if (count == 0 && actual != edges) return "a change without an event";
+    // Where the edges are right as they were, no certificate has failed.
+    if (count > 0 && actual == edges) return "events that change nothing";
+    edges = actual;
+    return audit_problem(kinetic_, Audit_level::reference);
+  }
+
+  const std::vector<Linear_motion_2>& motions_;
+  Kinetic_delaunay kinetic_;
+  Event_recorder recorder_;
+  Algebraic_number previous_;
+};
+
+/// What differs between the kinetic triangulation and the brute-force simulator from `start` to the
+/// last critical time, in the edges between all of them and in the times at which they change;
+/// empty if nothing does.
+inline std::string difference_from_brute_force(const std::vector<Linear_motion_2>& motions,
+                                               const Algebraic_number& start = Algebraic_number()) {
+  return Same_run(motions, start).problem();
+}
+
+}  // namespace kinetri::test
+
+#endif  // KINETRI_TEST_SUPPORT_SAME_RUN_H
