@@ -58,7 +58,7 @@ json measure_round(const Setup& setup, const std::vector<Linear_motion_2>& motio
   std::vector<Edge_ids> edges;
   {
     Kinetic exact(motions);
-    const std::uint64_t initial = exact.certificate_counters().created;
+    const Certificate_counters initial = exact.certificate_counters();
     const std::size_t initial_edges = exact.triangulation().tds().number_of_edges();
     const Stopwatch watch;
     const auto events = static_cast<double>(exact.advance_to(setup.until));
@@ -67,7 +67,8 @@ json measure_round(const Setup& setup, const std::vector<Linear_motion_2>& motio
     const auto [build, initialize] = exact.construction_seconds();
     result["build_seconds"] = build;
     result["initialize_seconds"] = initialize;
-    result["initial_certificates"] = initial;
+    result["initial_certificates"] = initial.created;
+    result["initial_root_solves"] = initial.root_solves;
     result["initial_edges"] = initial_edges;
     result["seconds_per_initial_edge"] = ratio(initialize, static_cast<double>(initial_edges));
     result["run_seconds"] = seconds;
