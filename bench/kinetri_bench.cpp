@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs one measurement and prints it as one JSON object. bench/run.py runs it several times and
+// makes a table.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "measurements.h"
+
+namespace {
+
+using namespace kinetri;
+using namespace kinetri::bench;
+
+struct Mode {
+  nlohmann::json (*measure)(const Setup&);
+  const char* description;
+};
+
+const std::map<std::string, Mode> modes = {
+    {"events",
+     {measure_events, "time per event, against a static rebuild and an uncertified program"}},
+    {"memory", {measure_memory, "peak memory of construction and run"}},
+    {"frames", {measure_frames, "frame rates from which on the kinetic way is faster"}},
+    {"paper-table", {measure_paper_table, "events scheduled, executed, discarded: eager and lazy"}},
+};
+
+std::map<std::string, Scenario> scenarios() {
+  std::map<std::string, Scenario> result;
+  for (const Scenario scenario : all_scenarios) result.emplace(name(scenario), scenario);
+  return result;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program("Runs one measurement and prints it as one JSON object.", "kinetri_bench");
+  program.footer("Example:\n  kinetri_bench events --scenario uniform --points 1000 --until 10");
+  program.require_subcommand(1);
+  Setup setup;
+  setup.options.points = 1000;
+  std::string mode;
+  for (const auto& [mode_name, m] : modes) {
+    CLI::App& command = *program.add_subcommand(mode_name, m.description);
+    command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")
+        ->transform(CLI::CheckedTransformer(scenarios()));
+    command.add_option("--points", setup.options.points, "number of points (1000)")
+        ->check(CLI::Range(3, 100'000'000));
+    command.add_option("--until", setup.until, "time to advance to (10)")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--seed", setup.options.seed, "seed of the random numbers (1)");
+    command.callback([&mode, chosen = mode_name] { mode = chosen; });
+  }
+  CLI11_PARSE(program, argc, argv);
+  try {
+    nlohmann::json result = {{"mode", mode},
+                             {"scenario", name(setup.scenario)},
+                             {"points", setup.options.points},
+                             {"until", setup.until},
+                             {"seed", setup.options.seed}};
+    result.update(modes.at(mode).measure(setup));
+    std::cout << result.dump() << std::endl;
+  } catch (const std::exception& error) {
+    std::cerr << "kinetri_bench: " << error.what() << '\n';
+    return 3;
+  }
+  return 0;
+}

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "kinetri/kinetri.h"
+#include "measurements.h"
+
+namespace kinetri::bench {
+namespace {
+
+using nlohmann::json;
+using Kinetic = Kinetic_delaunay_triangulation_2<>;
+
+constexpr double least_total_seconds = 2;
+constexpr std::size_t most_rounds = 25;
+
+double ratio(double numerator, double denominator) {
+  return denominator > 0 ? numerator / denominator : 0;
+}
+
+json counters(const Kinetic& triangulation) {
+  const Certificate_counters certificates = triangulation.certificate_counters();
+  const Queue_counters& queue = triangulation.queue_counters();
+  return {{"events", triangulation.counters().number_of_events()},
+          {"rebuilds", triangulation.counters().rebuilds},
+          {"pushed", queue.pushed},
+          {"discarded", queue.discarded},
+          {"peak", queue.peak},
+          {"created", certificates.created},
+          {"root_solves", certificates.root_solves},
+          {"filter_decided", certificates.filter_decided},
+          {"exact_decided", certificates.exact_decided}};
+}
+
+json counters(const Uncertified_kinetic_delaunay& triangulation) {
+  const Uncertified_counters& c = triangulation.counters();
+  return {{"events", c.executed},      {"scheduled", c.scheduled},
+          {"discarded", c.discarded},  {"looked_again", c.looked_again},
+          {"created", c.certificates}, {"root_solves", c.root_solves}};
+}
+
+bool same_edges(const std::vector<Edge_ids>& exact, const Uncertified_kinetic_delaunay& other) {
+  return std::ranges::equal(exact, other.finite_edge_ids(), [](const Edge_ids& a, const auto& b) {
+    return a == Edge_ids{b.first, b.second};
+  });
+}
+
+// One run of each.
+json measure_round(const Setup& setup, const std::vector<Linear_motion_2>& motions,
+                   const std::vector<Static_kernel::Point_2>& halfway) {
+  json result;
+  const double points = static_cast<double>(motions.size());
+  const double rebuild = rebuild_seconds(halfway);
+  result["rebuild_seconds_per_point"] = rebuild / points;
+  double per_event = 0;
+  std::vector<Edge_ids> edges;
+  {
+    Kinetic exact(motions);
+    const Certificate_counters initial = exact.certificate_counters();
+    const std::size_t initial_edges = exact.triangulation().tds().number_of_edges();
+    const Stopwatch watch;
+    const auto events = static_cast<double>(exact.advance_to(setup.until));
+    const double seconds = watch.seconds();
+    per_event = ratio(seconds, events);
+    const auto [build, initialize] = exact.construction_seconds();
+    result["build_seconds"] = build;
+    result["initialize_seconds"] = initialize;
+    result["initial_certificates"] = initial.created;
+    result["initial_root_solves"] = initial.root_solves;
+    result["initial_edges"] = initial_edges;
+    result["seconds_per_initial_edge"] = ratio(initialize, static_cast<double>(initial_edges));
+    result["run_seconds"] = seconds;
+    result["seconds_per_event"] = per_event;
+    result["event_over_rebuild_point"] = ratio(per_event, rebuild / points);
+    result["counters"] = counters(exact);
+    edges = exact.finite_edge_ids();
+    // Freed here, so that the rival runs in as much memory as this did.
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& [name, range] :
+       {std::pair("eager", Outlook_range::unlimited), std::pair("lazy", Outlook_range::window)}) {
+    Uncertified_kinetic_delaunay rival(motions, range);
+    const Stopwatch watch;
+    rival.advance_to(setup.until);
+    const double seconds = watch.seconds();
+    const double rival_per_event = ratio(seconds, static_cast<double>(rival.counters().executed));
+    best = std::min(best, rival_per_event);
+    result["rival"][name] = {{"run_seconds", seconds},
+                             {"initialize_seconds", rival.initialize_seconds()},
+                             {"seconds_per_event", rival_per_event},
+                             {"same_edges_at_end", same_edges(edges, rival)},
+                             {"counters", counters(rival)}};
+  }
+  result["event_over_rival_event"] = ratio(per_event, best);
+  return result;
+}
+
+// The median over the rounds of each number; what is counted is the same in each round.
+json medians(const std::vector<json>& rounds) {
+  json result = rounds.front();
+  const json flat = rounds.front().flatten();
+  for (const auto& [path, first] : flat.items()) {
+    if (!first.is_number_float()) continue;
+    std::vector<double> values;
+    for (const json& round : rounds) values.push_back(round.at(json::json_pointer(path)));
+    result.at(json::json_pointer(path)) = median(std::move(values));
+  }
+  return result;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+std::vector<Static_kernel::Point_2> positions(const std::vector<Linear_motion_2>& motions,
+                                              double time) {
+  std::vector<Static_kernel::Point_2> result;
+  result.reserve(motions.size());
+  for (const Linear_motion_2& m : motions) {
+    const double elapsed = time - m.epoch;
+    result.emplace_back(m.position.x + m.velocity.x * elapsed,
+                        m.position.y + m.velocity.y * elapsed);
+  }
+  return result;
+}
+
+double rebuild_seconds(const std::vector<Static_kernel::Point_2>& points) {
+  constexpr double enough = 0.2;
+  double total = 0;
+  int repeats = 0;
+  while (total < enough) {
+    const Stopwatch watch;
+    const Static_triangulation triangulation(points.begin(), points.end());
+    total += watch.seconds();
+    ++repeats;
+  }
+  return total / repeats;
+}
+
+json measure_events(const Setup& setup) {
+  const std::vector<Linear_motion_2> motions = setup.motions();
+  const auto halfway = positions(motions, 0.5 * setup.until);
+  std::vector<json> rounds;
+  const Stopwatch watch;
+  do {
+    rounds.push_back(measure_round(setup, motions, halfway));
+  } while (watch.seconds() < least_total_seconds && rounds.size() < most_rounds);
+  json result = medians(rounds);
+  result["rounds"] = rounds.size();
+  return result;
+}
+
+json measure_memory(const Setup& setup) {
+  Kinetic exact(setup.motions());
+  exact.advance_to(setup.until);
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  const double bytes = static_cast<double>(usage.ru_maxrss) * 1024;
+  return {{"peak_rss_bytes", bytes},
+          {"bytes_per_point", bytes / static_cast<double>(setup.options.points)},
+          {"counters", counters(exact)}};
+}
+
+json measure_paper_table(const Setup& setup) {
+  const std::vector<Linear_motion_2> motions = setup.motions();
+  Uncertified_kinetic_delaunay eager(motions, Outlook_range::unlimited);
+  eager.advance_to(setup.until);
+  Kinetic lazy(motions);
+  lazy.advance_to(setup.until);
+  json result = {{"eager", counters(eager)}, {"lazy", counters(lazy)}};
+  // Two names for the entries that the queue took.
+  result["lazy"]["scheduled"] = result["lazy"]["pushed"];
+  return result;
+}
+
+}  // namespace kinetri::bench

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What kinetri_bench measures. Each function runs one measurement in this process and returns it as
+// JSON: seconds of wall-clock time, counts, and ratios of numbers measured side by side.
+#ifndef KINETRI_BENCH_MEASUREMENTS_H
+#define KINETRI_BENCH_MEASUREMENTS_H
+
+#include <CGAL/Delaunay_triangulation_2.h>
+
+#include <chrono>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "kinetri/simulation/scenarios.h"
+#include "uncertified_kinetic_delaunay.h"
+
+namespace kinetri::bench {
+
+/// The triangulation that a user without a kinetic one has.
+using Static_triangulation = CGAL::Delaunay_triangulation_2<Static_kernel>;
+
+struct Setup {
+  Scenario scenario = Scenario::uniform;
+  Scenario_options options;
+  double until = 10;
+
+  std::vector<Linear_motion_2> motions() const { return make_scenario(scenario, options); }
+};
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double median(std::vector<double> values);
+
+/// Where the points are at `time`, rounded.
+std::vector<Static_kernel::Point_2> positions(const std::vector<Linear_motion_2>& motions,
+                                              double time);
+
+/// Seconds of building a static triangulation of `points`: the mean over as many builds as take
+/// 0.2 seconds. Its destruction is not counted.
+double rebuild_seconds(const std::vector<Static_kernel::Point_2>& points);
+
+/// The exact triangulation, the uncertified one (eager and lazy), and the static rebuild at half
+/// time, in turn, until two seconds have passed.
+nlohmann::json measure_events(const Setup& setup);
+
+/// The peak of the resident memory after construction and run of the exact triangulation alone.
+nlohmann::json measure_memory(const Setup& setup);
+
+/// Scheduled, executed and discarded events and root solves: eager, and as the exact triangulation
+/// does it.
+nlohmann::json measure_paper_table(const Setup& setup);
+
+/// From how many frames per unit of time on the exact triangulation takes less time than a static
+/// rebuild for each frame, and than moving each vertex of a static triangulation.
+nlohmann::json measure_frames(const Setup& setup);
+
+}  // namespace kinetri::bench
+
+#endif  // KINETRI_BENCH_MEASUREMENTS_H

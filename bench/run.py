@@ -1,0 +1,257 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the benchmarks several times and prints one table of ratios, each beside its target."""
+import argparse
+import json
+import pathlib
+import statistics
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+PROGRAM = ROOT / "build" / "bench" / "bin" / "kinetri_bench"
+
+# How long each number of points is simulated.
+UNTIL = {100: 10, 1_000: 10, 10_000: 3, 100_000: 1, 1_000_000: 0.2}
+
+SCENARIOS = ("uniform", "gaussian", "constant-speed", "one-mover", "lattice-jitter")
+
+# The targets: at most these.
+EVENT_OVER_REBUILD_POINT = {1_000: 2.0, 10_000: 2.0, 100_000: 3.0, 1_000_000: 4.0}  # on uniform
+EVENT_OVER_RIVAL_EVENT = 1.0
+ROOT_SOLVES_PER_EVENT = 1.3  # on uniform
+EXACT_SHARE = 1e-4
+INITIAL_NANOSECONDS = {100_000: 150}
+BYTES_PER_POINT = {1_000_000: 700}
+
+# A time per event of fewer events says nothing.
+FEWEST_EVENTS = 1000
+
+EXAMPLES = """examples:
+  bench/run.py --quick            two minutes at most: n = 1000 and 10 000
+  bench/run.py                    every scenario
+  bench/run.py --large --runs 3   also n = 100 000 and 1 000 000, on `uniform`
+  bench/run.py --json out.json    keeps what each run measured
+"""
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(
+        description=__doc__, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--runs", type=int, default=5, help="runs of each measurement (5)")
+    parser.add_argument("--quick", action="store_true", help="a small set")
+    parser.add_argument("--large", action="store_true", help="100 000 and 1 000 000 points as well")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the scenarios (1)")
+    parser.add_argument("--program", type=pathlib.Path, default=PROGRAM, help="kinetri_bench")
+    parser.add_argument("--json", type=pathlib.Path, help="file for all that was measured")
+    arguments = parser.parse_args()
+    if arguments.runs < 1:
+        parser.error("--runs must be at least 1")
+    return arguments
+
+
+def build():
+    """Configures and builds the preset `bench`; its output goes to standard error."""
+    for command in (["cmake", "--preset", "bench"], ["cmake", "--build", "--preset", "bench"]):
+        print("$", *command, file=sys.stderr)
+        subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr)
+
+
+def measurements(arguments):
+    """(mode, scenario, points, runs) of each measurement."""
+    runs = arguments.runs
+    scenarios = ("uniform", "constant-speed") if arguments.quick else SCENARIOS
+    sizes = (1_000, 10_000)
+    for points in sizes:
+        for scenario in scenarios:
+            yield "events", scenario, points, runs
+    if arguments.large:
+        yield "events", "uniform", 100_000, runs
+        yield "events", "uniform", 1_000_000, min(runs, 3)
+        yield "memory", "uniform", 100_000, 1
+        yield "memory", "uniform", 1_000_000, 1
+    for points in (1_000,) if arguments.quick else (1_000, 10_000):
+        yield "frames", "uniform", points, runs
+    if arguments.large:
+        yield "frames", "uniform", 100_000, min(runs, 3)
+    for points in (100, 1_000, 10_000):
+        yield "paper-table", "uniform", points, 1
+
+
+def measure(arguments):
+    """{(mode, scenario, points): [result of each run]}."""
+    results = {}
+    todo = list(measurements(arguments))
+    for number, (mode, scenario, points, runs) in enumerate(todo, 1):
+        for run in range(1, runs + 1):
+            print(
+                f"[{number}/{len(todo)}] {mode} {scenario} n = {points}, run {run} of {runs}",
+                file=sys.stderr,
+            )
+            command = [arguments.program, mode, "--scenario", scenario, "--points", points]
+            command += ["--until", UNTIL[points], "--seed", arguments.seed]
+            done = subprocess.run(
+                [str(word) for word in command], check=True, stdout=subprocess.PIPE, text=True
+            )
+            results.setdefault((mode, scenario, points), []).append(json.loads(done.stdout))
+    return results
+
+
+def run_root_solves(run):
+    """Those of the events alone: the start's are for certificates that any run has to make."""
+    return run["counters"]["root_solves"] - run["initial_root_solves"]
+
+
+def event_rows(scenario, points, runs):
+    """(what, values of the runs, target) for one setting."""
+
+    def each(function):
+        return [function(run) for run in runs]
+
+    counters = [run["counters"] for run in runs]
+    uniform = scenario == "uniform"
+    if min(c["events"] for c in counters) >= FEWEST_EVENTS:
+        yield (
+            "event / rebuild time per point",
+            each(lambda run: run["event_over_rebuild_point"]),
+            EVENT_OVER_REBUILD_POINT.get(points) if uniform else None,
+        )
+        yield (
+            "event / event of the uncertified rival",
+            each(lambda run: run["event_over_rival_event"]),
+            EVENT_OVER_RIVAL_EVENT,
+        )
+        yield (
+            "event / event of the eager rival",
+            each(lambda run: run["seconds_per_event"] / run["rival"]["eager"]["seconds_per_event"]),
+            None,
+        )
+        yield (
+            "root solves / event",
+            each(lambda run: run_root_solves(run) / run["counters"]["events"]),
+            ROOT_SOLVES_PER_EVENT if uniform else None,
+        )
+        yield (
+            "root solves / event, with the start",
+            [c["root_solves"] / c["events"] for c in counters],
+            None,
+        )
+    decisions = [(c["exact_decided"], c["exact_decided"] + c["filter_decided"]) for c in counters]
+    yield "exact decisions / all", [e / max(all_, 1) for e, all_ in decisions], EXACT_SHARE
+    yield (
+        "initial certificates: ns per edge",
+        each(lambda run: 1e9 * run["seconds_per_initial_edge"]),
+        INITIAL_NANOSECONDS.get(points) if uniform else None,
+    )
+    yield "event: ns", each(lambda run: 1e9 * run["seconds_per_event"]), None
+
+
+def rows(results):
+    """(what, scenario, points, values of the runs, target)."""
+    for (mode, scenario, points), runs in results.items():
+        if mode == "events":
+            for what, values, target in event_rows(scenario, points, runs):
+                yield what, scenario, points, values, target
+        elif mode == "memory":
+            values = [run["bytes_per_point"] for run in runs]
+            yield "peak memory: bytes a point", scenario, points, values, BYTES_PER_POINT.get(points)
+        elif mode == "frames":
+            for key, name in (("rebuild", "rebuild"), ("move", "move_if_no_collision")):
+                values = [run[f"{key}_crossover_rate"] for run in runs]
+                yield f"faster than {name} from frames / time", scenario, points, values, None
+
+
+def number(value):
+    if value == 0:
+        return "0"
+    return f"{value:.1e}" if abs(value) < 1e-3 else f"{value:.4g}" if value < 1000 else f"{value:.0f}"
+
+
+def print_aligned(lines, left):
+    """Prints the columns; the first `left` are flush left."""
+    widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
+    for line in lines:
+        cells = [
+            cell.ljust(width) if i < left else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(line, widths))
+        ]
+        print("  ".join(cells).rstrip())
+
+
+def print_ratios(results):
+    lines = [("figure", "scenario", "n", "median", "least", "most", "target", "")]
+    # By figure, so that sizes and scenarios stand below each other.
+    by_figure = {}
+    for row in rows(results):
+        by_figure.setdefault(row[0], []).append(row)
+    for figure in by_figure.values():
+        for what, scenario, points, values, target in figure:
+            value = statistics.median(values)
+            verdict = "" if target is None else "met" if value <= target else "MISSED"
+            aim = "" if target is None else f"<= {number(target)}"
+            spread = (number(min(values)), number(max(values)))
+            lines.append((what, scenario, str(points), number(value), *spread, aim, verdict))
+    print_aligned(lines, 2)
+
+
+def print_paper_table(results):
+    lines = [("n", "way", "scheduled", "executed", "discarded", "share", "root solves", "per event")]
+    for (mode, _, points), runs in results.items():
+        if mode != "paper-table":
+            continue
+        for way in ("eager", "lazy"):
+            c = runs[0][way]
+            events = max(c["events"], 1)
+            lines.append(
+                (
+                    str(points),
+                    way,
+                    str(c["scheduled"]),
+                    str(c["events"]),
+                    str(c["discarded"]),
+                    f"{100 * c['discarded'] / max(c['scheduled'], 1):.0f} %",
+                    str(c["root_solves"]),
+                    f"{c['root_solves'] / events:.2f}",
+                )
+            )
+    print("\nEvents on `uniform`: eager (uncertified, to the first root) and lazy (Kinetri, whose")
+    print("scheduled entries include those for another look)\n")
+    print_aligned(lines, 0)
+
+
+def print_disagreements(results):
+    """Says where the uncertified rival and Kinetri do not end in the same triangulation."""
+    for (mode, scenario, points), runs in results.items():
+        if mode != "events":
+            continue
+        for way in ("eager", "lazy"):
+            rival = runs[0]["rival"][way]
+            if not rival["same_edges_at_end"]:
+                events = (runs[0]["counters"]["events"], rival["counters"]["events"])
+                print(
+                    f"\n{scenario} n = {points}: the {way} uncertified rival ends in another "
+                    f"triangulation ({events[0]} events, the rival {events[1]})"
+                )
+
+
+def main():
+    arguments = parse_arguments()
+    if arguments.program == PROGRAM and not PROGRAM.exists():
+        build()
+    results = measure(arguments)
+    print_ratios(results)
+    print_paper_table(results)
+    print_disagreements(results)
+    if arguments.json:
+        everything = [run for runs in results.values() for run in runs]
+        arguments.json.write_text(json.dumps(everything, indent=1) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"run.py: {error}")
+    except KeyboardInterrupt:
+        sys.exit(130)
