@@ -36,6 +36,9 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
   statistics.interrupted = true;
   statistics.triangulation.instants = 20;
   statistics.triangulation.largest_instant = 3;
+  statistics.triangulation.batches = 15;
+  statistics.triangulation.flat_hulls = 16;
+  statistics.triangulation.points_set_aside = 17;
   statistics.triangulation.rebuilds = 1;
   statistics.triangulation.looks_again = 14;
   for (std::size_t kind = 0; kind < event_kinds; ++kind) {
@@ -54,7 +57,8 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
     "points": 100, "from": -1.0, "until": 0.1, "reached": 0.05, "interrupted": true,
     "events": {"rebuild": 1, "hull_insert": 2, "hull_remove": 4, "flip": 8, "wall": 16,
                "collision": 32, "insert": 64, "erase": 128, "trajectory": 256},
-    "events_total": 511, "instants": 20, "largest_instant": 3, "rebuilds": 1, "looks_again": 14,
+    "events_total": 511, "instants": 20, "largest_instant": 3, "batches": 15, "flat_hulls": 16,
+    "points_set_aside": 17, "rebuilds": 1, "looks_again": 14,
     "certificates": {"created": 5, "root_solves": 6, "filter_decided": 7, "exact_decided": 8},
     "queue": {"pushed": 9, "discarded": 10, "peak": 11},
     "seconds": {"read": 0.25, "build": 0.5, "initialize": 1.0, "run": 2.0, "audit": 4.0,
@@ -66,11 +70,11 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
 
 TEST(WriteStats, KeysAreAlwaysThereInOneOrder) {
   const Json document = written({});
-  EXPECT_EQ(keys(document),
-            (std::vector<std::string>{"points", "from", "until", "reached", "interrupted", "events",
-                                      "events_total", "instants", "largest_instant", "rebuilds",
-                                      "looks_again", "certificates", "queue", "seconds",
-                                      "peak_rss_bytes", "audits"}));
+  EXPECT_EQ(keys(document), (std::vector<std::string>{
+                                "points", "from", "until", "reached", "interrupted", "events",
+                                "events_total", "instants", "largest_instant", "batches",
+                                "flat_hulls", "points_set_aside", "rebuilds", "looks_again",
+                                "certificates", "queue", "seconds", "peak_rss_bytes", "audits"}));
   ASSERT_EQ(document["events"].size(), event_kinds);
   std::size_t kind = 0;
   for (const std::string& key : keys(document["events"])) {

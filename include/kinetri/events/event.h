@@ -62,7 +62,8 @@ struct Event {
 /// override what is needed. An observer must not change the triangulation.
 ///
 /// In `before_event` the triangulation still has the removed edge, in `after_event` it has the
-/// added one. Within a group of simultaneous events it is Delaunay only after the last of them.
+/// added one; only of a rebuild both are called when all of it is done. Within a group of
+/// simultaneous events it is Delaunay only after the last of them.
 template <class Time>
 class Event_observer {
  public:

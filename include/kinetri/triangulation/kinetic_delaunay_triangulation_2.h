@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -64,10 +65,13 @@ void prefetch_around(Face_handle face) {
 /// Counts of what the triangulation has done so far.
 struct Triangulation_counters {
   std::array<std::uint64_t, event_kinds> events = {};  ///< by Event_kind
-  std::uint64_t instants = 0;         ///< distinct times at which something happened
-  std::uint64_t largest_instant = 0;  ///< the most events at one time
-  std::uint64_t rebuilds = 0;         ///< reconstructions at a degenerate instant
-  std::uint64_t looks_again = 0;      ///< certificates looked at again, as they held so far
+  std::uint64_t instants = 0;          ///< distinct times at which something happened
+  std::uint64_t largest_instant = 0;   ///< the most events at one time
+  std::uint64_t batches = 0;           ///< instants with two events or more
+  std::uint64_t flat_hulls = 0;        ///< instants at which a point reached the hull
+  std::uint64_t points_set_aside = 0;  ///< points taken out and put back, as they met others
+  std::uint64_t rebuilds = 0;          ///< reconstructions of the whole, as the hull went flat
+  std::uint64_t looks_again = 0;       ///< certificates looked at again, as they held so far
 
   std::uint64_t number_of_events() const;
 };
@@ -251,13 +255,28 @@ class Kinetic_delaunay_triangulation_2 {
   // Events.
   Entry pop_entry();
   bool settle(const std::optional<Time>& until);
+  void execute_due_events();
   std::size_t run_instant();
   void execute(const Two_sided_edge& edge, Entry_kind kind);
   bool can_insert_into_hull(const Two_sided_edge& hull_edge) const;
   void flip_edge(const Two_sided_edge& edge, Event_kind kind);
+
+  // Instants that flips alone do not pass.
+  void set_coincident_points_aside();
+  void set_aside(Point_id id, Vertex_handle companion);
+  void put_points_back();
+  void unschedule_face(Face_handle face);
+  void schedule_around(Vertex_handle v);
+  void note_edges_among(const std::vector<Vertex_handle>& vertices, int change);
   void rebuild();
+  void report_rebuild();
   template <class Change>
   void report(Event<Time> event, Change change);
+
+  struct Point_set_aside {
+    Point_2 point;
+    Vertex_handle companion;  // where to look for its place: was in the same one
+  };
 
   Traits traits_;
   Time current_time_;
@@ -267,6 +286,10 @@ class Kinetic_delaunay_triangulation_2 {
   mutable Time_pool times_;  // of entries
   Certificate_counters certificate_counters_;
   std::vector<Observer*> observers_;
+  std::vector<Point_set_aside> points_set_aside_;
+  /// By edge, +1 if it has been added at this instant, -1 if removed; present during a rebuild.
+  std::optional<std::map<Edge_ids, int>> rebuilt_edges_;
+  bool hull_is_flat_ = false;  // at the present time
   Triangulation_counters counters_;
   Construction_seconds construction_seconds_;
 };

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Kinetic_delaunay_triangulation_2: the run of time, and the events.
+#ifndef KINETRI_TRIANGULATION_DETAIL_EVENTS_IMPL_H
+#define KINETRI_TRIANGULATION_DETAIL_EVENTS_IMPL_H
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "kinetri/base/check.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+// ---- time ----
+
+// Takes the first entry from the queue, and asks for the memory that the next one will need: what
+// is around its face has been asked for when it came near.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::pop_entry() -> Entry {
+  const Entry entry = queue_.pop();
+  times_.release(entry.time);
+  if (!queue_.empty() && triangulation_.dimension() == 2) {
+    const auto [face, i] = queue_.top().edge();
+    detail::prefetch_around(face->neighbor(i));
+  }
+  return entry;
+}
+
+// Looks at certificates again until the first entry of the queue is a failure, or is later than
+// `until`. Returns whether it is a failure at or before `until`.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::settle(const std::optional<Time>& until) {
+  const auto is_due = [&](const Entry& entry) {
+    if (!until || entry.bounds.upper < until->interval().lower) return true;
+    if (entry.bounds.lower > until->interval().upper) return false;
+    return time(entry) <= *until;
+  };
+  while (!queue_.empty() && is_due(queue_.top())) {
+    if (queue_.top().kind != Entry_kind::look_again) return true;
+    const Entry entry = pop_entry();
+    ++counters_.looks_again;
+    schedule(two_sided(entry.edge()), Time(entry.bounds.lower));
+  }
+  return false;
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() -> std::optional<Time> {
+  if (!settle(std::nullopt)) return std::nullopt;
+  return time(queue_.top());
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::step() {
+  return settle(std::nullopt) ? run_instant() : 0;
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& time) {
+  KINETRI_PRECONDITION(time >= current_time_, "time only advances");
+  std::size_t events = 0;
+  while (settle(time)) events += run_instant();
+  current_time_ = time;
+  triangulation_.geom_traits().set_instant({current_time_, Side::after});
+  return events;
+}
+
+// Executes every event of the time t that is first in the queue. Each flip makes the triangulation
+// more nearly Delaunay just after t, and an edge that a flip leaves violated just after t has its
+// event at t itself; so the state is Delaunay just after t when no event at t is left. docs/MATH.md
+// has the argument, and why it ends.
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
+  const std::uint64_t before = counters_.number_of_events();
+  hull_is_flat_ = false;
+  current_time_ = time(queue_.top());
+  triangulation_.geom_traits().set_instant({current_time_, Side::after});
+  if (queue_.top().kind == Entry_kind::coincidence) set_coincident_points_aside();
+  execute_due_events();
+  put_points_back();
+  report_rebuild();
+  const std::uint64_t executed = counters_.number_of_events() - before;
+  ++counters_.instants;
+  if (executed > 1) ++counters_.batches;
+  if (hull_is_flat_) ++counters_.flat_hulls;
+  counters_.largest_instant = std::max(counters_.largest_instant, executed);
+  return static_cast<std::size_t>(executed);
+}
+
+// ---- events ----
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::execute_due_events() {
+  while (settle(current_time_)) {
+    const Entry event = pop_entry();
+    execute(two_sided(event.edge()), event.kind);
+  }
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edge,
+                                                       Entry_kind kind) {
+  switch (kind) {
+    case Entry_kind::flip:
+      return flip_edge(edge, Event_kind::flip);
+    case Entry_kind::hull_insert:
+      hull_is_flat_ = true;
+      if (!can_insert_into_hull(edge)) return rebuild();
+      return flip_edge(edge, Event_kind::hull_insert);
+    case Entry_kind::hull_remove:
+      return flip_edge(edge, Event_kind::hull_remove);
+    case Entry_kind::coincidence:
+    case Entry_kind::look_again:
+      break;
+  }
+  KINETRI_ASSERT(false, "an event is a failure, and coincident points have been set aside");
+}
+
+// Whether the triangle at a hull edge, flat at this time, can be taken away: its apex lies between
+// the ends of the edge, and is no hull vertex yet. Otherwise several hull triangles went flat
+// together, possibly all of the triangulation.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
+    const Two_sided_edge& hull_edge) const {
+  const auto& [face, i] =
+      triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there : hull_edge.here;
+  const Vertex_handle apex = face->vertex(i);
+  if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
+  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
+  return now.collinear_are_strictly_ordered_along_line_2_object()(
+      face->vertex(Triangulation::cw(i))->point(), apex->point(),
+      face->vertex(Triangulation::ccw(i))->point());
+}
+
+// Reports `event` to the observers around `change`, which makes it happen. During a rebuild only
+// the edges are noted.
+template <KineticTraits_2 Traits>
+template <class Change>
+void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event, Change change) {
+  if (rebuilt_edges_) {
+    if (event.removed) --(*rebuilt_edges_)[*event.removed];
+    if (event.added) ++(*rebuilt_edges_)[*event.added];
+    return change();
+  }
+  event.number = counters_.number_of_events();
+  for (Observer* observer : observers_) observer->before_event(event);
+  change();
+  ++counters_.events[static_cast<std::size_t>(event.kind)];
+  for (Observer* observer : observers_) observer->after_event(event);
+}
+
+// Flips an edge, finite or infinite, whose event has been taken from the queue:
+//
+//         c                  c
+//       / | \              /   \           The four outer edges keep their place but get a new
+//      a  |  b    ==>     a --- b          opposite vertex, and the diagonal is new: five
+//       \ | /              \   /           certificates are made anew.
+//         d                  d
+//
+// The outer edges' entries leave the queue first, while the corners that they speak of are there.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& edge,
+                                                         Event_kind kind) {
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
+  const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
+    const Edge_ids ids = edge_ids(a->point().id(), b->point().id());
+    if (ids[1] == no_point) return std::nullopt;
+    return ids;
+  };
+
+  Event<Time> event;
+  event.kind = kind;
+  event.time = current_time_;
+  event.removed =
+      finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
+  event.added = finite_ids(face->vertex(i), neighbor->vertex(j));
+  report(std::move(event), [&] {
+    const std::array<Two_sided_edge, 4> before = {two_sided(Edge(face, Triangulation::cw(i))),
+                                                  two_sided(Edge(face, Triangulation::ccw(i))),
+                                                  two_sided(Edge(neighbor, Triangulation::cw(j))),
+                                                  two_sided(Edge(neighbor, Triangulation::ccw(j)))};
+    for (const Two_sided_edge& outer : before) unschedule(outer);
+    triangulation_.tds().flip(face, i);
+    schedule(two_sided(Edge(face, face->index(neighbor))), current_time_,
+             rebuilt_edges_ ? Certificate_state::any : Certificate_state::vanishes);
+    // From outside, where the flip has changed nothing, they are found again.
+    for (const Two_sided_edge& outer : before) schedule(two_sided(outer.there), current_time_);
+  });
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_EVENTS_IMPL_H
