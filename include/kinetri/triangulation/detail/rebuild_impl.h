@@ -6,6 +6,7 @@
 #define KINETRI_TRIANGULATION_DETAIL_REBUILD_IMPL_H
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -34,8 +35,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
     const auto [a, b] = ids_of(edge);
     parents.emplace(a, a);
     parents.emplace(b, b);
-    const auto [low, high] = std::minmax(least(a), least(b));
-    parents[high] = low;
+    const std::array<Point_id, 2> merged = edge_ids(least(a), least(b));
+    parents[merged[1]] = merged[0];
   }
   if (triangulation_.dimension() < 2) return rebuild();
   triangulation_.geom_traits().set_instant({current_time_, Side::before});
