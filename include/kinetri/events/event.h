@@ -17,8 +17,9 @@ namespace kinetri {
 
 /// The kinds of event. The enumerators' order is the order in which simultaneous events are taken
 /// from the queue, before their point ids decide. It is not arbitrary: points that coincide are
-/// resolved first, since that settles everything else at that time; flat hull triangles are removed
-/// next, since every later flip relies on a triangulation that is properly embedded.
+/// set aside first, since all else is about distinct points; flat hull triangles are removed next,
+/// since every later flip relies on a triangulation that is properly embedded. The edges of a
+/// rebuild are reported when its instant is done, those removed first.
 enum class Event_kind : std::uint8_t {
   rebuild,      ///< an edge removed or added by reconstruction at a degenerate instant
   hull_insert,  ///< a vertex becomes a hull vertex: the hull edge in front of it is removed

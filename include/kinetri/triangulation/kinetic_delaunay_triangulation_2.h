@@ -132,7 +132,8 @@ class Kinetic_delaunay_triangulation_2 {
 
   std::size_t number_of_points() const noexcept { return vertices_.size(); }
 
-  /// The vertex of the point `id`; the same until a rebuild. Precondition: id < number_of_points().
+  /// The vertex of the point `id`; the same until the point meets another or the whole is rebuilt.
+  /// Precondition: id < number_of_points().
   Vertex_handle vertex(Point_id id) const;
 
   /// The motion of the point `id`. Precondition: id < number_of_points().
