@@ -104,6 +104,11 @@ class Indexed_queue {
     return places_[handle].item;
   }
 
+  /// Asks for the memory of the item of `handle`, if that names one, which is wanted soon.
+  void prefetch(Queue_handle handle) const {
+    if (handle < places_.size()) __builtin_prefetch(&places_[handle]);
+  }
+
   /// Replaces the item of `handle`. Precondition: contains(handle).
   void update(Queue_handle handle, Item item);
 

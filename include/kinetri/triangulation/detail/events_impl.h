@@ -166,6 +166,14 @@ void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& e
                                                          Event_kind kind) {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
+  const std::array<Two_sided_edge, 4> before = {two_sided(Edge(face, Triangulation::cw(i))),
+                                                two_sided(Edge(face, Triangulation::ccw(i))),
+                                                two_sided(Edge(neighbor, Triangulation::cw(j))),
+                                                two_sided(Edge(neighbor, Triangulation::ccw(j)))};
+  for (const auto& [here, there] : before) {
+    detail::prefetch(there.first->vertex(there.second));
+    queue_.prefetch(there.first->event(there.second));
+  }
   const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
     const Edge_ids ids = edge_ids(a->point().id(), b->point().id());
     if (ids[1] == no_point) return std::nullopt;
@@ -179,10 +187,6 @@ void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& e
       finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
   event.added = finite_ids(face->vertex(i), neighbor->vertex(j));
   report(std::move(event), [&] {
-    const std::array<Two_sided_edge, 4> before = {two_sided(Edge(face, Triangulation::cw(i))),
-                                                  two_sided(Edge(face, Triangulation::ccw(i))),
-                                                  two_sided(Edge(neighbor, Triangulation::cw(j))),
-                                                  two_sided(Edge(neighbor, Triangulation::ccw(j)))};
     for (const Two_sided_edge& outer : before) unschedule(outer);
     triangulation_.tds().flip(face, i);
     schedule(two_sided(Edge(face, face->index(neighbor))), current_time_,
