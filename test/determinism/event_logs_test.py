@@ -39,6 +39,15 @@ DEGENERATE = [
     ("lattice --points 25 --movers none", 3, 0),
 ]
 
+# The scenarios of bench/, for both arithmetics; exact arithmetic alone is slow.
+LARGE = [
+    ("uniform --points 1000", 0.5, 300),
+    ("gaussian --points 1000", 0.5, 300),
+    ("constant-speed --points 1000", 0.5, 300),
+    ("one-mover --points 1000 --speed 40", 8, 5),
+    ("lattice-jitter --points 1000", 0.5, 300),
+]
+
 ID_COLUMNS = ["removed_a", "removed_b", "added_a", "added_b", "point_a", "point_b"]
 MOST_LINES = 40
 
@@ -94,10 +103,10 @@ def compare(what, one, one_lines, other, other_lines):
     )
 
 
-def compare_with(program, folder, run_other):
+def compare_with(program, folder, run_other, settings, seeds):
     """`run_other` is a function of the points file and the end of the simulation."""
-    for scenario, until, least in GENERIC + DEGENERATE:
-        for seed in SEEDS:
+    for scenario, until, least in settings:
+        for seed in seeds:
             points = folder / "points.csv"
             generate(program, scenario, seed, points)
             one = Run(program, points, until, folder / "one")
@@ -112,11 +121,14 @@ def compare_with(program, folder, run_other):
 
 
 def compare_builds(program, other_program, folder):
-    compare_with(program, folder, lambda *run: Run(other_program, *run, folder / "other"))
+    run_other = lambda *run: Run(other_program, *run, folder / "other")
+    compare_with(program, folder, run_other, GENERIC + DEGENERATE, SEEDS)
 
 
 def compare_arithmetic(program, folder):
-    compare_with(program, folder, lambda *run: Run(program, *run, folder / "other", "--exact-only"))
+    run_other = lambda *run: Run(program, *run, folder / "other", "--exact-only")
+    compare_with(program, folder, run_other, GENERIC + DEGENERATE, SEEDS)
+    compare_with(program, folder, run_other, LARGE, SEEDS[:1])
 
 
 def rename_events(lines, old_ids):
