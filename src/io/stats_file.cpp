@@ -39,6 +39,7 @@ void write_stats(std::ostream& out, const Run_statistics& statistics) {
        {{"created", certificates.created},
         {"root_solves", certificates.root_solves},
         {"filter_decided", certificates.filter_decided},
+        {"refined_decided", certificates.refined_decided},
         {"exact_decided", certificates.exact_decided}}},
       {"queue", {{"pushed", queue.pushed}, {"discarded", queue.discarded}, {"peak", queue.peak}}},
       {"seconds",

@@ -235,14 +235,14 @@ Filter_verdict first_failure(const std::array<double, M>& c, const std::array<do
     const double share = positive_share(piece.b, error);
     if (share == 1) continue;
     const double until = piece.lower + share * piece.width;
-    if (until >= worthwhile) return {Kind::holds, {until, until}};
+    if (until >= worthwhile) return {Kind::holds, {until, until}, piece.depth > 0};
     if (share == 0) return {};
     if (has_one_change(piece.b, error)) {
       double lower = piece.lower;
       double upper = piece.lower + piece.width;
       const double secant = piece.b.front() / (piece.b.front() - piece.b.back());
       if (!bracket_root(c, error, lower + secant * piece.width, lower, upper)) return {};
-      return {Kind::fails, {lower, upper}};
+      return {Kind::fails, {lower, upper}, true};
     }
     if (piece.depth == max_depth) return {};
     const double width = 0.5 * piece.width;
@@ -250,7 +250,7 @@ Filter_verdict first_failure(const std::array<double, M>& c, const std::array<do
     stack[static_cast<std::size_t>(size++)] = {right, piece.lower + width, width, piece.depth + 1};
     stack[static_cast<std::size_t>(size++)] = {piece.b, piece.lower, width, piece.depth + 1};
   }
-  return {Kind::holds, {1, 1}};
+  return {Kind::holds, {1, 1}, true};
 }
 
 // The verdict in time for that in w, rounded to the safe side.
@@ -263,10 +263,10 @@ Filter_verdict in_time(const Filter_verdict& v, double origin, double window,
   const auto up = [ulp](double x) { return x + ulp(x); };
   const double lower = down(origin + down(v.bounds.lower * window));
   if (!(lower > after.upper)) return {};
-  if (v.kind == Filter_verdict::Kind::holds) return {v.kind, {lower, lower}};
+  if (v.kind == Filter_verdict::Kind::holds) return {v.kind, {lower, lower}, v.is_refined};
   const double upper = up(origin + up(v.bounds.upper * window));
   if (v.kind == Filter_verdict::Kind::unknown || !(upper < infinity)) return {};
-  return {v.kind, {lower, upper}};
+  return {v.kind, {lower, upper}, v.is_refined};
 }
 
 // The window, the sizes that belong to it, and the errors that follow from them.
@@ -325,7 +325,11 @@ Filter_verdict judge_after_root(const std::array<double, M>& c, double error, do
   std::copy(c.begin() + 1, c.end(), g.begin());
   const double error_of_g = error + 2 * norm * error * rest;
   if (least(g) > error_of_g) return {Filter_verdict::Kind::holds_for_ever, {}};
-  Filter_verdict verdict = first_failure(g, bernstein(g), error_of_g);
+  const std::array<double, M - 1> b = bernstein(g);
+  if (least(b) > error_of_g) {
+    return in_time({Filter_verdict::Kind::holds, {1, 1}}, after.lower, window, after);
+  }
+  Filter_verdict verdict = first_failure(g, b, error_of_g);
   if (verdict.kind == Filter_verdict::Kind::fails) {
     // c itself gives the narrower bracket, and the next certificate starts from there.
     auto& [lower, upper] = verdict.bounds;

@@ -40,6 +40,7 @@ struct Orientation_root : Root_source {
 Outlook<Time> outlook(const Filter_verdict& verdict, Certificate_counters& counters) {
   using Kind = Outlook<Time>::Kind;
   ++counters.filter_decided;
+  if (verdict.is_refined) ++counters.refined_decided;
   switch (verdict.kind) {
     case Filter_verdict::Kind::fails:
       ++counters.root_solves;

@@ -655,5 +655,19 @@ TEST(SimplestBetween, OfAnEmptyIntervalIsRefused) {
   EXPECT_THROW(simplest_between(2.0, 1.0), Precondition_error);
 }
 
+TEST(AlgebraicNumber, DetachedIsTheSameNumberAndSharesNothing) {
+  const Algebraic_number root(Polynomial{-2, 0, 1}, Rational(1), Rational(2));
+  for (const Algebraic_number& number :
+       {root, Algebraic_number(0.5), Algebraic_number(Rational(1, 3))}) {
+    const Algebraic_number copy = number.detached();
+    copy.refine_to(Rational(1, 1000000));
+    EXPECT_EQ(copy, number.detached());
+    EXPECT_EQ(copy, number);
+  }
+  const Algebraic_number copy = root.detached();
+  copy.refine_to(Rational(1, 1000000));
+  EXPECT_GT(root.detached().upper() - root.detached().lower(), copy.upper() - copy.lower());
+}
+
 }  // namespace
 }  // namespace kinetri

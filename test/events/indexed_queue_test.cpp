@@ -225,12 +225,15 @@ TEST(IndexedQueue, AnItemOfWideBoundsIsComparedWithLaterOnes) {
   for (double width : {0.0, 1.0, 10.0, 1000.0, 1e6}) {
     Indexed_queue<Bounded_item, By_value> queue;
     std::vector<Bounded_item> items;
-    for (int i = 0; i < 200; ++i) items.push_back({i + 1.0, i + 1.0, i + 1.0});
+    for (int i = 0; i < 40; ++i) items.push_back({i + 1.0, i + 1.0, i + 1.0});
     queue.assign(items, items.size());
-    while (queue.size() > 1) queue.pop();
-    queue.push({1, 200 + width, 200 + width});
-    queue.pop();
-    for (const double value : {201.0, 300.0, 5000.0}) queue.push({value, value, value});
+    // Nothing is left, and the slots of the later items have not been opened.
+    for (int i = 0; i < 10; ++i) queue.pop();
+    for (Queue_handle handle = 40; handle-- > 10;) queue.erase(handle);
+    queue.push({1, 25 + width, 25 + width});
+    for (const double value : {25.0, 28.0, 39.0, 61.0, 300.0, 5000.0}) {
+      queue.push({value, value, value});
+    }
     ASSERT_TRUE(queue.is_valid()) << "width " << width;
     double previous = 0;
     while (!queue.empty()) {

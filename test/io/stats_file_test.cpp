@@ -44,8 +44,11 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
   for (std::size_t kind = 0; kind < event_kinds; ++kind) {
     statistics.triangulation.events[kind] = std::uint64_t{1} << kind;
   }
-  statistics.certificates = {
-      .created = 5, .root_solves = 6, .filter_decided = 7, .exact_decided = 8};
+  statistics.certificates = {.created = 5,
+                             .root_solves = 6,
+                             .filter_decided = 7,
+                             .refined_decided = 18,
+                             .exact_decided = 8};
   statistics.queue = {.pushed = 9, .discarded = 10, .peak = 11};
   statistics.seconds = {
       .read = 0.25, .build = 0.5, .initialize = 1, .run = 2, .audit = 4, .write = 8};
@@ -59,7 +62,8 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
                "collision": 32, "insert": 64, "erase": 128, "trajectory": 256},
     "events_total": 511, "instants": 20, "largest_instant": 3, "batches": 15, "flat_hulls": 16,
     "points_set_aside": 17, "rebuilds": 1, "looks_again": 14,
-    "certificates": {"created": 5, "root_solves": 6, "filter_decided": 7, "exact_decided": 8},
+    "certificates": {"created": 5, "root_solves": 6, "filter_decided": 7,
+                     "refined_decided": 18, "exact_decided": 8},
     "queue": {"pushed": 9, "discarded": 10, "peak": 11},
     "seconds": {"read": 0.25, "build": 0.5, "initialize": 1.0, "run": 2.0, "audit": 4.0,
                 "write": 8.0},

@@ -170,11 +170,13 @@ class Deciding_stage : public testing::Test {
 TEST_F(Deciding_stage, of_a_certificate_that_holds_for_now_is_the_filter) {
   EXPECT_EQ(outlook(moving(0, 30, 0, -1)).kind, Kind::holds);
   expect_stage(1, 0, 0);
+  EXPECT_EQ(counters.refined_decided, 0u);
 }
 
 TEST_F(Deciding_stage, of_a_simple_root_near_by_is_the_filter) {
   EXPECT_EQ(outlook(moving(0.1, 1.1, 0, -1)).kind, Kind::fails);
   expect_stage(1, 0, 1);
+  EXPECT_EQ(counters.refined_decided, 1u);
 }
 
 TEST_F(Deciding_stage, of_a_certificate_that_never_fails_is_the_filter) {

@@ -16,10 +16,11 @@ namespace kinetri {
 
 /// How many certificates were made, and which stage decided each.
 struct Certificate_counters {
-  std::uint64_t created = 0;         ///< certificates for which a failure time was asked
-  std::uint64_t root_solves = 0;     ///< of these, the ones for which a root was looked for
-  std::uint64_t filter_decided = 0;  ///< decided by floating point with a proved error bound
-  std::uint64_t exact_decided = 0;   ///< decided by exact arithmetic
+  std::uint64_t created = 0;          ///< certificates for which a failure time was asked
+  std::uint64_t root_solves = 0;      ///< of these, the ones for which a root was looked for
+  std::uint64_t filter_decided = 0;   ///< decided by floating point with a proved error bound
+  std::uint64_t refined_decided = 0;  ///< of these, where it had to subdivide or to narrow a root
+  std::uint64_t exact_decided = 0;    ///< decided by exact arithmetic
 
   Certificate_counters& operator+=(const Certificate_counters& other);
 
@@ -30,6 +31,7 @@ inline Certificate_counters& Certificate_counters::operator+=(const Certificate_
   created += other.created;
   root_solves += other.root_solves;
   filter_decided += other.filter_decided;
+  refined_decided += other.refined_decided;
   exact_decided += other.exact_decided;
   return *this;
 }

@@ -23,6 +23,7 @@ struct Filter_verdict {
   };
   Kind kind = Kind::unknown;
   Double_interval bounds = {};
+  bool is_refined = false;  ///< had to subdivide, or to narrow a root
 };
 
 /// The in-circle certificate (s is not inside the circle through p, q, r) after a time in `after`:

@@ -259,6 +259,7 @@ class Kinetic_delaunay_triangulation_2 {
   void execute_due_events();
   std::size_t run_instant();
   void execute(const Two_sided_edge& edge, Entry_kind kind);
+  bool are_all_collinear(const Two_sided_edge& hull_edge) const;
   bool can_insert_into_hull(const Two_sided_edge& hull_edge) const;
   void flip_edge(const Two_sided_edge& edge, Event_kind kind);
 

@@ -108,7 +108,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edg
       return flip_edge(edge, Event_kind::flip);
     case Entry_kind::hull_insert:
       hull_is_flat_ = true;
-      if (!can_insert_into_hull(edge)) return rebuild();
+      if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
       return flip_edge(edge, Event_kind::hull_insert);
     case Entry_kind::hull_remove:
       return flip_edge(edge, Event_kind::hull_remove);
@@ -117,6 +117,20 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edg
       break;
   }
   KINETRI_ASSERT(false, "an event is a failure, and coincident points have been set aside");
+}
+
+// Whether all points lie on the line of a hull edge at this time. Usually the first one that is
+// looked at does not.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::are_all_collinear(
+    const Two_sided_edge& hull_edge) const {
+  const auto& [face, i] = hull_edge.here;
+  const Point_2& a = face->vertex(Triangulation::cw(i))->point();
+  const Point_2& b = face->vertex(Triangulation::ccw(i))->point();
+  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
+  return std::ranges::all_of(triangulation_.finite_vertex_handles(), [&](Vertex_handle v) {
+    return now.orientation_2_object()(a, b, v->point()) == CGAL::COLLINEAR;
+  });
 }
 
 // Whether the triangle at a hull edge, flat at this time, can be taken away: its apex lies between
