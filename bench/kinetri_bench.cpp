@@ -25,6 +25,8 @@ const std::map<std::string, Mode> modes = {
      {measure_events, "time per event, against a static rebuild and an uncertified program"}},
     {"memory", {measure_memory, "peak memory of construction and run"}},
     {"frames", {measure_frames, "frame rates from which on the kinetic way is faster"}},
+    {"lattice-row",
+     {measure_lattice_row, "time per event of a lattice in which one row moves, against uniform"}},
     {"paper-table", {measure_paper_table, "events scheduled, executed, discarded: eager and lazy"}},
 };
 

@@ -2,6 +2,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "kinetri/kinetri.h"
@@ -165,6 +166,25 @@ json measure_memory(const Setup& setup) {
   return {{"peak_rss_bytes", bytes},
           {"bytes_per_point", bytes / static_cast<double>(setup.options.points)},
           {"counters", counters(exact)}};
+}
+
+json measure_lattice_row(const Setup& setup) {
+  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(setup.options.points)));
+  std::vector<Linear_motion_2> lattice;
+  for (std::size_t i = 0; i < side * side; ++i) {
+    const double speed = i / side == side / 2 ? 1 : 0;
+    lattice.push_back(
+        {{static_cast<double>(i % side), static_cast<double>(i / side)}, {speed, 0}, 0});
+  }
+  const auto seconds_per_event = [](const std::vector<Linear_motion_2>& motions) {
+    Kinetic exact(motions);
+    const Stopwatch watch;
+    const auto events = static_cast<double>(exact.advance_to(1.0));
+    return ratio(watch.seconds(), events);
+  };
+  const double of_lattice = seconds_per_event(lattice);
+  const double of_scenario = seconds_per_event(setup.motions());
+  return {{"seconds_per_event", of_lattice}, {"event_over_event", ratio(of_lattice, of_scenario)}};
 }
 
 json measure_paper_table(const Setup& setup) {

@@ -59,6 +59,10 @@ nlohmann::json measure_memory(const Setup& setup);
 /// does it.
 nlohmann::json measure_paper_table(const Setup& setup);
 
+/// An exact square lattice of about as many points, in which one row moves by one place: all its
+/// events are simultaneous. And the setup's own scenario, run to time 1, to compare with.
+nlohmann::json measure_lattice_row(const Setup& setup);
+
 /// From how many frames per unit of time on the exact triangulation takes less time than a static
 /// rebuild for each frame, and than moving each vertex of a static triangulation.
 nlohmann::json measure_frames(const Setup& setup);

@@ -23,6 +23,7 @@ ROOT_SOLVES_PER_EVENT = 1.3  # on uniform
 EXACT_SHARE = 1e-4
 INITIAL_NANOSECONDS = {100_000: 150}
 BYTES_PER_POINT = {1_000_000: 700}
+LATTICE_ROW_OVER_UNIFORM = {10_000: 20}
 
 # A time per event of fewer events says nothing.
 FEWEST_EVENTS = 1000
@@ -71,6 +72,7 @@ def measurements(arguments):
         yield "events", "uniform", 1_000_000, min(runs, 3)
         yield "memory", "uniform", 100_000, 1
         yield "memory", "uniform", 1_000_000, 1
+    yield "lattice-row", "uniform", 10_000, runs
     for points in (1_000,) if arguments.quick else (1_000, 10_000):
         yield "frames", "uniform", points, runs
     if arguments.large:
@@ -153,6 +155,10 @@ def rows(results):
         if mode == "events":
             for what, values, target in event_rows(scenario, points, runs):
                 yield what, scenario, points, values, target
+        elif mode == "lattice-row":
+            values = [run["event_over_event"] for run in runs]
+            target = LATTICE_ROW_OVER_UNIFORM.get(points)
+            yield "event of a lattice row / event", scenario, points, values, target
         elif mode == "memory":
             values = [run["bytes_per_point"] for run in runs]
             yield "peak memory: bytes a point", scenario, points, values, BYTES_PER_POINT.get(points)
