@@ -178,8 +178,10 @@ void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event, Change 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& edge,
                                                          Event_kind kind) {
-  const auto& [face, i] = edge.here;
-  const auto& [neighbor, j] = edge.there;
+  const Face_handle face = edge.here.first;
+  const int i = edge.here.second;
+  const Face_handle neighbor = edge.there.first;
+  const int j = edge.there.second;
   const std::array<Two_sided_edge, 4> before = {two_sided(Edge(face, Triangulation::cw(i))),
                                                 two_sided(Edge(face, Triangulation::ccw(i))),
                                                 two_sided(Edge(neighbor, Triangulation::cw(j))),
