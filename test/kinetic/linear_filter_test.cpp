@@ -168,7 +168,8 @@ TEST_P(Linear_filter, never_contradicts_exact_arithmetic) {
     const Moving_point_2 r(m[2]);
     const Moving_point_2 s(m[3]);
     for (const bool is_negated : {false, true}) {
-      const auto& [a, b] = is_negated ? std::pair(m[1], m[0]) : std::pair(m[0], m[1]);
+      const Linear_motion_2& a = m[is_negated ? 1 : 0];
+      const Linear_motion_2& b = m[is_negated ? 0 : 1];
       Polynomial circle = in_circle_polynomial(p, q, r, s);
       if (!is_negated) circle = -circle;
       const Filter_verdict verdict = in_mode(mode, [&] {
