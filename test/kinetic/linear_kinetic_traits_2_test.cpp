@@ -160,7 +160,7 @@ class Deciding_stage : public testing::Test {
     return traits.in_circle_outlook(west, south, east, s, 0.0, Certificate_state::any, counters);
   }
 
-  const Linear_kinetic_traits_2 traits;
+  const Linear_kinetic_traits_2 traits{};
   Certificate_counters counters;
   const Moving_point_2 west = resting(-1, 0);
   const Moving_point_2 south = resting(0, -1);
