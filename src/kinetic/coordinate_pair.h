@@ -18,10 +18,6 @@ inline Pair pair(const Vector_2& v) {
   return Pair{v.x, v.y};
 }
 
-inline Pair broadcast(double value) {
-  return Pair{value, value};
-}
-
 /// (a.first, b.first) and (a.second, b.second).
 inline Pair firsts(Pair a, Pair b) {
   return __builtin_shufflevector(a, b, 0, 2);

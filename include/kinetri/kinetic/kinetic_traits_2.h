@@ -61,7 +61,9 @@ enum class Certificate_state {
 ///
 ///   Motion                 a trajectory
 ///   Point_2                a moving point: built from a Motion and a Point_id
-///   Time                   an event time; totally ordered, exactly
+///   Time                   an event time; totally ordered, exactly; made from a binary64 number;
+///                          with a binary64 interval() around it, and detached(), the same time
+///                          for use in another thread
 ///   Instantaneous_traits   a model of CGAL's DelaunayTriangulationTraits_2 on Point_2 at an
 ///   instant
 ///
@@ -89,6 +91,9 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
                                    Certificate_counters& counters) {
   typename Traits::Instantaneous_traits;
   requires std::totally_ordered<typename Traits::Time>;
+  requires std::constructible_from<typename Traits::Time, double>;
+  { t.interval() } -> std::convertible_to<Double_interval>;
+  { t.detached() } -> std::same_as<typename Traits::Time>;
   typename Traits::Point_2;
   requires std::constructible_from<typename Traits::Point_2, typename Traits::Motion, Point_id>;
   {

@@ -30,8 +30,8 @@ struct Filter_verdict {
 /// the verdict is about the times after `after.upper`, or after the time itself where the
 /// certificate `vanishes_at` it. In that case the root there, simple and with the certificate
 /// positive just after it, is the caller's word (as it is after a flip), and is divided out. Cost:
-/// about 50 nanoseconds, some 150 where a failure is bracketed. `p`, `q`, `r`, `s` in any order
-/// that has the same sign.
+/// some hundred floating-point operations, and as many again where a failure is bracketed. `p`,
+/// `q`, `r`, `s` in any order that has the same sign.
 Filter_verdict filter_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
                                 const Linear_motion_2& r, const Linear_motion_2& s,
                                 const Double_interval& after, bool vanishes_at);

@@ -18,8 +18,8 @@ namespace kinetri {
 
 /// Certificates of linear motion; see KineticTraits_2 for their contracts. In-circle certificates
 /// are polynomials of degree at most 4 in time, orientation of degree at most 2, coincidence of
-/// degree 1. Every failure time is exact. Cost: some 50 nanoseconds where the filter decides
-/// (kinetri/kinetic/linear_filter.h), some 50 microseconds otherwise.
+/// degree 1. Every failure time is exact. Cost: some hundred floating-point operations where the
+/// filter decides (kinetri/kinetic/linear_filter.h), else exact arithmetic, a thousand times that.
 class Linear_kinetic_traits_2 {
  public:
   using Motion = Linear_motion_2;
