@@ -130,13 +130,22 @@ class Kinetic_delaunay_triangulation_2 {
   /// is the object itself, valid until the next call that advances time.
   const Triangulation& triangulation() const { return triangulation_; }
 
-  std::size_t number_of_points() const noexcept { return vertices_.size(); }
+  std::size_t number_of_points() const noexcept { return number_of_points_; }
 
-  /// The vertex of the point `id`; the same until the point meets another or the whole is rebuilt.
-  /// Precondition: id < number_of_points().
+  /// The id that the next inserted point gets: one more than the greatest so far. Ids are not used
+  /// again when their points have left.
+  std::size_t next_id() const noexcept { return vertices_.size(); }
+
+  /// Whether the point `id` is there: has been given, and not been erased.
+  bool contains(Point_id id) const noexcept {
+    return id < vertices_.size() && vertices_[id] != Vertex_handle();
+  }
+
+  /// The vertex of the point `id`, the same as long as the point is there.
+  /// Precondition: contains(id).
   Vertex_handle vertex(Point_id id) const;
 
-  /// The motion of the point `id`. Precondition: id < number_of_points().
+  /// The motion of the point `id`. Precondition: contains(id).
   const Motion& motion(Point_id id) const;
 
   /// The ids of the ends of all finite edges, sorted. O(n log n).
@@ -155,6 +164,43 @@ class Kinetic_delaunay_triangulation_2 {
   /// Goes to `time`: every event at or before it has happened, and current_time() is `time`.
   /// Returns the number of events. Precondition: time >= current_time().
   std::size_t advance_to(const Time& time);
+
+  /// As step(), but only if the next event is at or before `until`; else nothing happens, and
+  /// current_time() stays what it is. Returns the number of events.
+  std::size_t step(const Time& until);
+
+  // ---- changing points ----
+
+  // Each takes place at current_time(), is an event, and leaves the triangulation Delaunay just
+  // after that time; edges that it removes and adds are reported in rebuild events after it. Other
+  // vertices keep their handles, and so does a point that gets a new motion. Cost: expected, what
+  // the degree of the point asks for, and the way to a place that is far; O(n) where the points
+  // are, or become, collinear for ever.
+
+  /// Gives the point of `v` another motion from now on: event `trajectory`. It need not go through
+  /// the present place of the point, and may go through that of another one if it leaves it.
+  /// Throws Coincident_trajectories_error, and changes nothing, if another point has the same
+  /// trajectory. Precondition: the motion is finite.
+  void set_motion(Vertex_handle v, const Motion& motion);
+
+  /// Inserts a point, which gets the id next_id(): event `insert`. Throws as set_motion.
+  /// Precondition: the motion is finite, and there is an id left.
+  Vertex_handle insert(const Motion& motion);
+
+  /// Erases the point of `v`, whose handle is not valid from then on: event `erase`.
+  void erase(Vertex_handle v);
+
+  /// What an event does to a point: gives it another motion or, with none, erases it.
+  struct Change {
+    Vertex_handle vertex;
+    std::optional<Motion> motion;
+  };
+
+  /// Makes the changes, one after the other, as one event of the given kind that concerns the given
+  /// points. For events that are no failures of this triangulation's certificates, as collisions.
+  /// Throws as set_motion; changes before the one that throws have been made then.
+  void apply(Event_kind kind, std::optional<Point_id> point_a, std::optional<Point_id> point_b,
+             std::span<const Change> changes);
 
   // ---- watching ----
 
@@ -265,31 +311,53 @@ class Kinetic_delaunay_triangulation_2 {
 
   // Instants that flips alone do not pass.
   void set_coincident_points_aside();
-  void set_aside(Point_id id, Vertex_handle companion);
   void put_points_back();
-  void unschedule_face(Face_handle face);
-  void schedule_around(Vertex_handle v);
-  void note_edges_among(const std::vector<Vertex_handle>& vertices, int change);
   void rebuild();
+  template <class Change_vertices>
+  void rebuild(Change_vertices change_vertices);
+  void adopt(const Triangulation& rebuilt);
   void report_rebuild();
-  template <class Change>
-  void report(Event<Time> event, Change change);
+  template <class Change_edges>
+  void report(Event<Time> event, Change_edges change_edges);
+
+  // Changes of single points.
+  struct Location {
+    Face_handle face;
+    bool is_on_edge = false;  // else inside the face, which is infinite beyond the hull
+    int index = 0;            // of that edge
+  };
+  template <class Change_points>
+  void perform(Event<Time> event, Change_points change_points);
+  void change_motion(Vertex_handle v, const Motion& motion);
+  void remove_point(Vertex_handle v);
+  bool is_embedded_around(Vertex_handle v) const;
+  void check_is_distinct(const Point_2& point) const;
+  Location find_location(const Point_2& point, Face_handle start) const;
+  void take_out(Vertex_handle v);
+  void put_in(Vertex_handle v, const Location& location);
+  void replace_in_faces(Vertex_handle old, Vertex_handle replacement);
+  void unschedule_face(Face_handle face);
+  void unschedule_around(Vertex_handle v);
+  void schedule_around(Vertex_handle v);
+  void note_edges_at(Vertex_handle v, int change);
+  void note_edges_among(const std::vector<Vertex_handle>& vertices, int change);
 
   struct Point_set_aside {
-    Point_2 point;
+    Vertex_handle vertex;
     Vertex_handle companion;  // where to look for its place: was in the same one
   };
 
   Traits traits_;
   Time current_time_;
   Triangulation triangulation_;
-  std::vector<Vertex_handle> vertices_;  // by point id
+  std::vector<Vertex_handle> vertices_;  // by point id; none where the point has been erased
+  std::size_t number_of_points_ = 0;
   Indexed_queue<Entry, Earlier> queue_{Earlier{this}};
   mutable Time_pool times_;  // of entries
   Certificate_counters certificate_counters_;
   std::vector<Observer*> observers_;
   std::vector<Point_set_aside> points_set_aside_;
-  /// By edge, +1 if it has been added at this instant, -1 if removed; present during a rebuild.
+  /// By edge, +1 if it has been added, -1 if removed; present while that is noted, not reported.
   std::optional<std::map<Edge_ids, int>> rebuilt_edges_;
   bool hull_is_flat_ = false;  // at the present time
   Triangulation_counters counters_;

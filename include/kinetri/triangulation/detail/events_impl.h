@@ -59,6 +59,11 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::step() {
 }
 
 template <KineticTraits_2 Traits>
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::step(const Time& until) {
+  return settle(until) ? run_instant() : 0;
+}
+
+template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& time) {
   KINETRI_PRECONDITION(time >= current_time_, "time only advances");
   std::size_t events = 0;
@@ -149,19 +154,20 @@ bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
       face->vertex(Triangulation::ccw(i))->point());
 }
 
-// Reports `event` to the observers around `change`, which makes it happen. During a rebuild only
-// the edges are noted.
+// Reports `event` to the observers around `change_edges`, which makes it happen. While edges are
+// noted they are only noted.
 template <KineticTraits_2 Traits>
-template <class Change>
-void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event, Change change) {
+template <class Change_edges>
+void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event,
+                                                      Change_edges change_edges) {
   if (rebuilt_edges_) {
     if (event.removed) --(*rebuilt_edges_)[*event.removed];
     if (event.added) ++(*rebuilt_edges_)[*event.added];
-    return change();
+    return change_edges();
   }
   event.number = counters_.number_of_events();
   for (Observer* observer : observers_) observer->before_event(event);
-  change();
+  change_edges();
   ++counters_.events[static_cast<std::size_t>(event.kind)];
   for (Observer* observer : observers_) observer->after_event(event);
 }

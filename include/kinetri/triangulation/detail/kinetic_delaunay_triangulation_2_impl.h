@@ -32,6 +32,7 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
     points.emplace_back(motion, static_cast<Point_id>(points.size()));
   }
   vertices_.resize(points.size());
+  number_of_points_ = points.size();
   const auto started = std::chrono::steady_clock::now();
   triangulation_ = build(points, start);
   index_vertices();
@@ -70,7 +71,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::index_vertices() {
 
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::vertex(Point_id id) const -> Vertex_handle {
-  KINETRI_PRECONDITION(id < vertices_.size(), "no point has this id");
+  KINETRI_PRECONDITION(contains(id), "no point has this id");
   return vertices_[id];
 }
 
@@ -331,6 +332,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& 
 
 }  // namespace kinetri
 
+#include "kinetri/triangulation/detail/changes_impl.h"
 #include "kinetri/triangulation/detail/events_impl.h"
 #include "kinetri/triangulation/detail/rebuild_impl.h"
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -43,130 +44,79 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
   for (const auto& [id, parent] : parents) {
     if (id == parent) continue;
     if (triangulation_.test_dim_down(vertices_[id])) return rebuild();
-    set_aside(id, vertices_[least(id)]);
+    take_out(vertices_[id]);
+    points_set_aside_.push_back({vertices_[id], vertices_[least(id)]});
+    ++counters_.points_set_aside;
   }
   triangulation_.geom_traits().set_instant({current_time_, Side::after});
 }
 
-// Takes the point `id` out of the triangulation, which stays Delaunay at the instant of its traits.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::set_aside(Point_id id, Vertex_handle companion) {
-  const Vertex_handle v = vertices_[id];
-  std::vector<Vertex_handle> around;
-  auto face = triangulation_.incident_faces(v);
-  const auto first = face;
-  do {
-    unschedule_face(face);
-    const Vertex_handle u = face->vertex(Triangulation::ccw(face->index(v)));
-    if (!triangulation_.is_infinite(u)) around.push_back(u);
-  } while (++face != first);
-  std::ranges::sort(around, {}, [](Vertex_handle u) { return u->point().id(); });
-
-  for (const Vertex_handle u : around) --(*rebuilt_edges_)[edge_ids(id, u->point().id())];
-  note_edges_among(around, -1);
-  points_set_aside_.push_back({v->point(), companion});
-  vertices_[id] = Vertex_handle();
-  triangulation_.remove(v);
-  ++counters_.points_set_aside;
-  note_edges_among(around, 1);
-  for (const Vertex_handle u : around) schedule_around(u);
-}
-
-// Puts the points that were set aside back where they are just after now: each splits the triangle
-// or edge that it is in, and what then violates its certificate is flipped like any other edge, by
-// Lawson's argument until the triangulation is Delaunay.
+// Puts the points that were set aside back where they are just after now, one after the other.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::put_points_back() {
-  using Locus = typename Triangulation::Locate_type;
   while (!points_set_aside_.empty()) {
-    const auto [point, companion] = points_set_aside_.back();
+    const auto [v, companion] = points_set_aside_.back();
     points_set_aside_.pop_back();
-    Locus locus;
-    int i = 0;
-    const Face_handle face = triangulation_.locate(point, locus, i, companion->face());
-    if (locus == Triangulation::VERTEX) {
-      const Point_id other = face->vertex(i)->point().id();
-      throw Coincident_trajectories_error(std::min(point.id(), other), std::max(point.id(), other));
-    }
-    const bool is_on_edge = locus == Triangulation::EDGE;
-    unschedule_face(face);
-    if (is_on_edge) {
-      unschedule_face(face->neighbor(i));
-      --(*rebuilt_edges_)[ids_of(Edge(face, i))];
-    }
-    const Vertex_handle v = is_on_edge ? triangulation_.tds().insert_in_edge(face, i)
-                                       : triangulation_.tds().insert_in_face(face);
-    v->set_point(point);
-    vertices_[point.id()] = v;
-    auto neighbor = triangulation_.incident_vertices(v);
-    const auto first = neighbor;
-    do {
-      if (triangulation_.is_infinite(neighbor)) continue;
-      ++(*rebuilt_edges_)[edge_ids(point.id(), neighbor->point().id())];
-    } while (++neighbor != first);
-    schedule_around(v);
+    put_in(v, find_location(v->point(), companion->face()));
     execute_due_events();
   }
 }
 
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::unschedule_face(Face_handle face) {
-  for (int i = 0; i < 3; ++i) {
-    const Two_sided_edge edge = two_sided(Edge(face, i));
-    unschedule(edge);
-    set_event(edge, no_event);
-  }
-}
-
-// Schedules those edges of the faces at `v` that have no event.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_around(Vertex_handle v) {
-  auto face = triangulation_.incident_faces(v);
-  const auto first = face;
-  do {
-    for (int i = 0; i < 3; ++i) {
-      if (face->event(i) == no_event) schedule(two_sided(Edge(face, i)), current_time_);
-    }
-  } while (++face != first);
-}
-
-// Notes the edges that have both ends in `vertices`, which are sorted by id, as added or removed.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::note_edges_among(
-    const std::vector<Vertex_handle>& vertices, int change) {
-  const auto id = [](Vertex_handle v) { return v->point().id(); };
-  for (const Vertex_handle v : vertices) {
-    auto neighbor = triangulation_.incident_vertices(v);
-    const auto first = neighbor;
-    do {
-      if (triangulation_.is_infinite(neighbor) || id(neighbor) < id(v)) continue;
-      if (std::ranges::binary_search(vertices, id(neighbor), {}, id)) {
-        (*rebuilt_edges_)[edge_ids(id(v), id(neighbor))] += change;
-      }
-    } while (++neighbor != first);
-  }
-}
-
 // Reconstructs the triangulation just after the present time. Right at any instant, however
-// degenerate.
+// degenerate. In between, `change_vertices` may insert, erase or move points.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::rebuild() {
+template <class Change_vertices>
+void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_vertices) {
   if (!rebuilt_edges_) rebuilt_edges_.emplace();
   for (const Edge_ids& edge : finite_edge_ids()) --(*rebuilt_edges_)[edge];
-  std::vector<Point_2> points;
-  points.reserve(vertices_.size());
-  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) points.push_back(v->point());
-  for (const auto& aside : std::exchange(points_set_aside_, {})) points.push_back(aside.point);
-  std::ranges::sort(points, {}, &Point_2::id);
+  points_set_aside_.clear();
+  triangulation_.geom_traits().set_instant({current_time_, Side::after});
   queue_.clear();
   times_.clear();
-  ++counters_.rebuilds;
-
-  Triangulation rebuilt = build(points, current_time_);
-  triangulation_.swap(rebuilt);
-  index_vertices();
+  change_vertices();
+  std::vector<Point_2> points;
+  points.reserve(vertices_.size());
+  for (const Vertex_handle v : vertices_) {
+    if (v != Vertex_handle()) points.push_back(v->point());
+  }
+  adopt(build(points, current_time_));
   schedule_all();
   for (const Edge_ids& edge : finite_edge_ids()) ++(*rebuilt_edges_)[edge];
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::rebuild() {
+  ++counters_.rebuilds;
+  rebuild([] {});
+}
+
+// Takes over the faces of another triangulation of the same points. The vertices stay what they
+// are.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::adopt(const Triangulation& rebuilt) {
+  auto& tds = triangulation_.tds();
+  const auto vertex_here = [&](Vertex_handle there) {
+    return rebuilt.is_infinite(there) ? triangulation_.infinite_vertex()
+                                      : vertices_[there->point().id()];
+  };
+  tds.faces().clear();
+  tds.set_dimension(rebuilt.dimension());
+  std::unordered_map<Face_handle, Face_handle> faces_here;
+  auto& faces_there = rebuilt.tds().faces();
+  for (Face_handle there = faces_there.begin(); there != faces_there.end(); ++there) {
+    faces_here.emplace(there, tds.create_face());
+  }
+  for (const auto& [there, here] : faces_here) {
+    // A face of a triangulation of dimension d has d + 1 vertices and neighbors, but for the lone
+    // infinite vertex, which has dimension -1.
+    for (int i = 0; i <= std::max(rebuilt.dimension(), 0); ++i) {
+      here->set_vertex(i, vertex_here(there->vertex(i)));
+      if (rebuilt.dimension() >= 0) here->set_neighbor(i, faces_here.at(there->neighbor(i)));
+    }
+  }
+  for (const Vertex_handle there : rebuilt.all_vertex_handles()) {
+    vertex_here(there)->set_face(faces_here.at(there->face()));
+  }
 }
 
 // Reports the edges that a rebuild has removed and added in the end.

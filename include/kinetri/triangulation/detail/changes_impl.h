@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Kinetic_delaunay_triangulation_2: changes of single points at the present time,
+// and how a vertex leaves the triangulation and comes back. The edges that a change leaves violated
+// have their events at the present time, and are flipped by these (Lawson's argument; docs/MATH.md,
+// section 6).
+#ifndef KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
+#define KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+// ---- changes ----
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::set_motion(Vertex_handle v, const Motion& motion) {
+  const Change change = {v, motion};
+  apply(Event_kind::trajectory, v->point().id(), std::nullopt, {&change, 1});
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::erase(Vertex_handle v) {
+  const Change change = {v, std::nullopt};
+  apply(Event_kind::erase, v->point().id(), std::nullopt, {&change, 1});
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
+                                                     std::optional<Point_id> point_a,
+                                                     std::optional<Point_id> point_b,
+                                                     std::span<const Change> changes) {
+  for (const auto& [vertex, motion] : changes) {
+    KINETRI_PRECONDITION(vertex != Vertex_handle() && !triangulation_.is_infinite(vertex),
+                         "no point has this vertex");
+    KINETRI_PRECONDITION(!motion || is_finite(*motion), "a motion has a number that is not finite");
+  }
+  Event<Time> event;
+  event.kind = kind;
+  event.point_a = point_a;
+  event.point_b = point_b;
+  perform(std::move(event), [&] {
+    for (const auto& [vertex, motion] : changes) {
+      motion ? change_motion(vertex, *motion) : remove_point(vertex);
+    }
+  });
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion) -> Vertex_handle {
+  KINETRI_PRECONDITION(is_finite(motion), "a motion has a number that is not finite");
+  KINETRI_PRECONDITION(vertices_.size() + 1 < no_point, "too many points");
+  const auto id = static_cast<Point_id>(vertices_.size());
+  const Point_2 point(motion, id);
+  std::optional<Location> location;
+  if (triangulation_.dimension() == 2) {
+    location = find_location(point, Face_handle());
+  } else {
+    check_is_distinct(point);
+  }
+  const Vertex_handle v = triangulation_.tds().create_vertex();
+  v->set_point(point);
+  Event<Time> event;
+  event.kind = Event_kind::insert;
+  event.point_a = id;
+  perform(std::move(event), [&] {
+    const auto add = [&] {
+      vertices_.push_back(v);
+      ++number_of_points_;
+    };
+    if (!location) return rebuild(add);
+    add();
+    put_in(v, *location);
+  });
+  return v;
+}
+
+// Reports `event` around `change_points` and the flips that this makes necessary, then the edges
+// that have changed.
+template <KineticTraits_2 Traits>
+template <class Change_points>
+void Kinetic_delaunay_triangulation_2<Traits>::perform(Event<Time> event,
+                                                       Change_points change_points) {
+  event.time = current_time_;
+  report(std::move(event), [&] {
+    rebuilt_edges_.emplace();
+    change_points();
+    execute_due_events();
+  });
+  report_rebuild();
+}
+
+// Where the moved vertex still sees the triangles around it as they are, only certificates change;
+// else it is taken out and put in again.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::change_motion(Vertex_handle v,
+                                                             const Motion& motion) {
+  const Point_2 before = v->point();
+  const Point_2 after(motion, before.id());
+  const auto rebuild_with_point = [&] { rebuild([&] { v->set_point(after); }); };
+  if (triangulation_.dimension() < 2) {
+    check_is_distinct(after);
+    return rebuild_with_point();
+  }
+  v->set_point(after);
+  const bool is_embedded = is_embedded_around(v);
+  v->set_point(before);
+  if (is_embedded) {
+    unschedule_around(v);
+    v->set_point(after);
+    return schedule_around(v);
+  }
+  find_location(after, v->face());
+  if (triangulation_.test_dim_down(v)) return rebuild_with_point();
+  const Vertex_handle neighbor = v->face()->vertex(Triangulation::ccw(v->face()->index(v)));
+  take_out(v);
+  v->set_point(after);
+  put_in(v, find_location(after, neighbor->face()));
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::remove_point(Vertex_handle v) {
+  const auto forget = [&] {
+    vertices_[v->point().id()] = Vertex_handle();
+    --number_of_points_;
+    triangulation_.tds().delete_vertex(v);
+  };
+  if (triangulation_.dimension() < 2 || triangulation_.test_dim_down(v)) return rebuild(forget);
+  take_out(v);
+  forget();
+}
+
+// Whether the triangles at `v` make left turns, and the hull is strictly convex at `v` and at its
+// neighbors. Then `v`, which has moved, has left the triangulation properly embedded: the angles at
+// an inner vertex add up to what they were, namely once around; a hull vertex sees its neighbors
+// within less than half of that. Sufficient, not necessary.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded_around(Vertex_handle v) const {
+  const auto orientation = triangulation_.geom_traits().orientation_2_object();
+  const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+    return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
+  };
+  Vertex_handle previous;  // hull neighbors, if v is on the hull
+  Vertex_handle next;
+  Vertex_handle before_previous;
+  Vertex_handle after_next;
+  auto face = triangulation_.incident_faces(v);
+  const auto first = face;
+  do {
+    const int i = face->index(v);
+    const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+    const Vertex_handle left = face->vertex(Triangulation::cw(i));
+    const auto beyond = [&] { return triangulation_.tds().mirror_vertex(face, i); };
+    if (triangulation_.is_infinite(left)) {
+      previous = right;
+      before_previous = beyond();
+    } else if (triangulation_.is_infinite(right)) {
+      next = left;
+      after_next = beyond();
+    } else if (!is_left_turn(v, right, left)) {
+      return false;
+    }
+  } while (++face != first);
+  if (previous == Vertex_handle()) return true;
+  if (!is_left_turn(before_previous, previous, v) || !is_left_turn(v, next, after_next) ||
+      !is_left_turn(previous, v, next)) {
+    return false;
+  }
+  auto neighbor = triangulation_.incident_vertices(v);
+  const auto first_neighbor = neighbor;
+  do {
+    if (triangulation_.is_infinite(neighbor)) continue;
+    if (neighbor != next && !is_left_turn(v, next, neighbor)) return false;
+    if (neighbor != previous && !is_left_turn(v, neighbor, previous)) return false;
+  } while (++neighbor != first_neighbor);
+  return true;
+}
+
+// Throws if another point has the trajectory of `point`: is in one place with it just after now.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::check_is_distinct(const Point_2& point) const {
+  const Instantaneous_traits& now = triangulation_.geom_traits();
+  for (const Vertex_handle v : vertices_) {
+    if (v == Vertex_handle() || v->point().id() == point.id()) continue;
+    if (now.compare_x_2_object()(v->point(), point) == CGAL::EQUAL &&
+        now.compare_y_2_object()(v->point(), point) == CGAL::EQUAL) {
+      throw Coincident_trajectories_error(std::min(v->point().id(), point.id()),
+                                          std::max(v->point().id(), point.id()));
+    }
+  }
+}
+
+// Where the point stands just after now, searched from `start`, or from anywhere. Throws if that is
+// the place of another point. Precondition: dimension 2.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::find_location(const Point_2& point,
+                                                             Face_handle start) const -> Location {
+  using Locus = typename Triangulation::Locate_type;
+  Locus locus;
+  int i = 0;
+  const Face_handle face = triangulation_.locate(point, locus, i, start);
+  if (locus == Triangulation::VERTEX && face->vertex(i)->point().id() != point.id()) {
+    const Point_id other = face->vertex(i)->point().id();
+    throw Coincident_trajectories_error(std::min(point.id(), other), std::max(point.id(), other));
+  }
+  return {face, locus == Triangulation::EDGE, i};
+}
+
+// ---- a vertex leaves and comes back ----
+
+// Takes the vertex out of the triangulation, which stays Delaunay at the instant of its traits. The
+// vertex itself stays, without faces: CGAL removes another one in its place.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::take_out(Vertex_handle v) {
+  std::vector<Vertex_handle> around;
+  auto neighbor = triangulation_.incident_vertices(v);
+  const auto first = neighbor;
+  do {
+    if (!triangulation_.is_infinite(neighbor)) around.push_back(neighbor);
+  } while (++neighbor != first);
+  std::ranges::sort(around, {}, [](Vertex_handle u) { return u->point().id(); });
+
+  unschedule_around(v);
+  note_edges_at(v, -1);
+  note_edges_among(around, -1);
+  const Vertex_handle stand_in = triangulation_.tds().create_vertex();
+  stand_in->set_point(v->point());
+  replace_in_faces(v, stand_in);
+  triangulation_.remove(stand_in);
+  note_edges_among(around, 1);
+  for (const Vertex_handle u : around) schedule_around(u);
+}
+
+// Puts a vertex without faces in at its place: it splits the triangle or edge that it is in, and
+// what then violates its certificate has its event at the present time.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& location) {
+  const auto& [face, is_on_edge, i] = location;
+  unschedule_face(face);
+  if (is_on_edge) {
+    unschedule_face(face->neighbor(i));
+    --(*rebuilt_edges_)[ids_of(Edge(face, i))];
+  }
+  const Vertex_handle created = is_on_edge ? triangulation_.tds().insert_in_edge(face, i)
+                                           : triangulation_.tds().insert_in_face(face);
+  replace_in_faces(created, v);
+  triangulation_.tds().delete_vertex(created);
+  note_edges_at(v, 1);
+  schedule_around(v);
+}
+
+// Gives the faces at `old` the vertex `replacement`, which has none.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::replace_in_faces(Vertex_handle old,
+                                                                Vertex_handle replacement) {
+  std::vector<Face_handle> faces;
+  auto face = triangulation_.incident_faces(old);
+  const auto first = face;
+  do {
+    faces.push_back(face);
+  } while (++face != first);
+  for (const Face_handle f : faces) f->set_vertex(f->index(old), replacement);
+  replacement->set_face(faces.front());
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::unschedule_face(Face_handle face) {
+  for (int i = 0; i < 3; ++i) {
+    const Two_sided_edge edge = two_sided(Edge(face, i));
+    unschedule(edge);
+    set_event(edge, no_event);
+  }
+}
+
+// The certificates that speak of `v` are those of the edges of its faces.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::unschedule_around(Vertex_handle v) {
+  auto face = triangulation_.incident_faces(v);
+  const auto first = face;
+  do {
+    unschedule_face(face);
+  } while (++face != first);
+}
+
+// Schedules those edges of the faces at `v` that have no event.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_around(Vertex_handle v) {
+  auto face = triangulation_.incident_faces(v);
+  const auto first = face;
+  do {
+    for (int i = 0; i < 3; ++i) {
+      if (face->event(i) == no_event) schedule(two_sided(Edge(face, i)), current_time_);
+    }
+  } while (++face != first);
+}
+
+// Notes the finite edges at `v` as added (1) or removed (-1).
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::note_edges_at(Vertex_handle v, int change) {
+  auto neighbor = triangulation_.incident_vertices(v);
+  const auto first = neighbor;
+  do {
+    if (triangulation_.is_infinite(neighbor)) continue;
+    (*rebuilt_edges_)[edge_ids(v->point().id(), neighbor->point().id())] += change;
+  } while (++neighbor != first);
+}
+
+// Notes the edges that have both ends in `vertices`, which are sorted by id, likewise.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::note_edges_among(
+    const std::vector<Vertex_handle>& vertices, int change) {
+  const auto id = [](Vertex_handle v) { return v->point().id(); };
+  for (const Vertex_handle v : vertices) {
+    auto neighbor = triangulation_.incident_vertices(v);
+    const auto first = neighbor;
+    do {
+      if (triangulation_.is_infinite(neighbor) || id(neighbor) < id(v)) continue;
+      if (std::ranges::binary_search(vertices, id(neighbor), {}, id)) {
+        (*rebuilt_edges_)[edge_ids(id(v), id(neighbor))] += change;
+      }
+    } while (++neighbor != first);
+  }
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H

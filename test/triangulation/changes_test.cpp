@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points that come, turn, jump and go while time runs: on grids so coarse that they land on edges,
+// on hulls and on one another, with audits after each change.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "support/kinetic_runs.h"
+
+namespace kinetri {
+namespace {
+
+using test::Kinetic_delaunay;
+
+// Mixed operations at random, checked after each.
+class Mixed_operations {
+ public:
+  Mixed_operations(std::size_t points, int size, int speed, unsigned seed)
+      : size_(size),
+        speed_(speed),
+        random_(seed),
+        kinetic_(test::grid_motions(points, size, speed, seed)),
+        recorder_(kinetic_) {
+    for (Point_id id = 0; id < points; ++id) remember(id);
+  }
+
+  std::string problem(int operations) {
+    for (int i = 0; i < operations; ++i) {
+      const std::string text = operate();
+      const Audit_level level = i % 8 == 0 ? Audit_level::certificates : Audit_level::reference;
+      std::string found = test::audit_problem(kinetic_, level);
+      if (found.empty()) found = bookkeeping_problem();
+      if (!found.empty()) return "operation " + std::to_string(i) + ", " + text + ": " + found;
+    }
+    return {};
+  }
+
+  int refused() const { return refused_; }
+  const Triangulation_counters& counters() const { return kinetic_.counters(); }
+
+ private:
+  struct Known_point {
+    Kinetic_delaunay::Vertex_handle vertex;
+    Linear_motion_2 motion;
+  };
+
+  std::string operate() {
+    switch (number(0, 9)) {
+      case 0:
+      case 1:
+        kinetic_.step();
+        return "step";
+      case 2: {
+        // Mostly times at which the points are on the grid again.
+        const Rational quarters(number(1, 8), 4);
+        const Rational now(static_cast<long>(kinetic_.current_time().to_double() + 1));
+        kinetic_.advance_to(std::max(Algebraic_number(now + quarters), kinetic_.current_time()));
+        return "advance";
+      }
+      case 3:
+      case 4:
+        return insert();
+      case 5:
+        return erase();
+      default:
+        return turn();
+    }
+  }
+
+  std::string insert() {
+    const Linear_motion_2 motion = random_motion();
+    const auto id = static_cast<Point_id>(kinetic_.next_id());
+    if (known_.size() > 12) return "nothing";
+    attempt(motion, [&] {
+      const auto v = kinetic_.insert(motion);
+      EXPECT_EQ(v->point().id(), id);
+      remember(id);
+    });
+    return "insert " + std::to_string(id);
+  }
+
+  std::string erase() {
+    if (known_.empty()) return "nothing";
+    const Point_id id = random_id();
+    kinetic_.erase(kinetic_.vertex(id));
+    known_.erase(id);
+    return "erase " + std::to_string(id);
+  }
+
+  std::string turn() {
+    if (known_.empty()) return "nothing";
+    const Point_id id = random_id();
+    Linear_motion_2 motion = random_motion();
+    if (number(0, 2) == 0) {
+      // From where it is, if that is a binary64 number and not only next to it.
+      const double t = kinetic_.current_time().to_double();
+      const Linear_motion_2 old = kinetic_.motion(id);
+      motion.position = {old.position.x + old.velocity.x * (t - old.epoch),
+                         old.position.y + old.velocity.y * (t - old.epoch)};
+      motion.epoch = t;
+    }
+    attempt(motion, [&] {
+      kinetic_.set_motion(kinetic_.vertex(id), motion);
+      known_.at(id).motion = motion;
+    });
+    return "turn " + std::to_string(id);
+  }
+
+  // Makes the change, which is refused exactly if the motion is that of another point.
+  template <class Change>
+  void attempt(const Linear_motion_2& motion, Change change) {
+    const auto others = std::ranges::count_if(
+        known_, [&](const auto& entry) { return same_trajectory(entry.second.motion, motion); });
+    const std::size_t events = recorder_.events.size();
+    try {
+      change();
+    } catch (const Coincident_trajectories_error& error) {
+      EXPECT_GE(others, 1);
+      EXPECT_TRUE(same_trajectory(kinetic_.motion(error.first()), motion) ||
+                  same_trajectory(kinetic_.motion(error.second()), motion));
+      EXPECT_EQ(recorder_.events.size(), events);
+      ++refused_;
+    }
+  }
+
+  // The points are those that are known, under the handles that they have had from the start.
+  std::string bookkeeping_problem() const {
+    if (kinetic_.number_of_points() != known_.size()) return "a wrong number of points";
+    for (Point_id id = 0; id < kinetic_.next_id(); ++id) {
+      if (kinetic_.contains(id) != known_.contains(id)) return "a point too many, or missing";
+    }
+    for (const auto& [id, point] : known_) {
+      if (kinetic_.vertex(id) != point.vertex) return "another handle";
+      if (point.vertex->point().id() != id) return "another point at the handle";
+      if (kinetic_.motion(id) != point.motion) return "another motion";
+    }
+    if (recorder_.edges != test::edges_of(kinetic_)) return "events do not account for the edges";
+    return {};
+  }
+
+  void remember(Point_id id) { known_[id] = {kinetic_.vertex(id), kinetic_.motion(id)}; }
+
+  Linear_motion_2 random_motion() {
+    const auto coordinate = [&] { return static_cast<double>(number(0, size_ - 1)); };
+    const auto component = [&] { return static_cast<double>(number(-speed_, speed_)); };
+    const double x = coordinate();
+    const double y = coordinate();
+    const double vx = component();
+    const double vy = component();
+    return {{x, y}, {vx, vy}, number(0, 1) == 0 ? 0.0 : kinetic_.current_time().to_double()};
+  }
+
+  Point_id random_id() {
+    return std::next(known_.begin(), number(0, static_cast<int>(known_.size()) - 1))->first;
+  }
+  int number(int least, int greatest) {
+    return std::uniform_int_distribution<int>(least, greatest)(random_);
+  }
+
+  int size_;
+  int speed_;
+  std::mt19937_64 random_;
+  Kinetic_delaunay kinetic_;
+  test::Event_recorder recorder_;
+  std::map<Point_id, Known_point> known_;
+  int refused_ = 0;
+};
+
+class Mixed_operations_on_grids : public testing::TestWithParam<std::tuple<int, int, int>> {};
+
+TEST_P(Mixed_operations_on_grids, leave_the_triangulation_right) {
+  const auto [points, size, speed] = GetParam();
+  int refused = 0;
+  std::uint64_t rebuilds = 0;
+  for (unsigned seed = 0; seed < 25u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    Mixed_operations run(static_cast<std::size_t>(points), size, speed, seed);
+    ASSERT_EQ(run.problem(60), "") << "seed " << seed;
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
+    refused += run.refused();
+    rebuilds += run.counters().rebuilds;
+  }
+  if (size == 2) {
+    EXPECT_GT(refused, 0);
+    EXPECT_GT(rebuilds, 0u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Mixed_operations_on_grids,
+                         testing::Values(std::tuple(0, 2, 1), std::tuple(3, 2, 1),
+                                         std::tuple(1, 3, 0), std::tuple(6, 3, 1),
+                                         std::tuple(8, 5, 2), std::tuple(12, 40, 7)));
+
+// A point on a line with others, and back: the dimension goes down and up.
+TEST(Changes, take_the_points_onto_a_line_and_off_it) {
+  const std::vector<Linear_motion_2> motions = {
+      {{0, 0}, {0, 0}, 0}, {{1, 0}, {0, 0}, 0}, {{2, 0}, {0, 0}, 0}, {{1, 1}, {0, 0}, 0}};
+  Kinetic_delaunay kinetic(motions);
+  const auto v = kinetic.vertex(3);
+  EXPECT_EQ(kinetic.triangulation().dimension(), 2);
+  kinetic.set_motion(v, {{3, 0}, {0, 0}, 0});
+  EXPECT_EQ(kinetic.triangulation().dimension(), 1);
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  kinetic.set_motion(v, {{3, 0}, {0, 1}, 0});
+  EXPECT_EQ(kinetic.triangulation().dimension(), 2);
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  EXPECT_EQ(kinetic.vertex(3), v);
+  EXPECT_EQ(kinetic.counters().rebuilds, 0u);
+}
+
+TEST(Changes, of_the_last_points_leave_a_triangulation_that_goes_on) {
+  Kinetic_delaunay kinetic(std::vector<Linear_motion_2>{{{0, 0}, {1, 0}, 0}});
+  kinetic.erase(kinetic.vertex(0));
+  EXPECT_EQ(kinetic.number_of_points(), 0u);
+  EXPECT_FALSE(kinetic.contains(0));
+  EXPECT_THROW(kinetic.vertex(0), Precondition_error);
+  EXPECT_EQ(kinetic.next_event_time(), std::nullopt);
+  for (const double x : {0.0, 1.0, 2.0}) kinetic.insert({{x, 0}, {0, x - 1}, 0});
+  EXPECT_EQ(kinetic.next_id(), 4u);
+  EXPECT_EQ(kinetic.triangulation().dimension(), 1);
+  kinetic.insert({{1, 1}, {0, 0}, 0});
+  EXPECT_EQ(kinetic.triangulation().dimension(), 2);
+  EXPECT_EQ(test::audited_run(kinetic, std::nullopt, Audit_level::certificates), "");
+}
+
+TEST(Changes, cost_what_the_degree_asks_for) {
+  Kinetic_delaunay kinetic(test::random_motions(2000, 450, 5, 1));
+  kinetic.advance_to(0.5);
+  const std::uint64_t before = kinetic.certificate_counters().created;
+  for (Point_id id = 0; id < 100; ++id) {
+    const Linear_motion_2 old = kinetic.motion(id);
+    const Vector_2 place = {old.position.x + old.velocity.x * 0.5,
+                            old.position.y + old.velocity.y * 0.5};
+    kinetic.set_motion(kinetic.vertex(id), {place, {-old.velocity.x, old.velocity.y}, 0.5});
+  }
+  // About two certificates an edge of the point, which has six on average.
+  EXPECT_LT(kinetic.certificate_counters().created - before, 100u * 30);
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::reference), "");
+  EXPECT_EQ(test::audited_run(kinetic, Algebraic_number(0.6), Audit_level::links), "");
+}
+
+TEST(Changes, refuse_what_is_no_motion) {
+  Kinetic_delaunay kinetic(test::random_motions(5, 10, 5, 1));
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(kinetic.insert({{infinity, 0}, {0, 0}, 0}), Precondition_error);
+  EXPECT_THROW(kinetic.set_motion(kinetic.vertex(0), {{0, 0}, {infinity, 0}, 0}),
+               Precondition_error);
+  EXPECT_THROW(kinetic.erase(kinetic.triangulation().infinite_vertex()), Precondition_error);
+  EXPECT_EQ(kinetic.counters().number_of_events(), 0u);
+}
+
+TEST(Changes, are_events_with_their_points) {
+  Kinetic_delaunay kinetic(test::random_motions(20, 10, 5, 1));
+  test::Event_recorder recorder(kinetic);
+  kinetic.insert({{5, 5}, {0, 0}, 0});
+  ASSERT_FALSE(recorder.events.empty());
+  EXPECT_EQ(recorder.events.front().kind, Event_kind::insert);
+  EXPECT_EQ(recorder.events.front().point_a, 20u);
+  EXPECT_EQ(recorder.events.front().number, 0u);
+  for (std::size_t i = 1; i < recorder.events.size(); ++i) {
+    EXPECT_EQ(recorder.events[i].kind, Event_kind::rebuild);
+    EXPECT_EQ(recorder.events[i].number, i);
+  }
+  recorder.events.clear();
+  kinetic.apply(Event_kind::collision, 3, 4, {});
+  ASSERT_EQ(recorder.events.size(), 1u);
+  EXPECT_EQ(recorder.events.front().kind, Event_kind::collision);
+  EXPECT_EQ(recorder.events.front().point_b, 4u);
+  EXPECT_EQ(kinetic.counters().events[static_cast<std::size_t>(Event_kind::collision)], 1u);
+}
+
+}  // namespace
+}  // namespace kinetri
