@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <forward_list>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -402,6 +403,10 @@ struct Known_root : Root_source {
 Root_source::Root_source() = default;
 Root_source::~Root_source() = default;
 
+Sign Root_source::certain_sign_at(double /*high*/, double /*low*/) const {
+  return CGAL::ZERO;
+}
+
 Algebraic_number::Algebraic_number() = default;
 
 Algebraic_number::Algebraic_number(double value) {
@@ -497,8 +502,26 @@ void Algebraic_number::refine_to(const Rational& width) const {
 
 // --- Approximation ----------------------------------------------------------------------------
 
+// Narrows the interval of a number whose polynomial has not been made to two neighbors, by the
+// signs that its source knows. Returns whether these were enough.
+bool Algebraic_number::tighten_by_source() const {
+  if (source_ == nullptr || source_->representation_ != nullptr) return false;
+  const Sign sign_below = source_->certain_sign_at(interval_.lower, 0);
+  if (sign_below == CGAL::ZERO) return false;
+  std::int64_t below = ordinal(interval_.lower);
+  std::int64_t above = ordinal(interval_.upper);
+  while (below + 1 != above) {
+    const std::int64_t middle = std::midpoint(below, above);  // their difference may overflow
+    const Sign s = source_->certain_sign_at(from_ordinal(middle), 0);
+    if (s == CGAL::ZERO) return false;
+    (s == sign_below ? below : above) = middle;
+    interval_ = {from_ordinal(below), from_ordinal(above)};
+  }
+  return true;
+}
+
 Double_interval Algebraic_number::tight_interval() const {
-  if (source_ == nullptr) return interval_;
+  if (source_ == nullptr || tighten_by_source()) return interval_;
   Representation& r = representation();
   while (!r.is_rational()) {
     const double below = to_interval(lower()).lower;
@@ -519,6 +542,15 @@ Double_interval Algebraic_number::tight_interval() const {
 
 double Algebraic_number::to_double() const {
   const Double_interval tight = tight_interval();
+  if (source_ == nullptr) return tight.lower;
+  if (source_->representation_ == nullptr) {
+    const double half = 0.5 * (tight.upper - tight.lower);
+    const Sign s = source_->certain_sign_at(tight.lower, half);
+    // Halfway between subnormal numbers there is no binary64 number.
+    if (s != CGAL::ZERO && tight.lower + 2 * half == tight.upper && half > 0) {
+      return s == source_->certain_sign_at(tight.lower, 0) ? tight.upper : tight.lower;
+    }
+  }
   if (is_known_rational()) return kinetri::to_double(rational());
   // Halfway, also where the upper neighbour is infinite: IEEE 754 rounds as if it were 2^1024.
   const auto end = [](double x) {

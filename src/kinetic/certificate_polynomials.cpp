@@ -89,6 +89,26 @@ Polynomial scalar_product_polynomial(const Moving_point_2& p, const Moving_point
   return times(times(dot(u, v), u.w), v.w);
 }
 
+Polynomial contact_polynomial(const Moving_point_2& p, const Moving_point_2& q, double diameter) {
+  const Vector v = difference(p.trajectory(), q.trajectory());
+  const Rational d = to_rational(diameter);
+  const Integer numerator = boost::multiprecision::numerator(d);
+  const Integer denominator = boost::multiprecision::denominator(d);
+  return squared_length(v) * Integer(denominator * denominator) -
+         v.w * v.w * Integer(numerator * numerator);
+}
+
+Polynomial wall_polynomial(const Moving_point_2& p, const Wall_2& wall) {
+  const Trajectory_2 path = p.trajectory();
+  const Rational clearance = to_rational(wall.clearance);
+  const Rational bound = to_rational(wall.position) + (wall.is_upper() ? -clearance : clearance);
+  const Integer numerator = boost::multiprecision::numerator(bound);
+  const Integer denominator = boost::multiprecision::denominator(bound);
+  const Polynomial inward =
+      (wall.is_vertical() ? path.x : path.y) * denominator - path.w * numerator;
+  return times(wall.is_upper() ? -inward : inward, path.w);
+}
+
 Trajectory_2 circumcenter_trajectory(const Moving_point_2& p, const Moving_point_2& q,
                                      const Moving_point_2& r) {
   const Trajectory_2 a = p.trajectory();

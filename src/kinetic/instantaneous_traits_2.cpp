@@ -53,11 +53,19 @@ Sign Instantaneous_traits_2::Predicate::in_circle(const Point_2& p, const Point_
 
 Sign Instantaneous_traits_2::Predicate::distance_order(const Point_2& p, const Point_2& q,
                                                        const Point_2& r) const {
+  if (const Double_interval* interval = filtered_interval({&p, &q, &r})) {
+    const Sign s = certain_distance_order(p.motion(), q.motion(), r.motion(), *interval);
+    if (s != CGAL::ZERO) return s;
+  }
   return sign_at(distance_difference(p, q, r), state_->instant);
 }
 
 Sign Instantaneous_traits_2::Predicate::scalar_product(const Point_2& p, const Point_2& q,
                                                        const Point_2& r) const {
+  if (const Double_interval* interval = filtered_interval({&p, &q, &r})) {
+    const Sign s = certain_scalar_product(p.motion(), q.motion(), r.motion(), *interval);
+    if (s != CGAL::ZERO) return s;
+  }
   return sign_at(scalar_product_polynomial(p, q, r), state_->instant);
 }
 

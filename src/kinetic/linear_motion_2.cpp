@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/linear_motion_2.h"
 
+#include <algorithm>
+#include <cfenv>
 #include <cmath>
+#include <limits>
 
 #include "kinetri/algebra/number_types.h"
 
@@ -13,7 +16,77 @@ Rational constant_term(double position, double velocity, double epoch) {
   return to_rational(position) - to_rational(velocity) * to_rational(epoch);
 }
 
+// p + v * (t - epoch), rounded correctly. In floating point with the error of each operation, which
+// is exact again (T. Dekker, A floating-point technique for extending the available precision,
+// Numerische Mathematik 18, 1971), and what is left out bounded; where that might matter, in exact
+// arithmetic (the test of A. Ziv, Fast evaluation of elementary mathematical functions with
+// correctly rounded last bit, ACM Transactions on Mathematical Software 17, 1991).
+double place_rounded_correctly(double p, double v, double epoch, double t) {
+  const auto error_of_sum = [](double a, double b, double sum) {
+    const double b_there = sum - a;
+    return (a - (sum - b_there)) + (b - b_there);
+  };
+  const double elapsed = t - epoch;
+  const double elapsed_rest = error_of_sum(t, -epoch, elapsed);
+  const double moved = v * elapsed;
+  const double moved_rest = std::fma(v, elapsed, -moved);
+  const double place = p + moved;
+  const double place_rest = error_of_sum(p, moved, place);
+  const double late = v * elapsed_rest;
+  const double rest = place_rest + moved_rest + late;
+  const double error = 0x1p-49 * (std::abs(place_rest) + std::abs(moved_rest) + std::abs(late)) +
+                       std::numeric_limits<double>::min();
+  const double lower = place + (rest - error);
+  const double upper = place + (rest + error);
+  if (lower == upper && std::fegetround() == FE_TONEAREST) return lower;
+  return to_double(to_rational(p) + to_rational(v) * (to_rational(t) - to_rational(epoch)));
+}
+
 }  // namespace
+
+Vector_2 rounded_place(const Linear_motion_2& motion, double t) {
+  const double elapsed = t - motion.epoch;
+  return {motion.position.x + motion.velocity.x * elapsed,
+          motion.position.y + motion.velocity.y * elapsed};
+}
+
+Linear_motion_2 turned(const Linear_motion_2& motion, const Vector_2& velocity, double t) {
+  const auto& [position, old_velocity, epoch] = motion;
+  return {{place_rounded_correctly(position.x, old_velocity.x, epoch, t),
+           place_rounded_correctly(position.y, old_velocity.y, epoch, t)},
+          velocity,
+          t};
+}
+
+Linear_motion_2 kept_inside(const Linear_motion_2& motion, const Wall_2& wall,
+                            const Double_interval& times) {
+  const double place = wall.is_vertical() ? motion.position.x : motion.position.y;
+  const double velocity = wall.is_vertical() ? motion.velocity.x : motion.velocity.y;
+  // How far it moves during the times, and how far it is inside at the epoch; with bounds for the
+  // errors that are far too large, as usually it is far inside.
+  const double moved = std::abs(velocity) * (std::abs(times.lower - motion.epoch) +
+                                             std::abs(times.upper - motion.epoch));
+  const double inside =
+      (wall.is_upper() ? wall.position - place : place - wall.position) - wall.clearance;
+  const double terms = std::abs(wall.position) + wall.clearance + std::abs(place);
+  if (inside > 2 * moved + 0x1p-40 * terms + std::numeric_limits<double>::min()) return motion;
+
+  const Rational clearance = to_rational(wall.clearance);
+  const Rational bound = to_rational(wall.position) + (wall.is_upper() ? -clearance : clearance);
+  // The places at the epoch with which it is at the bound at either end of the times.
+  const auto required = [&](double time) {
+    return Rational(bound -
+                    to_rational(velocity) * (to_rational(time) - to_rational(motion.epoch)));
+  };
+  const Rational lower = required(times.lower);
+  const Rational upper = required(times.upper);
+  const double nearest = wall.is_upper() ? to_interval(std::min(lower, upper)).lower
+                                         : to_interval(std::max(lower, upper)).upper;
+  if (wall.is_upper() ? place <= nearest : place >= nearest) return motion;
+  Linear_motion_2 result = motion;
+  (wall.is_vertical() ? result.position.x : result.position.y) = nearest;
+  return result;
+}
 
 bool is_finite(const Linear_motion_2& motion) {
   return std::isfinite(motion.position.x) && std::isfinite(motion.position.y) &&

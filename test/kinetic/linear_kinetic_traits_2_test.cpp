@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "kinetri/algebra/real_roots.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
+#include "support/certificates.h"
 #include "support/motions.h"
 
 namespace kinetri {
@@ -235,6 +238,59 @@ TEST_F(Deciding_stage, of_magnitudes_beyond_the_filter_is_exact) {
   EXPECT_EQ(*distant.failure, Algebraic_number(2.0));
   expect_stage(0, 1, 1);
 }
+
+// Failure times from the filter's brackets are rounded without their polynomials; as the roots of
+// these are.
+class Rounded_failure_times : public testing::TestWithParam<int> {};
+
+TEST_P(Rounded_failure_times, are_those_of_the_exact_roots) {
+  const Linear_kinetic_traits_2 traits;
+  test::Certificates source(99);
+  int compared = 0;
+  for (int i = 0; i < 1500 * test::multiplier(); ++i) {
+    const auto m = source.next(GetParam());
+    SCOPED_TRACE(test::describe({m.begin(), m.end()}));
+    const Algebraic_number t(source.time(GetParam()));
+    const Moving_point_2 p(m[0]);
+    const Moving_point_2 q(m[1]);
+    const Moving_point_2 r(m[2]);
+    const Moving_point_2 s(m[3]);
+    Certificate_counters counters;
+    const auto expect_same = [&](const Outlook<Algebraic_number>& outlook,
+                                 const Algebraic_number& rounded, const Polynomial& polynomial) {
+      if (outlook.failure) return;
+      const auto root = first_root_after(polynomial, t);
+      ASSERT_TRUE(root);
+      ++compared;
+      EXPECT_EQ(rounded.tight_interval(), root->value.tight_interval());
+      EXPECT_EQ(rounded.to_double(), root->value.to_double());
+      EXPECT_EQ(rounded, root->value);
+    };
+    const auto circle = traits.in_circle_outlook(p, q, r, s, t, Certificate_state::any, counters);
+    if (circle.kind == Kind::fails) {
+      expect_same(circle, traits.in_circle_failure(p, q, r, s, circle.bounds),
+                  in_circle_polynomial(p, q, r, s));
+    }
+    const auto turn = traits.orientation_outlook(p, q, r, t, Certificate_state::any, counters);
+    if (turn.kind == Kind::fails) {
+      expect_same(turn, traits.orientation_failure(p, q, r, turn.bounds),
+                  orientation_polynomial(p, q, r));
+    }
+    const double diameter = 0.5 + 0.25 * (i % 8);
+    const auto contact = traits.contact_outlook(p, q, diameter, t, counters);
+    if (contact.kind == Kind::fails) {
+      expect_same(contact, traits.contact_failure(p, q, diameter, contact.bounds),
+                  contact_polynomial(p, q, diameter));
+    }
+    if (HasFailure()) return;
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(compared, 80 * test::multiplier());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Flavors, Rounded_failure_times,
+                         testing::Range(0, test::Certificates::flavors), test::flavor_name);
 
 TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicate_turns) {
   constexpr unsigned seed = 11;

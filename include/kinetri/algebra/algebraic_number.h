@@ -23,6 +23,10 @@ class Root_source {
   /// A polynomial of which the number is a root; not zero.
   virtual Polynomial polynomial() const = 0;
 
+  /// The sign of that polynomial, or of a positive multiple, at high + low, where it is known
+  /// without making the polynomial; zero says that it is not. For rounding the number.
+  virtual Sign certain_sign_at(double high, double low) const;
+
  protected:
   Root_source();
 
@@ -123,6 +127,7 @@ class Algebraic_number {
 
   Representation& representation() const;
   void follow_representation() const;
+  bool tighten_by_source() const;
 
   // Always contains the number; may be wider than what the representation, shared with copies of
   // this number, knows by now.

@@ -12,6 +12,7 @@
 
 #include "kinetri/algebra/polynomial.h"
 #include "kinetri/kinetic/moving_point_2.h"
+#include "kinetri/kinetic/wall_2.h"
 
 namespace kinetri {
 
@@ -47,6 +48,14 @@ Polynomial distance_difference(const Moving_point_2& p, const Moving_point_2& q,
 /// strictly between p and r.
 Polynomial scalar_product_polynomial(const Moving_point_2& p, const Moving_point_2& q,
                                      const Moving_point_2& r);
+
+/// Sign of |p-q|^2 - diameter^2: positive where discs of that diameter about p and q are apart.
+/// Precondition: the diameter is finite.
+Polynomial contact_polynomial(const Moving_point_2& p, const Moving_point_2& q, double diameter);
+
+/// Sign of the distance from p to the exact bound of the wall: positive inside, zero at the bound.
+/// Precondition: the numbers of the wall are finite.
+Polynomial wall_polynomial(const Moving_point_2& p, const Wall_2& wall);
 
 /// The trajectory of the center of the circle through p, q, r.
 /// Precondition: p, q, r are not collinear at all times.

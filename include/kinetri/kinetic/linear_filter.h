@@ -51,6 +51,10 @@ Sign certain_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
                          const Linear_motion_2& r, const Double_interval& interval);
 Sign certain_in_circle(const Linear_motion_2& p, const Linear_motion_2& q, const Linear_motion_2& r,
                        const Linear_motion_2& s, const Double_interval& interval);
+Sign certain_scalar_product(const Linear_motion_2& p, const Linear_motion_2& q,
+                            const Linear_motion_2& r, const Double_interval& interval);
+Sign certain_distance_order(const Linear_motion_2& p, const Linear_motion_2& q,
+                            const Linear_motion_2& r, const Double_interval& interval);
 
 /// Whether p and q are certainly never in one place. False says nothing.
 bool certainly_never_coincide(const Linear_motion_2& p, const Linear_motion_2& q);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/kinetic/instantaneous_traits_2.h"
 #include "kinetri/kinetic/kinetic_traits_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
@@ -44,6 +45,18 @@ class Linear_kinetic_traits_2 {
   std::optional<Time> coincidence_time(const Point_2& p, const Point_2& q, const Time& t,
                                        Certificate_counters& counters) const;
 
+  /// Contacts; see ContactKineticTraits_2. Polynomials of degree 2 (discs) and 1 (walls).
+  Outlook<Time> contact_outlook(const Point_2& p, const Point_2& q, double diameter, const Time& t,
+                                Certificate_counters& counters) const;
+  Outlook<Time> wall_outlook(const Point_2& p, const Wall_2& wall, const Time& t,
+                             Certificate_counters& counters) const;
+  Time contact_failure(const Point_2& p, const Point_2& q, double diameter,
+                       const Double_interval& bounds) const;
+  Time wall_failure(const Point_2& p, const Wall_2& wall, const Double_interval& bounds) const;
+  bool do_approach(const Point_2& p, const Point_2& q, const Time& t) const;
+  bool do_overlap(const Point_2& p, const Point_2& q, double diameter, const Time& t) const;
+  bool is_inside(const Point_2& p, const Wall_2& wall, const Time& t) const;
+
   /// The predicates at an instant, in the same arithmetic.
   Instantaneous_traits instantaneous_traits(Instant instant) const {
     return Instantaneous_traits(std::move(instant), arithmetic_);
@@ -56,7 +69,7 @@ class Linear_kinetic_traits_2 {
   Arithmetic arithmetic_ = Arithmetic::filtered;
 };
 
-static_assert(KineticTraits_2<Linear_kinetic_traits_2>);
+static_assert(ContactKineticTraits_2<Linear_kinetic_traits_2>);
 
 }  // namespace kinetri
 

@@ -4,6 +4,9 @@
 #ifndef KINETRI_KINETIC_LINEAR_MOTION_2_H
 #define KINETRI_KINETIC_LINEAR_MOTION_2_H
 
+#include "kinetri/algebra/number_types.h"
+#include "kinetri/kinetic/wall_2.h"
+
 namespace kinetri {
 
 /// Two binary64 components, each taken as exactly that number.
@@ -30,6 +33,25 @@ bool is_finite(const Linear_motion_2& motion);
 
 /// Whether the two are at the same place at every time, exactly, whatever their epochs.
 bool same_trajectory(const Linear_motion_2& a, const Linear_motion_2& b);
+
+/// The place at time t, and the velocity, rounded: for what is shown, not for what is decided. The
+/// place has an error of a few units in the last place of the largest term of the formula.
+Vector_2 rounded_place(const Linear_motion_2& motion, double t);
+inline Vector_2 rounded_velocity(const Linear_motion_2& motion, double /*t*/) {
+  return motion.velocity;
+}
+
+/// The motion with the epoch `t` and the given velocity that starts from the place of `motion` at
+/// t, each coordinate of it rounded to the nearest binary64 number, ties to even. With that
+/// rounding, of half a unit in the last place, a trajectory is continued; nothing else in the
+/// library is approximated. The coordinates are infinite where they are too large.
+Linear_motion_2 turned(const Linear_motion_2& motion, const Vector_2& velocity, double t);
+
+/// The motion itself if it is on the inner side of the wall, or at its bound, at every time in
+/// `times`; else with the position changed to the nearest one with which it is. Exact.
+/// Precondition: the bounds of `times` are finite.
+Linear_motion_2 kept_inside(const Linear_motion_2& motion, const Wall_2& wall,
+                            const Double_interval& times);
 
 }  // namespace kinetri
 

@@ -124,17 +124,18 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edg
   KINETRI_ASSERT(false, "an event is a failure, and coincident points have been set aside");
 }
 
-// Whether all points lie on the line of a hull edge at this time. Usually the first one that is
-// looked at does not.
+// Whether all points lie on the line of a hull edge, whose triangle is flat at this time. Usually
+// the first one that is looked at does not.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::are_all_collinear(
     const Two_sided_edge& hull_edge) const {
-  const auto& [face, i] = hull_edge.here;
-  const Point_2& a = face->vertex(Triangulation::cw(i))->point();
-  const Point_2& b = face->vertex(Triangulation::ccw(i))->point();
+  const Face_handle face = triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there.first
+                                                                            : hull_edge.here.first;
   const auto now = traits_.instantaneous_traits({current_time_, Side::at});
   return std::ranges::all_of(triangulation_.finite_vertex_handles(), [&](Vertex_handle v) {
-    return now.orientation_2_object()(a, b, v->point()) == CGAL::COLLINEAR;
+    return face->has_vertex(v) ||
+           now.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
+                                      v->point()) == CGAL::COLLINEAR;
   });
 }
 

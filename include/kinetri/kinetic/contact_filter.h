@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The floating-point stage of the contact certificates of linear motion: that two discs do not
+// touch, and that a point does not reach a wall. It says what is certain, or that it does not know
+// (docs/MATH.md, section 8).
+#ifndef KINETRI_KINETIC_CONTACT_FILTER_H
+#define KINETRI_KINETIC_CONTACT_FILTER_H
+
+#include "kinetri/kinetic/linear_filter.h"
+#include "kinetri/kinetic/wall_2.h"
+
+namespace kinetri {
+
+/// Whether and when p and q, after a time in `after`, come as near as `diameter` while they
+/// approach: a verdict as that of filter_in_circle. The end of `after` itself is never in the
+/// bounds of a failure. Cost: some fifty floating-point operations, and as many again for a
+/// bracket. Precondition: the diameter is finite and not negative.
+Filter_verdict filter_contact(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,
+                              const Double_interval& after);
+
+/// Whether and when p reaches the wall while it moves outward, likewise. Cost: ten operations.
+Filter_verdict filter_wall_contact(const Linear_motion_2& p, const Wall_2& wall,
+                                   const Double_interval& after);
+
+/// Whether p and q certainly do not approach each other at any time in `interval`, nor later.
+bool certainly_do_not_approach(const Linear_motion_2& p, const Linear_motion_2& q,
+                               const Double_interval& interval);
+
+/// Whether p is certainly on the inner side of the wall throughout `interval`.
+bool certainly_inside(const Linear_motion_2& p, const Wall_2& wall,
+                      const Double_interval& interval);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_KINETIC_CONTACT_FILTER_H

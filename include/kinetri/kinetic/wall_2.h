@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A wall: an axis-parallel line on one side of which points are kept.
+#ifndef KINETRI_KINETIC_WALL_2_H
+#define KINETRI_KINETIC_WALL_2_H
+
+#include <array>
+#include <cstdint>
+
+namespace kinetri {
+
+/// Points are kept at `clearance` or more from the line, on the inner side of it: to the right of a
+/// left wall, and so on. The exact bound is position + clearance, or position - clearance,
+/// unrounded.
+struct Wall_2 {
+  enum class Side : std::uint8_t { left, right, bottom, top };
+
+  Side side = Side::left;
+  double position = 0;   ///< of the line: its x, or its y
+  double clearance = 0;  ///< at least 0: the radius, where the rim of a disc is what touches
+
+  /// Whether the wall bounds x.
+  constexpr bool is_vertical() const { return side == Side::left || side == Side::right; }
+  /// Whether the wall bounds its coordinate from above.
+  constexpr bool is_upper() const { return side == Side::right || side == Side::top; }
+
+  friend bool operator==(const Wall_2&, const Wall_2&) = default;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_KINETIC_WALL_2_H

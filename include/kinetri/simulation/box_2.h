@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The box that points are kept in.
+#ifndef KINETRI_SIMULATION_BOX_2_H
+#define KINETRI_SIMULATION_BOX_2_H
+
+#include <array>
+
+#include "kinetri/kinetic/wall_2.h"
+
+namespace kinetri {
+
+/// The closed rectangle [xmin, xmax] x [ymin, ymax].
+struct Box_2 {
+  double xmin = 0;
+  double ymin = 0;
+  double xmax = 0;
+  double ymax = 0;
+
+  /// The four walls, in the order of Wall_2::Side.
+  constexpr std::array<Wall_2, 4> walls(double clearance) const {
+    return {
+        Wall_2{Wall_2::Side::left, xmin, clearance}, Wall_2{Wall_2::Side::right, xmax, clearance},
+        Wall_2{Wall_2::Side::bottom, ymin, clearance}, Wall_2{Wall_2::Side::top, ymax, clearance}};
+  }
+
+  friend bool operator==(const Box_2&, const Box_2&) = default;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_BOX_2_H

@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Simulation_2. Include this only where the class is instantiated for a kinetic
+// traits class of one's own; it is compiled into the library for Linear_kinetic_traits_2.
+#ifndef KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H
+#define KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "kinetri/base/check.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri {
+
+// ---- construction ----
+
+template <ContactKineticTraits_2 Traits>
+Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
+                                   const Simulation_options& options, const Time& start,
+                                   const Traits& traits)
+    : traits_(traits),
+      options_(options),
+      diameter_(2 * options.radius),
+      triangulation_(motions, start, traits) {
+  check_options();
+  if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
+  check_inside();
+  triangulation_.add_observer(*this);
+  wall_events_.assign(motions.size(), no_event);
+  partners_.resize(motions.size());
+  in_contact_.resize(motions.size());
+  for (Point_id id = 0; id < motions.size(); ++id) schedule_wall(id, start);
+  for (const Edge_ids& edge : triangulation_.finite_edge_ids()) schedule_pair(edge, start);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::check_options() const {
+  KINETRI_PRECONDITION(std::isfinite(diameter_) && options_.radius >= 0,
+                       "the radius is negative or not finite");
+  KINETRI_PRECONDITION(!options_.response || options_.radius > 0,
+                       "discs without a radius never touch");
+  if (!options_.box) return;
+  const auto& [xmin, ymin, xmax, ymax] = *options_.box;
+  KINETRI_PRECONDITION(std::isfinite(xmin) && std::isfinite(ymin) && std::isfinite(xmax) &&
+                           std::isfinite(ymax) && xmin < xmax && ymin < ymax,
+                       "the box has no area or is not finite");
+  KINETRI_PRECONDITION(
+      !options_.rim_touches || (to_rational(xmax) - to_rational(xmin) > to_rational(diameter_) &&
+                                to_rational(ymax) - to_rational(ymin) > to_rational(diameter_)),
+      "the box is not wider than a disc");
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::check_inside() const {
+  if (!options_.box) return;
+  for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
+    for (const Wall_2& wall : walls_) {
+      if (traits_.is_inside(point(id), wall, current_time())) continue;
+      const Vector_2 place = rounded_place(triangulation_.motion(id), current_time().to_double());
+      throw Outside_box_error(id, "the point is outside of the box at the start: at " +
+                                      std::to_string(place.x) + ", " + std::to_string(place.y) +
+                                      (wall.clearance > 0 ? ", with its rim" : "") +
+                                      "; expected every point inside of the box or on its sides");
+    }
+  }
+}
+
+// ---- scheduling ----
+
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::Earlier::operator()(const Entry& a, const Entry& b) const {
+  const auto order = simulation->time(a) <=> simulation->time(b);
+  if (order != 0) return order < 0;
+  if (a.kind != b.kind) return a.kind < b.kind;
+  return std::pair(a.point_a, a.point_b) < std::pair(b.point_a, b.point_b);
+}
+
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::time(const Entry& entry) const -> const Time& {
+  if (entry.time == Time_pool::none) {
+    if (!entry.is_contact) {
+      entry.time = times_.keep(Time(entry.bounds.lower));
+    } else if (entry.kind == Contact_kind::wall) {
+      entry.time = times_.keep(
+          traits_.wall_failure(point(entry.point_a), walls_[entry.point_b], entry.bounds));
+    } else {
+      entry.time = times_.keep(traits_.contact_failure(point(entry.point_a), point(entry.point_b),
+                                                       diameter_, entry.bounds));
+    }
+  }
+  return times_[entry.time];
+}
+
+// Pushes the entry with what the outlook says about it.
+template <ContactKineticTraits_2 Traits>
+Queue_handle Simulation_2<Traits>::push(Entry entry, Outlook<Time> outlook) {
+  if (outlook.kind == Outlook<Time>::Kind::holds_for_ever) return no_event;
+  entry.bounds = outlook.bounds;
+  entry.is_contact = outlook.kind == Outlook<Time>::Kind::fails;
+  if (outlook.failure) entry.time = times_.keep(std::move(*outlook.failure));
+  return queue_.push(entry);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::erase_entry(Queue_handle handle) {
+  if (handle == no_event) return;
+  times_.release(queue_[handle].time);
+  queue_.erase(handle);
+}
+
+// Only the first of the walls that the point reaches has an entry.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
+  unschedule_wall(id);
+  if (!options_.box) return;
+  Entry first;
+  Outlook<Time> first_outlook;
+  for (Point_id i = 0; i < walls_.size(); ++i) {
+    Outlook<Time> outlook =
+        traits_.wall_outlook(point(id), walls_[i], after, certificate_counters_);
+    if (outlook.kind == Outlook<Time>::Kind::holds_for_ever) continue;
+    const auto is_earlier = [&] {
+      if (first_outlook.kind == Outlook<Time>::Kind::holds_for_ever) return true;
+      if (outlook.bounds.upper < first_outlook.bounds.lower) return true;
+      if (outlook.bounds.lower > first_outlook.bounds.upper) return false;
+      const auto exact = [&](const Outlook<Time>& o, Point_id wall) {
+        if (o.kind == Outlook<Time>::Kind::holds) return Time(o.bounds.lower);
+        return o.failure ? *o.failure : traits_.wall_failure(point(id), walls_[wall], o.bounds);
+      };
+      return exact(outlook, i) < exact(first_outlook, first.point_b);
+    };
+    if (!is_earlier()) continue;
+    first.point_b = i;
+    first_outlook = std::move(outlook);
+  }
+  first.point_a = id;
+  wall_events_[id] = push(first, std::move(first_outlook));
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::unschedule_wall(Point_id id) {
+  erase_entry(std::exchange(wall_events_[id], no_event));
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after) {
+  unschedule_pair(pair);
+  const auto [a, b] = pair;
+  if (!options_.response || are_in_contact(a, b)) return;
+  Entry entry;
+  entry.kind = Contact_kind::collision;
+  entry.point_a = a;
+  entry.point_b = b;
+  const Queue_handle event = push(
+      entry, traits_.contact_outlook(point(a), point(b), diameter_, after, certificate_counters_));
+  if (event != no_event) partners_[a].push_back({b, event});
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::unschedule_pair(const Edge_ids& pair) {
+  auto& partners = partners_[pair[0]];
+  const auto partner = std::ranges::find(partners, pair[1], &Partner::id);
+  if (partner == partners.end()) return;
+  erase_entry(partner->event);
+  *partner = partners.back();
+  partners.pop_back();
+}
+
+template <ContactKineticTraits_2 Traits>
+template <class Function>
+void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) const {
+  const auto& topology = triangulation_.triangulation();
+  if (topology.dimension() < 1) return;
+  auto neighbor = topology.incident_vertices(triangulation_.vertex(id));
+  const auto first = neighbor;
+  do {
+    if (!topology.is_infinite(neighbor)) function(neighbor->point().id());
+  } while (++neighbor != first);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_contacts(Point_id id) {
+  schedule_wall(id, current_time());
+  if (!options_.response) return;
+  for_each_neighbor(id,
+                    [&](Point_id other) { schedule_pair(edge_ids(id, other), current_time()); });
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::unschedule_contacts(Point_id id) {
+  unschedule_wall(id);
+  if (!options_.response) return;
+  for_each_neighbor(id, [&](Point_id other) { unschedule_pair(edge_ids(id, other)); });
+}
+
+// ---- time ----
+
+template <ContactKineticTraits_2 Traits>
+std::size_t Simulation_2<Traits>::advance_to(const Time& time) {
+  KINETRI_PRECONDITION(time >= current_time(), "time only advances");
+  std::size_t events = 0;
+  while (const std::size_t more = step(&time)) events += more;
+  triangulation_.advance_to(time);
+  return events;
+}
+
+template <ContactKineticTraits_2 Traits>
+std::size_t Simulation_2<Traits>::step(const Time* until) {
+  settle();
+  std::size_t events = 0;
+  if (queue_.empty()) {
+    events = until != nullptr ? triangulation_.step(*until) : triangulation_.step();
+    if (events == 0) return 0;
+  } else {
+    const Time contact = time(queue_.top());
+    const bool is_due = until == nullptr || contact <= *until;
+    events = triangulation_.step(is_due ? contact : *until);
+    if (events == 0) {
+      if (!is_due) return 0;
+      triangulation_.advance_to(contact);
+    }
+  }
+  return events + execute_due_contacts();
+}
+
+// Looks at certificates again until the first entry is a contact.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::settle() {
+  while (!queue_.empty() && !queue_.top().is_contact) {
+    const Entry entry = queue_.top();
+    if (entry.kind == Contact_kind::wall) {
+      schedule_wall(entry.point_a, Time(entry.bounds.lower));
+    } else {
+      schedule_pair({entry.point_a, entry.point_b}, Time(entry.bounds.lower));
+    }
+  }
+}
+
+// ---- contacts ----
+
+template <ContactKineticTraits_2 Traits>
+std::size_t Simulation_2<Traits>::execute_due_contacts() {
+  const std::uint64_t events_before = triangulation_.counters().number_of_events();
+  std::uint64_t contacts = 0;
+  for (settle(); !queue_.empty() && time(queue_.top()) <= current_time(); settle()) {
+    const Entry entry = queue_.top();
+    const auto [bounds, a, b, unused, kind, is_contact] = entry;
+    if (++contacts > options_.contacts_at_one_time) {
+      throw Endless_contacts_error(
+          "more than " + std::to_string(options_.contacts_at_one_time) + " contacts at time " +
+          std::to_string(current_time().to_double()) + ", the last one of point " +
+          std::to_string(a) +
+          (kind == Contact_kind::wall ? " and a wall" : " and point " + std::to_string(b)) +
+          "; expected that time goes on: let the points touch one by one, or take another "
+          "response");
+    }
+    if (kind == Contact_kind::wall) {
+      hit_wall(a, b);
+    } else {
+      collide(a, b);
+    }
+  }
+  most_at_one_time_ = std::max(most_at_one_time_, contacts);
+  return static_cast<std::size_t>(triangulation_.counters().number_of_events() - events_before);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
+  const double time = current_time().to_double();
+  const Motion& motion = triangulation_.motion(id);
+  Vector_2 velocity = rounded_velocity(motion, time);
+  double& component = walls_[wall].is_vertical() ? velocity.x : velocity.y;
+  component = -component;
+  const typename Triangulation::Change reflected = {triangulation_.vertex(id),
+                                                    turned_inside(motion, velocity, time)};
+  change(Event_kind::wall, {&id, 1}, {&reflected, 1});
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
+  const double time = current_time().to_double();
+  const Motion& motion_a = triangulation_.motion(a);
+  const Motion& motion_b = triangulation_.motion(b);
+  const Vector_2 place_a = rounded_place(motion_a, time);
+  const Vector_2 place_b = rounded_place(motion_b, time);
+  const auto would_approach = [&](const Vector_2& velocity_a, const Vector_2& velocity_b) {
+    return traits_.do_approach(Point_2(turned_inside(motion_a, velocity_a, time), a),
+                               Point_2(turned_inside(motion_b, velocity_b, time), b),
+                               current_time());
+  };
+  const Contact_response_2 response =
+      options_.response({time,
+                         a,
+                         b,
+                         {place_b.x - place_a.x, place_b.y - place_a.y},
+                         rounded_velocity(motion_a, time),
+                         rounded_velocity(motion_b, time),
+                         would_approach});
+
+  std::array<typename Triangulation::Change, 2> changes;
+  std::size_t number = 0;
+  const auto add = [&](Point_id id, const Motion& motion, bool erases,
+                       const std::optional<Vector_2>& velocity) {
+    if (erases) {
+      changes[number++] = {triangulation_.vertex(id), std::nullopt};
+    } else if (velocity && *velocity != rounded_velocity(motion, time)) {
+      changes[number++] = {triangulation_.vertex(id), turned_inside(motion, *velocity, time)};
+    }
+  };
+  add(a, motion_a, response.erases_a, response.velocity_a);
+  add(b, motion_b, response.erases_b, response.velocity_b);
+  if (number == 0) {
+    leave_in_contact(a, b);
+    unschedule_pair({a, b});
+    return triangulation_.apply(Event_kind::collision, a, b, {});
+  }
+  const std::array<Point_id, 2> points = {a, b};
+  change(Event_kind::collision, points, {changes.data(), number});
+}
+
+// Makes the changes of one contact, with the contacts of its points scheduled before and after.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> points,
+                                  std::span<const typename Triangulation::Change> changes) {
+  for (const Point_id id : points) unschedule_contacts(id);
+  const auto second = points.size() > 1 ? std::optional(points[1]) : std::nullopt;
+  triangulation_.apply(kind, points[0], second, changes);
+  for (const Point_id id : points) part_from_others(id);
+  for (const Point_id id : points) {
+    if (triangulation_.contains(id)) schedule_contacts(id);
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::turned_inside(const Motion& motion, const Vector_2& velocity,
+                                         double time) const -> Motion {
+  Motion result = turned(motion, velocity, time);
+  if (!options_.box) return result;
+  const Double_interval times = current_time().tight_interval();
+  for (const Wall_2& wall : walls_) result = kept_inside(result, wall, times);
+  return result;
+}
+
+// Follows the edges of the triangulation.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::after_event(const Event<Time>& event) {
+  if (!options_.response) return;
+  if (event.removed) unschedule_pair(*event.removed);
+  if (event.added) schedule_pair(*event.added, event.time);
+}
+
+// ---- discs in contact ----
+
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::are_in_contact(Point_id a, Point_id b) const {
+  return std::ranges::find(in_contact_[a], b) != in_contact_[a].end();
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::leave_in_contact(Point_id a, Point_id b) {
+  in_contact_[a].push_back(b);
+  in_contact_[b].push_back(a);
+}
+
+// Of a point that has a new motion, or none, those that it does not overlap now are no longer in
+// contact with it. As long as two keep their motions they overlap once, so that nothing is to do.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::part_from_others(Point_id id) {
+  std::erase_if(in_contact_[id], [&](Point_id other) {
+    if (triangulation_.contains(id) && triangulation_.contains(other) &&
+        traits_.do_overlap(point(id), point(other), diameter_, current_time())) {
+      return false;
+    }
+    std::erase(in_contact_[other], id);
+    return true;
+  });
+}
+
+// ---- audit ----
+
+template <ContactKineticTraits_2 Traits>
+Certificate_counters Simulation_2<Traits>::certificate_counters() const {
+  Certificate_counters result = triangulation_.certificate_counters();
+  return result += certificate_counters_;
+}
+
+template <ContactKineticTraits_2 Traits>
+Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
+  Audit_report report = triangulation_.audit(level);
+  const auto fail = [&](std::string text) { report.failures.push_back(std::move(text)); };
+  const auto pair_name = [](Point_id a, Point_id b) {
+    return "points " + std::to_string(a) + " and " + std::to_string(b);
+  };
+  if (!queue_.is_valid()) fail("the queue of contacts is out of order");
+  if (!queue_.empty() && time(queue_.top()) < current_time()) fail("a contact has been missed");
+  const std::vector<Edge_ids> edges = triangulation_.finite_edge_ids();
+  std::size_t entries = 0;
+  for (Point_id a = 0; a < partners_.size(); ++a) {
+    for (const auto& [b, event] : partners_[a]) {
+      ++entries;
+      if (!std::ranges::binary_search(edges, edge_ids(a, b))) {
+        fail(pair_name(a, b) + " have a contact but no edge");
+      }
+    }
+  }
+  for (const Queue_handle event : wall_events_) entries += event != no_event ? 1 : 0;
+  if (entries != queue_.size()) fail("the queue of contacts holds others than those of the points");
+  if (!report.passed() || level < Audit_level::delaunay) return report;
+
+  // The time of the contact that the queue holds, and of the one that is to be found.
+  const auto compare = [&](const std::string& what, Queue_handle event,
+                           const std::optional<Time>& expected) {
+    if (event == no_event) {
+      if (expected) fail(what + " will have a contact that is not scheduled");
+    } else if (!queue_[event].is_contact) {
+      if (expected && *expected < time(queue_[event])) fail(what + " have a contact before a look");
+    } else if (!expected || *expected != time(queue_[event])) {
+      fail(what + " have a contact at another time than scheduled, or none");
+    }
+  };
+  const Traits exact = traits_.exact();
+  Certificate_counters unused;
+  for (Point_id id = 0; options_.box && id < triangulation_.next_id(); ++id) {
+    if (!triangulation_.contains(id)) continue;
+    std::optional<Time> first;
+    for (const Wall_2& wall : walls_) {
+      if (!exact.is_inside(point(id), wall, current_time())) {
+        fail("point " + std::to_string(id) + " is outside of the box");
+      }
+      if (level < Audit_level::certificates) continue;
+      const Outlook<Time> outlook = exact.wall_outlook(point(id), wall, current_time(), unused);
+      if (outlook.failure && (!first || *outlook.failure < *first)) first = *outlook.failure;
+    }
+    if (level < Audit_level::certificates) continue;
+    compare("point " + std::to_string(id), wall_events_[id], first);
+  }
+  if (!options_.response || level < Audit_level::certificates) return report;
+  for (const auto& [a, b] : edges) {
+    if (are_in_contact(a, b)) continue;
+    const auto partner = std::ranges::find(partners_[a], b, &Partner::id);
+    const Outlook<Time> outlook =
+        exact.contact_outlook(point(a), point(b), diameter_, current_time(), unused);
+    compare(pair_name(a, b), partner == partners_[a].end() ? no_event : partner->event,
+            outlook.failure ? std::optional(*outlook.failure) : std::nullopt);
+  }
+  return report;
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H

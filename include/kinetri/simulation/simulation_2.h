@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Moving points in a box, with discs about them that collide: a kinetic triangulation, and the
+// contacts that change its motions.
+//
+// The triangulation's events have a queue of their own. This one holds, for each point, the next
+// wall that it reaches and, for each edge of the triangulation, the contact of the discs at its
+// ends; it follows the edges as an observer. Discs of equal diameter that do not overlap and come
+// into contact are neighbors, since the disc with their centres at the ends of a diameter is empty
+// of others; so the edges are enough (docs/MATH.md, section 8).
+//
+// One contact's way through the code: `step` lets the triangulation execute what is before it, in
+// exact order; `execute` takes it out of the queue; `hit_wall` or `collide` finds the motions after
+// it; `change` hands these to the triangulation, which reports the event, and schedules the
+// contacts of the points anew.
+#ifndef KINETRI_SIMULATION_SIMULATION_2_H
+#define KINETRI_SIMULATION_SIMULATION_2_H
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinetri/base/error.h"
+#include "kinetri/base/ids.h"
+#include "kinetri/events/event.h"
+#include "kinetri/events/indexed_queue.h"
+#include "kinetri/kinetic/contact_kinetic_traits_2.h"
+#include "kinetri/simulation/box_2.h"
+#include "kinetri/simulation/collision_response.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+/// More contacts at one time than allowed: points that keep colliding without time advancing.
+class Endless_contacts_error : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A point is outside of the box at the start.
+class Outside_box_error : public Error {
+ public:
+  Outside_box_error(Point_id point, const std::string& message) : Error(message), point_(point) {}
+  Point_id point() const noexcept { return point_; }
+
+ private:
+  Point_id point_;
+};
+
+/// What a simulation keeps its points from, beyond passing.
+struct Simulation_options {
+  /// A point that reaches a side while it moves outward is reflected: the component of its velocity
+  /// changes sign, exactly.
+  std::optional<Box_2> box = std::nullopt;
+  /// What touches the box: the centre of a disc, or its rim.
+  bool rim_touches = false;
+  /// Of every disc, in the unit of the coordinates. Discs of different radii are not supported: two
+  /// of them may touch without being neighbors in the Delaunay triangulation; that takes a weighted
+  /// one.
+  double radius = 0;
+  /// What discs do that touch; empty: nothing, and contacts are not looked for.
+  Collision_response response = nullptr;
+  /// The most contacts, of all points together, at one time.
+  std::uint64_t contacts_at_one_time = 1'000'000;
+};
+
+/// How the queue of contacts was used, and the most contacts at one time.
+struct Contact_counters {
+  Queue_counters queue;
+  std::uint64_t most_at_one_time = 0;
+};
+
+/// The simulation. At each time first the triangulation's own events are executed, then contacts
+/// with walls, by point id, then those of discs, by ids.
+///
+/// A reflection or response gives a point a new motion whose place is that of the old one at the
+/// binary64 number nearest to the time, rounded (see `turned`); where that would be outside of the
+/// box at the time itself, it is moved onto its inner side, by the least binary64 step that is
+/// certain to do it. So points are never outside of the box, exactly, and everything else happens
+/// exactly for the motions as they are.
+template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+class Simulation_2 : private Event_observer<typename Traits::Time> {
+ public:
+  using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;
+  using Motion = typename Traits::Motion;
+  using Point_2 = typename Traits::Point_2;
+  using Time = typename Traits::Time;
+  using Observer = Event_observer<Time>;
+
+  /// Throws Precondition_error where an option has no meaning: a box without area, or not finite;
+  /// a radius that is negative or not finite; collisions of discs without a radius; a box that is
+  /// not wider than a disc whose rim touches it. Throws Outside_box_error if a point is outside of
+  /// the box at the start, and as the constructor of the triangulation. Cost: that of the
+  /// triangulation, and a contact certificate for each edge and wall.
+  Simulation_2(const std::vector<Motion>& motions, const Simulation_options& options,
+               const Time& start = Time(), const Traits& traits = Traits());
+
+  Simulation_2(const Simulation_2&) = delete;
+  Simulation_2& operator=(const Simulation_2&) = delete;
+
+  // ---- the present ----
+
+  /// The triangulation, to look at. Time advances here.
+  const Triangulation& triangulation() const { return triangulation_; }
+  const Time& current_time() const { return triangulation_.current_time(); }
+  const Simulation_options& options() const { return options_; }
+
+  // ---- time ----
+
+  /// Goes to the time of the next event and executes all events of that time, contacts included.
+  /// Returns their number; 0 if there is no next event. Throws Endless_contacts_error; the
+  /// simulation is then left within the instant.
+  std::size_t step() { return step(nullptr); }
+
+  /// As step(), but only if the next event is at or before `until`; else nothing happens.
+  std::size_t step(const Time& until) { return step(&until); }
+
+  /// Goes to `time`: every event at or before it has happened. Returns the number of events.
+  /// Precondition: time >= current_time().
+  std::size_t advance_to(const Time& time);
+
+  // ---- watching ----
+
+  /// As those of the triangulation. Contacts are events of the kinds wall and collision; the
+  /// motions change between `before_event` and `after_event`.
+  void add_observer(Observer& observer) { triangulation_.add_observer(observer); }
+  void remove_observer(Observer& observer) { triangulation_.remove_observer(observer); }
+
+  Contact_counters contact_counters() const { return {queue_.counters(), most_at_one_time_}; }
+  /// Of topology and contacts together.
+  Certificate_counters certificate_counters() const;
+
+  /// Audits the triangulation up to `level`, and from the level `links` on the queue of contacts;
+  /// from `delaunay` on that no point is outside of the box just after now; from `certificates` on
+  /// every contact is computed anew.
+  Audit_report audit(Audit_level level) const;
+
+ private:
+  /// In the order of contacts at one time.
+  enum class Contact_kind : std::uint8_t { wall, collision };
+
+  using Time_pool = detail::Time_pool<Time>;
+
+  /// A contact, or a time up to which there certainly is none.
+  struct Entry {
+    Double_interval bounds;
+    Point_id point_a = no_point;
+    Point_id point_b = no_point;  // of a wall, which of the four
+    mutable typename Time_pool::Index time = Time_pool::none;
+    Contact_kind kind = Contact_kind::wall;
+    bool is_contact = false;
+  };
+
+  struct Earlier {
+    const Simulation_2* simulation;
+
+    bool operator()(const Entry& a, const Entry& b) const;
+    Double_interval bounds(const Entry& entry) const { return entry.bounds; }
+    static void prefetch(const Entry&) {}
+    static void prefetch_more(const Entry&) {}
+  };
+
+  /// A neighbor whose disc may come into contact.
+  struct Partner {
+    Point_id id;
+    Queue_handle event;
+  };
+
+  const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
+  void check_options() const;
+  void check_inside() const;
+
+  // Scheduling.
+  const Time& time(const Entry& entry) const;
+  Queue_handle push(Entry entry, Outlook<Time> outlook);
+  void schedule_wall(Point_id id, const Time& after);
+  void unschedule_wall(Point_id id);
+  void schedule_pair(const Edge_ids& pair, const Time& after);
+  void unschedule_pair(const Edge_ids& pair);
+  void schedule_contacts(Point_id id);
+  void unschedule_contacts(Point_id id);
+  void erase_entry(Queue_handle handle);
+  template <class Function>
+  void for_each_neighbor(Point_id id, Function function) const;
+
+  // Events.
+  std::size_t step(const Time* until);
+  void settle();
+  std::size_t execute_due_contacts();
+  void hit_wall(Point_id id, std::size_t wall);
+  void collide(Point_id a, Point_id b);
+  void change(Event_kind kind, std::span<const Point_id> points,
+              std::span<const typename Triangulation::Change> changes);
+  Motion turned_inside(const Motion& motion, const Vector_2& velocity, double time) const;
+  void after_event(const Event<Time>& event) override;
+
+  // Discs that a response has left in contact.
+  bool are_in_contact(Point_id a, Point_id b) const;
+  void leave_in_contact(Point_id a, Point_id b);
+  void part_from_others(Point_id id);
+
+  Traits traits_;
+  Simulation_options options_;
+  double diameter_ = 0;
+  std::array<Wall_2, 4> walls_ = {};
+  Triangulation triangulation_;
+  Indexed_queue<Entry, Earlier> queue_{Earlier{this}};
+  mutable Time_pool times_;  // of entries
+  Certificate_counters certificate_counters_;
+  std::vector<Queue_handle> wall_events_;          // by point id
+  std::vector<std::vector<Partner>> partners_;     // by the smaller id of a pair
+  std::vector<std::vector<Point_id>> in_contact_;  // by point id, both ways
+  std::uint64_t most_at_one_time_ = 0;
+};
+
+extern template class Simulation_2<Linear_kinetic_traits_2>;
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_SIMULATION_2_H

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Polynomials over [0, 1] of which each value is known up to an error: their Bernstein
+// coefficients, and where they are certainly positive.
+#ifndef KINETRI_SRC_KINETIC_BERNSTEIN_H
+#define KINETRI_SRC_KINETIC_BERNSTEIN_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "differences.h"
+#include "kinetri/kinetic/linear_filter.h"
+
+namespace kinetri {
+
+template <std::size_t N>
+using Coefficients = std::array<double, N + 1>;
+
+// A failure later than this share of the window is not looked for yet: probably the certificate is
+// replaced before it comes.
+inline constexpr double worthwhile = 0.18;
+
+inline constexpr int max_depth = 8;
+
+template <std::size_t M>
+inline double least(const std::array<double, M>& c) {
+  double result = c[0];
+  for (std::size_t i = 1; i < M; ++i) result = std::min(result, c[i]);
+  return result;
+}
+
+// The Bernstein coefficients over [0, 1].
+inline Coefficients<4> bernstein(const Coefficients<4>& c) {
+  const double c1 = c[1] * 0.25;
+  const double c2 = c[2] * (1.0 / 6);
+  const double c3 = c[3] * 0.25;
+  const double b1 = c[0] + c1;
+  const double b2 = b1 + c1 + c2;
+  const double b3 = c[0] + 3 * c1 + 3 * c2 + c3;
+  const double b4 = c[0] + c[1] + c[2] + c[3] + c[4];
+  return {c[0], b1, b2, b3, b4};
+}
+inline Coefficients<3> bernstein(const Coefficients<3>& c) {
+  const double c1 = c[1] * (1.0 / 3);
+  const double c2 = c[2] * (1.0 / 3);
+  const double b1 = c[0] + c1;
+  const double b2 = b1 + c1 + c2;
+  return {c[0], b1, b2, c[0] + c[1] + c[2] + c[3]};
+}
+inline Coefficients<2> bernstein(const Coefficients<2>& c) {
+  return {c[0], c[0] + 0.5 * c[1], c[0] + c[1] + c[2]};
+}
+inline Coefficients<1> bernstein(const Coefficients<1>& c) {
+  return {c[0], c[0] + c[1]};
+}
+
+template <std::size_t M>
+double value(const std::array<double, M>& c, double w) {
+  double result = c[M - 1];
+  for (std::size_t i = M - 1; i-- > 0;) result = result * w + c[i];
+  return result;
+}
+
+template <std::size_t M>
+double slope(const std::array<double, M>& c, double w) {
+  double result = static_cast<double>(M - 1) * c[M - 1];
+  for (std::size_t i = M - 1; i-- > 1;) result = result * w + static_cast<double>(i) * c[i];
+  return result;
+}
+
+// De Casteljau's algorithm at one half: `b` becomes the left half, the right half is returned.
+template <std::size_t M>
+std::array<double, M> split(std::array<double, M>& b) {
+  std::array<double, M> right;
+  for (std::size_t i = 0; i < M; ++i) {
+    right[M - 1 - i] = b[M - 1];
+    for (std::size_t j = M - 1; j > i; --j) b[j] = 0.5 * (b[j - 1] + b[j]);
+  }
+  return right;
+}
+
+// Narrows the only root in [lower, upper], at which the polynomial goes from positive to negative,
+// by Newton's method from `w` with bisection as its guard, and certifies the bracket by the signs
+// at its ends. Returns false if the ends cannot be certified.
+template <std::size_t M>
+bool bracket_root(const std::array<double, M>& c, double error, double w, double& lower,
+                  double& upper) {
+  double low = lower;
+  double high = upper;
+  double derivative = slope(c, w);
+  for (int i = 0; i < 12; ++i) {
+    const double v = value(c, w);
+    if (std::abs(v) <= error) break;
+    (v > 0 ? low : high) = w;
+    double next = w - v / derivative;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (next == w) break;
+    w = next;
+    derivative = slope(c, w);
+  }
+  // The values grow linearly beside a simple root: twice the error from there they are certain.
+  double distance = std::max(3 * error / std::abs(derivative), 4 * unit_roundoff * w);
+  for (int i = 0; i < 6; ++i, distance *= 4) {
+    const double left = std::max(w - distance, lower);
+    const double right = std::min(w + distance, upper);
+    if (value(c, left) > error && value(c, right) < -error) {
+      lower = left;
+      upper = right;
+      return true;
+    }
+  }
+  return false;
+}
+
+// Up to which share of its interval a polynomial, given by Bernstein coefficients that are known up
+// to `error`, is certainly positive: the graph lies above the lower convex hull of the points
+// (i / degree, b[i] - error). Zero if it may be negative at the start.
+template <std::size_t M>
+double positive_share(const std::array<double, M>& b, double error) {
+  if (least(b) > error) return 1;
+  std::size_t i = 0;
+  while (b[i] > error) {
+    std::size_t next = i + 1;
+    double least = b[next] - b[i];
+    for (std::size_t k = i + 2; k < M; ++k) {
+      const double rise = (b[k] - b[i]) / static_cast<double>(k - i);
+      if (rise < least) {
+        least = rise;
+        next = k;
+      }
+    }
+    if (!(b[next] > error)) {
+      // Rounded down by far more than these operations can err.
+      const double crossing = static_cast<double>(i) + (b[i] - error) / -least;
+      return crossing / static_cast<double>(M - 1) * (1 - 0x1p-40);
+    }
+    i = next;
+  }
+  return 0;
+}
+
+// Whether the signs of the coefficients are certain and change just once.
+template <std::size_t M>
+bool has_one_change(const std::array<double, M>& b, double error) {
+  std::size_t i = 0;
+  while (i < M && b[i] > error) ++i;
+  return i > 0 && i < M &&
+         std::all_of(b.begin() + static_cast<std::ptrdiff_t>(i), b.end(),
+                     [error](double x) { return x < -error; });
+}
+
+// How long the polynomial with coefficients `c` and Bernstein coefficients `b`, each value of which
+// over [0, 1] is known up to `error`, is certainly positive; or a bracket of its first root, where
+// that is near.
+template <std::size_t M>
+Filter_verdict first_failure(const std::array<double, M>& c, const std::array<double, M>& b,
+                             double error) {
+  using Kind = Filter_verdict::Kind;
+  struct Piece {
+    std::array<double, M> b;
+    double lower;
+    double width;
+    int depth;
+  };
+  std::array<Piece, max_depth + 1> stack;
+  int size = 1;
+  stack[0] = {b, 0, 1, 0};
+  while (size > 0) {
+    Piece piece = stack[static_cast<std::size_t>(--size)];
+    const double share = positive_share(piece.b, error);
+    if (share == 1) continue;
+    const double until = piece.lower + share * piece.width;
+    if (until >= worthwhile) return {Kind::holds, {until, until}, piece.depth > 0};
+    if (share == 0) return {};
+    if (has_one_change(piece.b, error)) {
+      double lower = piece.lower;
+      double upper = piece.lower + piece.width;
+      const double secant = piece.b.front() / (piece.b.front() - piece.b.back());
+      if (!bracket_root(c, error, lower + secant * piece.width, lower, upper)) return {};
+      return {Kind::fails, {lower, upper}, true};
+    }
+    if (piece.depth == max_depth) return {};
+    const double width = 0.5 * piece.width;
+    const std::array<double, M> right = split(piece.b);
+    stack[static_cast<std::size_t>(size++)] = {right, piece.lower + width, width, piece.depth + 1};
+    stack[static_cast<std::size_t>(size++)] = {piece.b, piece.lower, width, piece.depth + 1};
+  }
+  return {Kind::holds, {1, 1}, true};
+}
+
+// The verdict in time for that in w, rounded to the safe side.
+inline Filter_verdict in_time(const Filter_verdict& v, double origin, double window,
+                              const Double_interval& after) {
+  // Rounding in origin + w * window is at most one unit in the last place of each of the two. These
+  // go at least one further, whatever the rounding mode.
+  const auto ulp = [](double x) { return std::abs(x) * 0x1p-52 + 0x1p-1074; };
+  const auto down = [ulp](double x) { return x - ulp(x); };
+  const auto up = [ulp](double x) { return x + ulp(x); };
+  const double lower = down(origin + down(v.bounds.lower * window));
+  if (!(lower > after.upper)) return {};
+  if (v.kind == Filter_verdict::Kind::holds) return {v.kind, {lower, lower}, v.is_refined};
+  const double upper = up(origin + up(v.bounds.upper * window));
+  if (v.kind == Filter_verdict::Kind::unknown || !std::isfinite(upper)) return {};
+  return {v.kind, {lower, upper}, v.is_refined};
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_KINETIC_BERNSTEIN_H

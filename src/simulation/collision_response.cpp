@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/simulation/collision_response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kinetri {
+
+Contact_response_2 log_contact(const Contact_2& /*contact*/) {
+  return {};
+}
+
+Contact_response_2 swap_velocities(const Contact_2& contact) {
+  return {contact.velocity_b, contact.velocity_a};
+}
+
+Contact_response_2 collide_elastically(const Contact_2& contact) {
+  const Vector_2& n = contact.separation;
+  const Vector_2& a = contact.velocity_a;
+  const Vector_2& b = contact.velocity_b;
+  const double impulse = ((b.x - a.x) * n.x + (b.y - a.y) * n.y) / (n.x * n.x + n.y * n.y);
+  const auto velocities = [&](double along) {
+    const Vector_2 change = {along * n.x, along * n.y};
+    return Contact_response_2{Vector_2{a.x + change.x, a.y + change.y},
+                              Vector_2{b.x - change.x, b.y - change.y}};
+  };
+  Contact_response_2 result = velocities(impulse);
+  const double size = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)}) /
+                      std::max(std::abs(n.x), std::abs(n.y));
+  for (double further =
+           size * std::numeric_limits<double>::epsilon() + std::numeric_limits<double>::min();
+       contact.would_approach(*result.velocity_a, *result.velocity_b); further *= 2) {
+    result = velocities(impulse - further);
+  }
+  return result;
+}
+
+Contact_response_2 stop_both(const Contact_2& /*contact*/) {
+  return {Vector_2{}, Vector_2{}};
+}
+
+Contact_response_2 erase_both(const Contact_2& /*contact*/) {
+  return {std::nullopt, std::nullopt, true, true};
+}
+
+}  // namespace kinetri

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/simulation/simulation_2.h"
+
+#include "kinetri/simulation/detail/simulation_2_impl.h"
+
+namespace kinetri {
+
+template class Simulation_2<Linear_kinetic_traits_2>;
+
+}  // namespace kinetri

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The filters of contacts, and of predicates at an instant, never contradict exact arithmetic.
+#include "kinetri/kinetic/contact_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+
+#include "kinetri/algebra/real_roots.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
+#include "support/certificates.h"
+#include "support/motions.h"
+
+namespace kinetri {
+namespace {
+
+// The first time from `t` on at which the certificate is not positive and falls, straight from the
+// definition.
+std::optional<Algebraic_number> first_contact(const Polynomial& certificate,
+                                              const Algebraic_number& t) {
+  if (sign_at(derivative(certificate), t) != CGAL::NEGATIVE) return std::nullopt;
+  if (sign_at(certificate, t) != CGAL::POSITIVE) return t;
+  const auto root = first_root_after(certificate, t);
+  if (!root || sign_at(derivative(certificate), root->value) != CGAL::NEGATIVE) return std::nullopt;
+  return root->value;
+}
+
+// Returns whether the verdict was more than nothing.
+bool expect_true(const Filter_verdict& verdict, const Polynomial& certificate, double t) {
+  if (verdict.kind == Filter_verdict::Kind::unknown) return false;
+  const auto contact = first_contact(certificate, Algebraic_number(t));
+  if (verdict.kind == Filter_verdict::Kind::fails) {
+    EXPECT_TRUE(contact) << "no contact, but one was found";
+    if (!contact) return true;
+    EXPECT_GT(verdict.bounds.lower, t);
+    EXPECT_LE(Algebraic_number(verdict.bounds.lower), *contact);
+    EXPECT_GE(Algebraic_number(verdict.bounds.upper), *contact);
+  } else {
+    EXPECT_EQ(verdict.kind, Filter_verdict::Kind::holds_for_ever);
+    EXPECT_FALSE(contact) << "a contact, but none was found";
+  }
+  return true;
+}
+
+// In each rounding mode in turn.
+template <class Function>
+auto in_mode(int i, const Function& function) {
+  constexpr std::array<int, 4> modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+  std::fesetround(modes[static_cast<std::size_t>(i) % modes.size()]);
+  const auto result = function();
+  std::fesetround(FE_TONEAREST);
+  return result;
+}
+
+class Contact_filter : public testing::TestWithParam<int> {};
+
+TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
+  test::Certificates source(271);
+  std::mt19937_64 random(828);
+  int decided = 0;
+  int contacts = 0;
+  const int cases = 4000 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const auto m = source.next(GetParam());
+    SCOPED_TRACE(test::describe({m.begin(), m.begin() + 2}));
+    const double t = source.time(GetParam());
+    const double later = t + 1;
+    const Moving_point_2 p(m[0]);
+    const Moving_point_2 q(m[1]);
+    // A diameter of the size of the distance at some time, at times exactly a distance.
+    const Vector_2 a = rounded_place(m[0], t + 1);
+    const Vector_2 b = rounded_place(m[1], t + 1);
+    const double diameter = std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) *
+                            std::ldexp(1.0, static_cast<int>(random() % 5) - 3);
+    const Filter_verdict verdict = in_mode(i, [&] {
+      return filter_contact(m[0], m[1], diameter, {t, t});
+    });
+    decided += expect_true(verdict, contact_polynomial(p, q, diameter), t);
+    contacts += verdict.kind == Filter_verdict::Kind::fails;
+    if (HasFailure()) return;
+    if (in_mode(i, [&] { return certainly_do_not_approach(m[0], m[1], {t, later}); })) {
+      const Polynomial slope = derivative(contact_polynomial(p, q, 0));
+      ASSERT_NE(slope.sign_at(to_rational(t)), CGAL::NEGATIVE);
+      ASSERT_NE(slope.sign_at(to_rational(later)), CGAL::NEGATIVE);
+    }
+
+    for (const auto side :
+         {Wall_2::Side::left, Wall_2::Side::right, Wall_2::Side::bottom, Wall_2::Side::top}) {
+      const Wall_2 wall = {side, side < Wall_2::Side::bottom ? a.x : b.y,
+                           i % 3 == 0 ? 0 : diameter};
+      const Polynomial inside = wall_polynomial(p, wall);
+      expect_true(in_mode(i, [&] { return filter_wall_contact(m[0], wall, {t, t}); }), inside, t);
+      if (in_mode(i, [&] { return certainly_inside(m[0], wall, {t, later}); })) {
+        ASSERT_EQ(inside.sign_at(to_rational(t)), CGAL::POSITIVE);
+        ASSERT_EQ(inside.sign_at(to_rational(later)), CGAL::POSITIVE);
+      }
+      if (HasFailure()) return;
+    }
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(decided, cases * 85 / 100) << "all but the discs that overlap and approach";
+    EXPECT_GT(contacts, cases / 20);
+  }
+}
+
+TEST_P(Contact_filter, of_signs_at_an_instant_never_contradicts_exact_arithmetic) {
+  test::Certificates source(272);
+  int decided = 0;
+  const int cases = 1500 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const auto m = source.next(GetParam());
+    SCOPED_TRACE(test::describe({m.begin(), m.end()}));
+    const double t = source.time(GetParam());
+    const Moving_point_2 p(m[0]);
+    const Moving_point_2 q(m[1]);
+    const Moving_point_2 r(m[2]);
+    const Moving_point_2 s(m[3]);
+    const Double_interval interval = {t, t + 0x1p-40};
+    const auto expect_sign = [&](Sign sign, const Polynomial& polynomial) {
+      if (sign == CGAL::ZERO) return;
+      ++decided;
+      EXPECT_EQ(sign, polynomial.sign_at(to_rational(t)));
+      EXPECT_EQ(sign, polynomial.sign_at(to_rational(interval.upper)));
+    };
+    const auto& [a, b, c, d] = m;
+    expect_sign(in_mode(i, [&] { return certain_scalar_product(a, b, c, interval); }),
+                scalar_product_polynomial(p, q, r));
+    expect_sign(in_mode(i, [&] { return certain_distance_order(a, b, c, interval); }),
+                distance_difference(p, q, r));
+    expect_sign(in_mode(i, [&] { return certain_orientation(a, b, c, interval); }),
+                orientation_polynomial(p, q, r));
+    expect_sign(in_mode(i, [&] { return certain_in_circle(a, b, c, d, interval); }),
+                in_circle_polynomial(p, q, r, s));
+    expect_sign(in_mode(i, [&] { return certain_x_order(a, b, interval); }), x_difference(p, q));
+    expect_sign(in_mode(i, [&] { return certain_y_order(a, b, interval); }), y_difference(p, q));
+    if (HasFailure()) return;
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(decided, 6 * cases * 99 / 100);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Flavors, Contact_filter, testing::Range(0, test::Certificates::flavors),
+                         test::flavor_name);
+
+}  // namespace
+}  // namespace kinetri

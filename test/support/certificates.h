@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Moving points on whose certificates a filter could be wrong.
+#ifndef KINETRI_TEST_SUPPORT_CERTIFICATES_H
+#define KINETRI_TEST_SUPPORT_CERTIFICATES_H
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri::test {
+
+/// Four points for a certificate, of every flavor.
+class Certificates {
+ public:
+  explicit Certificates(unsigned seed) : random_(seed) {}
+
+  static constexpr int flavors = 9;
+  static const char* name(int flavor) {
+    constexpr const char* names[flavors] = {
+        "random",         "tiny integers",   "nearly cocircular",
+        "wild magnitude", "common velocity", "far-away epochs",
+        "cancellation",   "nearly touching", "subnormal"};
+    return names[flavor];
+  }
+
+  std::array<Linear_motion_2, 4> next(int flavor) {
+    std::array<Linear_motion_2, 4> m;
+    for (Linear_motion_2& motion : m) motion = {{real(), real()}, {real(), real()}, 0};
+    switch (flavor) {
+      case 0:
+        break;
+      case 1:
+        for (auto& a : m) a = {{small(), small()}, {small(), small()}, 0};
+        break;
+      case 2:
+        // On a circle, but for a few units in the last place, and hardly moving.
+        for (auto& a : m) {
+          const double angle = real();
+          const double radius = 1 + std::ldexp(small(), -50);
+          a.position = {7 + radius * std::cos(angle), -5 + radius * std::sin(angle)};
+          a.velocity.x *= 1e-14;
+          a.velocity.y *= 1e-14;
+        }
+        break;
+      case 3: {
+        const int places = 50 * integer_(random_);
+        const int speeds = 50 * integer_(random_);
+        for (auto& a : m) {
+          a.position = {std::ldexp(real(), places + integer_(random_)), std::ldexp(real(), places)};
+          a.velocity = {std::ldexp(real(), speeds + integer_(random_)), std::ldexp(real(), speeds)};
+        }
+        break;
+      }
+      case 4: {
+        const Vector_2 common = {1e6 * real(), 1e6 * real()};
+        for (auto& a : m) {
+          a.velocity = {common.x + std::ldexp(small(), -20), common.y + std::ldexp(small(), -20)};
+        }
+        break;
+      }
+      case 5:
+        for (auto& a : m) a.epoch = 1e5 * small() + real();
+        break;
+      case 6: {
+        // A unit square that moves fast, from places far apart: its coordinates cancel, but for the
+        // rounding of the places.
+        const Vector_2 common = {1e6 * real(), 1e6 * real()};
+        constexpr std::array<Vector_2, 4> square = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+        for (std::size_t i = 0; i < m.size(); ++i) {
+          const double epoch = real();
+          m[i] = {{common.x * epoch + square[i].x, common.y * epoch + square[i].y}, common, epoch};
+          if (integer_(random_) > 0) m[i].velocity.x += 1e-6 * real();
+        }
+        break;
+      }
+      case 7:
+        // A point passes a resting circle along a tangent, but for some units in the last place.
+        m = {{{{-1, 0}, {0, 0}, 0}, {{0, -1}, {0, 0}, 0}, {{1, 0}, {0, 0}, 0}, {}}};
+        m[3] = {{small() - 4 + real() / 32, 1 + std::ldexp(small(), -52 + 4 * integer_(random_))},
+                {1, std::ldexp(small(), -40)},
+                0};
+        break;
+      default:
+        for (auto& a : m) {
+          a.position = {5e-324 * std::round(1000 * real()), 5e-324 * std::round(1000 * real())};
+          a.velocity = {std::ldexp(real(), -1000), std::ldexp(real(), -1040)};
+        }
+    }
+    return m;
+  }
+
+  double time(int flavor) {
+    if (flavor == 1 || flavor == 7) return small();
+    return flavor == 5 ? 1e5 * real() : real();
+  }
+
+ private:
+  double real() { return real_(random_); }
+  double small() { return integer_(random_); }
+
+  std::mt19937_64 random_;
+  std::uniform_real_distribution<double> real_{-10, 10};
+  std::uniform_int_distribution<int> integer_{-3, 3};
+};
+
+/// The flavor of an instance of a test, as a name.
+inline std::string flavor_name(const testing::TestParamInfo<int>& instance) {
+  std::string name = Certificates::name(instance.param);
+  std::ranges::replace_if(
+      name, [](char c) { return c == ' ' || c == '-'; }, '_');
+  return name;
+}
+
+}  // namespace kinetri::test
+
+#endif  // KINETRI_TEST_SUPPORT_CERTIFICATES_H
