@@ -19,6 +19,7 @@
 #include "interrupt.h"
 #include "kinetri/base/error.h"
 #include "kinetri/io/output_file.h"
+#include "kinetri/simulation/simulation_2.h"
 #include "kinetri/version.h"
 #include "simulate_command.h"
 
@@ -103,6 +104,8 @@ Exit_code guarded_run(int argc, char** argv) {
     return report(Exit_code::bad_input, error.what());
   } catch (const Output_error& error) {
     return report(Exit_code::bad_input, error.what());
+  } catch (const Endless_contacts_error& error) {
+    return report(Exit_code::bad_input, fmt::format("kinetri: {}", error.what()));
   } catch (const std::bad_alloc&) {
     return report(Exit_code::bad_input,
                   "kinetri: there is not enough memory; expected fewer points, or more memory");

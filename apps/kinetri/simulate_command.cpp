@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -12,11 +13,30 @@
 namespace kinetri::app {
 namespace {
 
+Box_2 box_argument(const std::string& text) {
+  std::array<double, 4> sides = {};
+  std::size_t number = 0;
+  for (std::size_t start = 0; start <= text.size(); ++number) {
+    const std::size_t comma = std::min(text.find(',', start), text.size());
+    const std::string side = text.substr(start, comma - start);
+    if (number < sides.size()) sides[number] = number_argument("--box", side);
+    start = comma + 1;
+  }
+  if (number != sides.size()) {
+    throw Usage_error(fmt::format("--box: '{}' has {} numbers; expected four, XMIN,YMIN,XMAX,YMAX",
+                                  text, number));
+  }
+  const auto& [xmin, ymin, xmax, ymax] = sides;
+  if (xmin < xmax && ymin < ymax) return {xmin, ymin, xmax, ymax};
+  throw Usage_error(
+      fmt::format("--box: '{}' has no area; expected XMIN,YMIN,XMAX,YMAX with XMIN < XMAX and "
+                  "YMIN < YMAX",
+                  text));
+}
+
 // In the order of the enumerators that they name.
 constexpr std::array<std::string_view, 3> audit_modes = {"none", "end", "events"};
 constexpr std::array<std::string_view, 3> progress_modes = {"auto", "always", "never"};
-constexpr std::array<std::string_view, 6> collision_modes = {"none",    "log",  "swap",
-                                                             "elastic", "stop", "remove"};
 
 }  // namespace
 
@@ -40,19 +60,25 @@ Simulate_command::Simulate_command(CLI::App& program)
   command_->add_flag(
       "--exact-only", exact_only_,
       "Decide everything by exact arithmetic, without filters: the same events, slower");
-  add("--box", box_, "XMIN,YMIN,XMAX,YMAX", "Reflect points at these walls (not supported yet)");
-  add("--collisions", collisions_, "none|log|...",
-      "What points with a radius do that touch (only none, the default, is supported yet)");
+  add("--box", box_, "XMIN,YMIN,XMAX,YMAX",
+      "Reflect points at the sides of this box, in which all start");
+  command_->add_flag("--rim", rim_, "What touches the box is the rim of a disc, not its centre");
+  add("--collisions", collisions_, "none|log|swap|elastic|stop|remove",
+      "What discs do that touch: nothing (default); be logged; exchange velocities; collide "
+      "elastically; stop, both; vanish, both");
+  add("--radius", radius_, "R", "Radius of all discs, for points without a column radius");
   add("--progress", progress_, "auto|always|never",
       "Show a progress line; auto (default): on a terminal");
   command_->add_flag("--quiet", quiet_, "Neither a progress line nor a summary");
   command_->footer(
-      "The file POINTS has a header line x,y,vx,vy and one point a line. Interrupted, the command\n"
-      "stops at the next event and writes what it has.\n\n"
+      "The file POINTS has a header line x,y,vx,vy, or x,y,vx,vy,radius with all radii equal, and\n"
+      "one point a line. Interrupted, the command stops at the next event and writes what it "
+      "has.\n\n"
       "Exit codes: 0 done; 1 an audit failed; 2 bad usage or input; 3 an internal check failed;\n"
       "130 interrupted.\n\n"
       "Example:\n"
-      "  kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv --audit end");
+      "  kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv --audit end\n"
+      "  kinetri simulate points.csv --until 10 --box 0,0,100,100 --collisions elastic --radius 1");
 }
 
 Exit_code Simulate_command::run() const {
@@ -68,10 +94,22 @@ Simulation_settings Simulate_command::settings() const {
     throw Usage_error(fmt::format(
         "--until: {} is before the start; expected at least {}, which is --from", until_, from_));
   }
-  if (box_) throw Usage_error("--box is not supported yet; expected a run without it");
-  if (choice_argument("--collisions", collisions_, collision_modes) != 0) {
-    throw Usage_error(
-        fmt::format("--collisions: {} is not supported yet; expected none", collisions_));
+  if (box_) result.box = box_argument(*box_);
+  result.rim_touches = rim_;
+  if (rim_ && !box_) throw Usage_error("--rim: there is no box to touch; expected --box as well");
+  std::array<std::string_view, named_responses.size()> responses;
+  std::ranges::transform(named_responses, responses.begin(), &Named_response::name);
+  result.collisions = named_responses[choice_argument("--collisions", collisions_, responses)];
+  if (radius_) {
+    result.radius = number_argument("--radius", *radius_);
+    if (!(*result.radius > 0)) {
+      throw Usage_error(
+          fmt::format("--radius: {} cannot be used; expected a number greater than 0", *radius_));
+    }
+    if (result.collisions.response == nullptr && !rim_) {
+      throw Usage_error(
+          "--radius: nothing touches a disc; expected --collisions or --rim as well, or no radius");
+    }
   }
   result.events = events_;
   result.initial_edges = initial_edges_;

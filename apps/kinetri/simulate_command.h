@@ -39,7 +39,9 @@ class Simulate_command {
   std::optional<std::string> stats_;
   std::string audit_ = "none";
   std::optional<std::string> box_;
+  bool rim_ = false;
   std::string collisions_ = "none";
+  std::optional<std::string> radius_;
   std::string progress_ = "auto";
   bool exact_only_ = false;
   bool quiet_ = false;

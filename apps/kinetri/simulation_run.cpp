@@ -21,7 +21,7 @@
 #include "kinetri/io/output_file.h"
 #include "kinetri/io/points_file.h"
 #include "kinetri/io/stats_file.h"
-#include "kinetri/kinetri.h"
+#include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::app {
 namespace {
@@ -115,10 +115,15 @@ class Simulation_run {
   Exit_code run();
 
  private:
-  using Triangulation = Kinetic_delaunay_triangulation_2<>;
-
   void build();
+  Simulation_options options(const Points_file& points) const;
+  double radius(const Points_file& points) const;
+  std::string input_name() const;
+  const Kinetic_delaunay_triangulation_2<>& triangulation() const {
+    return simulation_->triangulation();
+  }
   void advance();
+  std::size_t step(const Algebraic_number& until);
   void audit(Audit_level level);
   void write_outputs();
   void summarize() const;
@@ -129,7 +134,7 @@ class Simulation_run {
   Stopwatch stopwatch_;
   Run_statistics statistics_;
   std::optional<Event_log_writer> log_;
-  std::optional<Triangulation> triangulation_;
+  std::optional<Simulation_2<>> simulation_;
   std::size_t failures_ = 0;
 };
 
@@ -160,58 +165,126 @@ void Simulation_run::build() {
   statistics_.points = points.motions.size();
   progress_.show_stage(fmt::format("triangulating {} points", statistics_.points));
   statistics_.seconds.read = stopwatch_.lap();
+  const Simulation_options simulation_options = options(points);
   try {
-    triangulation_.emplace(points.motions, settings_.from,
-                           Linear_kinetic_traits_2(settings_.arithmetic));
+    simulation_.emplace(points.motions, simulation_options, settings_.from,
+                        Linear_kinetic_traits_2(settings_.arithmetic));
   } catch (const Coincident_trajectories_error& error) {
     const Point_id first = error.first();  // the lesser of the two
     const Point_id second = error.second();
     throw Input_error(
-        settings_.points == "-" ? "standard input" : settings_.points, points.lines[second],
+        input_name(), points.lines[second],
         fmt::format("the point has the same place and velocity as the one in line {}; expected "
                     "distinct trajectories",
                     points.lines[first]));
+  } catch (const Outside_box_error& error) {
+    throw Input_error(input_name(), points.lines[error.point()], error.what());
   }
-  const Construction_seconds& construction = triangulation_->construction_seconds();
+  const Construction_seconds& construction = triangulation().construction_seconds();
   statistics_.seconds.initialize = construction.initialize;
   statistics_.seconds.build = stopwatch_.lap() - construction.initialize;
   if (outputs_.initial_edges != nullptr) {
-    write_edges(outputs_.initial_edges->stream(), triangulation_->finite_edge_ids());
+    write_edges(outputs_.initial_edges->stream(), triangulation().finite_edge_ids());
   }
   if (outputs_.events != nullptr) {
     log_.emplace(outputs_.events->stream());
-    triangulation_->add_observer(*log_);
+    simulation_->add_observer(*log_);
   }
   statistics_.seconds.write += stopwatch_.lap();
+}
+
+std::string Simulation_run::input_name() const {
+  return settings_.points == "-" ? "standard input" : settings_.points;
+}
+
+Simulation_options Simulation_run::options(const Points_file& points) const {
+  Simulation_options result;
+  result.box = settings_.box;
+  result.rim_touches = settings_.rim_touches;
+  result.response = settings_.collisions.response;
+  if (!result.response && !result.rim_touches) return result;
+  result.radius = radius(points);
+  if (!result.rim_touches) return result;
+  const Rational diameter = 2 * to_rational(result.radius);
+  const auto& [xmin, ymin, xmax, ymax] = *settings_.box;
+  if (to_rational(xmax) - to_rational(xmin) <= diameter ||
+      to_rational(ymax) - to_rational(ymin) <= diameter) {
+    throw Usage_error(fmt::format(
+        "--rim: a disc of radius {} does not fit the box; expected a box wider and higher than its "
+        "diameter",
+        result.radius));
+  }
+  return result;
+}
+
+// That of all discs. Precondition: one is needed.
+double Simulation_run::radius(const Points_file& points) const {
+  const std::string_view option =
+      settings_.collisions.response != nullptr ? "--collisions" : "--rim";
+  if (settings_.radius) {
+    if (points.radii.empty()) return *settings_.radius;
+    throw Usage_error(
+        fmt::format("--radius: {} has a column radius; expected one of the two", input_name()));
+  }
+  if (points.radii.empty()) {
+    if (points.motions.empty()) return 1;  // of no disc
+    throw Usage_error(
+        fmt::format("{}: discs have a radius; expected a column radius in {}, or --radius R",
+                    option, input_name()));
+  }
+  for (std::size_t i = 0; i < points.radii.size(); ++i) {
+    if (points.radii[i] == 0) {
+      throw Input_error(input_name(), points.lines[i],
+                        "the radius is 0, and discs without one never touch; expected a radius "
+                        "greater than 0");
+    }
+    if (points.radii[i] == points.radii[0]) continue;
+    throw Input_error(
+        input_name(), points.lines[i],
+        fmt::format(
+            "the radius is {}, but {} in line {}; expected equal radii, since unequal discs "
+            "can touch without being neighbors in the Delaunay triangulation, and weighted "
+            "ones are not supported yet",
+            points.radii[i], points.radii[0], points.lines[0]));
+  }
+  return points.radii.empty() ? 1 : points.radii[0];
+}
+
+std::size_t Simulation_run::step(const Algebraic_number& until) {
+  try {
+    return simulation_->step(until);
+  } catch (const Coincident_trajectories_error& error) {
+    throw Input_error(
+        input_name(), 0,
+        fmt::format("at t = {} a contact leaves points {} and {} in one place with one velocity; "
+                    "expected trajectories that stay distinct",
+                    simulation_->current_time().to_double(), error.first(), error.second()));
+  }
 }
 
 // Executes the events, up to the end or an interruption.
 void Simulation_run::advance() {
   const Algebraic_number until(settings_.until);
-  for (auto next = triangulation_->next_event_time(); next && *next <= until;
-       next = triangulation_->next_event_time()) {
-    if (interrupted()) {
-      statistics_.interrupted = true;
-      break;
-    }
-    triangulation_->step();
+  while (!interrupted() && step(until) > 0) {
     if (outputs_.events != nullptr && !outputs_.events->stream()) outputs_.events->finish();
     if (progress_.due()) {
-      progress_.show(next->to_double(), triangulation_->counters().number_of_events());
+      progress_.show(simulation_->current_time().to_double(),
+                     triangulation().counters().number_of_events());
     }
     // Recomputing all certificates exactly is left to the audits at the two ends: it would take
     // nearly all the time of the run.
     if (settings_.audit == Audit_mode::events) audit(Audit_level::reference);
   }
-  if (!statistics_.interrupted) triangulation_->advance_to(until);
-  statistics_.reached = triangulation_->current_time().to_double();
+  statistics_.interrupted = interrupted();
+  if (!statistics_.interrupted) simulation_->advance_to(until);
+  statistics_.reached = simulation_->current_time().to_double();
   statistics_.seconds.run += stopwatch_.lap();
 }
 
 void Simulation_run::audit(Audit_level level) {
   constexpr std::size_t most_messages = 100;
   statistics_.seconds.run += stopwatch_.lap();
-  const Audit_report report = triangulation_->audit(level);
+  const Audit_report report = simulation_->audit(level);
   ++statistics_.audits_run;
   if (!report.passed()) {
     ++statistics_.audits_failed;
@@ -221,7 +294,7 @@ void Simulation_run::audit(Audit_level level) {
     ++failures_;
     if (failures_ > most_messages) break;
     fmt::print(stderr, "kinetri: audit just after t = {}: {}\n",
-               triangulation_->current_time().to_double(), failure);
+               simulation_->current_time().to_double(), failure);
     if (failures_ == most_messages) {
       fmt::print(stderr, "kinetri: further failures of audits are counted, not shown\n");
     }
@@ -231,11 +304,12 @@ void Simulation_run::audit(Audit_level level) {
 
 void Simulation_run::write_outputs() {
   if (outputs_.edges != nullptr) {
-    write_edges(outputs_.edges->stream(), triangulation_->finite_edge_ids());
+    write_edges(outputs_.edges->stream(), triangulation().finite_edge_ids());
   }
-  statistics_.triangulation = triangulation_->counters();
-  statistics_.certificates = triangulation_->certificate_counters();
-  statistics_.queue = triangulation_->queue_counters();
+  statistics_.triangulation = triangulation().counters();
+  statistics_.certificates = simulation_->certificate_counters();
+  statistics_.queue = triangulation().queue_counters();
+  statistics_.contacts = simulation_->contact_counters();
   statistics_.seconds.write += stopwatch_.lap();
   statistics_.peak_rss_bytes = peak_rss_bytes();
   if (outputs_.stats != nullptr) write_stats(outputs_.stats->stream(), statistics_);
@@ -275,7 +349,8 @@ void Simulation_run::summarize() const {
   };
   fmt::print(stderr, "kinetri: {} points from t = {} to {}{}\n", s.points, s.from, s.reached,
              s.interrupted ? ", interrupted" : "");
-  print("events", fmt::format("{} at {} instants ({})", events, s.triangulation.instants,
+  print("events", fmt::format("{} at {} instants ({})", events,
+                              s.triangulation.instants + s.contacts.instants,
                               events_per_kind(s.triangulation)));
   print("time", fmt::format("{:.3g} s ({}), {:.0f} events/s", s.seconds.total(),
                             stage_shares(s.seconds), rate));

@@ -9,6 +9,7 @@
 
 #include "exit_code.h"
 #include "kinetri/kinetic/instantaneous_traits_2.h"
+#include "kinetri/simulation/simulation_2.h"
 #include "progress.h"
 
 namespace kinetri::app {
@@ -23,6 +24,10 @@ struct Simulation_settings {
   std::string points;  ///< a path, or "-"
   double from = 0;
   double until = 0;  ///< at least `from`
+  std::optional<Box_2> box;
+  bool rim_touches = false;
+  std::optional<double> radius;  ///< of all discs, instead of the column of the points
+  Named_response collisions = named_responses[0];
   // Output files: a path, or "-", or none.
   std::optional<std::string> events;
   std::optional<std::string> initial_edges;
@@ -38,8 +43,9 @@ struct Simulation_settings {
 /// been written: a run that throws changes no file. Failures of audits and a summary go to standard
 /// error.
 ///
-/// Throws Usage_error if two outputs, or an output and the input, are one file; Input_error and
-/// Output_error; and what Kinetic_delaunay_triangulation_2 throws.
+/// Throws Usage_error if two outputs, or an output and the input, are one file, or discs do not fit
+/// the box; Input_error, naming the line, for points outside of the box, unequal radii, and the
+/// like; Output_error; and what Simulation_2 throws.
 Exit_code run_simulation(const Simulation_settings& settings);
 
 }  // namespace kinetri::app

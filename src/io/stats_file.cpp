@@ -12,14 +12,19 @@ void write_stats(std::ostream& out, const Run_statistics& statistics) {
   const Triangulation_counters& triangulation = statistics.triangulation;
   const Certificate_counters& certificates = statistics.certificates;
   const Queue_counters& queue = statistics.queue;
+  const Contact_counters& contacts = statistics.contacts;
   const Run_seconds& seconds = statistics.seconds;
 
   Json events = Json::object();
+  Json discarded = Json::object();
   std::uint64_t total = 0;
   for (std::size_t kind = 0; kind < event_kinds; ++kind) {
     events[std::string(name(static_cast<Event_kind>(kind)))] = triangulation.events[kind];
     total += triangulation.events[kind];
+    discarded[std::string(name(static_cast<Event_kind>(kind)))] = triangulation.discarded[kind];
   }
+  discarded["wall"] = contacts.discarded_walls;
+  discarded["collision"] = contacts.discarded_collisions;
   const Json document = {
       {"points", statistics.points},
       {"from", statistics.from},
@@ -28,7 +33,8 @@ void write_stats(std::ostream& out, const Run_statistics& statistics) {
       {"interrupted", statistics.interrupted},
       {"events", events},
       {"events_total", total},
-      {"instants", triangulation.instants},
+      {"events_discarded", discarded},
+      {"instants", triangulation.instants + contacts.instants},
       {"largest_instant", triangulation.largest_instant},
       {"batches", triangulation.batches},
       {"flat_hulls", triangulation.flat_hulls},
@@ -42,6 +48,11 @@ void write_stats(std::ostream& out, const Run_statistics& statistics) {
         {"refined_decided", certificates.refined_decided},
         {"exact_decided", certificates.exact_decided}}},
       {"queue", {{"pushed", queue.pushed}, {"discarded", queue.discarded}, {"peak", queue.peak}}},
+      {"contacts",
+       {{"pushed", contacts.queue.pushed},
+        {"discarded", contacts.queue.discarded},
+        {"peak", contacts.queue.peak},
+        {"most_at_one_time", contacts.most_at_one_time}}},
       {"seconds",
        {{"read", seconds.read},
         {"build", seconds.build},

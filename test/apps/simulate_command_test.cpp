@@ -265,10 +265,30 @@ INSTANTIATE_TEST_SUITE_P(
                   "--audit: 'all' is unknown; expected none, end or events"},
         Bad_usage{{"--until", "1", "--progress", "loud"},
                   "--progress: 'loud' is unknown; expected auto, always or never"},
-        Bad_usage{{"--until", "1", "--box", "0,0,1,1"},
-                  "--box is not supported yet; expected a run without it"},
+        Bad_usage{{"--until", "1", "--box", "0,0,1"},
+                  "--box: '0,0,1' has 3 numbers; expected four, XMIN,YMIN,XMAX,YMAX"},
+        Bad_usage{{"--until", "1", "--box", "0,0,1,2,"},
+                  "--box: '0,0,1,2,' has 5 numbers; expected four, XMIN,YMIN,XMAX,YMAX"},
+        Bad_usage{{"--until", "1", "--box", "0,0,1,inf"},
+                  "--box: 'inf' is not finite; expected a finite number"},
+        Bad_usage{{"--until", "1", "--box", "5,0,5,9"},
+                  "--box: '5,0,5,9' has no area; expected XMIN,YMIN,XMAX,YMAX with XMIN < XMAX and "
+                  "YMIN < YMAX"},
+        Bad_usage{{"--until", "1", "--rim"},
+                  "--rim: there is no box to touch; expected --box as well"},
+        Bad_usage{{"--until", "1", "--box", "-5,-5,5,5", "--rim"},
+                  "--rim: discs have a radius; expected a column radius in p.csv, or --radius R"},
+        Bad_usage{{"--until", "1", "--box", "-5,-5,15,5", "--rim", "--radius", "5"},
+                  "--rim: a disc of radius 5 does not fit the box; expected a box wider and higher "
+                  "than its diameter"},
+        Bad_usage{{"--until", "1", "--radius", "1"},
+                  "--radius: nothing touches a disc; expected --collisions or --rim as well, or no "
+                  "radius"},
+        Bad_usage{{"--until", "1", "--collisions", "log", "--radius", "-0.5"},
+                  "--radius: -0.5 cannot be used; expected a number greater than 0"},
         Bad_usage{{"--until", "1", "--collisions", "swap"},
-                  "--collisions: swap is not supported yet; expected none"},
+                  "--collisions: discs have a radius; expected a column radius in p.csv, or "
+                  "--radius R"},
         Bad_usage{{"--until", "1", "--collisions", "bump"},
                   "--collisions: 'bump' is unknown; expected none, log, swap, elastic, stop or "
                   "remove"},
@@ -286,6 +306,79 @@ TEST_F(Simulate, MissingPointsIsAUsageError) {
   const Outcome outcome = run({"simulate", "--until", "1"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("POINTS is required"), std::string::npos) << outcome.err;
+}
+
+// ---- walls and discs ----
+
+constexpr const char* two_discs =
+    "x,y,vx,vy,radius\n"
+    "0,0,1,0,1\n"
+    "5,0,0,0,1\n"
+    "0,9,0,0,1\n";
+
+TEST_F(Simulate, LogsWallsAndCollisions) {
+  const Outcome outcome =
+      simulate(two_discs, {"--until", "9", "--box", "-2,-2,9,10", "--collisions", "swap",
+                           "--events", "-", "--stats", "stats.json", "--audit", "events"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n"
+            "0,collision,3,3,3,,,,,0,1\n"
+            "1,wall,7,7,7,,,,,1,\n");
+  const auto stats = nlohmann::json::parse(read("stats.json"));
+  EXPECT_EQ(stats["events"]["collision"], 1);
+  EXPECT_EQ(stats["events"]["wall"], 1);
+  EXPECT_EQ(stats["instants"], 2);
+  EXPECT_EQ(stats["contacts"]["most_at_one_time"], 1);
+  EXPECT_EQ(stats["audits"]["failed"], 0);
+}
+
+TEST_F(Simulate, TakesTheRadiusOfAllDiscsFromAnOption) {
+  const Outcome outcome = simulate(
+      "x,y,vx,vy\n0,0,1,0\n5,0,0,0\n",
+      {"--until", "9", "--collisions", "log", "--radius", "0.5", "--events", "-", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("0,collision,4,4,4,,,,,0,1\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Simulate, RefusesDiscsAndPlacesThatDoNotFit) {
+  struct Case {
+    const char* text;
+    Arguments options;
+    const char* message;
+  };
+  const std::vector<Case> cases = {
+      {"x,y,vx,vy\n0,0,1,0\n5,12,0,0\n",
+       {"--until", "9", "--box", "0,0,10,10"},
+       "p.csv:3: the point is outside of the box at the start: at 5.000000, 12.000000 beyond the "
+       "upper side at 10.000000; expected every point inside of the box or on its sides\n"},
+      {"x,y,vx,vy,radius\n1,1,1,0,1\n5,5,0,0,2\n",
+       {"--until", "9", "--collisions", "elastic"},
+       "p.csv:3: the radius is 2, but 1 in line 2; expected equal radii, since unequal discs can "
+       "touch without being neighbors in the Delaunay triangulation, and weighted ones are not "
+       "supported yet\n"},
+      {"x,y,vx,vy,radius\n1,1,1,0,0\n",
+       {"--until", "9", "--collisions", "elastic"},
+       "p.csv:2: the radius is 0, and discs without one never touch; expected a radius greater "
+       "than 0\n"},
+      {"x,y,vx,vy\n0,5,1,0\n0,5,-1,0\n",
+       {"--until", "1", "--box", "0,0,10,10"},
+       "p.csv: at t = 0 a contact leaves points 0 and 1 in one place with one velocity; expected "
+       "trajectories that stay distinct\n"}};
+  for (const Case& c : cases) {
+    Arguments options = c.options;
+    options.insert(options.end(), {"--edges", "edges.csv"});
+    const Outcome outcome = simulate(c.text, options);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err, c.message);
+    EXPECT_EQ(entries(), (Entries{"p.csv"}));
+  }
+}
+
+TEST_F(Simulate, IgnoresUnequalRadiiWhereNothingTouches) {
+  const Outcome outcome =
+      simulate("x,y,vx,vy,radius\n1,1,1,0,1\n5,5,0,0,2\n", {"--until", "9", "--box", "0,0,10,10"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 // ---- outputs ----

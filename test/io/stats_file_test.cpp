@@ -43,6 +43,7 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
   statistics.triangulation.looks_again = 14;
   for (std::size_t kind = 0; kind < event_kinds; ++kind) {
     statistics.triangulation.events[kind] = std::uint64_t{1} << kind;
+    statistics.triangulation.discarded[kind] = std::uint64_t{3} << kind;
   }
   statistics.certificates = {.created = 5,
                              .root_solves = 6,
@@ -50,6 +51,11 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
                              .refined_decided = 18,
                              .exact_decided = 8};
   statistics.queue = {.pushed = 9, .discarded = 10, .peak = 11};
+  statistics.contacts = {.queue = {.pushed = 21, .discarded = 22, .peak = 23},
+                         .discarded_walls = 24,
+                         .discarded_collisions = 25,
+                         .instants = 26,
+                         .most_at_one_time = 27};
   statistics.seconds = {
       .read = 0.25, .build = 0.5, .initialize = 1, .run = 2, .audit = 4, .write = 8};
   statistics.peak_rss_bytes = std::uint64_t{1} << 40U;
@@ -60,11 +66,16 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
     "points": 100, "from": -1.0, "until": 0.1, "reached": 0.05, "interrupted": true,
     "events": {"rebuild": 1, "hull_insert": 2, "hull_remove": 4, "flip": 8, "wall": 16,
                "collision": 32, "insert": 64, "erase": 128, "trajectory": 256},
-    "events_total": 511, "instants": 20, "largest_instant": 3, "batches": 15, "flat_hulls": 16,
+    "events_total": 511,
+    "events_discarded": {"rebuild": 3, "hull_insert": 6, "hull_remove": 12, "flip": 24,
+                         "wall": 24, "collision": 25, "insert": 192, "erase": 384,
+                         "trajectory": 768},
+    "instants": 46, "largest_instant": 3, "batches": 15, "flat_hulls": 16,
     "points_set_aside": 17, "rebuilds": 1, "looks_again": 14,
     "certificates": {"created": 5, "root_solves": 6, "filter_decided": 7,
                      "refined_decided": 18, "exact_decided": 8},
     "queue": {"pushed": 9, "discarded": 10, "peak": 11},
+    "contacts": {"pushed": 21, "discarded": 22, "peak": 23, "most_at_one_time": 27},
     "seconds": {"read": 0.25, "build": 0.5, "initialize": 1.0, "run": 2.0, "audit": 4.0,
                 "write": 8.0},
     "peak_rss_bytes": 1099511627776,
@@ -74,11 +85,27 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
 
 TEST(WriteStats, KeysAreAlwaysThereInOneOrder) {
   const Json document = written({});
-  EXPECT_EQ(keys(document), (std::vector<std::string>{
-                                "points", "from", "until", "reached", "interrupted", "events",
-                                "events_total", "instants", "largest_instant", "batches",
-                                "flat_hulls", "points_set_aside", "rebuilds", "looks_again",
-                                "certificates", "queue", "seconds", "peak_rss_bytes", "audits"}));
+  EXPECT_EQ(keys(document), (std::vector<std::string>{"points",
+                                                      "from",
+                                                      "until",
+                                                      "reached",
+                                                      "interrupted",
+                                                      "events",
+                                                      "events_total",
+                                                      "events_discarded",
+                                                      "instants",
+                                                      "largest_instant",
+                                                      "batches",
+                                                      "flat_hulls",
+                                                      "points_set_aside",
+                                                      "rebuilds",
+                                                      "looks_again",
+                                                      "certificates",
+                                                      "queue",
+                                                      "contacts",
+                                                      "seconds",
+                                                      "peak_rss_bytes",
+                                                      "audits"}));
   ASSERT_EQ(document["events"].size(), event_kinds);
   std::size_t kind = 0;
   for (const std::string& key : keys(document["events"])) {

@@ -10,6 +10,7 @@
 
 #include "kinetri/events/indexed_queue.h"
 #include "kinetri/kinetic/kinetic_traits_2.h"
+#include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
@@ -35,7 +36,8 @@ struct Run_statistics {
   bool interrupted = false;  ///< the user stopped the run before `until`
   Triangulation_counters triangulation;
   Certificate_counters certificates;
-  Queue_counters queue;
+  Queue_counters queue;       ///< of the triangulation
+  Contact_counters contacts;  ///< of walls and discs
   Run_seconds seconds;
   std::uint64_t peak_rss_bytes = 0;  ///< 0 if unknown
   std::uint64_t audits_run = 0;

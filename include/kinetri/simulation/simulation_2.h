@@ -66,9 +66,12 @@ struct Simulation_options {
   std::uint64_t contacts_at_one_time = 1'000'000;
 };
 
-/// How the queue of contacts was used, and the most contacts at one time.
+/// Counts of what became of contacts; events count those that happened.
 struct Contact_counters {
   Queue_counters queue;
+  std::uint64_t discarded_walls = 0;       ///< contacts found that did not happen, as the point
+  std::uint64_t discarded_collisions = 0;  ///< or its neighbor turned, or the edge went
+  std::uint64_t instants = 0;              ///< times with contacts and without other events
   std::uint64_t most_at_one_time = 0;
 };
 
@@ -128,7 +131,7 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void add_observer(Observer& observer) { triangulation_.add_observer(observer); }
   void remove_observer(Observer& observer) { triangulation_.remove_observer(observer); }
 
-  Contact_counters contact_counters() const { return {queue_.counters(), most_at_one_time_}; }
+  Contact_counters contact_counters() const;
   /// Of topology and contacts together.
   Certificate_counters certificate_counters() const;
 
@@ -181,7 +184,9 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void unschedule_pair(const Edge_ids& pair);
   void schedule_contacts(Point_id id);
   void unschedule_contacts(Point_id id);
-  void erase_entry(Queue_handle handle);
+  void discard(Queue_handle handle);
+  Entry pop();
+  Queue_handle forget_partner(Point_id a, Point_id b);
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
 
@@ -212,7 +217,7 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   std::vector<Queue_handle> wall_events_;          // by point id
   std::vector<std::vector<Partner>> partners_;     // by the smaller id of a pair
   std::vector<std::vector<Point_id>> in_contact_;  // by point id, both ways
-  std::uint64_t most_at_one_time_ = 0;
+  Contact_counters counters_;                      // but for those of the queue
 };
 
 extern template class Simulation_2<Linear_kinetic_traits_2>;

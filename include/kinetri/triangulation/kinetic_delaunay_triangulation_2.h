@@ -65,7 +65,10 @@ void prefetch_around(Face_handle face) {
 /// Counts of what the triangulation has done so far.
 struct Triangulation_counters {
   std::array<std::uint64_t, event_kinds> events = {};  ///< by Event_kind
-  std::uint64_t instants = 0;          ///< distinct times at which something happened
+  /// Failures that were found and did not happen, since the edge went or its neighbors changed; by
+  /// the kind of event that they would have been, coincidences as rebuild.
+  std::array<std::uint64_t, event_kinds> discarded = {};
+  std::uint64_t instants = 0;          ///< distinct times of failures
   std::uint64_t largest_instant = 0;   ///< the most events at one time
   std::uint64_t batches = 0;           ///< instants with two events or more
   std::uint64_t flat_hulls = 0;        ///< instants at which a point reached the hull
@@ -297,6 +300,7 @@ class Kinetic_delaunay_triangulation_2 {
   Entry make_entry(const Edge& edge, Prospect prospect);
   void schedule_all();
   void unschedule(const Two_sided_edge& edge);
+  static Event_kind event_kind(Entry_kind failure);
   static void set_event(const Two_sided_edge& edge, Queue_handle handle);
 
   // Events.

@@ -60,9 +60,12 @@ void Simulation_2<Traits>::check_inside() const {
     for (const Wall_2& wall : walls_) {
       if (traits_.is_inside(point(id), wall, current_time())) continue;
       const Vector_2 place = rounded_place(triangulation_.motion(id), current_time().to_double());
+      constexpr std::array<const char*, 4> sides = {"left", "right", "lower", "upper"};
       throw Outside_box_error(id, "the point is outside of the box at the start: at " +
                                       std::to_string(place.x) + ", " + std::to_string(place.y) +
-                                      (wall.clearance > 0 ? ", with its rim" : "") +
+                                      (wall.clearance > 0 ? ", its rim" : "") + " beyond the " +
+                                      sides[static_cast<std::size_t>(wall.side)] + " side at " +
+                                      std::to_string(wall.position) +
                                       "; expected every point inside of the box or on its sides");
     }
   }
@@ -105,10 +108,39 @@ Queue_handle Simulation_2<Traits>::push(Entry entry, Outlook<Time> outlook) {
 }
 
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::erase_entry(Queue_handle handle) {
-  if (handle == no_event) return;
-  times_.release(queue_[handle].time);
+void Simulation_2<Traits>::discard(Queue_handle handle) {
+  const Entry& entry = queue_[handle];
+  times_.release(entry.time);
+  if (entry.is_contact) {
+    ++(entry.kind == Contact_kind::wall ? counters_.discarded_walls
+                                        : counters_.discarded_collisions);
+  }
   queue_.erase(handle);
+}
+
+// Takes the first entry from the queue.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::pop() -> Entry {
+  const Entry entry = queue_.pop();
+  times_.release(entry.time);
+  if (entry.kind == Contact_kind::wall) {
+    wall_events_[entry.point_a] = no_event;
+  } else {
+    forget_partner(entry.point_a, entry.point_b);
+  }
+  return entry;
+}
+
+// Returns the handle of the partner's entry; none if there is no such partner.
+template <ContactKineticTraits_2 Traits>
+Queue_handle Simulation_2<Traits>::forget_partner(Point_id a, Point_id b) {
+  auto& partners = partners_[a];
+  const auto partner = std::ranges::find(partners, b, &Partner::id);
+  if (partner == partners.end()) return no_event;
+  const Queue_handle event = partner->event;
+  *partner = partners.back();
+  partners.pop_back();
+  return event;
 }
 
 // Only the first of the walls that the point reaches has an entry.
@@ -142,7 +174,8 @@ void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unschedule_wall(Point_id id) {
-  erase_entry(std::exchange(wall_events_[id], no_event));
+  const Queue_handle event = std::exchange(wall_events_[id], no_event);
+  if (event != no_event) discard(event);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -161,12 +194,8 @@ void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unschedule_pair(const Edge_ids& pair) {
-  auto& partners = partners_[pair[0]];
-  const auto partner = std::ranges::find(partners, pair[1], &Partner::id);
-  if (partner == partners.end()) return;
-  erase_entry(partner->event);
-  *partner = partners.back();
-  partners.pop_back();
+  const Queue_handle event = forget_partner(pair[0], pair[1]);
+  if (event != no_event) discard(event);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -221,6 +250,7 @@ std::size_t Simulation_2<Traits>::step(const Time* until) {
     if (events == 0) {
       if (!is_due) return 0;
       triangulation_.advance_to(contact);
+      ++counters_.instants;
     }
   }
   return events + execute_due_contacts();
@@ -230,7 +260,7 @@ std::size_t Simulation_2<Traits>::step(const Time* until) {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::settle() {
   while (!queue_.empty() && !queue_.top().is_contact) {
-    const Entry entry = queue_.top();
+    const Entry entry = pop();
     if (entry.kind == Contact_kind::wall) {
       schedule_wall(entry.point_a, Time(entry.bounds.lower));
     } else {
@@ -246,24 +276,25 @@ std::size_t Simulation_2<Traits>::execute_due_contacts() {
   const std::uint64_t events_before = triangulation_.counters().number_of_events();
   std::uint64_t contacts = 0;
   for (settle(); !queue_.empty() && time(queue_.top()) <= current_time(); settle()) {
-    const Entry entry = queue_.top();
-    const auto [bounds, a, b, unused, kind, is_contact] = entry;
+    const Entry entry = pop();
+    const Point_id a = entry.point_a;
+    const Point_id b = entry.point_b;
     if (++contacts > options_.contacts_at_one_time) {
       throw Endless_contacts_error(
           "more than " + std::to_string(options_.contacts_at_one_time) + " contacts at time " +
           std::to_string(current_time().to_double()) + ", the last one of point " +
           std::to_string(a) +
-          (kind == Contact_kind::wall ? " and a wall" : " and point " + std::to_string(b)) +
+          (entry.kind == Contact_kind::wall ? " and a wall" : " and point " + std::to_string(b)) +
           "; expected that time goes on: let the points touch one by one, or take another "
           "response");
     }
-    if (kind == Contact_kind::wall) {
+    if (entry.kind == Contact_kind::wall) {
       hit_wall(a, b);
     } else {
       collide(a, b);
     }
   }
-  most_at_one_time_ = std::max(most_at_one_time_, contacts);
+  counters_.most_at_one_time = std::max(counters_.most_at_one_time, contacts);
   return static_cast<std::size_t>(triangulation_.counters().number_of_events() - events_before);
 }
 
@@ -314,7 +345,6 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
   add(b, motion_b, response.erases_b, response.velocity_b);
   if (number == 0) {
     leave_in_contact(a, b);
-    unschedule_pair({a, b});
     return triangulation_.apply(Event_kind::collision, a, b, {});
   }
   const std::array<Point_id, 2> points = {a, b};
@@ -379,7 +409,14 @@ void Simulation_2<Traits>::part_from_others(Point_id id) {
   });
 }
 
-// ---- audit ----
+// ---- counters and audit ----
+
+template <ContactKineticTraits_2 Traits>
+Contact_counters Simulation_2<Traits>::contact_counters() const {
+  Contact_counters result = counters_;
+  result.queue = queue_.counters();
+  return result;
+}
 
 template <ContactKineticTraits_2 Traits>
 Certificate_counters Simulation_2<Traits>::certificate_counters() const {

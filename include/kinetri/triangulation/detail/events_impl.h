@@ -108,20 +108,13 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute_due_events() {
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edge,
                                                        Entry_kind kind) {
-  switch (kind) {
-    case Entry_kind::flip:
-      return flip_edge(edge, Event_kind::flip);
-    case Entry_kind::hull_insert:
-      hull_is_flat_ = true;
-      if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
-      return flip_edge(edge, Event_kind::hull_insert);
-    case Entry_kind::hull_remove:
-      return flip_edge(edge, Event_kind::hull_remove);
-    case Entry_kind::coincidence:
-    case Entry_kind::look_again:
-      break;
+  KINETRI_ASSERT(kind >= Entry_kind::hull_insert,
+                 "an event is a failure, and coincident points have been set aside");
+  if (kind == Entry_kind::hull_insert) {
+    hull_is_flat_ = true;
+    if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
   }
-  KINETRI_ASSERT(false, "an event is a failure, and coincident points have been set aside");
+  flip_edge(edge, event_kind(kind));
 }
 
 // Whether all points lie on the line of a hull edge, whose triangle is flat at this time. Usually

@@ -326,8 +326,26 @@ template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
   const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle == no_event) return;
-  times_.release(queue_[handle].time);
+  const Entry& entry = queue_[handle];
+  times_.release(entry.time);
+  if (entry.kind != Entry_kind::look_again) {
+    ++counters_.discarded[static_cast<std::size_t>(event_kind(entry.kind))];
+  }
   queue_.erase(handle);
+}
+
+template <KineticTraits_2 Traits>
+Event_kind Kinetic_delaunay_triangulation_2<Traits>::event_kind(Entry_kind failure) {
+  switch (failure) {
+    case Entry_kind::flip:
+      return Event_kind::flip;
+    case Entry_kind::hull_insert:
+      return Event_kind::hull_insert;
+    case Entry_kind::hull_remove:
+      return Event_kind::hull_remove;
+    default:
+      return Event_kind::rebuild;
+  }
 }
 
 }  // namespace kinetri
