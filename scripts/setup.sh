@@ -23,7 +23,8 @@ kinetri_packages() {
   # Either build tool will do; Ninja is the one to install.
   command -v make >/dev/null || printf '%s\n' ninja-build=ninja
   if [[ $1 != demo ]]; then
-    printf '%s\n' libgtest-dev librapidcheck-dev pkg-config=pkg-config python3=python3
+    printf '%s\n' gnuplot-nox=gnuplot libgtest-dev librapidcheck-dev pkg-config=pkg-config \
+      python3=python3
   fi
   # The sanitizers' and libFuzzer's libraries.
   if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi

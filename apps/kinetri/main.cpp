@@ -15,6 +15,7 @@
 
 #include "arguments.h"
 #include "exit_code.h"
+#include "experiment_command.h"
 #include "generate_command.h"
 #include "interrupt.h"
 #include "kinetri/base/error.h"
@@ -84,9 +85,11 @@ Exit_code run(int argc, char** argv) {
       "  kinetri simulate points.csv --until 10 --events events.csv --audit end");
   Generate_command generate(program);
   Simulate_command simulate(program);
+  Experiment_command experiment(program);
   try {
     program.parse(argc, argv);
-    return generate.chosen() ? generate.run() : simulate.run();
+    if (generate.chosen()) return generate.run();
+    return simulate.chosen() ? simulate.run() : experiment.run();
   } catch (const CLI::Success& success) {
     program.exit(success, std::cout, std::cerr);
     return Exit_code::done;

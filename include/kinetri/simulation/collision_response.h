@@ -45,7 +45,8 @@ using Collision_response = std::function<Contact_response_2(const Contact_2&)>;
 Contact_response_2 log_contact(const Contact_2& contact);
 
 /// The two exchange their velocities, so that a point that hits a resting one stops and sets it
-/// going. Energy and momentum are kept exactly. Source: the paper that README names.
+/// going. Energy and momentum are kept exactly. Source: Computation of Topologic Events in
+/// Kinetic Delaunay Triangulation using Sturm Sequences of Polynomials, section 6.3.
 Contact_response_2 swap_velocities(const Contact_2& contact);
 
 /// Elastic collision of equal masses: the components along the line of centres are exchanged.

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Plots, drawn by the program gnuplot.
+#ifndef KINETRI_APPS_GNUPLOT_H
+#define KINETRI_APPS_GNUPLOT_H
+
+#include <string>
+
+namespace kinetri::app {
+
+/// Whether gnuplot can be run.
+bool has_gnuplot();
+
+/// What is drawn, in the formats that gnuplot's terminals svg and pngcairo write.
+struct Plot {
+  std::string svg;
+  std::string png;
+};
+
+/// Draws a plot of `width` x `height` pixels. `script` is gnuplot's input without terminal and
+/// output; colors, lines and grid are set up: `linestyle 1` and so on are colors that color-blind
+/// people can tell apart. Throws Internal_error with what gnuplot said if it fails.
+Plot draw(const std::string& script, int width, int height);
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_GNUPLOT_H

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `kinetri experiment` from outside: tables, plots, and bad usage.
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "apps/program_test.h"
+
+namespace kinetri {
+namespace {
+
+using test::Arguments;
+using test::Entries;
+using test::Outcome;
+
+class Experiment : public test::Program_test {
+ protected:
+  Outcome experiment(Arguments more) const {
+    more.insert(more.begin(), {"experiment", "--points", "20", "--until", "1", "--seeds", "2"});
+    return run(more);
+  }
+};
+
+std::vector<std::vector<std::string>> table(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    rows.emplace_back();
+    for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(field);
+  }
+  return rows;
+}
+
+bool gnuplot_is_there() {
+  return std::system("gnuplot --version >/dev/null 2>&1") == 0;  // NOLINT(cert-env33-c)
+}
+
+TEST_F(Experiment, WritesARowForEachShareAndSeed) {
+  const Outcome outcome = experiment({"--output", "results/now", "--no-plots", "--compare"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("20 points, 22 runs"), std::string::npos) << outcome.err;
+  const auto runs = table(read("results/now/experiment.csv"));
+  ASSERT_EQ(runs.size(), 1 + 22u);
+  const auto column = [&](const std::string& name) {
+    const auto found = std::ranges::find(runs[0], name);
+    EXPECT_NE(found, runs[0].end()) << name;
+    return static_cast<std::size_t>(found - runs[0].begin());
+  };
+  EXPECT_EQ(runs[1][column("movers_percent")], "0");
+  EXPECT_EQ(runs[1][column("flip")], "0");
+  EXPECT_EQ(runs[11][column("movers_percent")], "100");
+  EXPECT_EQ(runs[11][column("seed")], "1");
+  EXPECT_NE(runs[11][column("flip")], "0");
+  EXPECT_EQ(runs[22][column("seed")], "2");
+  const auto comparisons = table(read("results/now/comparison.csv"));
+  ASSERT_EQ(comparisons.size(), 1 + 16u);
+  EXPECT_EQ(comparisons[1][0], "0.1");
+}
+
+TEST_F(Experiment, DrawsPlotsInBothFormats) {
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  const Outcome outcome = experiment({"--output", "results", "--compare", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  for (const std::string name : {"runtime", "events", "comparison"}) {
+    const std::string svg = read("results/" + name + ".svg");
+    EXPECT_EQ(svg.rfind("<?xml", 0), 0u) << name;
+    EXPECT_NE(svg.find("</svg>"), std::string::npos) << name;
+    EXPECT_EQ(read("results/" + name + ".png").substr(1, 3), "PNG") << name;
+  }
+  EXPECT_NE(read("results/runtime.svg").find("run time (ms)"), std::string::npos);
+  EXPECT_NE(read("results/events.svg").find("collisions, discarded"), std::string::npos);
+}
+
+TEST_F(Experiment, SaysWhatIsWrong) {
+  struct Case {
+    Arguments arguments;
+    const char* message;
+  };
+  const std::vector<Case> cases = {
+      {{}, "kinetri experiment: --output is required\n"},
+      {{"--output", "r", "--speed", "0"},
+       "kinetri experiment: --speed: 0 is out of range; expected a number from 1e-100 to 1e+100\n"},
+      {{"--output", "r", "--collisions", "none"},
+       "kinetri experiment: --collisions: 'none' is unknown; expected log, swap, elastic, stop or "
+       "remove\n"},
+      {{"--output", "file/r", "--no-plots"}, "file/r: the directory cannot be made: "}};
+  write("file", "in the way");
+  for (const Case& c : cases) {
+    const Outcome outcome = experiment(c.arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind(c.message, 0), 0u) << outcome.err;
+    EXPECT_EQ(entries(), (Entries{"file"}));
+  }
+  const Outcome none = run({"experiment", "--output", "r", "--points", "0"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("--points: 0 points do nothing"), std::string::npos) << none.err;
+}
+
+TEST_F(Experiment, NeedsNoGnuplotForTables) {
+  test::Process_input input;
+  input.environment = {"PATH=/nowhere"};
+  const Arguments arguments = {"experiment", "--output", "r", "--points", "5", "--seeds", "1"};
+  const Outcome outcome = run(arguments, input);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("plots are drawn by gnuplot"), std::string::npos) << outcome.err;
+  Arguments tables = arguments;
+  tables.emplace_back("--no-plots");
+  EXPECT_EQ(run(tables, input).exit_code, 0);
+  EXPECT_TRUE(exists("r/experiment.csv"));
+}
+
+}  // namespace
+}  // namespace kinetri
