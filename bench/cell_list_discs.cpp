@@ -10,8 +10,9 @@
 namespace kinetri::bench {
 namespace {
 
-// Of cells that are not held wider by the diameter.
-constexpr double discs_per_cell = 1;
+// Where the diameter allows cells as small. Measured: 0.35 does better than 0.5 and, by far, 1; it
+// is as good as 0.25. A bound that spares most square roots gains a hundredth.
+constexpr double discs_per_cell = 0.35;
 
 // The column or row of a coordinate.
 std::uint16_t interval(const std::vector<double>& bounds, double x) {
