@@ -44,7 +44,6 @@ Cell_list_discs::Cell_list_discs(std::span<const Linear_motion_2> motions, const
   cells_.assign(stride_ * (row_bounds_.size() + 1), none);
   discs_.resize(motions.size());
   plans_.resize(motions.size());
-  queue_.reset(motions.size());
   for (std::uint32_t id = 0; id < discs_.size(); ++id) {
     Disc& disc = discs_[id];
     disc.place = motions[id].position;
@@ -53,7 +52,13 @@ Cell_list_discs::Cell_list_discs(std::span<const Linear_motion_2> motions, const
     disc.row = interval(row_bounds_, disc.place.y);
     enter(id);
   }
-  for (std::uint32_t id = 0; id < discs_.size(); ++id) plan_anew(id);
+  std::vector<double> times(discs_.size());
+  for (std::uint32_t id = 0; id < discs_.size(); ++id) {
+    find_collision(id);
+    find_crossing(id);
+    times[id] = next_event_time(id);
+  }
+  queue_.reset(times);
 }
 
 std::vector<double> Cell_list_discs::bounds(double first, double last, double least_width) {
@@ -154,16 +159,19 @@ void Cell_list_discs::plan_anew(std::uint32_t id) {
   schedule(id);
 }
 
+double Cell_list_discs::next_event_time(std::uint32_t id) const {
+  return std::min(plans_[id].collision_time, plans_[id].crossing_time);
+}
+
 void Cell_list_discs::schedule(std::uint32_t id) {
-  queue_.set(id, std::min(plans_[id].collision_time, plans_[id].crossing_time));
+  queue_.set(id, next_event_time(id));
 }
 
 // ---- events ----
 
 void Cell_list_discs::advance_to(double time) {
-  for (auto [next, id] = queue_.top(); next <= time;
-       next = queue_.top().time, id = queue_.top().id) {
-    now_ = next;
+  for (std::uint32_t id = queue_.next(time); id != none; id = queue_.next(time)) {
+    now_ = queue_.time(id);
     if (plans_[id].collision_time <= plans_[id].crossing_time) {
       collide(id);
     } else {

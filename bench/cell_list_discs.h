@@ -26,7 +26,7 @@
 
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/simulation/box_2.h"
-#include "time_heap.h"
+#include "time_wheel.h"
 
 namespace kinetri::bench {
 
@@ -99,6 +99,7 @@ class Cell_list_discs {
   void find_collision(std::uint32_t id);
   void find_crossing(std::uint32_t id);
   void plan_anew(std::uint32_t id);
+  double next_event_time(std::uint32_t id) const;
   void schedule(std::uint32_t id);
 
   void collide(std::uint32_t id);
@@ -112,7 +113,7 @@ class Cell_list_discs {
   std::vector<std::uint32_t> cells_;  // the first disc of each, with a rim of empty cells
   std::vector<Disc> discs_;
   std::vector<Plan> plans_;  // by disc
-  Time_heap queue_;          // by disc
+  Time_wheel queue_;         // by disc
   double now_ = 0;
   std::vector<Pair>* log_ = nullptr;
   Cell_list_counters counters_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The queue of the uncertified programs: a 4-ary heap of (double, id) with the position of each id,
-// so that an entry is moved or taken out in place. Each id has at most one entry. Ties are in no
-// order.
+// The queue of the uncertified kinetic Delaunay triangulation: a 4-ary heap of (double, id) with
+// the position of each id, so that an entry is moved or taken out in place. Each id has at most one
+// entry. Ties are in no order.
 #ifndef KINETRI_BENCH_TIME_HEAP_H
 #define KINETRI_BENCH_TIME_HEAP_H
 
