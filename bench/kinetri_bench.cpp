@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     if (mode_name == discs_mode) {
       command
           .add_option("--area-fraction", setup.area_fraction,
-                      "share of the box that the discs cover (0.3)")
+                      "share of the plane that the discs cover (0.3)")
           ->check(CLI::Range(1e-6, most_area_fraction));
     } else {
       command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")

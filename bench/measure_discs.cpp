@@ -108,6 +108,8 @@ double drift(long double before, long double after) {
 // What the triangulation does by itself in a simulation: a bare one executes the flips between the
 // contacts that were recorded, and is given the motions after each.
 struct Replay {
+  std::uint64_t flips = 0;
+  std::vector<Edge_ids> edges;  // at the end
   double flip_seconds = 0;
   double change_seconds = 0;
 };
@@ -138,6 +140,8 @@ Replay replay(const Discs& discs, const std::vector<Contact_recorder::Contact>& 
   }
   triangulation.advance_to(until);
   lap(result.flip_seconds);
+  result.flips = number_of_flips(triangulation);
+  result.edges = triangulation.finite_edge_ids();
   return result;
 }
 
@@ -229,6 +233,10 @@ json measure_round(const Setup& setup, const Discs& discs,
     result["flips_per_collision"] = ratio(flips, collisions);
     result["energy_drift"] = drift(energy_before, energy(triangulation));
     const Replay parts = replay(discs, contacts, setup.until);
+    if (parts.flips != number_of_flips(triangulation) ||
+        parts.edges != triangulation.finite_edge_ids()) {
+      throw std::runtime_error("the replay of the contacts has other flips than the simulation");
+    }
     result["share_of_flips"] = ratio(parts.flip_seconds, seconds);
     result["share_of_changes"] = ratio(parts.change_seconds, seconds);
     result["share_of_triangulation"] = ratio(parts.flip_seconds + parts.change_seconds, seconds);
