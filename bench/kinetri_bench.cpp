@@ -3,6 +3,7 @@
 // Runs one measurement and prints it as one JSON object. bench/run.py runs it several times and
 // makes a table.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <exception>
 #include <iostream>
 #include <map>
@@ -15,10 +16,18 @@ namespace {
 using namespace kinetri;
 using namespace kinetri::bench;
 
+// Discs of the largest radius that is allowed do not overlap at the start, where the centres are on
+// a lattice, each coordinate shifted by as much as the jitter: 2 10 sqrt(0.71 / pi) < 10 - 2 0.2.
+constexpr double discs_jitter = 0.2;
+constexpr double most_area_fraction = 0.71;
+
 struct Mode {
   nlohmann::json (*measure)(const Setup&);
   const char* description;
+  double until = 10;  // unless another time is given
 };
+
+const std::string discs_mode = "discs";
 
 const std::map<std::string, Mode> modes = {
     {"events",
@@ -28,6 +37,9 @@ const std::map<std::string, Mode> modes = {
     {"lattice-row",
      {measure_lattice_row, "time per event of a lattice in which one row moves, against uniform"}},
     {"paper-table", {measure_paper_table, "events scheduled, executed, discarded: eager and lazy"}},
+    {discs_mode,
+     {measure_discs, "collisions of discs in a box per second, against a cell list in doubles",
+      100}},
 };
 
 std::map<std::string, Scenario> scenarios() {
@@ -47,14 +59,31 @@ int main(int argc, char** argv) {
   std::string mode;
   for (const auto& [mode_name, m] : modes) {
     CLI::App& command = *program.add_subcommand(mode_name, m.description);
-    command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")
-        ->transform(CLI::CheckedTransformer(scenarios()));
+    if (mode_name == discs_mode) {
+      command
+          .add_option("--area-fraction", setup.area_fraction,
+                      "share of the plane that the discs cover (0.3)")
+          ->check(CLI::Range(1e-6, most_area_fraction));
+    } else {
+      command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")
+          ->transform(CLI::CheckedTransformer(scenarios()));
+    }
     command.add_option("--points", setup.options.points, "number of points (1000)")
         ->check(CLI::Range(3, 100'000'000));
-    command.add_option("--until", setup.until, "time to advance to (10)")
-        ->check(CLI::PositiveNumber);
+    const CLI::Option* until =
+        command
+            .add_option("--until", setup.until,
+                        "time to advance to (" + std::to_string(std::lround(m.until)) + ")")
+            ->check(CLI::PositiveNumber);
     command.add_option("--seed", setup.options.seed, "seed of the random numbers (1)");
-    command.callback([&mode, chosen = mode_name] { mode = chosen; });
+    command.callback([&, until, chosen = mode_name, usual = m.until] {
+      mode = chosen;
+      if (until->count() == 0) setup.until = usual;
+      if (mode == discs_mode) {
+        setup.scenario = Scenario::lattice_jitter;
+        setup.options.jitter = discs_jitter;
+      }
+    });
   }
   CLI11_PARSE(program, argc, argv);
   try {

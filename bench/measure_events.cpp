@@ -17,10 +17,6 @@ using Kinetic = Kinetic_delaunay_triangulation_2<>;
 constexpr double least_total_seconds = 2;
 constexpr std::size_t most_rounds = 25;
 
-double ratio(double numerator, double denominator) {
-  return denominator > 0 ? numerator / denominator : 0;
-}
-
 json counters(const Kinetic& triangulation) {
   const Certificate_counters certificates = triangulation.certificate_counters();
   const Queue_counters& queue = triangulation.queue_counters();
@@ -113,6 +109,10 @@ json medians(const std::vector<json>& rounds) {
 
 }  // namespace
 
+double ratio(double numerator, double denominator) {
+  return denominator > 0 ? numerator / denominator : 0;
+}
+
 double median(std::vector<double> values) {
   std::ranges::sort(values);
   const std::size_t half = values.size() / 2;
@@ -144,17 +144,21 @@ double rebuild_seconds(const std::vector<Static_kernel::Point_2>& points) {
   return total / repeats;
 }
 
-json measure_events(const Setup& setup) {
-  const std::vector<Linear_motion_2> motions = setup.motions();
-  const auto halfway = positions(motions, 0.5 * setup.until);
+json median_round(const std::function<json()>& round) {
   std::vector<json> rounds;
   const Stopwatch watch;
   do {
-    rounds.push_back(measure_round(setup, motions, halfway));
+    rounds.push_back(round());
   } while (watch.seconds() < least_total_seconds && rounds.size() < most_rounds);
   json result = medians(rounds);
   result["rounds"] = rounds.size();
   return result;
+}
+
+json measure_events(const Setup& setup) {
+  const std::vector<Linear_motion_2> motions = setup.motions();
+  const auto halfway = positions(motions, 0.5 * setup.until);
+  return median_round([&] { return measure_round(setup, motions, halfway); });
 }
 
 json measure_memory(const Setup& setup) {

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Setup {
   Scenario scenario = Scenario::uniform;
   Scenario_options options;
   double until = 10;
+  double area_fraction = 0.3;  ///< of discs: the share of the plane that they cover
 
   std::vector<Linear_motion_2> motions() const { return make_scenario(scenario, options); }
 };
@@ -38,7 +40,14 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// 0 if the denominator is not positive.
+double ratio(double numerator, double denominator);
+
 double median(std::vector<double> values);
+
+/// Repeats `round` until two seconds have passed, and takes of each number that it returns the
+/// median. `rounds` says how many there were.
+nlohmann::json median_round(const std::function<nlohmann::json()>& round);
 
 /// Where the points are at `time`, rounded.
 std::vector<Static_kernel::Point_2> positions(const std::vector<Linear_motion_2>& motions,
@@ -66,6 +75,11 @@ nlohmann::json measure_lattice_row(const Setup& setup);
 /// From how many frames per unit of time on the exact triangulation takes less time than a static
 /// rebuild for each frame, and than moving each vertex of a static triangulation.
 nlohmann::json measure_frames(const Setup& setup);
+
+/// Elastic collisions of discs in a box: the exact simulation, the part of it that is the
+/// triangulation's, and a cell list in doubles, in turn. Throws std::runtime_error if the two
+/// programs disagree where rounding cannot yet have separated them, or if discs overlap at the end.
+nlohmann::json measure_discs(const Setup& setup);
 
 }  // namespace kinetri::bench
 

@@ -14,6 +14,10 @@ PROGRAM = ROOT / "build" / "bench" / "bin" / "kinetri_bench"
 # How long each number of points is simulated.
 UNTIL = {100: 10, 1_000: 10, 10_000: 3, 100_000: 1, 1_000_000: 0.2}
 
+# How long 1000 discs that cover that share of the plane are simulated: some 50 000 collisions. More
+# discs are simulated for as much less time.
+DISCS_UNTIL = {0.1: 250, 0.3: 100, 0.5: 50}
+
 SCENARIOS = ("uniform", "gaussian", "constant-speed", "one-mover", "lattice-jitter")
 
 # The targets: at most these.
@@ -60,7 +64,8 @@ def build():
 
 
 def measurements(arguments):
-    """(mode, scenario, points, runs) of each measurement."""
+    """(mode, scenario, points, runs) of each measurement; of discs, their area fraction is the
+    scenario."""
     runs = arguments.runs
     scenarios = ("uniform", "constant-speed") if arguments.quick else SCENARIOS
     sizes = (1_000, 10_000)
@@ -77,6 +82,9 @@ def measurements(arguments):
         yield "frames", "uniform", points, runs
     if arguments.large:
         yield "frames", "uniform", 100_000, min(runs, 3)
+    for points in sizes:
+        for area_fraction in DISCS_UNTIL:
+            yield "discs", area_fraction, points, min(runs, 2) if arguments.quick else runs
     for points in (100, 1_000, 10_000):
         yield "paper-table", "uniform", points, 1
 
@@ -91,8 +99,12 @@ def measure(arguments):
                 f"[{number}/{len(todo)}] {mode} {scenario} n = {points}, run {run} of {runs}",
                 file=sys.stderr,
             )
-            command = [arguments.program, mode, "--scenario", scenario, "--points", points]
-            command += ["--until", UNTIL[points], "--seed", arguments.seed]
+            command = [arguments.program, mode, "--points", points, "--seed", arguments.seed]
+            if mode == "discs":
+                until = DISCS_UNTIL[scenario] * 1_000 / points
+                command += ["--area-fraction", scenario, "--until", until]
+            else:
+                command += ["--scenario", scenario, "--until", UNTIL[points]]
             done = subprocess.run(
                 [str(word) for word in command], check=True, stdout=subprocess.PIPE, text=True
             )
@@ -149,6 +161,17 @@ def event_rows(scenario, points, runs):
     yield "event: ns", each(lambda run: 1e9 * run["seconds_per_event"]), None
 
 
+# What is printed of discs, by its key in a run.
+DISC_FIGURES = (
+    ("collisions / second", "collisions_per_second"),
+    ("collisions / second of the cell list", "baseline_collisions_per_second"),
+    ("collisions / collisions of the cell list", "ratio"),
+    ("flips / collision", "flips_per_collision"),
+    ("share of flips in the time", "share_of_flips"),
+    ("share of the triangulation in the time", "share_of_triangulation"),
+)
+
+
 def rows(results):
     """(what, scenario, points, values of the runs, target)."""
     for (mode, scenario, points), runs in results.items():
@@ -166,6 +189,9 @@ def rows(results):
             for key, name in (("rebuild", "rebuild"), ("move", "move_if_no_collision")):
                 values = [run[f"{key}_crossover_rate"] for run in runs]
                 yield f"faster than {name} from frames / time", scenario, points, values, None
+        elif mode == "discs":
+            for what, key in DISC_FIGURES:
+                yield what, f"discs {scenario}", points, [run[key] for run in runs], None
 
 
 def number(value):

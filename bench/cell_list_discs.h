@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The rival for colliding discs: event-driven molecular dynamics of equal hard discs in a box, in
+// doubles, certified by nothing, without a triangulation. It is what one writes who wants
+// collisions alone and takes them one at a time for granted: rounding decides which of two that
+// are nearly simultaneous comes first, and how far discs overlap.
+//
+// Cells at least one diameter wide say which discs may collide, so that a disc's events are its
+// collisions with those of the 3 x 3 cells around it, its passage to the next cell, and the wall. A
+// disc is moved only when it has an event. The queue holds one entry a disc, its next event, found
+// when its motion changed last. A collision whose partner has had another one since is not looked
+// for when that happens, but when its old time has come: whatever the disc meets is not earlier.
+// Sources: D. C. Rapaport, The event scheduling problem in molecular dynamic simulation, J. Comput.
+// Phys. 34 (1980); B. D. Lubachevsky, How to simulate billiards and similar systems, J. Comput.
+// Phys. 94 (1991); M. Marin, D. Risso, P. Cordero, Efficient algorithms for many-body hard particle
+// molecular dynamics, J. Comput. Phys. 109 (1993).
+#ifndef KINETRI_BENCH_CELL_LIST_DISCS_H
+#define KINETRI_BENCH_CELL_LIST_DISCS_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/simulation/box_2.h"
+#include "time_wheel.h"
+
+namespace kinetri::bench {
+
+struct Cell_list_counters {
+  std::uint64_t collisions = 0;
+  std::uint64_t wall_contacts = 0;
+  std::uint64_t crossings = 0;     ///< passages from cell to cell
+  std::uint64_t looked_again = 0;  ///< collisions whose partner had had another one
+};
+
+/// The discs, from time 0 on; their centres are reflected by the walls, and they collide
+/// elastically, with equal masses. Preconditions: at least one disc, with its centre in the box;
+/// epochs 0; no overlap.
+class Cell_list_discs {
+ public:
+  using Pair = std::array<std::uint32_t, 2>;
+
+  Cell_list_discs(std::span<const Linear_motion_2> motions, const Box_2& box, double radius);
+
+  /// Executes all events up to `time`.
+  void advance_to(double time);
+
+  const Cell_list_counters& counters() const { return counters_; }
+
+  /// From now on the discs of each collision are appended to `log`, the smaller id first.
+  void log_collisions(std::vector<Pair>& log) { log_ = &log; }
+
+  /// The sum of squared speeds.
+  long double energy() const;
+
+  /// How far the two discs that overlap most do so now, in diameters; 0 if none do.
+  double deepest_overlap() const;
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  /// A disc, where it was at its last event, in one cache line.
+  struct alignas(64) Disc {
+    Vector_2 place;
+    Vector_2 velocity;
+    double time = 0;
+    std::uint32_t changes = 0;  // of its velocity
+    std::uint32_t next = none;  // in its cell
+    std::uint32_t previous = none;
+    std::uint16_t column = 0;
+    std::uint16_t row = 0;
+  };
+
+  /// The earliest of the collisions that were found, with what the partner had behind it, and the
+  /// way out of the cell.
+  struct Plan {
+    double collision_time = never;
+    double crossing_time = never;
+    std::uint32_t partner = none;
+    std::uint32_t partner_changes = 0;
+    bool crosses_column = false;  // else row
+  };
+
+  /// The columns or the rows of cells: one more bound than there are.
+  static std::vector<double> bounds(double first, double last, double least_width);
+
+  std::size_t cell(std::size_t column, std::size_t row) const { return row * stride_ + column; }
+  void enter(std::uint32_t id);
+  void leave(std::uint32_t id);
+
+  void move_to(Disc& disc, double time) const;
+  double collision_time(const Disc& p, const Disc& q) const;
+  void look_at_cell(std::uint32_t id, std::size_t cell);
+  void find_collision(std::uint32_t id);
+  void find_crossing(std::uint32_t id);
+  void plan_anew(std::uint32_t id);
+  double next_event_time(std::uint32_t id) const;
+  void schedule(std::uint32_t id);
+
+  void collide(std::uint32_t id);
+  void cross(std::uint32_t id);
+
+  double diameter_;
+  double squared_diameter_;
+  std::vector<double> column_bounds_;
+  std::vector<double> row_bounds_;
+  std::size_t stride_;                // of rows, which have an empty cell at either end
+  std::vector<std::uint32_t> cells_;  // the first disc of each, with a rim of empty cells
+  std::vector<Disc> discs_;
+  std::vector<Plan> plans_;  // by disc
+  Time_wheel queue_;         // by disc
+  double now_ = 0;
+  std::vector<Pair>* log_ = nullptr;
+  Cell_list_counters counters_;
+};
+
+}  // namespace kinetri::bench
+
+#endif  // KINETRI_BENCH_CELL_LIST_DISCS_H

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "cell_list_discs.h"
+#include "kinetri/kinetri.h"
+#include "kinetri/simulation/simulation_2.h"
+#include "measurements.h"
+
+namespace kinetri::bench {
+namespace {
+
+using nlohmann::json;
+using Simulation = Simulation_2<>;
+using Kinetic = Simulation::Triangulation;
+
+// Collisions by each disc, on average, before the two programs are compared: later than that,
+// rounding separates their paths.
+constexpr double collisions_to_compare = 2;
+
+// How far discs may overlap in doubles, in diameters.
+constexpr double most_overlap = 1e-9;
+
+struct Discs {
+  std::vector<Linear_motion_2> motions;
+  Box_2 box;
+  double radius = 0;
+
+  // The box is the square that the lattice's cells fill.
+  explicit Discs(const Setup& setup) : motions(setup.motions()) {
+    const double spacing = setup.options.spacing;
+    const double side = spacing * std::ceil(std::sqrt(static_cast<double>(motions.size())));
+    box = {-spacing / 2, -spacing / 2, side - spacing / 2, side - spacing / 2};
+    radius = spacing * std::sqrt(setup.area_fraction / std::numbers::pi);
+  }
+
+  Simulation_options options() const {
+    Simulation_options result;
+    result.box = box;
+    result.radius = radius;
+    result.response = collide_elastically;
+    return result;
+  }
+};
+
+// The contacts of a simulation, with the motions that they gave.
+class Contact_recorder : public Simulation::Observer {
+ public:
+  struct Change {
+    Point_id id;
+    Linear_motion_2 motion;
+  };
+  struct Contact {
+    Event_kind kind;
+    Algebraic_number time;
+    std::vector<Change> changes;
+  };
+
+  explicit Contact_recorder(Simulation& simulation) : simulation_(simulation) {
+    simulation.add_observer(*this);
+  }
+  Contact_recorder(const Contact_recorder&) = delete;
+  Contact_recorder& operator=(const Contact_recorder&) = delete;
+  ~Contact_recorder() override { simulation_.remove_observer(*this); }
+
+  void after_event(const Event<Algebraic_number>& event) override {
+    if (event.kind != Event_kind::wall && event.kind != Event_kind::collision) return;
+    Contact contact = {event.kind, event.time, {}};
+    for (const auto& id : {event.point_a, event.point_b}) {
+      if (id) contact.changes.push_back({*id, simulation_.triangulation().motion(*id)});
+    }
+    contacts_.push_back(std::move(contact));
+  }
+
+  const std::vector<Contact>& contacts() const { return contacts_; }
+
+ private:
+  Simulation& simulation_;
+  std::vector<Contact> contacts_;
+};
+
+std::uint64_t number_of(const Kinetic& triangulation, Event_kind kind) {
+  return triangulation.counters().events[static_cast<std::size_t>(kind)];
+}
+
+std::uint64_t number_of_flips(const Kinetic& triangulation) {
+  return number_of(triangulation, Event_kind::flip) +
+         number_of(triangulation, Event_kind::hull_insert) +
+         number_of(triangulation, Event_kind::hull_remove);
+}
+
+long double energy(const Kinetic& triangulation) {
+  long double sum = 0;
+  for (Point_id id = 0; id < triangulation.next_id(); ++id) {
+    const Vector_2 v = triangulation.motion(id).velocity;
+    sum += static_cast<long double>(v.x) * v.x + static_cast<long double>(v.y) * v.y;
+  }
+  return sum;
+}
+
+double drift(long double before, long double after) {
+  return static_cast<double>(std::abs(after / before - 1));
+}
+
+// What the triangulation does by itself in a simulation: a bare one executes the flips between the
+// contacts that were recorded, and is given the motions after each.
+struct Replay {
+  std::uint64_t flips = 0;
+  std::vector<Edge_ids> edges;  // at the end
+  double flip_seconds = 0;
+  double change_seconds = 0;
+};
+
+Replay replay(const Discs& discs, const std::vector<Contact_recorder::Contact>& contacts,
+              double until) {
+  Kinetic triangulation(discs.motions);
+  Replay result;
+  std::vector<Kinetic::Change> changes;
+  const Stopwatch watch;
+  double last = watch.seconds();
+  const auto lap = [&](double& seconds) {
+    const double now = watch.seconds();
+    seconds += now - last;
+    last = now;
+  };
+  for (const auto& [kind, time, points] : contacts) {
+    triangulation.advance_to(time);
+    lap(result.flip_seconds);
+    changes.clear();
+    for (const auto& [id, motion] : points) {
+      if (motion != triangulation.motion(id)) {
+        changes.push_back({triangulation.vertex(id), motion});
+      }
+    }
+    triangulation.apply(kind, points.front().id, points.back().id, changes);
+    lap(result.change_seconds);
+  }
+  triangulation.advance_to(until);
+  lap(result.flip_seconds);
+  result.flips = number_of_flips(triangulation);
+  result.edges = triangulation.finite_edge_ids();
+  return result;
+}
+
+// Whether the two programs see the same collisions and contacts with walls up to `time`.
+void check_agreement(const Discs& discs, double time) {
+  Simulation simulation(discs.motions, discs.options());
+  const Contact_recorder recorder(simulation);
+  simulation.advance_to(time);
+  std::vector<Cell_list_discs::Pair> exact;
+  for (const auto& contact : recorder.contacts()) {
+    if (contact.kind != Event_kind::collision) continue;
+    exact.push_back(edge_ids(contact.changes[0].id, contact.changes[1].id));
+  }
+  std::vector<Cell_list_discs::Pair> collisions;
+  Cell_list_discs cell_list(discs.motions, discs.box, discs.radius);
+  cell_list.log_collisions(collisions);
+  cell_list.advance_to(time);
+  // Nearly simultaneous ones may change places.
+  std::ranges::sort(exact);
+  std::ranges::sort(collisions);
+  if (exact != collisions || number_of(simulation.triangulation(), Event_kind::wall) !=
+                                 cell_list.counters().wall_contacts) {
+    throw std::runtime_error(
+        "the cell list and the exact simulation disagree before time " + std::to_string(time) +
+        ": " + std::to_string(collisions.size()) + " and " + std::to_string(exact.size()) +
+        " collisions, " + std::to_string(cell_list.counters().wall_contacts) + " and " +
+        std::to_string(number_of(simulation.triangulation(), Event_kind::wall)) +
+        " contacts with walls");
+  }
+}
+
+// The mean over as many runs as take 0.2 seconds.
+json measure_cell_list(const Setup& setup, const Discs& discs) {
+  constexpr double enough = 0.2;
+  double total = 0;
+  int runs = 0;
+  json result;
+  while (total < enough) {
+    Cell_list_discs cell_list(discs.motions, discs.box, discs.radius);
+    const long double energy_before = cell_list.energy();
+    const Stopwatch watch;
+    cell_list.advance_to(setup.until);
+    total += watch.seconds();
+    ++runs;
+    const double overlap = cell_list.deepest_overlap();
+    if (overlap > most_overlap) {
+      throw std::runtime_error("discs of the cell list overlap by " + std::to_string(overlap) +
+                               " of their diameter");
+    }
+    const Cell_list_counters& counters = cell_list.counters();
+    result["baseline_collisions"] = counters.collisions;
+    result["baseline_wall_contacts"] = counters.wall_contacts;
+    result["baseline_crossings"] = counters.crossings;
+    result["baseline_looked_again"] = counters.looked_again;
+    result["baseline_energy_drift"] = drift(energy_before, cell_list.energy());
+    result["baseline_deepest_overlap"] = overlap;
+  }
+  const double seconds = total / runs;
+  result["baseline_run_seconds"] = seconds;
+  result["baseline_collisions_per_second"] =
+      ratio(result["baseline_collisions"].get<double>(), seconds);
+  return result;
+}
+
+// One run of the simulation and its replay, and several of the cell list.
+json measure_round(const Setup& setup, const Discs& discs,
+                   const std::vector<Contact_recorder::Contact>& contacts) {
+  json result;
+  double per_second = 0;
+  {  // Freed before the cell list runs.
+    Simulation simulation(discs.motions, discs.options());
+    const Kinetic& triangulation = simulation.triangulation();
+    const long double energy_before = energy(triangulation);
+    const Stopwatch watch;
+    simulation.advance_to(setup.until);
+    const double seconds = watch.seconds();
+    const auto collisions = static_cast<double>(number_of(triangulation, Event_kind::collision));
+    const auto flips = static_cast<double>(number_of_flips(triangulation));
+    const Certificate_counters certificates = simulation.certificate_counters();
+    per_second = ratio(collisions, seconds);
+    result["run_seconds"] = seconds;
+    result["collisions"] = number_of(triangulation, Event_kind::collision);
+    result["wall_contacts"] = number_of(triangulation, Event_kind::wall);
+    result["flips"] = number_of_flips(triangulation);
+    result["edges_rebuilt"] = number_of(triangulation, Event_kind::rebuild);
+    result["filter_decided"] = certificates.filter_decided;
+    result["exact_decided"] = certificates.exact_decided;
+    result["collisions_per_second"] = per_second;
+    result["flips_per_collision"] = ratio(flips, collisions);
+    result["energy_drift"] = drift(energy_before, energy(triangulation));
+    const Replay parts = replay(discs, contacts, setup.until);
+    if (parts.flips != number_of_flips(triangulation) ||
+        parts.edges != triangulation.finite_edge_ids()) {
+      throw std::runtime_error("the replay of the contacts has other flips than the simulation");
+    }
+    result["share_of_flips"] = ratio(parts.flip_seconds, seconds);
+    result["share_of_changes"] = ratio(parts.change_seconds, seconds);
+    result["share_of_triangulation"] = ratio(parts.flip_seconds + parts.change_seconds, seconds);
+    result["seconds_per_flip"] = ratio(parts.flip_seconds, flips);
+    result["seconds_per_change"] =
+        ratio(parts.change_seconds, static_cast<double>(contacts.size()));
+  }
+  result.update(measure_cell_list(setup, discs));
+  result["ratio"] = per_second / result["baseline_collisions_per_second"].get<double>();
+  return result;
+}
+
+}  // namespace
+
+json measure_discs(const Setup& setup) {
+  const Discs discs(setup);
+  Simulation simulation(discs.motions, discs.options());
+  const Contact_recorder recorder(simulation);
+  simulation.advance_to(setup.until);
+  const auto collisions =
+      static_cast<double>(number_of(simulation.triangulation(), Event_kind::collision));
+  const double to_compare = collisions_to_compare * static_cast<double>(discs.motions.size()) / 2;
+  check_agreement(discs, setup.until * std::min(1.0, ratio(to_compare, collisions)));
+  json result = median_round([&] { return measure_round(setup, discs, recorder.contacts()); });
+  result["area_fraction"] = setup.area_fraction;
+  return result;
+}
+
+}  // namespace kinetri::bench
