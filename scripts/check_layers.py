@@ -44,7 +44,7 @@ LIBRARIES = {
     "kinetic": NUMBER_TYPES + ("CGAL/", "boost/smart_ptr/"),
     "events": (),
     "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/"),
-    "simulation": (),
+    "simulation": ("CGAL/",),
     "io": ("nlohmann/", "fmt/"),
     "apps": ("CLI/", "nlohmann/", "fmt/"),
 }

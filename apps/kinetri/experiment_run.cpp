@@ -122,6 +122,7 @@ Exit_code Experiments::run() {
 
 void Experiments::measure() {
   Experiment_setting setting = plan_.setting;
+  setting.movers = setting.points;
   run_experiment(setting);  // warms up
   // One seed after another, so that a slow moment of the machine is not that of one percentage.
   for (setting.seed = 1; setting.seed <= plan_.seeds; ++setting.seed) {

@@ -403,8 +403,8 @@ struct Known_root : Root_source {
 Root_source::Root_source() = default;
 Root_source::~Root_source() = default;
 
-Sign Root_source::certain_sign_at(double /*high*/, double /*low*/) const {
-  return CGAL::ZERO;
+double Root_source::certain_value_at(double /*high*/, double /*low*/) const {
+  return 0;
 }
 
 Algebraic_number::Algebraic_number() = default;
@@ -503,18 +503,34 @@ void Algebraic_number::refine_to(const Rational& width) const {
 // --- Approximation ----------------------------------------------------------------------------
 
 // Narrows the interval of a number whose polynomial has not been made to two neighbors, by the
-// signs that its source knows. Returns whether these were enough.
+// signs that its source knows. Returns whether these were enough. The values there say where to
+// look: within so small an interval they are all but on a line.
 bool Algebraic_number::tighten_by_source() const {
   if (source_ == nullptr || source_->representation_ != nullptr) return false;
-  const Sign sign_below = source_->certain_sign_at(interval_.lower, 0);
-  if (sign_below == CGAL::ZERO) return false;
   std::int64_t below = ordinal(interval_.lower);
   std::int64_t above = ordinal(interval_.upper);
-  while (below + 1 != above) {
-    const std::int64_t middle = std::midpoint(below, above);  // their difference may overflow
-    const Sign s = source_->certain_sign_at(from_ordinal(middle), 0);
-    if (s == CGAL::ZERO) return false;
-    (s == sign_below ? below : above) = middle;
+  if (below + 1 == above) return true;
+  double value_below = source_->certain_value_at(interval_.lower, 0);
+  double value_above = source_->certain_value_at(interval_.upper, 0);
+  if (value_below == 0 || value_above == 0) return false;
+  for (int i = 0; below + 1 != above; ++i) {
+    std::int64_t middle = std::midpoint(below, above);  // their difference may overflow
+    if (i < 4) {
+      const double share = value_below / (value_below - value_above);
+      const double guess =
+          from_ordinal(below) + share * (from_ordinal(above) - from_ordinal(below));
+      // Beside the guess, on either side in turn, so that both ends come near.
+      middle = std::clamp(ordinal(guess) + i % 2, below + 1, above - 1);
+    }
+    const double value = source_->certain_value_at(from_ordinal(middle), 0);
+    if (value == 0) return false;
+    if ((value > 0) == (value_below > 0)) {
+      below = middle;
+      value_below = value;
+    } else {
+      above = middle;
+      value_above = value;
+    }
     interval_ = {from_ordinal(below), from_ordinal(above)};
   }
   return true;
@@ -545,10 +561,11 @@ double Algebraic_number::to_double() const {
   if (source_ == nullptr) return tight.lower;
   if (source_->representation_ == nullptr) {
     const double half = 0.5 * (tight.upper - tight.lower);
-    const Sign s = source_->certain_sign_at(tight.lower, half);
+    const double value = source_->certain_value_at(tight.lower, half);
+    const double value_below = source_->certain_value_at(tight.lower, 0);
     // Halfway between subnormal numbers there is no binary64 number.
-    if (s != CGAL::ZERO && tight.lower + 2 * half == tight.upper && half > 0) {
-      return s == source_->certain_sign_at(tight.lower, 0) ? tight.upper : tight.lower;
+    if (value != 0 && value_below != 0 && tight.lower + 2 * half == tight.upper && half > 0) {
+      return (value > 0) == (value_below > 0) ? tight.upper : tight.lower;
     }
   }
   if (is_known_rational()) return kinetri::to_double(rational());

@@ -26,7 +26,7 @@ struct In_circle_root : Root_source {
     return in_circle_polynomial(Moving_point_2(p), Moving_point_2(q), Moving_point_2(r),
                                 Moving_point_2(s));
   }
-  Sign certain_sign_at(double high, double low) const override {
+  double certain_value_at(double high, double low) const override {
     return precise_in_circle(p, q, r, s, high, low);
   }
   Linear_motion_2 p, q, r, s;
@@ -38,7 +38,7 @@ struct Orientation_root : Root_source {
   Polynomial polynomial() const override {
     return orientation_polynomial(Moving_point_2(p), Moving_point_2(q), Moving_point_2(r));
   }
-  Sign certain_sign_at(double high, double low) const override {
+  double certain_value_at(double high, double low) const override {
     return precise_orientation(p, q, r, high, low);
   }
   Linear_motion_2 p, q, r;
@@ -50,7 +50,7 @@ struct Contact_root : Root_source {
   Polynomial polynomial() const override {
     return contact_polynomial(Moving_point_2(p), Moving_point_2(q), diameter);
   }
-  Sign certain_sign_at(double high, double low) const override {
+  double certain_value_at(double high, double low) const override {
     return precise_contact(p, q, diameter, high, low);
   }
   Linear_motion_2 p, q;

@@ -63,40 +63,39 @@ bool is_precise() {
   return std::fegetround() == FE_TONEAREST;
 }
 
-Sign certain_sign(const Double_double& value, double error) {
-  if (value.high > error) return CGAL::POSITIVE;
-  if (value.high < -error) return CGAL::NEGATIVE;
-  return CGAL::ZERO;
+double certain(const Double_double& value, double error) {
+  return std::abs(value.high) > error ? value.high : 0;
 }
 
 }  // namespace
 
-Sign precise_in_circle(const Linear_motion_2& p, const Linear_motion_2& q, const Linear_motion_2& r,
-                       const Linear_motion_2& s, double high, double low) {
+double precise_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
+                         const Linear_motion_2& r, const Linear_motion_2& s, double high,
+                         double low) {
   const Places<4> places({&p, &q, &r, &s}, {high, low});
-  if (!places.is_in_range() || !is_precise()) return CGAL::ZERO;
+  if (!places.is_in_range() || !is_precise()) return 0;
   const Double_double value = places.squared_length(0) * places.cross(1, 2) +
                               places.squared_length(1) * places.cross(2, 0) +
                               places.squared_length(2) * places.cross(0, 1);
   const double size = places.size();
-  return certain_sign(value, 4096 * unit * (size * size) * (size * places.terms()));
+  return certain(value, 4096 * unit * (size * size) * (size * places.terms()));
 }
 
-Sign precise_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
-                         const Linear_motion_2& r, double high, double low) {
+double precise_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
+                           const Linear_motion_2& r, double high, double low) {
   // Relative to the last point: the orientation of r, p, q.
   const Places<3> places({&p, &q, &r}, {high, low});
-  if (!places.is_in_range() || !is_precise()) return CGAL::ZERO;
-  return certain_sign(places.cross(0, 1), 256 * unit * (places.size() * places.terms()));
+  if (!places.is_in_range() || !is_precise()) return 0;
+  return certain(places.cross(0, 1), 256 * unit * (places.size() * places.terms()));
 }
 
-Sign precise_contact(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,
-                     double high, double low) {
+double precise_contact(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,
+                       double high, double low) {
   const Places<2> places({&p, &q}, {high, low});
-  if (!places.is_in_range() || !is_precise() || !is_in_range(diameter)) return CGAL::ZERO;
+  if (!places.is_in_range() || !is_precise() || !is_in_range(diameter)) return 0;
   const Double_double square = exact_product(diameter, diameter);
-  return certain_sign(places.squared_length(0) - square,
-                      256 * unit * (places.size() * places.terms() + square.high));
+  return certain(places.squared_length(0) - square,
+                 256 * unit * (places.size() * places.terms() + square.high));
 }
 
 }  // namespace kinetri

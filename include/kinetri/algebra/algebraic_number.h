@@ -23,9 +23,10 @@ class Root_source {
   /// A polynomial of which the number is a root; not zero.
   virtual Polynomial polynomial() const = 0;
 
-  /// The sign of that polynomial, or of a positive multiple, at high + low, where it is known
-  /// without making the polynomial; zero says that it is not. For rounding the number.
-  virtual Sign certain_sign_at(double high, double low) const;
+  /// About the value of that polynomial, or of a positive multiple, at high + low, with the sign
+  /// that it certainly has, where that is known without making the polynomial; zero says that it is
+  /// not. For rounding the number.
+  virtual double certain_value_at(double high, double low) const;
 
  protected:
   Root_source();

@@ -182,7 +182,7 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void unschedule_wall(Point_id id);
   void schedule_pair(const Edge_ids& pair, const Time& after);
   void unschedule_pair(const Edge_ids& pair);
-  void schedule_contacts(Point_id id);
+  void schedule_contacts(Point_id id, Point_id scheduled);
   void unschedule_contacts(Point_id id);
   void discard(Queue_handle handle);
   Entry pop();

@@ -332,7 +332,8 @@ class Kinetic_delaunay_triangulation_2 {
   };
   template <class Change_points>
   void perform(Event<Time> event, Change_points change_points);
-  void change_motion(Vertex_handle v, const Motion& motion);
+  bool move_in_place(Vertex_handle v, const Motion& motion);
+  void relocate(Vertex_handle v, const Motion& motion);
   void remove_point(Vertex_handle v);
   bool is_embedded_around(Vertex_handle v) const;
   void check_is_distinct(const Point_2& point) const;

@@ -210,12 +210,14 @@ void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) con
   } while (++neighbor != first);
 }
 
+// Of the neighbor `scheduled`, if there is one, the pair has been done.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::schedule_contacts(Point_id id) {
+void Simulation_2<Traits>::schedule_contacts(Point_id id, Point_id scheduled) {
   schedule_wall(id, current_time());
   if (!options_.response) return;
-  for_each_neighbor(id,
-                    [&](Point_id other) { schedule_pair(edge_ids(id, other), current_time()); });
+  for_each_neighbor(id, [&](Point_id other) {
+    if (other != scheduled) schedule_pair(edge_ids(id, other), current_time());
+  });
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -360,7 +362,9 @@ void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> poi
   triangulation_.apply(kind, points[0], second, changes);
   for (const Point_id id : points) part_from_others(id);
   for (const Point_id id : points) {
-    if (triangulation_.contains(id)) schedule_contacts(id);
+    if (!triangulation_.contains(id)) continue;
+    const Point_id first = points.front();
+    schedule_contacts(id, id != first && triangulation_.contains(first) ? first : no_point);
   }
 }
 

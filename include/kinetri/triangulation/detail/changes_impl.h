@@ -46,9 +46,24 @@ void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
   event.point_a = point_a;
   event.point_b = point_b;
   perform(std::move(event), [&] {
+    // Points that stay in the triangles around them are moved together. What takes a vertex out
+    // needs a triangulation that is Delaunay.
+    std::vector<Vertex_handle> moved;
+    const auto restore = [&] {
+      for (const Vertex_handle v : moved) schedule_around(v);
+      moved.clear();
+      execute_due_events();
+    };
     for (const auto& [vertex, motion] : changes) {
-      motion ? change_motion(vertex, *motion) : remove_point(vertex);
+      if (motion && move_in_place(vertex, *motion)) {
+        moved.push_back(vertex);
+        continue;
+      }
+      restore();
+      motion ? relocate(vertex, *motion) : remove_point(vertex);
+      execute_due_events();
     }
+    restore();
   });
 }
 
@@ -96,25 +111,31 @@ void Kinetic_delaunay_triangulation_2<Traits>::perform(Event<Time> event,
   report_rebuild();
 }
 
-// Where the moved vertex still sees the triangles around it as they are, only certificates change;
-// else it is taken out and put in again.
+// Gives the vertex the motion if it still sees the triangles around it as they are; then its
+// certificates are yet to be scheduled. Else nothing changes, and the result is false.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::change_motion(Vertex_handle v,
+bool Kinetic_delaunay_triangulation_2<Traits>::move_in_place(Vertex_handle v,
                                                              const Motion& motion) {
+  if (triangulation_.dimension() < 2) return false;
   const Point_2 before = v->point();
   const Point_2 after(motion, before.id());
+  v->set_point(after);
+  const bool is_embedded = is_embedded_around(v);
+  v->set_point(before);
+  if (!is_embedded) return false;
+  unschedule_around(v);
+  v->set_point(after);
+  return true;
+}
+
+// Gives the vertex the motion, wherever that leads: takes it out and puts it in again.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::relocate(Vertex_handle v, const Motion& motion) {
+  const Point_2 after(motion, v->point().id());
   const auto rebuild_with_point = [&] { rebuild([&] { v->set_point(after); }); };
   if (triangulation_.dimension() < 2) {
     check_is_distinct(after);
     return rebuild_with_point();
-  }
-  v->set_point(after);
-  const bool is_embedded = is_embedded_around(v);
-  v->set_point(before);
-  if (is_embedded) {
-    unschedule_around(v);
-    v->set_point(after);
-    return schedule_around(v);
   }
   find_location(after, v->face());
   if (triangulation_.test_dim_down(v)) return rebuild_with_point();
