@@ -23,20 +23,27 @@ import sys
 
 SEEDS = range(1, 1 + 2 * int(os.environ.get("KINETRI_TEST_MULTIPLIER", "1")))
 
-# Arguments of `kinetri generate`, the end of the simulation, and the least number of events: a run
-# in which nothing happens would show nothing.
+# Arguments of `kinetri generate`, the end of the simulation, the least number of events (a run in
+# which nothing happens would show nothing), and options of `kinetri simulate`, if any.
 GENERIC = [
     ("uniform --points 80", 3, 100),
     ("gaussian --points 60", 3, 100),
     ("constant-speed --points 60", 3, 100),
     ("one-mover --points 200 --speed 40", 8, 5),
     ("lattice-jitter --points 64", 3, 100),
+    ("uniform --points 60 --side 80", 4, 100, "--box", "0,0,80,80"),
+    ("lattice-jitter --points 36 --jitter 0.5", 6, 100, "--box", "-5,-5,55,55", "--collisions",
+     "elastic", "--radius", "3"),
 ]
 DEGENERATE = [
     ("lattice --points 49 --movers one", 20, 1),
     ("lattice --points 49 --movers columns", 5, 50),
     ("lattice --points 36 --movers all", 3, 50),
     ("lattice --points 25 --movers none", 3, 0),
+    ("lattice --points 25 --movers one", 20, 4, "--box", "0,0,40,40", "--collisions", "swap",
+     "--radius", "2"),
+    ("lattice --points 16 --movers all", 4, 20, "--box", "-5,-5,35,35", "--collisions", "log",
+     "--radius", "1"),
 ]
 
 # The scenarios of bench/, for both arithmetics; exact arithmetic alone is slow.
@@ -104,13 +111,13 @@ def compare(what, one, one_lines, other, other_lines):
 
 
 def compare_with(program, folder, run_other, settings, seeds):
-    """`run_other` is a function of the points file and the end of the simulation."""
-    for scenario, until, least in settings:
+    """`run_other` is a function of the points file, the end of the simulation, and options."""
+    for scenario, until, least, *options in settings:
         for seed in seeds:
             points = folder / "points.csv"
             generate(program, scenario, seed, points)
-            one = Run(program, points, until, folder / "one")
-            other = run_other(points, until)
+            one = Run(program, points, until, folder / "one", *options)
+            other = run_other(points, until, options)
             one.check_done(least)
             compare(
                 "ends", one, [str(one.code), *one.errors], other, [str(other.code), *other.errors]
@@ -121,12 +128,16 @@ def compare_with(program, folder, run_other, settings, seeds):
 
 
 def compare_builds(program, other_program, folder):
-    run_other = lambda *run: Run(other_program, *run, folder / "other")
+    def run_other(points, until, options):
+        return Run(other_program, points, until, folder / "other", *options)
+
     compare_with(program, folder, run_other, GENERIC + DEGENERATE, SEEDS)
 
 
 def compare_arithmetic(program, folder):
-    run_other = lambda *run: Run(program, *run, folder / "other", "--exact-only")
+    def run_other(points, until, options):
+        return Run(program, points, until, folder / "other", "--exact-only", *options)
+
     compare_with(program, folder, run_other, GENERIC + DEGENERATE, SEEDS)
     compare_with(program, folder, run_other, LARGE, SEEDS[:1])
 
@@ -140,8 +151,7 @@ def rename_events(lines, old_ids):
         fields = line.split(",")
         for a, b in zip(columns[::2], columns[1::2]):
             ids = sorted(old_ids[int(fields[i])] for i in (a, b) if fields[i])
-            if len(ids) == 2:
-                fields[a], fields[b] = map(str, ids)
+            fields[a], fields[b] = [*map(str, ids), "", ""][:2]
         renamed.append(",".join(fields))
     return renamed
 
@@ -161,13 +171,13 @@ def permute(points, permuted, seed):
 
 
 def compare_rows(program, folder):
-    for scenario, until, least in GENERIC:
+    for scenario, until, least, *options in GENERIC:
         for seed in SEEDS:
             points, permuted = folder / "points.csv", folder / "permuted.csv"
             generate(program, scenario, seed, points)
             old_ids = permute(points, permuted, seed)
-            one = Run(program, points, until, folder / "one")
-            other = Run(program, permuted, until, folder / "other")
+            one = Run(program, points, until, folder / "one", *options)
+            other = Run(program, permuted, until, folder / "other", *options)
             one.check_done(least)
             other.check_done(least)
             compare("events", one, one.events, other, rename_events(other.events, old_ids))

@@ -2,8 +2,7 @@
 //
 // Definitions of Kinetic_delaunay_triangulation_2: changes of single points at the present time,
 // and how a vertex leaves the triangulation and comes back. The edges that a change leaves violated
-// have their events at the present time, and are flipped by these (Lawson's argument; docs/MATH.md,
-// section 6).
+// have their events at the present time, and are flipped by these (docs/MATH.md, section 5).
 #ifndef KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
 
