@@ -251,6 +251,50 @@ TEST(Changes, refuse_what_is_no_motion) {
   EXPECT_EQ(kinetic.counters().number_of_events(), 0u);
 }
 
+TEST(Changes, that_are_refused_leave_everything_as_it_was) {
+  const std::vector<Linear_motion_2> motions = {
+      {{0, 0}, {0, 0}, 0}, {{4, 0}, {0, 0}, 0}, {{0, 4}, {0, 0}, 0}, {{3, 3}, {1, 1}, 0}};
+  Kinetic_delaunay kinetic(motions);
+  struct Watcher : Kinetic_delaunay::Observer {
+    void before_event(const test::Kinetic_event& event) override { events.push_back(event); }
+    std::vector<test::Kinetic_event> events;
+  } watcher;
+  kinetic.add_observer(watcher);
+  EXPECT_THROW(kinetic.insert(motions[1]), Coincident_trajectories_error);
+  EXPECT_THROW(kinetic.set_motion(kinetic.vertex(0), motions[3]), Coincident_trajectories_error);
+  EXPECT_EQ(kinetic.next_id(), 4u);
+  EXPECT_TRUE(watcher.events.empty());
+  kinetic.step();
+  ASSERT_EQ(watcher.events.size(), 1u);
+  EXPECT_EQ(watcher.events[0].kind, Event_kind::flip);
+}
+
+TEST(Changes, before_one_that_is_refused_have_been_made) {
+  Kinetic_delaunay kinetic(test::random_motions(20, 10, 5, 1));
+  test::Event_recorder recorder(kinetic);
+  const Linear_motion_2 turned = {kinetic.motion(3).position, {0, 0}, 0};
+  const std::array<Kinetic_delaunay::Change, 2> changes = {
+      {{kinetic.vertex(3), turned}, {kinetic.vertex(4), turned}}};
+  EXPECT_THROW(kinetic.apply(Event_kind::collision, 3, 4, changes), Coincident_trajectories_error);
+  EXPECT_EQ(kinetic.motion(3), turned);
+  EXPECT_NE(kinetic.motion(4), turned);
+  EXPECT_EQ(recorder.edges, test::edges_of(kinetic));
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  EXPECT_EQ(test::audited_run(kinetic, Algebraic_number(1.0), Audit_level::links), "");
+}
+
+TEST(Changes, may_insert_under_an_id_that_was_reserved) {
+  Kinetic_delaunay kinetic(test::random_motions(5, 10, 5, 1));
+  const Point_id later = kinetic.reserve_id();
+  EXPECT_FALSE(kinetic.contains(later));
+  EXPECT_EQ(kinetic.insert({{1, 2}, {0, 0}, 0})->point().id(), later + 1);
+  const auto v = kinetic.insert({{2, 1}, {0, 0}, 0}, later);
+  EXPECT_EQ(kinetic.vertex(later), v);
+  EXPECT_EQ(kinetic.number_of_points(), 7u);
+  EXPECT_THROW(kinetic.insert({{5, 5}, {0, 0}, 0}, later), Precondition_error);
+  EXPECT_THROW(kinetic.insert({{5, 5}, {0, 0}, 0}, later + 2), Precondition_error);
+}
+
 TEST(Changes, are_events_with_their_points) {
   Kinetic_delaunay kinetic(test::random_motions(20, 10, 5, 1));
   test::Event_recorder recorder(kinetic);

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "kinetri/base/error.h"
@@ -76,7 +77,7 @@ struct Contact_counters {
 };
 
 /// The simulation. At each time first the triangulation's own events are executed, then contacts
-/// with walls, by point id, then those of discs, by ids.
+/// with walls, by point id, then those of discs, by ids, then changes that were scheduled.
 ///
 /// A reflection or response gives a point a new motion whose place is that of the old one at the
 /// binary64 number nearest to the time, rounded (see `turned`); where that would be outside of the
@@ -124,6 +125,23 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   /// Precondition: time >= current_time().
   std::size_t advance_to(const Time& time);
 
+  // ---- changing points ----
+
+  /// Now, as the functions of the triangulation. Precondition, where a point is named:
+  /// triangulation().contains(id). With a box, the point must be inside of it now (checked).
+  Point_id insert(const Motion& motion);
+  void set_motion(Point_id id, const Motion& motion);
+  void erase(Point_id id);
+
+  /// The same at `time`: after the triangulation's events and the contacts of that time; there
+  /// those that erase first, then new motions, then those that insert, by point id, then in the
+  /// order in which they were scheduled. A change of a point that is not there then is dropped. An
+  /// observer may schedule changes. Precondition: time >= current_time(); the motion is finite.
+  /// Returns the id that the point will have.
+  Point_id schedule_insert(const Time& time, const Motion& motion);
+  void schedule_motion(const Time& time, Point_id id, const Motion& motion);
+  void schedule_erase(const Time& time, Point_id id);
+
   // ---- watching ----
 
   /// As those of the triangulation. Contacts are events of the kinds wall and collision; the
@@ -141,19 +159,19 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   Audit_report audit(Audit_level level) const;
 
  private:
-  /// In the order of contacts at one time.
-  enum class Contact_kind : std::uint8_t { wall, collision };
+  /// In the order in which they are executed at one time.
+  enum class Entry_kind : std::uint8_t { wall, collision, erase, trajectory, insert };
 
   using Time_pool = detail::Time_pool<Time>;
 
-  /// A contact, or a time up to which there certainly is none.
+  /// A contact, or a time up to which there certainly is none; or a change that was scheduled.
   struct Entry {
     Double_interval bounds;
     Point_id point_a = no_point;
-    Point_id point_b = no_point;  // of a wall, which of the four
+    Point_id point_b = no_point;  // of a wall, which of the four; of a change, its number
     mutable typename Time_pool::Index time = Time_pool::none;
-    Contact_kind kind = Contact_kind::wall;
-    bool is_contact = false;
+    Entry_kind kind = Entry_kind::wall;
+    bool is_event = false;
   };
 
   struct Earlier {
@@ -173,7 +191,6 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
 
   const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
   void check_options() const;
-  void check_inside() const;
 
   // Scheduling.
   const Time& time(const Entry& entry) const;
@@ -193,9 +210,15 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   // Events.
   std::size_t step(const Time* until);
   void settle();
-  std::size_t execute_due_contacts();
+  std::size_t execute_due_entries();
+  void check_limit(const Entry& entry, std::uint64_t contacts) const;
   void hit_wall(Point_id id, std::size_t wall);
   void collide(Point_id a, Point_id b);
+  void schedule(const Time& time, Entry_kind kind, Point_id id,
+                const std::optional<Motion>& motion);
+  void execute_change(const Entry& entry);
+  bool try_change(const Entry& entry);
+  void check_inside(const Point_2& point) const;
   void change(Event_kind kind, std::span<const Point_id> points,
               std::span<const typename Triangulation::Change> changes);
   Motion turned_inside(const Motion& motion, const Vector_2& velocity, double time) const;
@@ -214,10 +237,13 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   Indexed_queue<Entry, Earlier> queue_{Earlier{this}};
   mutable Time_pool times_;  // of entries
   Certificate_counters certificate_counters_;
-  std::vector<Queue_handle> wall_events_;          // by point id
-  std::vector<std::vector<Partner>> partners_;     // by the smaller id of a pair
-  std::vector<std::vector<Point_id>> in_contact_;  // by point id, both ways
-  Contact_counters counters_;                      // but for those of the queue
+  std::vector<Queue_handle> wall_events_;                        // by point id
+  std::vector<std::vector<Partner>> partners_;                   // by the smaller id of a pair
+  std::vector<std::vector<Point_id>> in_contact_;                // by point id, both ways
+  std::unordered_map<std::uint32_t, Motion> scheduled_motions_;  // by number of the change
+  std::uint32_t scheduled_ = 0;                                  // changes so far
+  std::size_t scheduled_entries_ = 0;                            // of changes, in the queue
+  Contact_counters counters_;                                    // but for those of the queue
 };
 
 extern template class Simulation_2<Linear_kinetic_traits_2>;

@@ -135,8 +135,8 @@ class Kinetic_delaunay_triangulation_2 {
 
   std::size_t number_of_points() const noexcept { return number_of_points_; }
 
-  /// The id that the next inserted point gets: one more than the greatest so far. Ids are not used
-  /// again when their points have left.
+  /// The id that is given next: one more than the greatest so far. Ids are not used again when
+  /// their points have left.
   std::size_t next_id() const noexcept { return vertices_.size(); }
 
   /// Whether the point `id` is there: has been given, and not been erased.
@@ -189,6 +189,11 @@ class Kinetic_delaunay_triangulation_2 {
   /// Inserts a point, which gets the id next_id(): event `insert`. Throws as set_motion.
   /// Precondition: the motion is finite, and there is an id left.
   Vertex_handle insert(const Motion& motion);
+
+  /// An id for a point that is to be inserted later, and that insertion. Precondition: the id has
+  /// been reserved, and has had no point.
+  Point_id reserve_id();
+  Vertex_handle insert(const Motion& motion, Point_id id);
 
   /// Erases the point of `v`, whose handle is not valid from then on: event `erase`.
   void erase(Vertex_handle v);
@@ -332,11 +337,12 @@ class Kinetic_delaunay_triangulation_2 {
   };
   template <class Change_points>
   void perform(Event<Time> event, Change_points change_points);
-  bool move_in_place(Vertex_handle v, const Motion& motion);
-  void relocate(Vertex_handle v, const Motion& motion);
+  static Point_2 moved_point(const Change& change);
+  bool stays_in_place(const Change& change) const;
+  void relocate(const Change& change);
   void remove_point(Vertex_handle v);
   bool is_embedded_around(Vertex_handle v) const;
-  void check_is_distinct(const Point_2& point) const;
+  void check_is_distinct(const Point_2& point, Face_handle start) const;
   Location find_location(const Point_2& point, Face_handle start) const;
   void take_out(Vertex_handle v);
   void put_in(Vertex_handle v, const Location& location);

@@ -6,6 +6,7 @@
 #define KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -14,6 +15,17 @@
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
+
+namespace detail {
+
+/// The shortest text that reads back as `x`.
+inline std::string text(double x) {
+  std::array<char, 32> buffer;
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x);
+  return std::string(buffer.data(), end);
+}
+
+}  // namespace detail
 
 // ---- construction ----
 
@@ -27,7 +39,7 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
       triangulation_(motions, start, traits) {
   check_options();
   if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
-  check_inside();
+  for (Point_id id = 0; id < motions.size(); ++id) check_inside(point(id));
   triangulation_.add_observer(*this);
   wall_events_.assign(motions.size(), no_event);
   partners_.resize(motions.size());
@@ -54,20 +66,20 @@ void Simulation_2<Traits>::check_options() const {
 }
 
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::check_inside() const {
+void Simulation_2<Traits>::check_inside(const Point_2& p) const {
   if (!options_.box) return;
-  for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
-    for (const Wall_2& wall : walls_) {
-      if (traits_.is_inside(point(id), wall, current_time())) continue;
-      const Vector_2 place = rounded_place(triangulation_.motion(id), current_time().to_double());
-      constexpr std::array<const char*, 4> sides = {"left", "right", "lower", "upper"};
-      throw Outside_box_error(id, "the point is outside of the box at the start: at " +
-                                      std::to_string(place.x) + ", " + std::to_string(place.y) +
-                                      (wall.clearance > 0 ? ", its rim" : "") + " beyond the " +
-                                      sides[static_cast<std::size_t>(wall.side)] + " side at " +
-                                      std::to_string(wall.position) +
-                                      "; expected every point inside of the box or on its sides");
-    }
+  for (const Wall_2& wall : walls_) {
+    if (traits_.is_inside(p, wall, current_time())) continue;
+    const double time = current_time().to_double();
+    const Vector_2 place = rounded_place(p.motion(), time);
+    constexpr std::array<const char*, 4> sides = {"left", "right", "lower", "upper"};
+    throw Outside_box_error(p.id(), "the point is outside of the box at t = " + detail::text(time) +
+                                        ": at " + detail::text(place.x) + ", " +
+                                        detail::text(place.y) +
+                                        (wall.clearance > 0 ? ", its rim" : "") + " beyond the " +
+                                        sides[static_cast<std::size_t>(wall.side)] + " side at " +
+                                        detail::text(wall.position) +
+                                        "; expected every point inside of the box or on its sides");
   }
 }
 
@@ -84,9 +96,10 @@ bool Simulation_2<Traits>::Earlier::operator()(const Entry& a, const Entry& b) c
 template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::time(const Entry& entry) const -> const Time& {
   if (entry.time == Time_pool::none) {
-    if (!entry.is_contact) {
+    KINETRI_ASSERT(entry.kind <= Entry_kind::collision, "a scheduled change has its time");
+    if (!entry.is_event) {
       entry.time = times_.keep(Time(entry.bounds.lower));
-    } else if (entry.kind == Contact_kind::wall) {
+    } else if (entry.kind == Entry_kind::wall) {
       entry.time = times_.keep(
           traits_.wall_failure(point(entry.point_a), walls_[entry.point_b], entry.bounds));
     } else {
@@ -102,7 +115,7 @@ template <ContactKineticTraits_2 Traits>
 Queue_handle Simulation_2<Traits>::push(Entry entry, Outlook<Time> outlook) {
   if (outlook.kind == Outlook<Time>::Kind::holds_for_ever) return no_event;
   entry.bounds = outlook.bounds;
-  entry.is_contact = outlook.kind == Outlook<Time>::Kind::fails;
+  entry.is_event = outlook.kind == Outlook<Time>::Kind::fails;
   if (outlook.failure) entry.time = times_.keep(std::move(*outlook.failure));
   return queue_.push(entry);
 }
@@ -111,9 +124,8 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::discard(Queue_handle handle) {
   const Entry& entry = queue_[handle];
   times_.release(entry.time);
-  if (entry.is_contact) {
-    ++(entry.kind == Contact_kind::wall ? counters_.discarded_walls
-                                        : counters_.discarded_collisions);
+  if (entry.is_event && entry.kind <= Entry_kind::collision) {
+    ++(entry.kind == Entry_kind::wall ? counters_.discarded_walls : counters_.discarded_collisions);
   }
   queue_.erase(handle);
 }
@@ -123,10 +135,12 @@ template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::pop() -> Entry {
   const Entry entry = queue_.pop();
   times_.release(entry.time);
-  if (entry.kind == Contact_kind::wall) {
+  if (entry.kind == Entry_kind::wall) {
     wall_events_[entry.point_a] = no_event;
-  } else {
+  } else if (entry.kind == Entry_kind::collision) {
     forget_partner(entry.point_a, entry.point_b);
+  } else {
+    --scheduled_entries_;
   }
   return entry;
 }
@@ -184,7 +198,7 @@ void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after
   const auto [a, b] = pair;
   if (!options_.response || are_in_contact(a, b)) return;
   Entry entry;
-  entry.kind = Contact_kind::collision;
+  entry.kind = Entry_kind::collision;
   entry.point_a = a;
   entry.point_b = b;
   const Queue_handle event = push(
@@ -240,30 +254,35 @@ std::size_t Simulation_2<Traits>::advance_to(const Time& time) {
 
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::step(const Time* until) {
-  settle();
+  // Of a time whose only changes are dropped there is no event; then the next one is wanted.
   std::size_t events = 0;
-  if (queue_.empty()) {
-    events = until != nullptr ? triangulation_.step(*until) : triangulation_.step();
-    if (events == 0) return 0;
-  } else {
-    const Time contact = time(queue_.top());
-    const bool is_due = until == nullptr || contact <= *until;
-    events = triangulation_.step(is_due ? contact : *until);
-    if (events == 0) {
-      if (!is_due) return 0;
-      triangulation_.advance_to(contact);
-      ++counters_.instants;
+  while (events == 0) {
+    settle();
+    if (queue_.empty()) {
+      events = until != nullptr ? triangulation_.step(*until) : triangulation_.step();
+      if (events == 0) return 0;
+    } else {
+      const Time first = time(queue_.top());
+      const bool is_due = until == nullptr || first <= *until;
+      events = triangulation_.step(is_due ? first : *until);
+      if (events == 0) {
+        if (!is_due) return 0;
+        triangulation_.advance_to(first);
+      }
     }
+    const bool is_instant_of_triangulation = events > 0;
+    events += execute_due_entries();
+    if (!is_instant_of_triangulation && events > 0) ++counters_.instants;
   }
-  return events + execute_due_contacts();
+  return events;
 }
 
 // Looks at certificates again until the first entry is a contact.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::settle() {
-  while (!queue_.empty() && !queue_.top().is_contact) {
+  while (!queue_.empty() && !queue_.top().is_event) {
     const Entry entry = pop();
-    if (entry.kind == Contact_kind::wall) {
+    if (entry.kind == Entry_kind::wall) {
       schedule_wall(entry.point_a, Time(entry.bounds.lower));
     } else {
       schedule_pair({entry.point_a, entry.point_b}, Time(entry.bounds.lower));
@@ -271,34 +290,149 @@ void Simulation_2<Traits>::settle() {
   }
 }
 
-// ---- contacts ----
+// ---- what is due ----
 
 template <ContactKineticTraits_2 Traits>
-std::size_t Simulation_2<Traits>::execute_due_contacts() {
+std::size_t Simulation_2<Traits>::execute_due_entries() {
   const std::uint64_t events_before = triangulation_.counters().number_of_events();
   std::uint64_t contacts = 0;
-  for (settle(); !queue_.empty() && time(queue_.top()) <= current_time(); settle()) {
-    const Entry entry = pop();
-    const Point_id a = entry.point_a;
-    const Point_id b = entry.point_b;
-    if (++contacts > options_.contacts_at_one_time) {
-      throw Endless_contacts_error(
-          "more than " + std::to_string(options_.contacts_at_one_time) + " contacts at time " +
-          std::to_string(current_time().to_double()) + ", the last one of point " +
-          std::to_string(a) +
-          (entry.kind == Contact_kind::wall ? " and a wall" : " and point " + std::to_string(b)) +
-          "; expected that time goes on: let the points touch one by one, or take another "
-          "response");
+  std::vector<Entry> postponed;
+  const auto execute_due = [&] {
+    for (settle(); !queue_.empty() && time(queue_.top()) <= current_time(); settle()) {
+      const Entry entry = pop();
+      if (entry.kind > Entry_kind::collision) {
+        if (!try_change(entry)) postponed.push_back(entry);
+        continue;
+      }
+      check_limit(entry, ++contacts);
+      if (entry.kind == Entry_kind::wall) {
+        hit_wall(entry.point_a, entry.point_b);
+      } else {
+        collide(entry.point_a, entry.point_b);
+      }
     }
-    if (entry.kind == Contact_kind::wall) {
-      hit_wall(a, b);
-    } else {
-      collide(a, b);
-    }
+  };
+  execute_due();
+  // A change may have to wait for another one of the same time, which takes away the point whose
+  // trajectory it leads to.
+  while (!postponed.empty()) {
+    const auto waiting =
+        std::ranges::find_if(postponed, [&](const Entry& entry) { return try_change(entry); });
+    if (waiting == postponed.end()) execute_change(postponed.front());  // throws
+    postponed.erase(waiting == postponed.end() ? postponed.begin() : waiting);
+    execute_due();
   }
   counters_.most_at_one_time = std::max(counters_.most_at_one_time, contacts);
   return static_cast<std::size_t>(triangulation_.counters().number_of_events() - events_before);
 }
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t contacts) const {
+  if (contacts <= options_.contacts_at_one_time) return;
+  throw Endless_contacts_error(
+      "more than " + std::to_string(options_.contacts_at_one_time) +
+      " contacts at t = " + detail::text(current_time().to_double()) + ", the last one of point " +
+      std::to_string(entry.point_a) +
+      (entry.kind == Entry_kind::wall ? " and a wall"
+                                      : " and point " + std::to_string(entry.point_b)) +
+      "; expected that time goes on: let the points touch one by one, or take another response");
+}
+
+// ---- changes ----
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule(const Time& time, Entry_kind kind, Point_id id,
+                                    const std::optional<Motion>& motion) {
+  KINETRI_PRECONDITION(time >= current_time(), "a change is scheduled in the past");
+  KINETRI_PRECONDITION(id < triangulation_.next_id(), "no point has this id");
+  KINETRI_PRECONDITION(!motion || is_finite(*motion), "a motion has a number that is not finite");
+  Entry entry;
+  entry.bounds = time.interval();
+  entry.point_a = id;
+  entry.point_b = scheduled_++;
+  entry.time = times_.keep(time);
+  entry.kind = kind;
+  entry.is_event = true;
+  if (motion) scheduled_motions_.emplace(entry.point_b, *motion);
+  queue_.push(entry);
+  ++scheduled_entries_;
+}
+
+template <ContactKineticTraits_2 Traits>
+Point_id Simulation_2<Traits>::schedule_insert(const Time& time, const Motion& motion) {
+  const Point_id id = triangulation_.reserve_id();
+  wall_events_.push_back(no_event);
+  partners_.emplace_back();
+  in_contact_.emplace_back();
+  schedule(time, Entry_kind::insert, id, motion);
+  return id;
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_motion(const Time& time, Point_id id, const Motion& motion) {
+  schedule(time, Entry_kind::trajectory, id, motion);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_erase(const Time& time, Point_id id) {
+  schedule(time, Entry_kind::erase, id, std::nullopt);
+}
+
+// Executes a scheduled change, or drops it if its point is not there.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::execute_change(const Entry& entry) {
+  const Point_id id = entry.point_a;
+  if (entry.kind == Entry_kind::erase) {
+    if (triangulation_.contains(id)) erase(id);
+    return;
+  }
+  const auto motion = scheduled_motions_.find(entry.point_b);
+  if (entry.kind == Entry_kind::insert) {
+    check_inside(Point_2(motion->second, id));
+    triangulation_.insert(motion->second, id);
+    schedule_contacts(id, no_point);
+  } else if (triangulation_.contains(id)) {
+    set_motion(id, motion->second);
+  }
+  scheduled_motions_.erase(motion);
+}
+
+// Likewise; returns false if another point has the trajectory that the change leads to.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::try_change(const Entry& entry) {
+  try {
+    execute_change(entry);
+    return true;
+  } catch (const Coincident_trajectories_error&) {
+    return false;
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+Point_id Simulation_2<Traits>::insert(const Motion& motion) {
+  check_inside(Point_2(motion, static_cast<Point_id>(triangulation_.next_id())));
+  const Point_id id = triangulation_.insert(motion)->point().id();
+  wall_events_.push_back(no_event);
+  partners_.emplace_back();
+  in_contact_.emplace_back();
+  schedule_contacts(id, no_point);
+  return id;
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
+  check_inside(Point_2(motion, id));
+  const typename Triangulation::Change turned = {triangulation_.vertex(id), motion};
+  change(Event_kind::trajectory, {&id, 1}, {&turned, 1});
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::erase(Point_id id) {
+  const typename Triangulation::Change gone = {triangulation_.vertex(id), std::nullopt};
+  change(Event_kind::erase, {&id, 1}, {&gone, 1});
+}
+
+// ---- contacts ----
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
@@ -359,13 +493,21 @@ void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> poi
                                   std::span<const typename Triangulation::Change> changes) {
   for (const Point_id id : points) unschedule_contacts(id);
   const auto second = points.size() > 1 ? std::optional(points[1]) : std::nullopt;
-  triangulation_.apply(kind, points[0], second, changes);
-  for (const Point_id id : points) part_from_others(id);
-  for (const Point_id id : points) {
-    if (!triangulation_.contains(id)) continue;
-    const Point_id first = points.front();
-    schedule_contacts(id, id != first && triangulation_.contains(first) ? first : no_point);
+  const auto schedule_anew = [&] {
+    for (const Point_id id : points) part_from_others(id);
+    for (const Point_id id : points) {
+      if (!triangulation_.contains(id)) continue;
+      const Point_id first = points.front();
+      schedule_contacts(id, id != first && triangulation_.contains(first) ? first : no_point);
+    }
+  };
+  try {
+    triangulation_.apply(kind, points[0], second, changes);
+  } catch (const Coincident_trajectories_error&) {
+    schedule_anew();
+    throw;
   }
+  schedule_anew();
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -448,6 +590,7 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
     }
   }
   for (const Queue_handle event : wall_events_) entries += event != no_event ? 1 : 0;
+  entries += scheduled_entries_;
   if (entries != queue_.size()) fail("the queue of contacts holds others than those of the points");
   if (!report.passed() || level < Audit_level::delaunay) return report;
 
@@ -456,7 +599,7 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
                            const std::optional<Time>& expected) {
     if (event == no_event) {
       if (expected) fail(what + " will have a contact that is not scheduled");
-    } else if (!queue_[event].is_contact) {
+    } else if (!queue_[event].is_event) {
       if (expected && *expected < time(queue_[event])) fail(what + " have a contact before a look");
     } else if (!expected || *expected != time(queue_[event])) {
       fail(what + " have a contact at another time than scheduled, or none");

@@ -7,6 +7,7 @@
 #define KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -40,10 +41,16 @@ void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
                          "no point has this vertex");
     KINETRI_PRECONDITION(!motion || is_finite(*motion), "a motion has a number that is not finite");
   }
+  // What is refused is refused before anything is reported.
+  const bool first_stays = !changes.empty() && stays_in_place(changes.front());
+  if (!first_stays && !changes.empty() && changes.front().motion) {
+    check_is_distinct(moved_point(changes.front()), changes.front().vertex->face());
+  }
   Event<Time> event;
   event.kind = kind;
   event.point_a = point_a;
   event.point_b = point_b;
+  std::exception_ptr failure;
   perform(std::move(event), [&] {
     // Points that stay in the triangles around them are moved together. What takes a vertex out
     // needs a triangulation that is Delaunay.
@@ -53,30 +60,54 @@ void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
       moved.clear();
       execute_due_events();
     };
-    for (const auto& [vertex, motion] : changes) {
-      if (motion && move_in_place(vertex, *motion)) {
-        moved.push_back(vertex);
-        continue;
+    try {
+      for (const Change& change : changes) {
+        if (&change == &changes.front() ? first_stays : stays_in_place(change)) {
+          unschedule_around(change.vertex);
+          change.vertex->set_point(moved_point(change));
+          moved.push_back(change.vertex);
+          continue;
+        }
+        restore();
+        change.motion ? relocate(change) : remove_point(change.vertex);
       }
-      restore();
-      motion ? relocate(vertex, *motion) : remove_point(vertex);
-      execute_due_events();
+    } catch (const Coincident_trajectories_error&) {
+      failure = std::current_exception();
     }
     restore();
   });
+  if (failure) std::rethrow_exception(failure);
+}
+
+template <KineticTraits_2 Traits>
+Point_id Kinetic_delaunay_triangulation_2<Traits>::reserve_id() {
+  KINETRI_PRECONDITION(vertices_.size() + 1 < no_point, "too many points");
+  vertices_.emplace_back();
+  return static_cast<Point_id>(vertices_.size() - 1);
 }
 
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion) -> Vertex_handle {
+  const Point_id id = reserve_id();
+  try {
+    return insert(motion, id);
+  } catch (const Error&) {
+    vertices_.pop_back();
+    throw;
+  }
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion, Point_id id)
+    -> Vertex_handle {
+  KINETRI_PRECONDITION(id < vertices_.size() && !contains(id), "the id is not a reserved one");
   KINETRI_PRECONDITION(is_finite(motion), "a motion has a number that is not finite");
-  KINETRI_PRECONDITION(vertices_.size() + 1 < no_point, "too many points");
-  const auto id = static_cast<Point_id>(vertices_.size());
   const Point_2 point(motion, id);
   std::optional<Location> location;
   if (triangulation_.dimension() == 2) {
     location = find_location(point, Face_handle());
   } else {
-    check_is_distinct(point);
+    check_is_distinct(point, Face_handle());
   }
   const Vertex_handle v = triangulation_.tds().create_vertex();
   v->set_point(point);
@@ -85,7 +116,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion) -> V
   event.point_a = id;
   perform(std::move(event), [&] {
     const auto add = [&] {
-      vertices_.push_back(v);
+      vertices_[id] = v;
       ++number_of_points_;
     };
     if (!location) return rebuild(add);
@@ -110,34 +141,32 @@ void Kinetic_delaunay_triangulation_2<Traits>::perform(Event<Time> event,
   report_rebuild();
 }
 
-// Gives the vertex the motion if it still sees the triangles around it as they are; then its
-// certificates are yet to be scheduled. Else nothing changes, and the result is false.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::move_in_place(Vertex_handle v,
-                                                             const Motion& motion) {
-  if (triangulation_.dimension() < 2) return false;
-  const Point_2 before = v->point();
-  const Point_2 after(motion, before.id());
-  v->set_point(after);
-  const bool is_embedded = is_embedded_around(v);
-  v->set_point(before);
-  if (!is_embedded) return false;
-  unschedule_around(v);
-  v->set_point(after);
-  return true;
+auto Kinetic_delaunay_triangulation_2<Traits>::moved_point(const Change& change) -> Point_2 {
+  return Point_2(*change.motion, change.vertex->point().id());
 }
 
-// Gives the vertex the motion, wherever that leads: takes it out and puts it in again.
+// Whether the vertex, moved, still sees the triangles around it as they are, so that only
+// certificates change.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::relocate(Vertex_handle v, const Motion& motion) {
-  const Point_2 after(motion, v->point().id());
-  const auto rebuild_with_point = [&] { rebuild([&] { v->set_point(after); }); };
-  if (triangulation_.dimension() < 2) {
-    check_is_distinct(after);
-    return rebuild_with_point();
+bool Kinetic_delaunay_triangulation_2<Traits>::stays_in_place(const Change& change) const {
+  if (triangulation_.dimension() < 2 || !change.motion) return false;
+  const Point_2 before = change.vertex->point();
+  change.vertex->set_point(moved_point(change));
+  const bool result = is_embedded_around(change.vertex);
+  change.vertex->set_point(before);
+  return result;
+}
+
+// Moves a vertex, wherever that leads: takes it out and puts it in again.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::relocate(const Change& change) {
+  const Vertex_handle v = change.vertex;
+  const Point_2 after = moved_point(change);
+  check_is_distinct(after, v->face());
+  if (triangulation_.dimension() < 2 || triangulation_.test_dim_down(v)) {
+    return rebuild([&] { v->set_point(after); });
   }
-  find_location(after, v->face());
-  if (triangulation_.test_dim_down(v)) return rebuild_with_point();
   const Vertex_handle neighbor = v->face()->vertex(Triangulation::ccw(v->face()->index(v)));
   take_out(v);
   v->set_point(after);
@@ -203,8 +232,14 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded_around(Vertex_handle 
 }
 
 // Throws if another point has the trajectory of `point`: is in one place with it just after now.
+// Searched from `start`, or from anywhere.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::check_is_distinct(const Point_2& point) const {
+void Kinetic_delaunay_triangulation_2<Traits>::check_is_distinct(const Point_2& point,
+                                                                 Face_handle start) const {
+  if (triangulation_.dimension() == 2) {
+    find_location(point, start);
+    return;
+  }
   const Instantaneous_traits& now = triangulation_.geom_traits();
   for (const Vertex_handle v : vertices_) {
     if (v == Vertex_handle() || v->point().id() == point.id()) continue;

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points that are inserted, redirected and erased by a simulation, now and by schedule.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/disc_runs.h"
+
+namespace kinetri {
+namespace {
+
+using test::count;
+using test::Simulation;
+using Events = std::vector<Event<Algebraic_number>>;
+
+struct Recorder : Simulation::Observer {
+  void after_event(const Event<Algebraic_number>& event) override { events.push_back(event); }
+  Events events;
+};
+
+// The triangle in which the others move.
+std::vector<Linear_motion_2> triangle() {
+  return {{{-50, -50}, {0, 0}, 0}, {{50, -50}, {0, 0}, 0}, {{0, 80}, {0, 0}, 0}};
+}
+
+Events without_edges(const Events& events) {
+  Events result;
+  for (const auto& event : events) {
+    if (event.kind >= Event_kind::wall) result.push_back(event);
+  }
+  return result;
+}
+
+TEST(Scheduled_changes, happen_at_their_exact_times) {
+  Simulation simulation(triangle(), {});
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  const Algebraic_number third(Rational(1, 3));
+  const Point_id id = simulation.schedule_insert(third, {{1, 2}, {3, 4}, 0});
+  simulation.schedule_motion(Algebraic_number(2.0), id, {{7, 10}, {-1, 0}, 2});
+  simulation.schedule_erase(Algebraic_number(5.0), id);
+  EXPECT_EQ(id, 3u);
+  EXPECT_FALSE(simulation.triangulation().contains(id));
+  EXPECT_EQ(simulation.step(), 4u);  // the point, and its three edges
+  EXPECT_EQ(simulation.current_time(), third);
+  EXPECT_TRUE(simulation.triangulation().contains(id));
+  EXPECT_EQ(test::audited_run(simulation, 6, Audit_level::certificates), "");
+  EXPECT_FALSE(simulation.triangulation().contains(id));
+  const Events events = without_edges(recorder.events);
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[0].kind, Event_kind::insert);
+  EXPECT_EQ(events[1].kind, Event_kind::trajectory);
+  EXPECT_EQ(events[1].time, Algebraic_number(2.0));
+  EXPECT_EQ(events[2].kind, Event_kind::erase);
+  for (const auto& event : events) EXPECT_EQ(event.point_a, id);
+}
+
+TEST(Scheduled_changes, of_one_time_erase_then_turn_then_insert) {
+  std::vector<Linear_motion_2> motions = triangle();
+  motions.push_back({{0, 0}, {1, 0}, 0});
+  motions.push_back({{5, 5}, {0, 0}, 0});
+  Simulation simulation(motions, {});
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  // The new point takes the trajectory of the one that leaves, which is scheduled last.
+  simulation.schedule_insert(Algebraic_number(1.0), motions[3]);
+  simulation.schedule_motion(Algebraic_number(1.0), 4, {{5, 5}, {1, 1}, 1});
+  simulation.schedule_motion(Algebraic_number(1.0), 4, {{5, 5}, {2, 1}, 1});
+  simulation.schedule_erase(Algebraic_number(1.0), 3);
+  simulation.advance_to(2.0);
+  const Events events = without_edges(recorder.events);
+  ASSERT_EQ(events.size(), 4u);
+  EXPECT_EQ(events[0].kind, Event_kind::erase);
+  EXPECT_EQ(events[1].kind, Event_kind::trajectory);
+  EXPECT_EQ(events[2].kind, Event_kind::trajectory);
+  EXPECT_EQ(events[3].kind, Event_kind::insert);
+  EXPECT_EQ(simulation.triangulation().motion(4).velocity, (Vector_2{2, 1}));
+  EXPECT_TRUE(simulation.triangulation().contains(5));
+}
+
+TEST(Scheduled_changes, wait_for_others_of_the_same_time_that_make_way) {
+  // Two exchange their trajectories.
+  std::vector<Linear_motion_2> motions = triangle();
+  motions.push_back({{0, 0}, {1, 0}, 0});
+  motions.push_back({{5, 5}, {0, 1}, 0});
+  Simulation simulation(motions, {});
+  simulation.schedule_motion(Algebraic_number(1.0), 3, motions[4]);
+  simulation.schedule_motion(Algebraic_number(1.0), 4, {{9, 9}, {0, 0}, 0});
+  simulation.advance_to(2.0);
+  EXPECT_EQ(simulation.triangulation().motion(3), motions[4]);
+  EXPECT_EQ(test::audited_run(simulation, 3, Audit_level::certificates), "");
+  // Nobody makes way for this one.
+  simulation.schedule_motion(Algebraic_number(4.0), 4, motions[4]);
+  EXPECT_THROW(simulation.advance_to(5.0), Coincident_trajectories_error);
+}
+
+TEST(Scheduled_changes, of_points_that_are_gone_are_dropped) {
+  Simulation simulation(triangle(), {});
+  const Point_id id = simulation.schedule_insert(Algebraic_number(1.0), {{1, 2}, {3, 4}, 0});
+  simulation.schedule_erase(Algebraic_number(2.0), id);
+  simulation.schedule_erase(Algebraic_number(3.0), id);
+  simulation.schedule_motion(Algebraic_number(3.0), id, {{0, 0}, {1, 0}, 0});
+  simulation.advance_to(4.0);
+  EXPECT_EQ(count(simulation, Event_kind::erase), 1u);
+  EXPECT_EQ(count(simulation, Event_kind::trajectory), 0u);
+}
+
+TEST(Scheduled_changes, that_have_no_meaning_are_refused) {
+  Simulation_options options;
+  options.box = Box_2{-100, -100, 100, 100};
+  Simulation simulation(triangle(), options);
+  simulation.advance_to(1.0);
+  EXPECT_THROW(simulation.schedule_erase(Algebraic_number(0.5), 0), Precondition_error);
+  EXPECT_THROW(simulation.schedule_erase(Algebraic_number(2.0), 3), Precondition_error);
+  EXPECT_THROW(simulation.insert({{101, 0}, {0, 0}, 0}), Outside_box_error);
+  EXPECT_THROW(simulation.set_motion(0, {{0, 99}, {0, 2}, 0}), Outside_box_error);
+  simulation.schedule_insert(Algebraic_number(2.0), {{0, 99}, {0, 1}, 0});
+  EXPECT_THROW(simulation.advance_to(3.0), Outside_box_error);
+}
+
+TEST(Scheduled_changes, may_be_scheduled_by_an_observer) {
+  struct Stopper : Simulation::Observer {
+    explicit Stopper(Simulation& s) : simulation(s) {}
+    void after_event(const Event<Algebraic_number>& event) override {
+      if (event.kind != Event_kind::wall) return;
+      simulation.schedule_erase(event.time, *event.point_a);
+      simulation.schedule_insert(event.time, {{0, 0}, {7, 0}, event.time.to_double()});
+    }
+    Simulation& simulation;
+  };
+  std::vector<Linear_motion_2> motions = triangle();
+  motions.push_back({{0, 0}, {7, 0}, 0});
+  Simulation_options options;
+  options.box = Box_2{-100, -100, 49, 100};
+  motions[1].position.x = 40;
+  Simulation simulation(motions, options);
+  Stopper stopper(simulation);
+  simulation.add_observer(stopper);
+  EXPECT_EQ(test::audited_run(simulation, 70, Audit_level::reference), "");
+  EXPECT_EQ(count(simulation, Event_kind::wall), 10u);
+  EXPECT_EQ(simulation.triangulation().next_id(), 14u);
+  EXPECT_EQ(simulation.triangulation().number_of_points(), 4u);
+}
+
+// The same changes, once scheduled at the start and once made when the time has come, among walls
+// and discs: the same events.
+TEST(Scheduled_changes, are_those_made_when_the_time_has_come) {
+  for (unsigned seed = 0; seed < 15u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> place(-4, 30);
+    std::uniform_real_distribution<double> speed(-5, 5);
+    Simulation_options options;
+    options.box = test::box_of(12);
+    if (seed % 3 != 0) {
+      options.radius = 1;
+      options.response = seed % 3 == 1 ? collide_elastically : log_contact;
+    }
+    const auto motions = test::discs_in_a_box(12, 0.2, seed);
+    Simulation scheduled(motions, options);
+    Simulation immediate(motions, options);
+    Recorder one;
+    Recorder other;
+    scheduled.add_observer(one);
+    immediate.add_observer(other);
+    struct Change {
+      double time;
+      int kind;
+      Point_id id;
+      Linear_motion_2 motion;
+    };
+    std::vector<Change> changes;
+    for (int i = 1; i <= 30; ++i) {
+      const double time = 0.125 * i;
+      const Linear_motion_2 motion = {{place(random), place(random)}, {speed(random), 0}, time};
+      Change change = {time, static_cast<int>(random() % 3), 0, motion};
+      if (change.kind == 0) {
+        change.id = scheduled.schedule_insert(Algebraic_number(time), motion);
+      } else {
+        change.id = static_cast<Point_id>(random() % scheduled.triangulation().next_id());
+        if (change.kind == 1) {
+          scheduled.schedule_motion(Algebraic_number(time), change.id, motion);
+        } else {
+          scheduled.schedule_erase(Algebraic_number(time), change.id);
+        }
+      }
+      changes.push_back(change);
+    }
+    for (const Change& change : changes) {
+      immediate.advance_to(change.time);
+      const bool is_there = immediate.triangulation().contains(change.id);
+      if (change.kind == 0) {
+        EXPECT_EQ(immediate.insert(change.motion), change.id);
+      } else if (is_there && change.kind == 1) {
+        immediate.set_motion(change.id, change.motion);
+      } else if (is_there) {
+        immediate.erase(change.id);
+      }
+    }
+    immediate.advance_to(5.0);
+    ASSERT_EQ(test::audited_run(scheduled, 5.0, Audit_level::reference), "");
+    ASSERT_EQ(one.events.size(), other.events.size());
+    for (std::size_t i = 0; i < one.events.size(); ++i) {
+      ASSERT_EQ(one.events[i].kind, other.events[i].kind);
+      ASSERT_EQ(one.events[i].time, other.events[i].time);
+      ASSERT_EQ(one.events[i].added, other.events[i].added);
+      ASSERT_EQ(one.events[i].removed, other.events[i].removed);
+      ASSERT_EQ(one.events[i].point_a, other.events[i].point_a);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinetri
