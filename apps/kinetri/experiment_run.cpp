@@ -72,8 +72,7 @@ Spread spread(std::vector<double> values) {
 
 class Experiments {
  public:
-  explicit Experiments(const Experiment_plan& plan)
-      : plan_(plan), progress_(plan.progress, 0, plan.setting.duration) {}
+  explicit Experiments(const Experiment_plan& plan) : plan_(plan), progress_(plan.progress) {}
 
   Exit_code run();
 

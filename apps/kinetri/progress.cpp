@@ -51,8 +51,12 @@ std::string progress_text(double from, double until, double time, std::uint64_t 
   return text;
 }
 
-Progress::Progress(Progress_mode mode, double from, double until)
-    : enabled_(is_enabled(mode)), from_(from), until_(until) {}
+Progress::Progress(Progress_mode mode) : enabled_(is_enabled(mode)) {}
+
+void Progress::set_range(double from, double until) {
+  from_ = from;
+  until_ = until;
+}
 
 bool Progress::due() const {
   return enabled_ && Clock::now() >= next_;

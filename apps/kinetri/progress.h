@@ -27,11 +27,14 @@ std::string progress_text(double from, double until, double time, std::uint64_t 
 /// Shows the progress line until it is destroyed.
 class Progress {
  public:
-  Progress(Progress_mode mode, double from, double until);
+  explicit Progress(Progress_mode mode);
   ~Progress() { clear(); }
 
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
+
+  /// The simulated times between which show() is called.
+  void set_range(double from, double until);
 
   /// Shows what is being done, and starts the time by which events are counted.
   void show_stage(std::string_view stage);
@@ -52,8 +55,8 @@ class Progress {
 
   bool enabled_;
   bool shown_ = false;
-  double from_;
-  double until_;
+  double from_ = 0;
+  double until_ = 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_;
 };

@@ -34,10 +34,6 @@ Box_2 box_argument(const std::string& text) {
                   text));
 }
 
-// In the order of the enumerators that they name.
-constexpr std::array<std::string_view, 3> audit_modes = {"none", "end", "events"};
-constexpr std::array<std::string_view, 3> progress_modes = {"auto", "always", "never"};
-
 }  // namespace
 
 Simulate_command::Simulate_command(CLI::App& program)
@@ -49,17 +45,6 @@ Simulate_command::Simulate_command(CLI::App& program)
   add("POINTS", points_, "FILE", "The moving points, at time 0; - is standard input")->required();
   add("--until", until_, "T", "Execute every event at or before this time")->required();
   add("--from", from_, "T", "Start just after this time (default 0)");
-  add("--events", events_, "FILE", "Write the events here; - is standard output");
-  add("--initial-edges", initial_edges_, "FILE", "Write the edges just after the start here");
-  add("--edges", edges_, "FILE", "Write the edges at the end here");
-  add("--stats", stats_, "FILE", "Write counts and times here, as JSON");
-  add("--audit", audit_, "none|end|events",
-      "Check everything exactly: never (default), at the end, or after every event too (there "
-      "without "
-      "recomputing all failure times)");
-  command_->add_flag(
-      "--exact-only", exact_only_,
-      "Decide everything by exact arithmetic, without filters: the same events, slower");
   add("--box", box_, "XMIN,YMIN,XMAX,YMAX",
       "Reflect points at the sides of this box, in which all start");
   command_->add_flag("--rim", rim_, "What touches the box is the rim of a disc, not its centre");
@@ -67,9 +52,7 @@ Simulate_command::Simulate_command(CLI::App& program)
       "What discs do that touch: nothing (default); be logged; exchange velocities; collide "
       "elastically; stop, both; vanish, both");
   add("--radius", radius_, "R", "Radius of all discs, for points without a column radius");
-  add("--progress", progress_, "auto|always|never",
-      "Show a progress line; auto (default): on a terminal");
-  command_->add_flag("--quiet", quiet_, "Neither a progress line nor a summary");
+  run_options_.add_to(*command_);
   command_->footer(
       "The file POINTS has a header line x,y,vx,vy, or x,y,vx,vy,radius with all radii equal, and\n"
       "one point a line. Interrupted, the command stops at the next event and writes what it "
@@ -82,11 +65,12 @@ Simulate_command::Simulate_command(CLI::App& program)
 }
 
 Exit_code Simulate_command::run() const {
-  return run_simulation(settings());
+  Points_source source(settings());
+  return run_simulation(run_options_.settings(), source);
 }
 
-Simulation_settings Simulate_command::settings() const {
-  Simulation_settings result;
+Points_settings Simulate_command::settings() const {
+  Points_settings result;
   result.points = points_;
   result.from = number_argument("--from", from_);
   result.until = number_argument("--until", until_);
@@ -111,16 +95,6 @@ Simulation_settings Simulate_command::settings() const {
           "--radius: nothing touches a disc; expected --collisions or --rim as well, or no radius");
     }
   }
-  result.events = events_;
-  result.initial_edges = initial_edges_;
-  result.edges = edges_;
-  result.stats = stats_;
-  result.audit = static_cast<Audit_mode>(choice_argument("--audit", audit_, audit_modes));
-  if (exact_only_) result.arithmetic = Arithmetic::exact_only;
-  result.progress =
-      static_cast<Progress_mode>(choice_argument("--progress", progress_, progress_modes));
-  if (quiet_) result.progress = Progress_mode::never;
-  result.quiet = quiet_;
   return result;
 }
 

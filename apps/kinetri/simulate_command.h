@@ -9,7 +9,8 @@
 #include <string>
 
 #include "exit_code.h"
-#include "simulation_run.h"
+#include "points_source.h"
+#include "run_options.h"
 
 namespace kinetri::app {
 
@@ -26,25 +27,18 @@ class Simulate_command {
   Exit_code run() const;
 
  private:
-  Simulation_settings settings() const;
+  Points_settings settings() const;
 
   // The options' values as they stand on the command line.
   CLI::App* command_;
   std::string points_;
   std::string from_ = "0";
   std::string until_;
-  std::optional<std::string> events_;
-  std::optional<std::string> initial_edges_;
-  std::optional<std::string> edges_;
-  std::optional<std::string> stats_;
-  std::string audit_ = "none";
   std::optional<std::string> box_;
   bool rim_ = false;
   std::string collisions_ = "none";
   std::optional<std::string> radius_;
-  std::string progress_ = "auto";
-  bool exact_only_ = false;
-  bool quiet_ = false;
+  Run_options run_options_;
 };
 
 }  // namespace kinetri::app

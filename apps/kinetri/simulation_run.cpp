@@ -19,7 +19,6 @@
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/io/output_file.h"
-#include "kinetri/io/points_file.h"
 #include "kinetri/io/stats_file.h"
 #include "kinetri/simulation/simulation_2.h"
 
@@ -53,19 +52,20 @@ std::uint64_t peak_rss_bytes() {
 // The output files of a run.
 class Outputs {
  public:
-  explicit Outputs(const Simulation_settings& settings) {
-    files_.reserve(4);
+  Outputs(const Run_settings& settings, const std::string& input_path) {
+    files_.reserve(5);
     events = open("--events", settings.events);
     initial_edges = open("--initial-edges", settings.initial_edges);
     edges = open("--edges", settings.edges);
     stats = open("--stats", settings.stats);
+    points = open("--ids", settings.points);
     std::error_code ignored;
-    const std::string input = std::filesystem::canonical(settings.points, ignored).string();
+    const std::string input = std::filesystem::canonical(input_path, ignored).string();
     for (std::size_t i = 0; i < files_.size(); ++i) {
       if (files_[i].identity().empty()) continue;
       if (files_[i].identity() == input) {
-        throw Usage_error(fmt::format("{}: {} is the file of points; expected another file",
-                                      options_[i], files_[i].path()));
+        throw Usage_error(fmt::format("{}: {} is the input; expected another file", options_[i],
+                                      files_[i].path()));
       }
       for (std::size_t j = 0; j < i; ++j) {
         if (files_[i].identity() != files_[j].identity()) continue;
@@ -79,6 +79,7 @@ class Outputs {
   Output_file* initial_edges;
   Output_file* edges;
   Output_file* stats;
+  Output_file* points;
 
   // All are complete before the first takes its place.
   void commit() {
@@ -107,18 +108,16 @@ class Outputs {
 
 class Simulation_run {
  public:
-  explicit Simulation_run(const Simulation_settings& settings)
+  Simulation_run(const Run_settings& settings, Run_source& source)
       : settings_(settings),
-        outputs_(settings),
-        progress_(settings.progress, settings.from, settings.until) {}
+        source_(source),
+        outputs_(settings, source.path()),
+        progress_(settings.progress) {}
 
   Exit_code run();
 
  private:
   void build();
-  Simulation_options options(const Points_file& points) const;
-  double radius(const Points_file& points) const;
-  std::string input_name() const;
   const Kinetic_delaunay_triangulation_2<>& triangulation() const {
     return simulation_->triangulation();
   }
@@ -128,19 +127,18 @@ class Simulation_run {
   void write_outputs();
   void summarize() const;
 
-  const Simulation_settings& settings_;
+  const Run_settings& settings_;
+  Run_source& source_;
   Outputs outputs_;
   Progress progress_;
   Stopwatch stopwatch_;
   Run_statistics statistics_;
   std::optional<Event_log_writer> log_;
-  std::optional<Simulation_2<>> simulation_;
+  std::unique_ptr<Simulation_2<>> simulation_;
   std::size_t failures_ = 0;
 };
 
 Exit_code Simulation_run::run() {
-  statistics_.from = settings_.from;
-  statistics_.until = settings_.until;
   build();
   stop_gracefully_from_now_on();
   progress_.show_stage("running");
@@ -158,28 +156,17 @@ Exit_code Simulation_run::run() {
   return statistics_.interrupted ? Exit_code::interrupted : Exit_code::done;
 }
 
-// Reads the points and makes the first triangulation.
+// Reads the input and makes the first triangulation.
 void Simulation_run::build() {
-  progress_.show_stage("reading points");
-  const Points_file points = read_points_file(settings_.points);
-  statistics_.points = points.motions.size();
+  progress_.show_stage("reading");
+  source_.read();
+  statistics_.points = source_.number_of_points();
+  statistics_.from = source_.from();
+  statistics_.until = source_.until();
+  progress_.set_range(source_.from(), source_.until());
   progress_.show_stage(fmt::format("triangulating {} points", statistics_.points));
   statistics_.seconds.read = stopwatch_.lap();
-  const Simulation_options simulation_options = options(points);
-  try {
-    simulation_.emplace(points.motions, simulation_options, settings_.from,
-                        Linear_kinetic_traits_2(settings_.arithmetic));
-  } catch (const Coincident_trajectories_error& error) {
-    const Point_id first = error.first();  // the lesser of the two
-    const Point_id second = error.second();
-    throw Input_error(
-        input_name(), points.lines[second],
-        fmt::format("the point has the same place and velocity as the one in line {}; expected "
-                    "distinct trajectories",
-                    points.lines[first]));
-  } catch (const Outside_box_error& error) {
-    throw Input_error(input_name(), points.lines[error.point()], error.what());
-  }
+  simulation_ = source_.make_simulation(settings_.arithmetic);
   const Construction_seconds& construction = triangulation().construction_seconds();
   statistics_.seconds.initialize = construction.initialize;
   statistics_.seconds.build = stopwatch_.lap() - construction.initialize;
@@ -193,78 +180,17 @@ void Simulation_run::build() {
   statistics_.seconds.write += stopwatch_.lap();
 }
 
-std::string Simulation_run::input_name() const {
-  return settings_.points == "-" ? "standard input" : settings_.points;
-}
-
-Simulation_options Simulation_run::options(const Points_file& points) const {
-  Simulation_options result;
-  result.box = settings_.box;
-  result.rim_touches = settings_.rim_touches;
-  result.response = settings_.collisions.response;
-  if (!result.response && !result.rim_touches) return result;
-  result.radius = radius(points);
-  if (!result.rim_touches) return result;
-  const Rational diameter = 2 * to_rational(result.radius);
-  const auto& [xmin, ymin, xmax, ymax] = *settings_.box;
-  if (to_rational(xmax) - to_rational(xmin) <= diameter ||
-      to_rational(ymax) - to_rational(ymin) <= diameter) {
-    throw Usage_error(fmt::format(
-        "--rim: a disc of radius {} does not fit the box; expected a box wider and higher than its "
-        "diameter",
-        result.radius));
-  }
-  return result;
-}
-
-// That of all discs. Precondition: one is needed.
-double Simulation_run::radius(const Points_file& points) const {
-  const std::string_view option =
-      settings_.collisions.response != nullptr ? "--collisions" : "--rim";
-  if (settings_.radius) {
-    if (points.radii.empty()) return *settings_.radius;
-    throw Usage_error(
-        fmt::format("--radius: {} has a column radius; expected one of the two", input_name()));
-  }
-  if (points.radii.empty()) {
-    if (points.motions.empty()) return 1;  // of no disc
-    throw Usage_error(
-        fmt::format("{}: discs have a radius; expected a column radius in {}, or --radius R",
-                    option, input_name()));
-  }
-  for (std::size_t i = 0; i < points.radii.size(); ++i) {
-    if (points.radii[i] == 0) {
-      throw Input_error(input_name(), points.lines[i],
-                        "the radius is 0, and discs without one never touch; expected a radius "
-                        "greater than 0");
-    }
-    if (points.radii[i] == points.radii[0]) continue;
-    throw Input_error(
-        input_name(), points.lines[i],
-        fmt::format(
-            "the radius is {}, but {} in line {}; expected equal radii, since unequal discs "
-            "can touch without being neighbors in the Delaunay triangulation, and weighted "
-            "ones are not supported yet",
-            points.radii[i], points.radii[0], points.lines[0]));
-  }
-  return points.radii.empty() ? 1 : points.radii[0];
-}
-
 std::size_t Simulation_run::step(const Algebraic_number& until) {
   try {
     return simulation_->step(until);
   } catch (const Coincident_trajectories_error& error) {
-    throw Input_error(
-        input_name(), 0,
-        fmt::format("at t = {} a contact leaves points {} and {} in one place with one velocity; "
-                    "expected trajectories that stay distinct",
-                    simulation_->current_time().to_double(), error.first(), error.second()));
+    throw source_.coincidence(error, simulation_->current_time().to_double());
   }
 }
 
 // Executes the events, up to the end or an interruption.
 void Simulation_run::advance() {
-  const Algebraic_number until(settings_.until);
+  const Algebraic_number until(source_.until());
   while (!interrupted() && step(until) > 0) {
     if (outputs_.events != nullptr && !outputs_.events->stream()) outputs_.events->finish();
     if (progress_.due()) {
@@ -306,6 +232,7 @@ void Simulation_run::write_outputs() {
   if (outputs_.edges != nullptr) {
     write_edges(outputs_.edges->stream(), triangulation().finite_edge_ids());
   }
+  if (outputs_.points != nullptr) source_.write_points(outputs_.points->stream());
   statistics_.triangulation = triangulation().counters();
   statistics_.certificates = simulation_->certificate_counters();
   statistics_.queue = triangulation().queue_counters();
@@ -369,8 +296,8 @@ void Simulation_run::summarize() const {
 
 }  // namespace
 
-Exit_code run_simulation(const Simulation_settings& settings) {
-  return Simulation_run(settings).run();
+Exit_code run_simulation(const Run_settings& settings, Run_source& source) {
+  return Simulation_run(settings, source).run();
 }
 
 }  // namespace kinetri::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One run of the simulation: points in; events, edges and statistics out.
+// One run of a simulation: a source in; events, edges and statistics out.
 #ifndef KINETRI_APPS_SIMULATION_RUN_H
 #define KINETRI_APPS_SIMULATION_RUN_H
 
@@ -9,8 +9,8 @@
 
 #include "exit_code.h"
 #include "kinetri/kinetic/instantaneous_traits_2.h"
-#include "kinetri/simulation/simulation_2.h"
 #include "progress.h"
+#include "run_source.h"
 
 namespace kinetri::app {
 
@@ -20,19 +20,14 @@ enum class Audit_mode {
   events,  ///< at the start, after each group of simultaneous events, and at the end
 };
 
-struct Simulation_settings {
-  std::string points;  ///< a path, or "-"
-  double from = 0;
-  double until = 0;  ///< at least `from`
-  std::optional<Box_2> box;
-  bool rim_touches = false;
-  std::optional<double> radius;  ///< of all discs, instead of the column of the points
-  Named_response collisions = named_responses[0];
+/// What is done with a run, whatever its source.
+struct Run_settings {
   // Output files: a path, or "-", or none.
   std::optional<std::string> events;
   std::optional<std::string> initial_edges;
   std::optional<std::string> edges;
   std::optional<std::string> stats;
+  std::optional<std::string> points;  ///< a table of the source's points
   Audit_mode audit = Audit_mode::none;
   Arithmetic arithmetic = Arithmetic::filtered;
   Progress_mode progress = Progress_mode::automatic;
@@ -43,10 +38,9 @@ struct Simulation_settings {
 /// been written: a run that throws changes no file. Failures of audits and a summary go to standard
 /// error.
 ///
-/// Throws Usage_error if two outputs, or an output and the input, are one file, or discs do not fit
-/// the box; Input_error, naming the line, for points outside of the box, unequal radii, and the
-/// like; Output_error; and what Simulation_2 throws.
-Exit_code run_simulation(const Simulation_settings& settings);
+/// Throws Usage_error if two outputs, or an output and the input, are one file; Output_error; and
+/// what the source and Simulation_2 throw.
+Exit_code run_simulation(const Run_settings& settings, Run_source& source);
 
 }  // namespace kinetri::app
 

@@ -300,7 +300,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_usage{{"--until", "1", "--edges", "-", "--stats", "-"},
                   "--edges and --stats name the same file, -; expected different files"},
         Bad_usage{{"--until", "1", "--edges", "p.csv"},
-                  "--edges: p.csv is the file of points; expected another file"}));
+                  "--edges: p.csv is the input; expected another file"}));
 
 TEST_F(Simulate, MissingPointsIsAUsageError) {
   const Outcome outcome = run({"simulate", "--until", "1"});

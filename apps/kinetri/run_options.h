@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The options that the commands which run a simulation have in common.
+#ifndef KINETRI_APPS_RUN_OPTIONS_H
+#define KINETRI_APPS_RUN_OPTIONS_H
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "simulation_run.h"
+
+namespace kinetri::app {
+
+/// Declares the options of outputs, audits and progress, and holds their values as they stand on
+/// the command line.
+class Run_options {
+ public:
+  void add_to(CLI::App& command);
+
+  /// Throws Usage_error.
+  Run_settings settings() const;
+
+ private:
+  std::optional<std::string> events_;
+  std::optional<std::string> initial_edges_;
+  std::optional<std::string> edges_;
+  std::optional<std::string> stats_;
+  std::string audit_ = "none";
+  std::string progress_ = "auto";
+  bool exact_only_ = false;
+  bool quiet_ = false;
+};
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_RUN_OPTIONS_H
