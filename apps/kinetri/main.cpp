@@ -23,6 +23,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/version.h"
 #include "simulate_command.h"
+#include "tracks_command.h"
 
 namespace kinetri::app {
 namespace {
@@ -85,11 +86,13 @@ Exit_code run(int argc, char** argv) {
       "  kinetri simulate points.csv --until 10 --events events.csv --audit end");
   Generate_command generate(program);
   Simulate_command simulate(program);
+  Tracks_command tracks(program);
   Experiment_command experiment(program);
   try {
     program.parse(argc, argv);
     if (generate.chosen()) return generate.run();
-    return simulate.chosen() ? simulate.run() : experiment.run();
+    if (simulate.chosen()) return simulate.run();
+    return tracks.chosen() ? tracks.run() : experiment.run();
   } catch (const CLI::Success& success) {
     program.exit(success, std::cout, std::cerr);
     return Exit_code::done;

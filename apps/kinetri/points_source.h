@@ -33,6 +33,7 @@ class Points_source final : public Run_source {
   std::unique_ptr<Simulation_2<>> make_simulation(Arithmetic arithmetic) const override;
   Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
   std::string name(Point_id id) const override { return std::to_string(id); }
+  std::vector<std::string> remarks() const override { return {}; }
   void write_points(std::ostream&) const override {}
 
  private:

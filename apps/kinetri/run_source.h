@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kinetri/base/error.h"
 #include "kinetri/simulation/simulation_2.h"
@@ -44,6 +45,9 @@ class Run_source {
 
   /// The point in the words of the input: its number, or the id of its track.
   virtual std::string name(Point_id id) const = 0;
+
+  /// What a user should know of what was read; one line each.
+  virtual std::vector<std::string> remarks() const = 0;
 
   /// A table of the points, for sources whose points have names.
   virtual void write_points(std::ostream& out) const = 0;

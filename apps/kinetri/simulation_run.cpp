@@ -20,6 +20,7 @@
 #include "kinetri/io/event_log.h"
 #include "kinetri/io/output_file.h"
 #include "kinetri/io/stats_file.h"
+#include "kinetri/simulation/closest_approaches.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::app {
@@ -53,12 +54,13 @@ std::uint64_t peak_rss_bytes() {
 class Outputs {
  public:
   Outputs(const Run_settings& settings, const std::string& input_path) {
-    files_.reserve(5);
+    files_.reserve(6);
     events = open("--events", settings.events);
     initial_edges = open("--initial-edges", settings.initial_edges);
     edges = open("--edges", settings.edges);
     stats = open("--stats", settings.stats);
     points = open("--ids", settings.points);
+    if (settings.closest > 0) closest = open("--closest", "-");
     std::error_code ignored;
     const std::string input = std::filesystem::canonical(input_path, ignored).string();
     for (std::size_t i = 0; i < files_.size(); ++i) {
@@ -80,6 +82,7 @@ class Outputs {
   Output_file* edges;
   Output_file* stats;
   Output_file* points;
+  Output_file* closest = nullptr;
 
   // All are complete before the first takes its place.
   void commit() {
@@ -125,6 +128,7 @@ class Simulation_run {
   std::size_t step(const Algebraic_number& until);
   void audit(Audit_level level);
   void write_outputs();
+  void write_approaches(std::ostream& out);
   void summarize() const;
 
   const Run_settings& settings_;
@@ -135,6 +139,7 @@ class Simulation_run {
   Run_statistics statistics_;
   std::optional<Event_log_writer> log_;
   std::unique_ptr<Simulation_2<>> simulation_;
+  std::optional<Closest_approaches> closest_;
   std::size_t failures_ = 0;
 };
 
@@ -177,6 +182,7 @@ void Simulation_run::build() {
     log_.emplace(outputs_.events->stream());
     simulation_->add_observer(*log_);
   }
+  if (settings_.closest > 0) closest_.emplace(*simulation_, settings_.closest);
   statistics_.seconds.write += stopwatch_.lap();
 }
 
@@ -228,11 +234,22 @@ void Simulation_run::audit(Audit_level level) {
   statistics_.seconds.audit += stopwatch_.lap();
 }
 
+void Simulation_run::write_approaches(std::ostream& out) {
+  out << "id_a,id_b,time,time_lo,time_hi,distance\n";
+  for (const Approach& approach : closest_->approaches()) {
+    const Double_interval time = approach.time.tight_interval();
+    out << fmt::format("{},{},{},{},{},{}\n", source_.name(approach.points[0]),
+                       source_.name(approach.points[1]), approach.time.to_double(), time.lower,
+                       time.upper, approach.distance);
+  }
+}
+
 void Simulation_run::write_outputs() {
   if (outputs_.edges != nullptr) {
     write_edges(outputs_.edges->stream(), triangulation().finite_edge_ids());
   }
   if (outputs_.points != nullptr) source_.write_points(outputs_.points->stream());
+  if (outputs_.closest != nullptr) write_approaches(outputs_.closest->stream());
   statistics_.triangulation = triangulation().counters();
   statistics_.certificates = simulation_->certificate_counters();
   statistics_.queue = triangulation().queue_counters();
@@ -276,6 +293,7 @@ void Simulation_run::summarize() const {
   };
   fmt::print(stderr, "kinetri: {} points from t = {} to {}{}\n", s.points, s.from, s.reached,
              s.interrupted ? ", interrupted" : "");
+  for (const std::string& remark : source_.remarks()) print("input", remark);
   print("events", fmt::format("{} at {} instants ({})", events,
                               s.triangulation.instants + s.contacts.instants,
                               events_per_kind(s.triangulation)));

@@ -28,6 +28,7 @@ struct Run_settings {
   std::optional<std::string> edges;
   std::optional<std::string> stats;
   std::optional<std::string> points;  ///< a table of the source's points
+  std::size_t closest = 0;            ///< how many closest approaches to print on standard output
   Audit_mode audit = Audit_mode::none;
   Arithmetic arithmetic = Arithmetic::filtered;
   Progress_mode progress = Progress_mode::automatic;

@@ -350,8 +350,8 @@ TEST_F(Simulate, RefusesDiscsAndPlacesThatDoNotFit) {
   const std::vector<Case> cases = {
       {"x,y,vx,vy\n0,0,1,0\n5,12,0,0\n",
        {"--until", "9", "--box", "0,0,10,10"},
-       "p.csv:3: the point is outside of the box at the start: at 5.000000, 12.000000 beyond the "
-       "upper side at 10.000000; expected every point inside of the box or on its sides\n"},
+       "p.csv:3: the point is outside of the box at t = 0: at 5, 12 beyond the "
+       "upper side at 10; expected every point inside of the box or on its sides\n"},
       {"x,y,vx,vy,radius\n1,1,1,0,1\n5,5,0,0,2\n",
        {"--until", "9", "--collisions", "elastic"},
        "p.csv:3: the radius is 2, but 1 in line 2; expected equal radii, since unequal discs can "

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `kinetri tracks` from outside: what becomes of observations, messages, and real tracks.
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/program_test.h"
+
+namespace kinetri {
+namespace {
+
+using test::Arguments;
+using test::Entries;
+using test::Outcome;
+
+class Tracks : public test::Program_test {
+ protected:
+  Outcome tracks(const std::string& text, Arguments more = {}) const {
+    write("t.csv", text);
+    more.insert(more.begin(), {"tracks", "t.csv"});
+    return run(more);
+  }
+};
+
+// Three that stay, and one that comes, turns, rests and goes.
+constexpr const char* one_visitor =
+    "t,id,x,y\n"
+    "0,a,0,0\n0,b,9,0\n0,c,0,9\n"
+    "1,visitor,1,1\n2,visitor,3,1\n4,visitor,3,1\n5,visitor,1,4\n"
+    "10,a,0,0\n10,b,9,0\n10,c,0,9\n";
+
+TEST_F(Tracks, ComeTurnAndGo) {
+  const Outcome outcome =
+      tracks(one_visitor, {"--events", "events.csv", "--ids", "ids.csv", "--edges", "edges.csv",
+                           "--initial-edges", "initial.csv", "--stats", "stats.json", "--audit",
+                           "events", "--until", "9"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(read("ids.csv"), "point,id,first,last\n0,a,0,10\n1,b,0,10\n2,c,0,10\n3,visitor,1,5\n");
+  EXPECT_EQ(read("initial.csv"), "a,b\n0,1\n0,2\n1,2\n");
+  EXPECT_EQ(read("edges.csv"), "a,b\n0,1\n0,2\n1,2\n");
+  const auto stats = nlohmann::json::parse(read("stats.json"));
+  EXPECT_EQ(stats["points"], 4);
+  EXPECT_EQ(stats["from"], 0);
+  EXPECT_EQ(stats["until"], 9);
+  EXPECT_EQ(stats["events"]["insert"], 1);
+  EXPECT_EQ(stats["events"]["trajectory"], 2);
+  EXPECT_EQ(stats["events"]["erase"], 1);
+  EXPECT_EQ(stats["audits"]["failed"], 0);
+  const std::string events = read("events.csv");
+  EXPECT_NE(events.find("0,insert,1,1,1,,,,,3,\n"), std::string::npos) << events;
+  EXPECT_NE(events.find(",erase,5,5,5,,,,,3,\n"), std::string::npos) << events;
+  EXPECT_NE(outcome.err.find("10 observations of 4 ids, 4 stays"), std::string::npos)
+      << outcome.err;
+}
+
+TEST_F(Tracks, EndAtTheLastObservation) {
+  const Outcome outcome = tracks(one_visitor, {"--stats", "-", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto stats = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(stats["until"], 10);
+  EXPECT_EQ(stats["events"]["erase"], 4);
+}
+
+TEST_F(Tracks, MayBeCutByTimeAndByGaps) {
+  const Outcome outcome = tracks(
+      one_visitor, {"--from", "1.5", "--until", "4.5", "--max-gap", "1", "--ids", "-", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  // The others are seen only at the two ends, which is too far apart.
+  EXPECT_EQ(outcome.out, "point,id,first,last\n0,visitor,1,2\n1,visitor,4,5\n");
+}
+
+TEST_F(Tracks, TellWhatWasLeftOut) {
+  const Outcome outcome = tracks("t,id,x,y\n2,a,1,0\n1,a,0,0\n1,a,0,0\n5,once,3,3\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("1 rows that repeat another are left out"), std::string::npos);
+  EXPECT_NE(outcome.err.find("1 rows were not in the order of time"), std::string::npos);
+  EXPECT_NE(outcome.err.find("1 ids with one observation"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Tracks, ThatAreEmptyAreARunOfNothing) {
+  const Outcome outcome = tracks("t,id,x,y\n", {"--edges", "-", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "a,b\n");
+}
+
+TEST_F(Tracks, PrintTheClosestApproaches) {
+  const Outcome outcome = tracks(
+      "t,id,x,y\n0,left,0,0\n10,left,10,0\n0,right,10,3\n10,right,-10,3\n0,far,0,90\n10,far,0,90\n",
+      {"--closest", "2", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("id_a,id_b,time,time_lo,time_hi,distance\n"
+                              "left,right,3.3333333333333335,3.333333333333333,"
+                              "3.3333333333333335,3\n",
+                              0),
+            0u)
+      << outcome.out;
+}
+
+TEST_F(Tracks, LogContactsOfDiscs) {
+  const Outcome outcome =
+      tracks("t,id,x,y\n0,a,0,0\n10,a,10,0\n0,b,8,0\n10,b,8,0\n",
+             {"--collisions", "log", "--radius", "1", "--events", "-", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("collision,6,6,6,,,,,0,1\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Tracks, SayWhatIsWrong) {
+  struct Case {
+    const char* text;
+    Arguments arguments;
+    const char* message;
+  };
+  const std::vector<Case> cases = {
+      {"t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n",
+       {},
+       "t.csv:6: from t = 1 on ids 'a' and 'b' go the same way (see line 3); expected things that "
+       "are apart at one of two observations\n"},
+      {"t,id,x,y\n0,a,-1e308,0\n1,a,1e308,0\n",
+       {},
+       "t.csv:3: id 'a' goes too far too fast since line 2; expected a velocity that is a binary64 "
+       "number\n"},
+      {one_visitor, {"--fps", "25"}, "kinetri tracks: --fps: rows have times; expected --format "},
+      {one_visitor, {"--max-gap", "0"}, "kinetri tracks: --max-gap: 0 cannot be used; expected "},
+      {one_visitor,
+       {"--format", "xml"},
+       "kinetri tracks: --format: 'xml' is unknown; expected rows "},
+      {one_visitor, {"--collisions", "log"}, "kinetri tracks: --collisions: discs have a radius; "},
+      {one_visitor,
+       {"--radius", "1"},
+       "kinetri tracks: --radius: nothing touches a disc; expected "},
+      {one_visitor, {"--closest", "0"}, "kinetri tracks: --closest: 0 approaches show nothing; "},
+      {one_visitor,
+       {"--until", "-1"},
+       "kinetri tracks: --until: -1 is before the start; expected at "
+       "least 0, which is the first observation\n"},
+      {one_visitor,
+       {"--closest", "1", "--edges", "-"},
+       "kinetri tracks: --edges and --closest name the same file, -; expected different files\n"}};
+  for (const Case& c : cases) {
+    Arguments arguments = c.arguments;
+    arguments.insert(arguments.end(), {"--stats", "stats.json"});
+    const Outcome outcome = tracks(c.text, arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind(c.message, 0), 0u) << outcome.err;
+    EXPECT_EQ(entries(), (Entries{"t.csv"}));
+  }
+}
+
+// ---- real tracks ----
+
+class Crowd : public Tracks, public testing::WithParamInterface<const char*> {};
+
+TEST_P(Crowd, RunsWholeAudited) {
+  const std::filesystem::path data =
+      std::filesystem::path(KINETRI_SHARED_DATA) / "crowd" / GetParam();
+  if (!std::filesystem::exists(data)) GTEST_SKIP() << data << " is not there";
+  const Outcome outcome =
+      run({"tracks", data.string(), "--format", "frames", "--fps", "25", "--audit", "end",
+           "--closest", "3", "--stats", "stats.json", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto stats = nlohmann::json::parse(read("stats.json"));
+  EXPECT_EQ(stats["events"]["erase"], stats["points"]);
+  EXPECT_GT(stats["events"]["flip"], 1000);
+  EXPECT_EQ(stats["audits"]["failed"], 0);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Crowd, testing::Values("students003.txt", "biwi_eth.txt"));
+
+}  // namespace
+}  // namespace kinetri
