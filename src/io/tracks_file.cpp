@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/io/tracks_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "kinetri/base/check.h"
+#include "kinetri/base/error.h"
+#include "text_table.h"
+
+namespace kinetri {
+namespace {
+
+constexpr Table_kind tracks_kind = {"tracks", "observation"};
+
+enum Column : std::size_t { t, id, x, y, column_count };
+using Column_names = std::array<std::string_view, column_count>;
+constexpr Column_names rows_columns = {"t", "id", "x", "y"};
+// In the order of the fields.
+constexpr Column_names frames_columns = {"frame", "id", "x", "y"};
+constexpr std::string_view expected_columns =
+    "expected a header line with the columns t,id,x,y, in any order";
+
+bool earlier(const Track_observation& a, const Track_observation& b) {
+  return a.time < b.time;
+}
+
+class Tracks_reader {
+ public:
+  Tracks_reader(std::istream& in, const std::string& name)
+      : table_(in, name, tracks_kind), name_(name) {}
+
+  Tracks_file read(Tracks_format format, double fps) {
+    if (format == Tracks_format::rows) {
+      read_rows();
+    } else {
+      read_frames(fps);
+    }
+    return tracks();
+  }
+
+ private:
+  // The fields of one row, as they come.
+  struct Row {
+    std::string_view id;
+    std::array<double, column_count> values = {};
+  };
+
+  void read_rows() {
+    const std::vector<std::size_t> columns =
+        table_.read_header(rows_columns, column_count, expected_columns);
+    while (const auto line = table_.next()) {
+      Row row;
+      std::size_t fields = 0;
+      for_each_field_between_commas(*line, [&](std::string_view field) {
+        if (fields < columns.size()) read_field(row, field, columns[fields], rows_columns);
+        ++fields;
+      });
+      table_.check_number_of_fields(fields, columns.size());
+      add(row, row.values[t]);
+    }
+  }
+
+  void read_frames(double fps) {
+    while (const auto line = table_.next()) {
+      Row row;
+      std::size_t fields = 0;
+      for_each_field_between_blanks(*line, [&](std::string_view field) {
+        if (fields < column_count) read_field(row, field, fields, frames_columns);
+        ++fields;
+      });
+      if (fields != column_count) {
+        table_.fail(
+            fmt::format("the row has {} field{}; expected 4, frame, id, x and y, separated by tabs "
+                        "or blanks",
+                        fields, fields == 1 ? "" : "s"));
+      }
+      add(row, time_of_frame(row.values[t], fps));
+    }
+  }
+
+  void read_field(Row& row, std::string_view field, std::size_t column,
+                  const Column_names& names) const {
+    if (column != id) {
+      row.values[column] = table_.number(field, names[column]);
+    } else if (field.empty()) {
+      table_.fail(fmt::format("the column {} is empty; expected any text", names[column]));
+    } else {
+      row.id = field;
+    }
+  }
+
+  double time_of_frame(double frame, double fps) const {
+    const double time = frame / fps;
+    if (!std::isfinite(time) || (time == 0 && frame != 0)) {
+      table_.fail(
+          fmt::format("the time of the frame {} at {} frames a second is out of the range of "
+                      "binary64; expected 0, or a magnitude from 4.9e-324 to 1.8e308",
+                      frame, fps));
+    }
+    return time;
+  }
+
+  void add(const Row& row, double time) {
+    auto found = rows_.find(row.id);
+    if (found == rows_.end()) {
+      found = rows_.emplace(row.id, std::vector<Track_observation>()).first;
+    }
+    std::vector<Track_observation>& observations = found->second;
+    observations.push_back({time, {row.values[x], row.values[y]}, table_.line()});
+    if (observations.size() > 1 && earlier(observations.back(), observations.end()[-2])) {
+      ++result_.rows_out_of_order;
+    }
+  }
+
+  Tracks_file tracks() {
+    for (auto& [track_id, observations] : rows_) {
+      if (!std::is_sorted(observations.begin(), observations.end(), earlier)) {
+        std::stable_sort(observations.begin(), observations.end(), earlier);
+      }
+      drop_doubled(track_id, observations);
+      result_.observations += observations.size();
+    }
+    if (conflict_) fail_at_two_places();
+    result_.tracks.reserve(rows_.size());
+    while (!rows_.empty()) {
+      auto node = rows_.extract(rows_.begin());
+      result_.tracks.push_back({std::move(node.key()), std::move(node.mapped())});
+    }
+    std::sort(result_.tracks.begin(), result_.tracks.end(), [](const Track& a, const Track& b) {
+      const Track_observation& first_a = a.observations.front();
+      const Track_observation& first_b = b.observations.front();
+      return first_a.time != first_b.time ? first_a.time < first_b.time
+                                          : first_a.line < first_b.line;
+    });
+    return std::move(result_);
+  }
+
+  // One id at two places at one time.
+  struct Conflict {
+    std::string_view id;
+    Track_observation first;
+    Track_observation second;  // in a later line
+  };
+
+  // Keeps, of the rows at one time, the one that comes first in the file.
+  void drop_doubled(std::string_view track_id, std::vector<Track_observation>& observations) {
+    std::size_t kept = 1;
+    for (std::size_t i = 1; i < observations.size(); ++i) {
+      const Track_observation& last = observations[kept - 1];
+      const Track_observation& next = observations[i];
+      if (last.time != next.time) {
+        observations[kept++] = next;
+      } else if (last.place == next.place) {
+        ++result_.doubled_rows;
+      } else if (!conflict_ || next.line < conflict_->second.line) {
+        conflict_ = {track_id, last, next};
+      }
+    }
+    observations.resize(kept);
+  }
+
+  [[noreturn]] void fail_at_two_places() const {
+    const auto& [conflict_id, first, second] = *conflict_;
+    throw Input_error(
+        name_, second.line,
+        fmt::format("id {} is at two places at t = {}: at ({}, {}), and at ({}, {}) in line {}; "
+                    "expected one",
+                    quoted(conflict_id), second.time, second.place.x, second.place.y, first.place.x,
+                    first.place.y, first.line));
+  }
+
+  Table_reader table_;
+  const std::string& name_;
+  // The rows of each id: a tree, and not a hash, so that no input makes the search slow.
+  std::map<std::string, std::vector<Track_observation>, std::less<>> rows_;
+  std::optional<Conflict> conflict_;  // the one whose second line comes first
+  Tracks_file result_;
+};
+
+}  // namespace
+
+Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format format,
+                        double fps) {
+  KINETRI_PRECONDITION(format == Tracks_format::rows || (std::isfinite(fps) && fps > 0),
+                       "the number of frames a second is finite and greater than 0");
+  // A stream that has failed before would look like a file without frames.
+  if (in.fail()) {
+    throw Input_error(name, 1, "reading failed; expected a readable file of tracks");
+  }
+  return Tracks_reader(in, name).read(format, fps);
+}
+
+Tracks_file read_tracks_file(const std::string& path, Tracks_format format, double fps) {
+  if (path == "-") return read_tracks(std::cin, "standard input", format, fps);
+  std::ifstream in = open_table(path, tracks_kind);
+  return read_tracks(in, path, format, fps);
+}
+
+}  // namespace kinetri
