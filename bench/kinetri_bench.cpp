@@ -32,6 +32,7 @@ const std::string discs_mode = "discs";
 const std::map<std::string, Mode> modes = {
     {"events",
      {measure_events, "time per event, against a static rebuild and an uncertified program"}},
+    {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
     {"memory", {measure_memory, "peak memory of construction and run"}},
     {"frames", {measure_frames, "frame rates from which on the kinetic way is faster"}},
     {"lattice-row",

@@ -76,6 +76,10 @@ nlohmann::json measure_lattice_row(const Setup& setup);
 /// rebuild for each frame, and than moving each vertex of a static triangulation.
 nlohmann::json measure_frames(const Setup& setup);
 
+/// Nanoseconds for each insertion, erasure and turn of a point at one time, and for CGAL's
+/// insertion and removal in a static triangulation of the same points, in turn.
+nlohmann::json measure_changes(const Setup& setup);
+
 /// Elastic collisions of discs in a box: the exact simulation, the part of it that is the
 /// triangulation's, and a cell list in doubles, in turn. Throws std::runtime_error if the two
 /// programs disagree where rounding cannot yet have separated them, or if discs overlap at the end.

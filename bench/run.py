@@ -82,6 +82,8 @@ def measurements(arguments):
         yield "frames", "uniform", points, runs
     if arguments.large:
         yield "frames", "uniform", 100_000, min(runs, 3)
+    for points in (1_000, 100_000):
+        yield "changes", "uniform", points, runs
     for points in sizes:
         for area_fraction in DISCS_UNTIL:
             yield "discs", area_fraction, points, min(runs, 2) if arguments.quick else runs
@@ -171,6 +173,14 @@ DISC_FIGURES = (
     ("share of the triangulation in the time", "share_of_triangulation"),
 )
 
+CHANGE_FIGURES = (
+    ("turn of a point: ns", "turn_ns"),
+    ("insertion: ns", "insert_ns"),
+    ("insertion / static insertion", "insert_over_static"),
+    ("erasure: ns", "erase_ns"),
+    ("erasure / static removal", "erase_over_static"),
+)
+
 
 def rows(results):
     """(what, scenario, points, values of the runs, target)."""
@@ -189,6 +199,9 @@ def rows(results):
             for key, name in (("rebuild", "rebuild"), ("move", "move_if_no_collision")):
                 values = [run[f"{key}_crossover_rate"] for run in runs]
                 yield f"faster than {name} from frames / time", scenario, points, values, None
+        elif mode == "changes":
+            for what, key in CHANGE_FIGURES:
+                yield what, scenario, points, [run[key] for run in runs], None
         elif mode == "discs":
             for what, key in DISC_FIGURES:
                 yield what, f"discs {scenario}", points, [run[key] for run in runs], None

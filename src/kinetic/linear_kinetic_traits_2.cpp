@@ -73,6 +73,13 @@ Outlook<Time> outlook(const Filter_verdict& verdict, Certificate_counters& count
   }
 }
 
+// That of a certificate that is certainly violated at t, as after the insertion of a point.
+Outlook<Time> failure_at_once(const Time& t, Certificate_counters& counters) {
+  ++counters.filter_decided;
+  ++counters.refined_decided;
+  return {Outlook<Time>::Kind::fails, t.interval(), std::make_unique<Time>(t)};
+}
+
 Outlook<Time> exact_outlook(const Polynomial& certificate, const Time& t,
                             Certificate_counters& counters) {
   ++counters.exact_decided;
@@ -113,6 +120,10 @@ Outlook<Time> Linear_kinetic_traits_2::in_circle_outlook(const Point_2& p, const
     if (verdict.kind != Filter_verdict::Kind::unknown) {
       return outlook(verdict, counters);
     }
+    if (certain_in_circle(p.motion(), q.motion(), r.motion(), s.motion(), t.interval()) ==
+        CGAL::POSITIVE) {
+      return failure_at_once(t, counters);
+    }
   }
   return exact_outlook(-in_circle_polynomial(p, q, r, s), t, counters);
 }
@@ -127,6 +138,9 @@ Outlook<Time> Linear_kinetic_traits_2::orientation_outlook(const Point_2& p, con
         p.motion(), q.motion(), r.motion(), t.interval(), state == Certificate_state::vanishes);
     if (verdict.kind != Filter_verdict::Kind::unknown) {
       return outlook(verdict, counters);
+    }
+    if (certain_orientation(p.motion(), q.motion(), r.motion(), t.interval()) == CGAL::NEGATIVE) {
+      return failure_at_once(t, counters);
     }
   }
   return exact_outlook(orientation_polynomial(p, q, r), t, counters);

@@ -200,7 +200,14 @@ TEST_F(Deciding_stage, of_a_certificate_that_never_fails_is_the_filter) {
   expect_stage(4, 0, 0);
 }
 
-TEST_F(Deciding_stage, of_a_violation_at_once_is_exact) {
+TEST_F(Deciding_stage, of_a_violation_already_is_the_filter) {
+  const auto violated = outlook(moving(0, 0.5, 0, -1));
+  ASSERT_TRUE(violated.failure);
+  EXPECT_EQ(*violated.failure, Algebraic_number(0.0));
+  expect_stage(1, 0, 0);
+}
+
+TEST_F(Deciding_stage, of_a_violation_that_begins_now_is_exact) {
   const auto violated = outlook(moving(0, 1, 0, -1));
   ASSERT_TRUE(violated.failure);
   EXPECT_EQ(*violated.failure, Algebraic_number(0.0));
