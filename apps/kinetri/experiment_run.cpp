@@ -268,7 +268,7 @@ std::string Experiments::events_plot() const {
   std::string script;
   std::array<std::string, 2> curves;  // of flips, and of the others, which are fewer
   int style = 0;
-  for (const auto& [group_name, kinds] : groups) {
+  for (const Group& group : groups) {
     ++style;
     const auto add = [&](std::string_view fate, bool dashed, const auto& count) {
       const std::string block = fmt::format("{}{}", fate, style);
@@ -279,10 +279,10 @@ std::string Experiments::events_plot() const {
       script += "END\n";
       std::string& panel = curves[style == 1 ? 0 : 1];
       if (!panel.empty()) panel += ", ";
-      panel += curve(block, fmt::format("{}, {}", group_name, fate), style, dashed);
+      panel += curve(block, fmt::format("{}, {}", group.name, fate), style, dashed);
     };
-    add("executed", false, [&kinds = kinds](const Run& run) { return executed(run, kinds); });
-    add("discarded", true, [&kinds = kinds](const Run& run) { return discarded(run, kinds); });
+    add("executed", false, [&group](const Run& run) { return executed(run, group.kinds); });
+    add("discarded", true, [&group](const Run& run) { return discarded(run, group.kinds); });
   }
   return script +
          fmt::format(

@@ -123,7 +123,10 @@ TEST_P(Contact_filter, of_signs_at_an_instant_never_contradicts_exact_arithmetic
       EXPECT_EQ(sign, polynomial.sign_at(to_rational(t)));
       EXPECT_EQ(sign, polynomial.sign_at(to_rational(interval.upper)));
     };
-    const auto& [a, b, c, d] = m;
+    const Linear_motion_2& a = m[0];
+    const Linear_motion_2& b = m[1];
+    const Linear_motion_2& c = m[2];
+    const Linear_motion_2& d = m[3];
     expect_sign(in_mode(i, [&] { return certain_scalar_product(a, b, c, interval); }),
                 scalar_product_polynomial(p, q, r));
     expect_sign(in_mode(i, [&] { return certain_distance_order(a, b, c, interval); }),
