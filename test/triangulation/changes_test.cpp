@@ -65,6 +65,8 @@ class Mixed_operations {
         return insert();
       case 5:
         return erase();
+      case 6:
+        return turn_two();
       default:
         return turn();
     }
@@ -107,6 +109,33 @@ class Mixed_operations {
       known_.at(id).motion = motion;
     });
     return "turn " + std::to_string(id);
+  }
+
+  // Two in one event, of which one may stay where it is and the other jump.
+  std::string turn_two() {
+    if (known_.size() < 2) return "nothing";
+    const Point_id a = random_id();
+    const Point_id b = random_id();
+    const Linear_motion_2 for_a = number(0, 1) == 0 ? random_motion() : slower(kinetic_.motion(a));
+    const Linear_motion_2 for_b = random_motion();
+    const auto is_taken = [&](const Linear_motion_2& motion) {
+      return std::ranges::any_of(
+          known_, [&](const auto& known) { return same_trajectory(known.second.motion, motion); });
+    };
+    if (a == b || is_taken(for_a) || is_taken(for_b) || same_trajectory(for_a, for_b)) {
+      return "nothing";
+    }
+    const std::array<Kinetic_delaunay::Change, 2> changes = {
+        {{kinetic_.vertex(a), for_a}, {kinetic_.vertex(b), for_b}}};
+    kinetic_.apply(Event_kind::collision, a, b, changes);
+    known_.at(a).motion = for_a;
+    known_.at(b).motion = for_b;
+    return "turn " + std::to_string(a) + " and " + std::to_string(b);
+  }
+
+  // From about where it is, at half the speed.
+  Linear_motion_2 slower(const Linear_motion_2& m) const {
+    return turned(m, {m.velocity.x / 2, m.velocity.y / 2}, kinetic_.current_time().to_double());
   }
 
   // Makes the change, which is refused exactly if the motion is that of another point.

@@ -217,8 +217,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded_around(Vertex_handle 
     }
   } while (++face != first);
   if (previous == Vertex_handle()) return true;
-  if (!is_left_turn(before_previous, previous, v) || !is_left_turn(v, next, after_next) ||
-      !is_left_turn(previous, v, next)) {
+  if (!is_left_turn(before_previous, previous, v) || !is_left_turn(v, next, after_next)) {
     return false;
   }
   auto neighbor = triangulation_.incident_vertices(v);
