@@ -15,8 +15,9 @@
 
 namespace kinetri {
 
-/// The kinds of event. The enumerators' order is the order in which simultaneous events are taken
-/// from the queue, before their point ids decide. It is not arbitrary: points that coincide are
+/// The kinds of event. Up to `collision` the enumerators' order is the order in which simultaneous
+/// events are taken from the queue, before their point ids decide; changes that were scheduled
+/// follow (Simulation_2). It is not arbitrary: points that coincide are
 /// set aside first, since all else is about distinct points; flat hull triangles are removed next,
 /// since every later flip relies on a triangulation that is properly embedded. The edges of a
 /// rebuild are reported when its instant is done, those removed first.

@@ -5,14 +5,15 @@
 //
 // The triangulation's events have a queue of their own. This one holds, for each point, the next
 // wall that it reaches and, for each edge of the triangulation, the contact of the discs at its
-// ends; it follows the edges as an observer. Discs of equal diameter that do not overlap and come
-// into contact are neighbors, since the disc with their centres at the ends of a diameter is empty
-// of others; so the edges are enough (docs/MATH.md, section 8).
+// ends; and changes of points that were scheduled. It follows the edges as an observer. Discs of
+// equal diameter that do not overlap and come into contact are neighbors, since the disc with their
+// centres at the ends of a diameter is empty of others; so the edges are enough (docs/MATH.md,
+// section 8).
 //
 // One contact's way through the code: `step` lets the triangulation execute what is before it, in
-// exact order; `execute` takes it out of the queue; `hit_wall` or `collide` finds the motions after
-// it; `change` hands these to the triangulation, which reports the event, and schedules the
-// contacts of the points anew.
+// exact order; `execute_due_entries` takes it out of the queue; `hit_wall` or `collide` finds the
+// motions after it; `change` hands these to the triangulation, which reports the event, and
+// schedules the contacts of the points anew.
 #ifndef KINETRI_SIMULATION_SIMULATION_2_H
 #define KINETRI_SIMULATION_SIMULATION_2_H
 
@@ -40,7 +41,7 @@ class Endless_contacts_error : public Error {
   using Error::Error;
 };
 
-/// A point is outside of the box at the start.
+/// A point is outside of the box at the start, or when it is inserted or given another motion.
 class Outside_box_error : public Error {
  public:
   Outside_box_error(Point_id point, const std::string& message) : Error(message), point_(point) {}
@@ -50,7 +51,7 @@ class Outside_box_error : public Error {
   Point_id point_;
 };
 
-/// What a simulation keeps its points from, beyond passing.
+/// What points meet besides each other's Delaunay triangulation: a box, and discs about them.
 struct Simulation_options {
   /// A point that reaches a side while it moves outward is reflected: the component of its velocity
   /// changes sign, exactly.
