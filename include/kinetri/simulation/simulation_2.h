@@ -51,7 +51,7 @@ class Outside_box_error : public Error {
   Point_id point_;
 };
 
-/// What points meet besides each other's Delaunay triangulation: a box, and discs about them.
+/// The box and the discs of a simulation. Without any, points go their ways freely.
 struct Simulation_options {
   /// A point that reaches a side while it moves outward is reflected: the component of its velocity
   /// changes sign, exactly.
