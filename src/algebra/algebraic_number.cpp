@@ -469,6 +469,15 @@ Algebraic_number Algebraic_number::detached() const {
   return {polynomial(), lower(), upper()};
 }
 
+Algebraic_number Algebraic_number::operator-() const {
+  if (source_ == nullptr) return 0.0 - interval_.lower;  // zero has no sign
+  if (is_known_rational()) return Rational(-rational());
+  std::vector<Integer> coefficients(polynomial().coefficients().begin(),
+                                    polynomial().coefficients().end());
+  for (std::size_t i = 1; i < coefficients.size(); i += 2) coefficients[i] = -coefficients[i];
+  return {Polynomial(std::move(coefficients)), Rational(-upper()), Rational(-lower())};
+}
+
 void Algebraic_number::follow_representation() const {
   interval_ = source_->representation_->double_interval();
 }

@@ -11,7 +11,8 @@
 #include <cstddef>
 
 #include "differences.h"
-#include "kinetri/kinetic/linear_filter.h"
+#include "kinetri/algebra/number_types.h"
+#include "kinetri/kinetic/filter_verdict.h"
 
 namespace kinetri {
 
@@ -54,6 +55,31 @@ inline Coefficients<2> bernstein(const Coefficients<2>& c) {
 }
 inline Coefficients<1> bernstein(const Coefficients<1>& c) {
   return {c[0], c[0] + c[1]};
+}
+
+// The same for any degree: by powers, b_i = sum over k of c_k C(i, k) / C(degree, k).
+template <std::size_t M>
+std::array<double, M> bernstein(const std::array<double, M>& c) {
+  constexpr auto shares = [] {
+    std::array<std::array<double, M>, M> binomial = {};
+    for (std::size_t i = 0; i < M; ++i) {
+      binomial[i][0] = 1;
+      for (std::size_t k = 1; k <= i; ++k) {
+        binomial[i][k] = binomial[i - 1][k - 1] + (k < i ? binomial[i - 1][k] : 0);
+      }
+    }
+    auto result = binomial;
+    for (auto& row : result) {
+      for (std::size_t k = 0; k < M; ++k) row[k] /= binomial[M - 1][k];
+    }
+    return result;
+  }();
+  std::array<double, M> result;
+  for (std::size_t i = 0; i < M; ++i) {
+    result[i] = c[0];
+    for (std::size_t k = 1; k <= i; ++k) result[i] += shares[i][k] * c[k];
+  }
+  return result;
 }
 
 template <std::size_t M>
@@ -204,6 +230,59 @@ inline Filter_verdict in_time(const Filter_verdict& v, double origin, double win
   const double upper = up(origin + up(v.bounds.upper * window));
   if (v.kind == Filter_verdict::Kind::unknown || !std::isfinite(upper)) return {};
   return {v.kind, {lower, upper}, v.is_refined};
+}
+
+// The verdict on the polynomial with coefficients `c`, whose values are known up to `error`.
+template <std::size_t M>
+Filter_verdict judge(const std::array<double, M>& c, double error, double window,
+                     const Double_interval& after) {
+  const std::array<double, M> b = bernstein(c);
+  if (least(b) > error) {
+    if (least(c) > error) return {Filter_verdict::Kind::holds_for_ever, {}};
+    return in_time({Filter_verdict::Kind::holds, {1, 1}}, after.lower, window, after);
+  }
+  return in_time(first_failure(c, b, error), after.lower, window, after);
+}
+
+// Likewise where it has a known root at the time in `after`, of which the next one is wanted.
+// `norm` times `error` bounds the sum of the coefficients' magnitudes.
+template <std::size_t M>
+Filter_verdict judge_after_root(const std::array<double, M>& c, double error, double norm,
+                                double window, const Double_interval& after) {
+  // c(w) = (w - r) g(w) with 0 <= r <= rest: g has the coefficients c_1, c_2, ... up to an error
+  // that r makes, and the next root of c after r is that of g.
+  const double rest = 2 * (after.upper - after.lower) / window;
+  if (!(rest < 0x1p-10)) return {};
+  std::array<double, M - 1> g;
+  std::copy(c.begin() + 1, c.end(), g.begin());
+  const double error_of_g = error + 2 * norm * error * rest;
+  if (least(g) > error_of_g) return {Filter_verdict::Kind::holds_for_ever, {}};
+  const std::array<double, M - 1> b = bernstein(g);
+  if (least(b) > error_of_g) {
+    return in_time({Filter_verdict::Kind::holds, {1, 1}}, after.lower, window, after);
+  }
+  Filter_verdict verdict = first_failure(g, b, error_of_g);
+  if (verdict.kind == Filter_verdict::Kind::fails) {
+    // c itself gives the narrower bracket, and the next certificate starts from there.
+    auto& [lower, upper] = verdict.bounds;
+    bracket_root(c, error, 0.5 * (lower + upper), lower, upper);
+  }
+  return in_time(verdict, after.lower, window, after);
+}
+
+// The verdict on a certificate whose points do not move against each other.
+inline Filter_verdict judge_constant(double value, double error) {
+  if (!(value > error)) return {};
+  return {Filter_verdict::Kind::holds_for_ever, {}};
+}
+
+// The sign of a polynomial all of whose values over [0, 1] are certainly of one sign, else zero.
+template <std::size_t M>
+Sign certain_sign(const std::array<double, M>& c, double error) {
+  const std::array<double, M> b = bernstein(c);
+  if (std::ranges::all_of(b, [error](double x) { return x > error; })) return CGAL::POSITIVE;
+  if (std::ranges::all_of(b, [error](double x) { return x < -error; })) return CGAL::NEGATIVE;
+  return CGAL::ZERO;
 }
 
 }  // namespace kinetri

@@ -39,29 +39,31 @@ Polynomial squared_length(const Vector& a) {
 
 }  // namespace
 
-Polynomial x_difference(const Moving_point_2& p, const Moving_point_2& q) {
-  const auto [a, b] = common_trajectories<2>({&p, &q});
+template <class Point>
+Polynomial x_difference(const Point& p, const Point& q) {
+  const auto [a, b] = common_trajectories<2, typename Point::Motion>({&p, &q});
   const Vector v = difference(a, b);
   return times(v.x, v.w);
 }
 
-Polynomial y_difference(const Moving_point_2& p, const Moving_point_2& q) {
-  const auto [a, b] = common_trajectories<2>({&p, &q});
+template <class Point>
+Polynomial y_difference(const Point& p, const Point& q) {
+  const auto [a, b] = common_trajectories<2, typename Point::Motion>({&p, &q});
   const Vector v = difference(a, b);
   return times(v.y, v.w);
 }
 
-Polynomial orientation_polynomial(const Moving_point_2& p, const Moving_point_2& q,
-                                  const Moving_point_2& r) {
-  const auto [a, b, c] = common_trajectories<3>({&p, &q, &r});
+template <class Point>
+Polynomial orientation_polynomial(const Point& p, const Point& q, const Point& r) {
+  const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
   const Vector u = difference(b, a);
   const Vector v = difference(c, a);
   return times(times(cross(u, v), u.w), v.w);
 }
 
-Polynomial in_circle_polynomial(const Moving_point_2& p, const Moving_point_2& q,
-                                const Moving_point_2& r, const Moving_point_2& s) {
-  const auto [a, b, c, d] = common_trajectories<4>({&p, &q, &r, &s});
+template <class Point>
+Polynomial in_circle_polynomial(const Point& p, const Point& q, const Point& r, const Point& s) {
+  const auto [a, b, c, d] = common_trajectories<4, typename Point::Motion>({&p, &q, &r, &s});
   const Vector u = difference(a, d);
   const Vector v = difference(b, d);
   const Vector w = difference(c, d);
@@ -72,24 +74,25 @@ Polynomial in_circle_polynomial(const Moving_point_2& p, const Moving_point_2& q
          squared_length(w) * times(times(cross(u, v), u.w), v.w);
 }
 
-Polynomial distance_difference(const Moving_point_2& p, const Moving_point_2& q,
-                               const Moving_point_2& r) {
-  const auto [a, b, c] = common_trajectories<3>({&p, &q, &r});
+template <class Point>
+Polynomial distance_difference(const Point& p, const Point& q, const Point& r) {
+  const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
   // |q-p|^2 / (wq wp)^2 - |r-p|^2 / (wr wp)^2, times the positive (wp wq wr)^2.
   const Polynomial to_q = squared_length(difference(b, a));
   const Polynomial to_r = squared_length(difference(c, a));
   return times(times(to_q, c.w), c.w) - times(times(to_r, b.w), b.w);
 }
 
-Polynomial scalar_product_polynomial(const Moving_point_2& p, const Moving_point_2& q,
-                                     const Moving_point_2& r) {
-  const auto [a, b, c] = common_trajectories<3>({&p, &q, &r});
+template <class Point>
+Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point& r) {
+  const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
   const Vector u = difference(a, b);
   const Vector v = difference(c, b);
   return times(times(dot(u, v), u.w), v.w);
 }
 
-Polynomial contact_polynomial(const Moving_point_2& p, const Moving_point_2& q, double diameter) {
+template <class Point>
+Polynomial contact_polynomial(const Point& p, const Point& q, double diameter) {
   const Vector v = difference(p.trajectory(), q.trajectory());
   const Rational d = to_rational(diameter);
   const Integer numerator = boost::multiprecision::numerator(d);
@@ -98,7 +101,8 @@ Polynomial contact_polynomial(const Moving_point_2& p, const Moving_point_2& q, 
          v.w * v.w * Integer(numerator * numerator);
 }
 
-Polynomial wall_polynomial(const Moving_point_2& p, const Wall_2& wall) {
+template <class Point>
+Polynomial wall_polynomial(const Point& p, const Wall_2& wall) {
   const Trajectory_2 path = p.trajectory();
   const Rational clearance = to_rational(wall.clearance);
   const Rational bound = to_rational(wall.position) + (wall.is_upper() ? -clearance : clearance);
@@ -109,8 +113,8 @@ Polynomial wall_polynomial(const Moving_point_2& p, const Wall_2& wall) {
   return times(wall.is_upper() ? -inward : inward, path.w);
 }
 
-Trajectory_2 circumcenter_trajectory(const Moving_point_2& p, const Moving_point_2& q,
-                                     const Moving_point_2& r) {
+template <class Point>
+Trajectory_2 circumcenter_trajectory(const Point& p, const Point& q, const Point& r) {
   const Trajectory_2 a = p.trajectory();
   const Vector u = difference(q.trajectory(), a);
   const Vector v = difference(r.trajectory(), a);
@@ -124,5 +128,20 @@ Trajectory_2 circumcenter_trajectory(const Moving_point_2& p, const Moving_point
   return {times(a.x, denominator) + times(v.y * uu - u.y * vv, a.w),
           times(a.y, denominator) + times(u.x * vv - v.x * uu, a.w), times(a.w, denominator)};
 }
+
+#define KINETRI_INSTANTIATE(Point)                                                         \
+  template Polynomial x_difference(const Point&, const Point&);                            \
+  template Polynomial y_difference(const Point&, const Point&);                            \
+  template Polynomial orientation_polynomial(const Point&, const Point&, const Point&);    \
+  template Polynomial in_circle_polynomial(const Point&, const Point&, const Point&,       \
+                                           const Point&);                                  \
+  template Polynomial distance_difference(const Point&, const Point&, const Point&);       \
+  template Polynomial scalar_product_polynomial(const Point&, const Point&, const Point&); \
+  template Polynomial contact_polynomial(const Point&, const Point&, double);              \
+  template Polynomial wall_polynomial(const Point&, const Wall_2&);                        \
+  template Trajectory_2 circumcenter_trajectory(const Point&, const Point&, const Point&)
+KINETRI_INSTANTIATE(Moving_point_2);
+KINETRI_INSTANTIATE(Basic_moving_point_2<Polynomial_motion_2>);
+#undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

@@ -5,19 +5,23 @@
 
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "kinetri/kinetic/linear_filter.h"
+#include "kinetri/kinetic/polynomial_filter.h"
 
 namespace kinetri {
 
-const Double_interval* Instantaneous_traits_2::Predicate::filtered_interval(
+template <class Motion>
+const Double_interval* Basic_instantaneous_traits_2<Motion>::Predicate::filtered_interval(
     std::initializer_list<const Point_2*> points) const {
   if (state_->arithmetic == Arithmetic::exact_only) return nullptr;
-  if (!std::ranges::all_of(points, &Point_2::is_linear)) return nullptr;
+  if (!std::ranges::all_of(points, &Point_2::has_motion)) return nullptr;
   return &state_->instant.time.interval();
 }
 
 // A sign that the filter knows is not zero, so that it is the same just before, at and just after.
 
-Sign Instantaneous_traits_2::Predicate::x_order(const Point_2& p, const Point_2& q) const {
+template <class Motion>
+Sign Basic_instantaneous_traits_2<Motion>::Predicate::x_order(const Point_2& p,
+                                                              const Point_2& q) const {
   if (const Double_interval* interval = filtered_interval({&p, &q})) {
     const Sign s = certain_x_order(p.motion(), q.motion(), *interval);
     if (s != CGAL::ZERO) return s;
@@ -25,7 +29,9 @@ Sign Instantaneous_traits_2::Predicate::x_order(const Point_2& p, const Point_2&
   return sign_at(x_difference(p, q), state_->instant);
 }
 
-Sign Instantaneous_traits_2::Predicate::y_order(const Point_2& p, const Point_2& q) const {
+template <class Motion>
+Sign Basic_instantaneous_traits_2<Motion>::Predicate::y_order(const Point_2& p,
+                                                              const Point_2& q) const {
   if (const Double_interval* interval = filtered_interval({&p, &q})) {
     const Sign s = certain_y_order(p.motion(), q.motion(), *interval);
     if (s != CGAL::ZERO) return s;
@@ -33,8 +39,10 @@ Sign Instantaneous_traits_2::Predicate::y_order(const Point_2& p, const Point_2&
   return sign_at(y_difference(p, q), state_->instant);
 }
 
-Sign Instantaneous_traits_2::Predicate::orientation(const Point_2& p, const Point_2& q,
-                                                    const Point_2& r) const {
+template <class Motion>
+Sign Basic_instantaneous_traits_2<Motion>::Predicate::orientation(const Point_2& p,
+                                                                  const Point_2& q,
+                                                                  const Point_2& r) const {
   if (const Double_interval* interval = filtered_interval({&p, &q, &r})) {
     const Sign s = certain_orientation(p.motion(), q.motion(), r.motion(), *interval);
     if (s != CGAL::ZERO) return s;
@@ -42,8 +50,10 @@ Sign Instantaneous_traits_2::Predicate::orientation(const Point_2& p, const Poin
   return sign_at(orientation_polynomial(p, q, r), state_->instant);
 }
 
-Sign Instantaneous_traits_2::Predicate::in_circle(const Point_2& p, const Point_2& q,
-                                                  const Point_2& r, const Point_2& s) const {
+template <class Motion>
+Sign Basic_instantaneous_traits_2<Motion>::Predicate::in_circle(const Point_2& p, const Point_2& q,
+                                                                const Point_2& r,
+                                                                const Point_2& s) const {
   if (const Double_interval* interval = filtered_interval({&p, &q, &r, &s})) {
     const Sign side = certain_in_circle(p.motion(), q.motion(), r.motion(), s.motion(), *interval);
     if (side != CGAL::ZERO) return side;
@@ -51,8 +61,10 @@ Sign Instantaneous_traits_2::Predicate::in_circle(const Point_2& p, const Point_
   return sign_at(in_circle_polynomial(p, q, r, s), state_->instant);
 }
 
-Sign Instantaneous_traits_2::Predicate::distance_order(const Point_2& p, const Point_2& q,
-                                                       const Point_2& r) const {
+template <class Motion>
+Sign Basic_instantaneous_traits_2<Motion>::Predicate::distance_order(const Point_2& p,
+                                                                     const Point_2& q,
+                                                                     const Point_2& r) const {
   if (const Double_interval* interval = filtered_interval({&p, &q, &r})) {
     const Sign s = certain_distance_order(p.motion(), q.motion(), r.motion(), *interval);
     if (s != CGAL::ZERO) return s;
@@ -60,13 +72,18 @@ Sign Instantaneous_traits_2::Predicate::distance_order(const Point_2& p, const P
   return sign_at(distance_difference(p, q, r), state_->instant);
 }
 
-Sign Instantaneous_traits_2::Predicate::scalar_product(const Point_2& p, const Point_2& q,
-                                                       const Point_2& r) const {
+template <class Motion>
+Sign Basic_instantaneous_traits_2<Motion>::Predicate::scalar_product(const Point_2& p,
+                                                                     const Point_2& q,
+                                                                     const Point_2& r) const {
   if (const Double_interval* interval = filtered_interval({&p, &q, &r})) {
     const Sign s = certain_scalar_product(p.motion(), q.motion(), r.motion(), *interval);
     if (s != CGAL::ZERO) return s;
   }
   return sign_at(scalar_product_polynomial(p, q, r), state_->instant);
 }
+
+template class Basic_instantaneous_traits_2<Linear_motion_2>;
+template class Basic_instantaneous_traits_2<Polynomial_motion_2>;
 
 }  // namespace kinetri

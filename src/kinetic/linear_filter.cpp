@@ -54,50 +54,6 @@ double window_ahead(const Magnitudes& m) {
 constexpr double in_circle_norm = 12 / (2048 * unit_roundoff);
 constexpr double orientation_norm = 4 / (256 * unit_roundoff);
 
-// The verdict on the polynomial with coefficients `c`, whose values are known up to `error`.
-template <std::size_t M>
-Filter_verdict judge(const std::array<double, M>& c, double error, double window,
-                     const Double_interval& after) {
-  const std::array<double, M> b = bernstein(c);
-  if (least(b) > error) {
-    if (least(c) > error) return {Filter_verdict::Kind::holds_for_ever, {}};
-    return in_time({Filter_verdict::Kind::holds, {1, 1}}, after.lower, window, after);
-  }
-  return in_time(first_failure(c, b, error), after.lower, window, after);
-}
-
-// Likewise where it has a known root at the time in `after`, of which the next one is wanted.
-// `norm` times `error` bounds the sum of the coefficients' magnitudes.
-template <std::size_t M>
-Filter_verdict judge_after_root(const std::array<double, M>& c, double error, double norm,
-                                double window, const Double_interval& after) {
-  // c(w) = (w - r) g(w) with 0 <= r <= rest: g has the coefficients c_1, c_2, ... up to an error
-  // that r makes, and the next root of c after r is that of g.
-  const double rest = 2 * (after.upper - after.lower) / window;
-  if (!(rest < 0x1p-10)) return {};
-  std::array<double, M - 1> g;
-  std::copy(c.begin() + 1, c.end(), g.begin());
-  const double error_of_g = error + 2 * norm * error * rest;
-  if (least(g) > error_of_g) return {Filter_verdict::Kind::holds_for_ever, {}};
-  const std::array<double, M - 1> b = bernstein(g);
-  if (least(b) > error_of_g) {
-    return in_time({Filter_verdict::Kind::holds, {1, 1}}, after.lower, window, after);
-  }
-  Filter_verdict verdict = first_failure(g, b, error_of_g);
-  if (verdict.kind == Filter_verdict::Kind::fails) {
-    // c itself gives the narrower bracket, and the next certificate starts from there.
-    auto& [lower, upper] = verdict.bounds;
-    bracket_root(c, error, 0.5 * (lower + upper), lower, upper);
-  }
-  return in_time(verdict, after.lower, window, after);
-}
-
-// The verdict on a certificate whose points do not move against each other.
-Filter_verdict judge_constant(double value, double error) {
-  if (!(value > error)) return {};
-  return {Filter_verdict::Kind::holds_for_ever, {}};
-}
-
 // Minus the in-circle determinant of differences to the fourth point, in powers of w.
 inline Coefficients<4> in_circle_coefficients(const std::array<Difference, 3>& d, double window) {
   Pair c01 = {};
@@ -124,15 +80,6 @@ Coefficients<2> coefficients(const Product& p, double window) {
 // The orientation of differences to the first point.
 Coefficients<2> orientation_coefficients(const std::array<Difference, 2>& d, double window) {
   return coefficients(vector_product(d[0], d[1]), window);
-}
-
-// The sign of a polynomial all of whose values over [0, 1] are certainly of one sign, else zero.
-template <std::size_t M>
-Sign certain_sign(const std::array<double, M>& c, double error) {
-  const std::array<double, M> b = bernstein(c);
-  if (std::ranges::all_of(b, [error](double x) { return x > error; })) return CGAL::POSITIVE;
-  if (std::ranges::all_of(b, [error](double x) { return x < -error; })) return CGAL::NEGATIVE;
-  return CGAL::ZERO;
 }
 
 // The sign of a coordinate of the difference p - q throughout the interval.
@@ -256,7 +203,8 @@ Sign certain_distance_order(const Linear_motion_2& p, const Linear_motion_2& q,
   return certain_sign(coefficients(order, f.window), 2 * f.orientation_error());
 }
 
-bool certainly_never_coincide(const Linear_motion_2& p, const Linear_motion_2& q) {
+bool certainly_apart(const Linear_motion_2& p, const Linear_motion_2& q,
+                     const Double_interval& /*interval*/) {
   Magnitudes m;
   const Difference d = difference(p, q, p.epoch, m);
   const double slope = greatest(m.slope);

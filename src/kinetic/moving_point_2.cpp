@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -24,97 +25,180 @@ Dyadic dyadic(double x) {
   return {Integer(static_cast<long long>(std::ldexp(fraction, digits))), exponent - digits};
 }
 
-// One coordinate of a linear motion, (position - velocity * epoch) + velocity * t, each term of it
-// a dyadic number.
-struct Linear_coordinate {
-  Dyadic position;
-  Dyadic velocity;
-  Dyadic drift;  // velocity * epoch
+// One coordinate of a motion, scaled to an integer polynomial: a model has the least exponent of
+// its terms that are not zero, if that is less than a given one, and the coordinate, times its
+// `denominator`, divided by 2^exponent. Precondition of that: no term that is not zero has a lesser
+// exponent.
 
-  Linear_coordinate(double p, double v, double epoch) : position(dyadic(p)), velocity(dyadic(v)) {
-    const Dyadic e = dyadic(epoch);
-    drift = {velocity.mantissa * e.mantissa, velocity.exponent + e.exponent};
+int least_exponent_of(std::initializer_list<const Dyadic*> terms, int exponent) {
+  for (const Dyadic* term : terms) {
+    if (term->mantissa != 0) exponent = std::min(exponent, term->exponent);
+  }
+  return exponent;
+}
+
+Integer shifted(const Dyadic& term, int exponent) {
+  return term.mantissa == 0 ? Integer(0) : Integer(term.mantissa << (term.exponent - exponent));
+}
+
+Dyadic product(const Dyadic& a, const Dyadic& b) {
+  return {a.mantissa * b.mantissa, a.exponent + b.exponent};
+}
+
+// (position - velocity * epoch) + velocity * t, each term of it a dyadic number.
+class Linear_coordinate {
+ public:
+  static constexpr int denominator = 1;
+
+  Linear_coordinate(const Linear_motion_2& motion, double Vector_2::*axis)
+      : position_(dyadic(motion.position.*axis)),
+        velocity_(dyadic(motion.velocity.*axis)),
+        drift_(product(velocity_, dyadic(motion.epoch))) {}
+
+  int least_exponent(int exponent) const {
+    return least_exponent_of({&position_, &velocity_, &drift_}, exponent);
+  }
+  Polynomial scaled(int exponent) const {
+    return Polynomial(std::vector<Integer>{shifted(position_, exponent) - shifted(drift_, exponent),
+                                           shifted(velocity_, exponent)});
   }
 
-  // The least exponent of a term that is not zero, if that is less than `exponent`.
+ private:
+  Dyadic position_;
+  Dyadic velocity_;
+  Dyadic drift_;  // velocity * epoch
+};
+
+// 6 p + 6 v s + 3 a s^2 + j s^3 with s = t - epoch, by powers of t.
+class Polynomial_coordinate {
+ public:
+  static constexpr int denominator = 6;
+
+  Polynomial_coordinate(const Polynomial_motion_2& motion, double Vector_2::*axis) {
+    const std::array<Dyadic, 4> derivatives = {
+        dyadic(motion.position.*axis), dyadic(motion.velocity.*axis),
+        dyadic(motion.acceleration.*axis), dyadic(motion.jerk.*axis)};
+    const Dyadic back = dyadic(-motion.epoch);
+    // Of (t - epoch)^k / k! the coefficient of t^i is (-epoch)^(k-i) / (i! (k-i)!).
+    constexpr std::array<int, 4> factorials = {1, 1, 2, 6};
+    for (std::size_t k = 0; k < 4; ++k) {
+      Dyadic term = derivatives[k];
+      for (std::size_t i = k + 1; i-- > 0;) {
+        const int factor = denominator / (factorials[i] * factorials[k - i]);
+        terms_[i].push_back({term.mantissa * factor, term.exponent});
+        term = product(term, back);
+      }
+    }
+  }
+
   int least_exponent(int exponent) const {
-    for (const Dyadic* term : {&position, &velocity, &drift}) {
-      if (term->mantissa != 0) exponent = std::min(exponent, term->exponent);
+    for (const std::vector<Dyadic>& power : terms_) {
+      for (const Dyadic& term : power) exponent = least_exponent_of({&term}, exponent);
     }
     return exponent;
   }
-
-  // The coordinate divided by 2^exponent, with integer coefficients. Precondition: no term that is
-  // not zero has a lesser exponent.
   Polynomial scaled(int exponent) const {
-    const auto shifted = [exponent](const Dyadic& term) {
-      return term.mantissa == 0 ? Integer(0) : Integer(term.mantissa << (term.exponent - exponent));
-    };
-    return Polynomial(std::vector<Integer>{shifted(position) - shifted(drift), shifted(velocity)});
+    std::vector<Integer> coefficients(terms_.size());
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      for (const Dyadic& term : terms_[i]) coefficients[i] += shifted(term, exponent);
+    }
+    return Polynomial(std::move(coefficients));
+  }
+
+ private:
+  std::array<std::vector<Dyadic>, 4> terms_;  // by power of t
+};
+
+template <class Coordinate>
+struct Coordinates {
+  static constexpr int denominator = Coordinate::denominator;
+  Coordinate x;
+  Coordinate y;
+
+  template <class Motion>
+  explicit Coordinates(const Motion& motion) : x(motion, &Vector_2::x), y(motion, &Vector_2::y) {}
+
+  int least_exponent(int exponent) const { return y.least_exponent(x.least_exponent(exponent)); }
+  Trajectory_2 scaled(int exponent, Integer w) const {
+    return {x.scaled(exponent), y.scaled(exponent), Polynomial{std::move(w)}};
   }
 };
 
-struct Linear_coordinates {
-  Linear_coordinate x;
-  Linear_coordinate y;
+Coordinates<Linear_coordinate> coordinates(const Linear_motion_2& motion) {
+  return Coordinates<Linear_coordinate>(motion);
+}
+Coordinates<Polynomial_coordinate> coordinates(const Polynomial_motion_2& motion) {
+  return Coordinates<Polynomial_coordinate>(motion);
+}
 
-  explicit Linear_coordinates(const Linear_motion_2& m)
-      : x(m.position.x, m.velocity.x, m.epoch), y(m.position.y, m.velocity.y, m.epoch) {}
+constexpr int no_exponent = 1 << 20;  // above that of every product of binary64 numbers here
 
-  int least_exponent(int exponent) const { return y.least_exponent(x.least_exponent(exponent)); }
-};
-
-constexpr int no_exponent = 1 << 20;  // above that of every binary64 number and product of two
+template <class Motion>
+Trajectory_2 trajectory_of(const Motion& motion) {
+  const auto c = coordinates(motion);
+  const int exponent = std::min(0, c.least_exponent(no_exponent));
+  return c.scaled(exponent, Integer(c.denominator) << -exponent);
+}
 
 }  // namespace
 
-Moving_point_2::Moving_point_2(Trajectory_2 trajectory)
+Trajectory_2 trajectory(const Linear_motion_2& motion) {
+  return trajectory_of(motion);
+}
+Trajectory_2 trajectory(const Polynomial_motion_2& motion) {
+  return trajectory_of(motion);
+}
+
+template <class Motion>
+Basic_moving_point_2<Motion>::Basic_moving_point_2(Trajectory_2 trajectory)
     : constructed_(new Trajectory_2(std::move(trajectory))) {
   KINETRI_PRECONDITION(!constructed_->w.is_zero(), "a trajectory whose denominator is zero");
 }
 
-Trajectory_2 Moving_point_2::trajectory() const {
-  if (!is_linear()) return *constructed_;
-  const Linear_coordinates coordinates(motion_);
-  const int exponent = std::min(0, coordinates.least_exponent(no_exponent));
-  return {coordinates.x.scaled(exponent), coordinates.y.scaled(exponent),
-          Polynomial{Integer(1) << -exponent}};
+template <class Motion>
+Trajectory_2 Basic_moving_point_2<Motion>::trajectory() const {
+  return has_motion() ? kinetri::trajectory(motion_) : *constructed_;
 }
 
-Exact_position_2 Moving_point_2::position(const Rational& t) const {
+template <class Motion>
+Exact_position_2 Basic_moving_point_2<Motion>::position(const Rational& t) const {
   const Trajectory_2 path = trajectory();
   const Rational w = path.w(t);
   KINETRI_PRECONDITION(w != 0, "the point is nowhere at this time");
   return {path.x(t) / w, path.y(t) / w};
 }
 
-template <std::size_t N>
+template <std::size_t N, class Motion>
 std::array<Trajectory_2, N> common_trajectories(
-    const std::array<const Moving_point_2*, N>& points) {
+    const std::array<const Basic_moving_point_2<Motion>*, N>& points) {
   std::array<Trajectory_2, N> result;
-  if (!std::ranges::all_of(points, &Moving_point_2::is_linear)) {
+  if (!std::ranges::all_of(points, &Basic_moving_point_2<Motion>::has_motion)) {
     std::ranges::transform(points, result.begin(),
-                           [](const Moving_point_2* p) { return p->trajectory(); });
+                           [](const auto* point) { return point->trajectory(); });
     return result;
   }
-  std::vector<Linear_coordinates> coordinates;
-  coordinates.reserve(N);
+  std::vector<decltype(coordinates(Motion()))> all;
+  all.reserve(N);
   int exponent = no_exponent;
-  for (const Moving_point_2* point : points) {
-    exponent = coordinates.emplace_back(point->motion()).least_exponent(exponent);
+  for (const auto* point : points) {
+    exponent = all.emplace_back(coordinates(point->motion())).least_exponent(exponent);
   }
-  for (std::size_t i = 0; i < N; ++i) {
-    result[i] = {coordinates[i].x.scaled(exponent), coordinates[i].y.scaled(exponent),
-                 Polynomial{Integer(1)}};
-  }
+  for (std::size_t i = 0; i < N; ++i) result[i] = all[i].scaled(exponent, Integer(1));
   return result;
 }
 
-template std::array<Trajectory_2, 2> common_trajectories<2>(
-    const std::array<const Moving_point_2*, 2>&);
-template std::array<Trajectory_2, 3> common_trajectories<3>(
-    const std::array<const Moving_point_2*, 3>&);
-template std::array<Trajectory_2, 4> common_trajectories<4>(
-    const std::array<const Moving_point_2*, 4>&);
+template class Basic_moving_point_2<Linear_motion_2>;
+template class Basic_moving_point_2<Polynomial_motion_2>;
+
+#define KINETRI_INSTANTIATE(N, Motion)                                 \
+  template std::array<Trajectory_2, N> common_trajectories<N, Motion>( \
+      const std::array<const Basic_moving_point_2<Motion>*, N>&)
+KINETRI_INSTANTIATE(2, Linear_motion_2);
+KINETRI_INSTANTIATE(3, Linear_motion_2);
+KINETRI_INSTANTIATE(4, Linear_motion_2);
+KINETRI_INSTANTIATE(2, Polynomial_motion_2);
+KINETRI_INSTANTIATE(3, Polynomial_motion_2);
+KINETRI_INSTANTIATE(4, Polynomial_motion_2);
+#undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

@@ -14,20 +14,66 @@ namespace {
 
 constexpr double unit = unit_roundoff * unit_roundoff;
 
+struct Place {
+  Double_double x;
+  Double_double y;
+};
+
+// A place, times a scale, with the sum of the magnitudes of all numbers that it is made from; and
+// how the errors grow against those of linear motion.
+template <class Motion>
+struct Scaled;
+
+template <>
+struct Scaled<Linear_motion_2> {
+  static constexpr double scale = 1;
+  static constexpr double error_factor = 1;
+
+  static Place place(const Linear_motion_2& m, const Double_double& time, double& terms) {
+    const Double_double elapsed = time - Double_double{m.epoch};
+    const Double_double moved_x = elapsed * Double_double{m.velocity.x};
+    const Double_double moved_y = elapsed * Double_double{m.velocity.y};
+    terms += std::abs(m.position.x) + std::abs(m.position.y) + std::abs(moved_x.high) +
+             std::abs(moved_y.high);
+    return {Double_double{m.position.x} + moved_x, Double_double{m.position.y} + moved_y};
+  }
+};
+
+// Times 6 there is no division.
+template <>
+struct Scaled<Polynomial_motion_2> {
+  static constexpr double scale = 6;
+  static constexpr double error_factor = 2;
+
+  static Place place(const Polynomial_motion_2& m, const Double_double& time, double& terms) {
+    const Double_double elapsed = time - Double_double{m.epoch};
+    const auto coordinate = [&](double Vector_2::*axis) {
+      Double_double result;
+      double magnitude = 0;
+      const auto add = [&](double factor, double derivative) {
+        const Double_double term = exact_product(factor, derivative);
+        result = result * elapsed + term;
+        magnitude = magnitude * std::abs(elapsed.high) + std::abs(term.high);
+      };
+      add(1, m.jerk.*axis);
+      add(3, m.acceleration.*axis);
+      add(6, m.velocity.*axis);
+      add(6, m.position.*axis);
+      terms += magnitude;
+      return result;
+    };
+    return {coordinate(&Vector_2::x), coordinate(&Vector_2::y)};
+  }
+};
+
 // Where points are at one time, relative to the last of them.
-template <std::size_t N>
+template <std::size_t N, class Motion>
 class Places {
  public:
-  Places(const std::array<const Linear_motion_2*, N>& motions, const Double_double& time) {
+  Places(const std::array<const Motion*, N>& motions, const Double_double& time) {
     std::array<Place, N> places;
     for (std::size_t i = 0; i < N; ++i) {
-      const Linear_motion_2& m = *motions[i];
-      const Double_double elapsed = time - Double_double{m.epoch};
-      const Double_double moved_x = elapsed * Double_double{m.velocity.x};
-      const Double_double moved_y = elapsed * Double_double{m.velocity.y};
-      places[i] = {Double_double{m.position.x} + moved_x, Double_double{m.position.y} + moved_y};
-      terms_ += std::abs(m.position.x) + std::abs(m.position.y) + std::abs(moved_x.high) +
-                std::abs(moved_y.high);
+      places[i] = Scaled<Motion>::place(*motions[i], time, terms_);
     }
     for (std::size_t i = 0; i + 1 < N; ++i) {
       relative_[i] = {places[i].x - places[N - 1].x, places[i].y - places[N - 1].y};
@@ -48,11 +94,6 @@ class Places {
   bool is_in_range() const { return kinetri::is_in_range(size_) && terms_ < greatest_size; }
 
  private:
-  struct Place {
-    Double_double x;
-    Double_double y;
-  };
-
   std::array<Place, N - 1> relative_;
   double size_ = 0;   // bounds the relative places
   double terms_ = 0;  // the sum of all numbers that the places were made from
@@ -69,33 +110,48 @@ double certain(const Double_double& value, double error) {
 
 }  // namespace
 
-double precise_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
-                         const Linear_motion_2& r, const Linear_motion_2& s, double high,
-                         double low) {
-  const Places<4> places({&p, &q, &r, &s}, {high, low});
+template <class Motion>
+double precise_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
+                         double high, double low) {
+  const Places<4, Motion> places({&p, &q, &r, &s}, {high, low});
   if (!places.is_in_range() || !is_precise()) return 0;
   const Double_double value = places.squared_length(0) * places.cross(1, 2) +
                               places.squared_length(1) * places.cross(2, 0) +
                               places.squared_length(2) * places.cross(0, 1);
   const double size = places.size();
-  return certain(value, 4096 * unit * (size * size) * (size * places.terms()));
+  constexpr double units = 4096 * Scaled<Motion>::error_factor * unit;
+  return certain(value, units * (size * size) * (size * places.terms()));
 }
 
-double precise_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
-                           const Linear_motion_2& r, double high, double low) {
+template <class Motion>
+double precise_orientation(const Motion& p, const Motion& q, const Motion& r, double high,
+                           double low) {
   // Relative to the last point: the orientation of r, p, q.
-  const Places<3> places({&p, &q, &r}, {high, low});
+  const Places<3, Motion> places({&p, &q, &r}, {high, low});
   if (!places.is_in_range() || !is_precise()) return 0;
-  return certain(places.cross(0, 1), 256 * unit * (places.size() * places.terms()));
+  constexpr double units = 256 * Scaled<Motion>::error_factor * unit;
+  return certain(places.cross(0, 1), units * (places.size() * places.terms()));
 }
 
-double precise_contact(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,
-                       double high, double low) {
-  const Places<2> places({&p, &q}, {high, low});
+template <class Motion>
+double precise_contact(const Motion& p, const Motion& q, double diameter, double high, double low) {
+  const Places<2, Motion> places({&p, &q}, {high, low});
   if (!places.is_in_range() || !is_precise() || !is_in_range(diameter)) return 0;
-  const Double_double square = exact_product(diameter, diameter);
+  const Double_double scaled = exact_product(diameter, Scaled<Motion>::scale);
+  const Double_double square = scaled * scaled;
+  constexpr double units = 256 * Scaled<Motion>::error_factor * unit;
   return certain(places.squared_length(0) - square,
-                 256 * unit * (places.size() * places.terms() + square.high));
+                 units * (places.size() * places.terms() + square.high));
 }
+
+#define KINETRI_INSTANTIATE(Motion)                                                             \
+  template double precise_in_circle(const Motion&, const Motion&, const Motion&, const Motion&, \
+                                    double, double);                                            \
+  template double precise_orientation(const Motion&, const Motion&, const Motion&, double,      \
+                                      double);                                                  \
+  template double precise_contact(const Motion&, const Motion&, double, double, double)
+KINETRI_INSTANTIATE(Linear_motion_2);
+KINETRI_INSTANTIATE(Polynomial_motion_2);
+#undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

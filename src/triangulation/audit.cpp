@@ -7,5 +7,7 @@ namespace kinetri {
 
 template Audit_report Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>::audit(
     Audit_level level) const;
+template Audit_report Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>::audit(
+    Audit_level level) const;
 
 }  // namespace kinetri

@@ -12,5 +12,6 @@ std::uint64_t Triangulation_counters::number_of_events() const {
 }
 
 template class Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>;
+template class Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>;
 
 }  // namespace kinetri

@@ -655,6 +655,21 @@ TEST(SimplestBetween, OfAnEmptyIntervalIsRefused) {
   EXPECT_THROW(simplest_between(2.0, 1.0), Precondition_error);
 }
 
+TEST(AlgebraicNumber, NegativeIsMirroredAtZero) {
+  const Algebraic_number root(Polynomial{-2, 1, 0, 3}, Rational(0), Rational(1));
+  const Algebraic_number negative = -root;
+  EXPECT_LT(negative, Algebraic_number());
+  EXPECT_EQ(-negative, root);
+  // 3 t^3 + t - 2 at -t
+  EXPECT_TRUE(negative.is_root_of(Polynomial{2, 1, 0, 3}));
+  EXPECT_EQ(negative.to_double(), -root.to_double());
+  EXPECT_EQ(negative.tight_interval(),
+            (Double_interval{-root.tight_interval().upper, -root.tight_interval().lower}));
+  EXPECT_EQ(-Algebraic_number(Rational(2, 3)), Algebraic_number(Rational(-2, 3)));
+  EXPECT_EQ(-Algebraic_number(1.5), Algebraic_number(-1.5));
+  EXPECT_FALSE(std::signbit((-Algebraic_number()).to_double())) << "zero has no sign";
+}
+
 TEST(AlgebraicNumber, DetachedIsTheSameNumberAndSharesNothing) {
   const Algebraic_number root(Polynomial{-2, 0, 1}, Rational(1), Rational(2));
   for (const Algebraic_number& number :

@@ -13,46 +13,10 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/certificates.h"
 #include "support/motions.h"
+#include "support/verdicts.h"
 
 namespace kinetri {
 namespace {
-
-// Whether `verdict` from `after` on is true of the certificate with the polynomial `p`; the root at
-// `after`, if the certificate vanishes there, does not count.
-void expect_true(const Filter_verdict& verdict, const Polynomial& p,
-                 const Algebraic_number& after) {
-  if (verdict.kind == Filter_verdict::Kind::unknown) return;
-  // Strictly positive: no root at all, not even a touch, before the end.
-  ASSERT_FALSE(p.is_zero());
-  ASSERT_EQ(sign_just_after(p, after), CGAL::POSITIVE);
-  const auto root = first_root_after(p, after);
-  if (verdict.kind != Filter_verdict::Kind::fails) {
-    if (verdict.kind == Filter_verdict::Kind::holds_for_ever) {
-      ASSERT_FALSE(root) << "fails, but was said to hold for ever";
-    } else if (root) {
-      ASSERT_GT(root->value, Algebraic_number(verdict.bounds.upper));
-    }
-    return;
-  }
-  ASSERT_TRUE(root) << "never fails, but was said to";
-  ASSERT_EQ(root->multiplicity, 1);
-  ASSERT_GT(root->value, Algebraic_number(verdict.bounds.lower));
-  ASSERT_LT(root->value, Algebraic_number(verdict.bounds.upper));
-  const auto next = first_root_after(p, root->value);
-  if (next) {
-    ASSERT_GT(next->value, Algebraic_number(verdict.bounds.upper)) << "two roots in one bracket";
-  }
-}
-
-// What `filter` says in a rounding mode, which it leaves as it is.
-template <class Filter>
-Filter_verdict in_mode(int mode, const Filter& filter) {
-  std::fesetround(mode);
-  const Filter_verdict verdict = filter();
-  EXPECT_EQ(std::fegetround(), mode);
-  std::fesetround(FE_TONEAREST);
-  return verdict;
-}
 
 class Linear_filter : public testing::TestWithParam<int> {};
 
@@ -77,10 +41,10 @@ TEST_P(Linear_filter, never_contradicts_exact_arithmetic) {
       const Linear_motion_2& b = m[is_negated ? 0 : 1];
       Polynomial circle = in_circle_polynomial(p, q, r, s);
       if (!is_negated) circle = -circle;
-      const Filter_verdict verdict = in_mode(mode, [&] {
+      const Filter_verdict verdict = test::in_mode(mode, [&] {
         return filter_in_circle(a, b, m[2], m[3], {t, t}, false);
       });
-      expect_true(verdict, circle, t);
+      test::expect_true(verdict, circle, t);
       if (HasFatalFailure()) return;
       decided += verdict.kind != Filter_verdict::Kind::unknown;
 
@@ -89,27 +53,28 @@ TEST_P(Linear_filter, never_contradicts_exact_arithmetic) {
         ++failures;
         const auto root = first_root_after(circle, t);
         ASSERT_TRUE(root);
-        const Filter_verdict beyond =
-            in_mode(mode, [&] { return filter_in_circle(b, a, m[2], m[3], verdict.bounds, true); });
-        expect_true(beyond, -circle, root->value);
+        const Filter_verdict beyond = test::in_mode(
+            mode, [&] { return filter_in_circle(b, a, m[2], m[3], verdict.bounds, true); });
+        test::expect_true(beyond, -circle, root->value);
         if (HasFatalFailure()) return;
       }
 
       Polynomial turn = orientation_polynomial(p, q, r);
       if (is_negated) turn = -turn;
-      const Filter_verdict turn_verdict = in_mode(mode, [&] {
+      const Filter_verdict turn_verdict = test::in_mode(mode, [&] {
         return filter_orientation(a, b, m[2], {t, t}, false);
       });
-      expect_true(turn_verdict, turn, t);
+      test::expect_true(turn_verdict, turn, t);
       if (HasFatalFailure()) return;
       if (turn_verdict.kind == Filter_verdict::Kind::fails) {
         const auto root = first_root_after(turn, t);
         ASSERT_TRUE(root);
-        expect_true(filter_orientation(b, a, m[2], turn_verdict.bounds, true), -turn, root->value);
+        test::expect_true(filter_orientation(b, a, m[2], turn_verdict.bounds, true), -turn,
+                          root->value);
         if (HasFatalFailure()) return;
       }
     }
-    if (certainly_never_coincide(m[0], m[1])) {
+    if (certainly_apart(m[0], m[1], {t, t})) {
       const Polynomial x = x_difference(p, q);
       const Polynomial y = y_difference(p, q);
       // A common root would be one of the gcd.

@@ -21,19 +21,19 @@ TEST(Linear_motion_2, with_another_epoch_is_the_same_trajectory_only_exactly) {
   EXPECT_FALSE(same_trajectory(m, {{3, 1}, {0.5, -0.25}, 4.000000000000001}));
   EXPECT_FALSE(same_trajectory(m, {{1, 2}, {0.5, 0.25}, 0}));
   // 0.1 * 3 is not 0.3 in binary64, and 3 * fl(0.1) is not fl(0.3) exactly either.
-  EXPECT_FALSE(same_trajectory({{0, 0}, {0.1, 0}, 0}, {{0.3, 0}, {0.1, 0}, 3}));
-  EXPECT_TRUE(same_trajectory({{0.0, 1}, {1, 1}, 0}, {{-0.0, 1}, {1, 1}, 0}));
+  EXPECT_FALSE(same_trajectory(Linear_motion_2{{0, 0}, {0.1, 0}, 0}, {{0.3, 0}, {0.1, 0}, 3}));
+  EXPECT_TRUE(same_trajectory(Linear_motion_2{{0.0, 1}, {1, 1}, 0}, {{-0.0, 1}, {1, 1}, 0}));
 }
 
 TEST(Linear_motion_2, with_a_number_that_is_not_finite_is_not_finite) {
   const double inf = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(is_finite({{1, 2}, {3, 4}, 5}));
-  EXPECT_FALSE(is_finite({{inf, 2}, {3, 4}, 5}));
-  EXPECT_FALSE(is_finite({{1, nan}, {3, 4}, 5}));
-  EXPECT_FALSE(is_finite({{1, 2}, {-inf, 4}, 5}));
-  EXPECT_FALSE(is_finite({{1, 2}, {3, nan}, 5}));
-  EXPECT_FALSE(is_finite({{1, 2}, {3, 4}, inf}));
+  EXPECT_TRUE(is_finite(Linear_motion_2{{1, 2}, {3, 4}, 5}));
+  EXPECT_FALSE(is_finite(Linear_motion_2{{inf, 2}, {3, 4}, 5}));
+  EXPECT_FALSE(is_finite(Linear_motion_2{{1, nan}, {3, 4}, 5}));
+  EXPECT_FALSE(is_finite(Linear_motion_2{{1, 2}, {-inf, 4}, 5}));
+  EXPECT_FALSE(is_finite(Linear_motion_2{{1, 2}, {3, nan}, 5}));
+  EXPECT_FALSE(is_finite(Linear_motion_2{{1, 2}, {3, 4}, inf}));
 }
 
 TEST(Linear_motion_2, turns_at_its_place_rounded_to_nearest) {
@@ -51,9 +51,11 @@ TEST(Linear_motion_2, turns_at_its_place_rounded_to_nearest) {
     }
   }
   // Halfway between two binary64 numbers, and next to that.
-  EXPECT_EQ(turned({{1, 0}, {0x1p-53, 0}, 0}, {}, 1).position.x, 1);
-  EXPECT_EQ(turned({{1, 0}, {0x1p-53, 0}, 0}, {}, 1 + 0x1p-52).position.x, 1 + 0x1p-52);
-  EXPECT_EQ(turned({{1 + 0x1p-52, 0}, {0x1p-53, 0}, 0}, {}, 1).position.x, 1 + 0x1p-51);
+  EXPECT_EQ(turned(Linear_motion_2{{1, 0}, {0x1p-53, 0}, 0}, {}, 1).position.x, 1);
+  EXPECT_EQ(turned(Linear_motion_2{{1, 0}, {0x1p-53, 0}, 0}, {}, 1 + 0x1p-52).position.x,
+            1 + 0x1p-52);
+  EXPECT_EQ(turned(Linear_motion_2{{1 + 0x1p-52, 0}, {0x1p-53, 0}, 0}, {}, 1).position.x,
+            1 + 0x1p-51);
 }
 
 TEST(Linear_motion_2, is_kept_inside_of_a_wall_by_the_least_change) {

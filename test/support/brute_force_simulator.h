@@ -7,6 +7,7 @@
 #define KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
 
 #include <algorithm>
+#include <concepts>
 #include <functional>
 #include <set>
 #include <vector>
@@ -91,8 +92,10 @@ inline Polynomial interpolate(int degree, const std::function<Rational(const Rat
 }
 
 /// The times after `start` at which the Delaunay triangulation of the motions may change, sorted.
-inline std::vector<Algebraic_number> critical_times(const std::vector<Linear_motion_2>& motions,
-                                                    const Algebraic_number& start) {
+template <class Motion>
+std::vector<Algebraic_number> critical_times(const std::vector<Motion>& motions,
+                                             const Algebraic_number& start) {
+  constexpr int d = std::same_as<Motion, Linear_motion_2> ? 1 : 3;  // greatest degree
   std::vector<Algebraic_number> times;
   const auto add_roots = [&](int degree, const std::function<Rational(const Rational&)>& value) {
     const Polynomial p = interpolate(degree, value);
@@ -105,13 +108,14 @@ inline std::vector<Algebraic_number> critical_times(const std::vector<Linear_mot
   const auto at = [&](std::size_t i, const Rational& t) { return place_at(motions[i], t); };
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n; ++j) {
-      add_roots(2, [&](const Rational& t) { return CGAL::squared_distance(at(i, t), at(j, t)); });
+      add_roots(2 * d,
+                [&](const Rational& t) { return CGAL::squared_distance(at(i, t), at(j, t)); });
       for (std::size_t k = j + 1; k < n; ++k) {
-        add_roots(2, [&](const Rational& t) {
+        add_roots(2 * d, [&](const Rational& t) {
           return CGAL::determinant(at(j, t) - at(i, t), at(k, t) - at(i, t));
         });
         for (std::size_t l = k + 1; l < n; ++l) {
-          add_roots(4, [&](const Rational& t) {
+          add_roots(4 * d, [&](const Rational& t) {
             const auto row = [&](std::size_t m) { return at(m, t) - at(l, t); };
             const auto a = row(i);
             const auto b = row(j);
@@ -130,9 +134,10 @@ inline std::vector<Algebraic_number> critical_times(const std::vector<Linear_mot
 }
 
 /// The Delaunay edges of the motions at a rational time.
-inline Static_edges edges_at(const std::vector<Linear_motion_2>& motions, const Rational& t) {
+template <class Motion>
+Static_edges edges_at(const std::vector<Motion>& motions, const Rational& t) {
   std::vector<Static_point> points;
-  for (const Linear_motion_2& m : motions) points.push_back(place_at(m, t));
+  for (const Motion& m : motions) points.push_back(place_at(m, t));
   return static_edges(points);
 }
 

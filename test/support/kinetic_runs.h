@@ -19,7 +19,8 @@ namespace kinetri::test {
 using Kinetic_delaunay = Kinetic_delaunay_triangulation_2<>;
 using Kinetic_event = Event<Algebraic_number>;
 
-inline std::set<Edge_ids> edges_of(const Kinetic_delaunay& kinetic) {
+template <class Kinetic>
+std::set<Edge_ids> edges_of(const Kinetic& kinetic) {
   const auto edges = kinetic.finite_edge_ids();
   return {edges.begin(), edges.end()};
 }
@@ -27,7 +28,8 @@ inline std::set<Edge_ids> edges_of(const Kinetic_delaunay& kinetic) {
 /// All events, and the edges as they leave them.
 class Event_recorder : public Kinetic_delaunay::Observer {
  public:
-  explicit Event_recorder(Kinetic_delaunay& kinetic) : edges(edges_of(kinetic)) {
+  template <class Kinetic>
+  explicit Event_recorder(Kinetic& kinetic) : edges(edges_of(kinetic)) {
     kinetic.add_observer(*this);
   }
 
@@ -52,7 +54,8 @@ inline std::ostream& operator<<(std::ostream& out, const Kinetic_event& event) {
 }
 
 /// What the audit finds, with the time.
-inline std::string audit_problem(const Kinetic_delaunay& kinetic, Audit_level level) {
+template <class Kinetic>
+std::string audit_problem(const Kinetic& kinetic, Audit_level level) {
   const Audit_report report = kinetic.audit(level);
   if (report.passed()) return {};
   std::ostringstream text;
@@ -63,8 +66,9 @@ inline std::string audit_problem(const Kinetic_delaunay& kinetic, Audit_level le
 /// Runs to `until`, or to the last event, instant by instant, with an audit after each (which looks
 /// at a rational time before the next one), and a full one at both ends. Each instant must have the
 /// time that was announced, and the events must account for every change of the edges.
-inline std::string audited_run(Kinetic_delaunay& kinetic,
-                               const std::optional<Algebraic_number>& until, Audit_level level) {
+template <class Kinetic>
+std::string audited_run(Kinetic& kinetic, const std::optional<Algebraic_number>& until,
+                        Audit_level level) {
   Event_recorder recorder(kinetic);
   const auto run = [&]() -> std::string {
     std::string problem = audit_problem(kinetic, Audit_level::certificates);
@@ -73,7 +77,7 @@ inline std::string audited_run(Kinetic_delaunay& kinetic,
       if (!next || (until && *next > *until)) break;
       if (*next <= kinetic.current_time()) return "an event that is not in the future";
       const std::size_t before = recorder.events.size();
-      const std::size_t count = kinetic.step();
+      const std::size_t count = kinetic.step(*next);
       if (kinetic.current_time() != *next) return "a step to another time than announced";
       if (recorder.events.size() != before + count) return "a step that counts its events wrongly";
       for (std::size_t i = before; i < recorder.events.size(); ++i) {

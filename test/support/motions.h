@@ -8,8 +8,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost_mp.h>
 
+#include <algorithm>
+#include <concepts>
+#include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <ranges>
 #include <set>
 #include <string>
 #include <tuple>
@@ -17,6 +21,7 @@
 
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
 
 namespace kinetri::test {
 
@@ -29,6 +34,16 @@ inline Static_point place_at(const Linear_motion_2& m, const Rational& t) {
   const Rational elapsed = t - to_rational(m.epoch);
   return {to_rational(m.position.x) + to_rational(m.velocity.x) * elapsed,
           to_rational(m.position.y) + to_rational(m.velocity.y) * elapsed};
+}
+
+inline Static_point place_at(const Polynomial_motion_2& m, const Rational& t) {
+  const Rational s = t - to_rational(m.epoch);
+  const auto coordinate = [&](double Vector_2::*axis) {
+    return Rational(to_rational(m.position.*axis) + to_rational(m.velocity.*axis) * s +
+                    to_rational(m.acceleration.*axis) * s * s / 2 +
+                    to_rational(m.jerk.*axis) * s * s * s / 6);
+  };
+  return {coordinate(&Vector_2::x), coordinate(&Vector_2::y)};
 }
 
 /// How many times the usual number of random cases to run: KINETRI_TEST_MULTIPLIER, or 1.
@@ -72,7 +87,69 @@ inline std::vector<Linear_motion_2> grid_motions(std::size_t n, int size, int sp
   return motions;
 }
 
+/// n distinct trajectories of all degrees up to `degree`, the places and derivatives small
+/// integers.
+inline std::vector<Polynomial_motion_2> polynomial_grid_motions(std::size_t n, int size, int speed,
+                                                                int degree, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<int> place(0, size - 1);
+  std::uniform_int_distribution<int> derivative(-speed, speed);
+  std::vector<Polynomial_motion_2> motions;
+  const auto vector = [&](int power) {
+    if (power > degree || random() % 3 == 0) return Vector_2{};
+    const double x = derivative(random);
+    const double y = derivative(random);
+    return Vector_2{x, y};
+  };
+  while (motions.size() < n) {
+    Polynomial_motion_2 m;
+    m.position.x = place(random);
+    m.position.y = place(random);
+    m.velocity = vector(1);
+    m.acceleration = vector(2);
+    m.jerk = vector(3);
+    m.epoch = random() % 4 == 0 ? derivative(random) : 0;
+    const auto is_same = [&](const Polynomial_motion_2& other) {
+      return same_trajectory(m, other);
+    };
+    if (std::ranges::none_of(motions, is_same)) motions.push_back(m);
+  }
+  return motions;
+}
+
+/// n points in a square of side `side`, the components of their derivatives in [-speed, speed].
+inline std::vector<Polynomial_motion_2> random_polynomial_motions(std::size_t n, double side,
+                                                                  double speed, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> place(0, side);
+  std::uniform_real_distribution<double> derivative(-speed, speed);
+  std::vector<Polynomial_motion_2> motions(n);
+  for (Polynomial_motion_2& m : motions) {
+    m.position = {place(random), place(random)};
+    m.velocity = {derivative(random), derivative(random)};
+    if (random() % 4 == 0) continue;
+    m.acceleration = {derivative(random), derivative(random)};
+    if (random() % 2 == 0) m.jerk = {derivative(random), derivative(random)};
+  }
+  return motions;
+}
+
 /// The motions as a points file has them, for failure messages.
+template <class Range>
+requires std::same_as<std::ranges::range_value_t<Range>, Polynomial_motion_2> std::string describe(
+    const Range& motions) {
+  std::string text = "x,y,vx,vy,ax,ay,jx,jy,epoch\n";
+  for (const Polynomial_motion_2& m : motions) {
+    for (const double number : {m.position.x, m.position.y, m.velocity.x, m.velocity.y,
+                                m.acceleration.x, m.acceleration.y, m.jerk.x, m.jerk.y, m.epoch}) {
+      char buffer[40];
+      std::snprintf(buffer, sizeof buffer, "%.17g,", number);
+      text += buffer;
+    }
+    text.back() = '\n';
+  }
+  return text;
+}
 inline std::string describe(const std::vector<Linear_motion_2>& motions) {
   std::string text = "x,y,vx,vy\n";
   for (const Linear_motion_2& m : motions) {

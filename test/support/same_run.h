@@ -16,9 +16,12 @@
 namespace kinetri::test {
 
 /// Runs both side by side.
+template <KineticTraits_2 Traits>
 class Same_run {
  public:
-  Same_run(const std::vector<Linear_motion_2>& motions, const Algebraic_number& start)
+  using Motion = typename Traits::Motion;
+
+  Same_run(const std::vector<Motion>& motions, const Algebraic_number& start)
       : motions_(motions), kinetic_(motions, start), recorder_(kinetic_), previous_(start) {}
 
   /// What differs between `start` and the last critical time; empty if nothing does.
@@ -59,8 +62,8 @@ class Same_run {
     return audit_problem(kinetic_, Audit_level::reference);
   }
 
-  const std::vector<Linear_motion_2>& motions_;
-  Kinetic_delaunay kinetic_;
+  const std::vector<Motion>& motions_;
+  Kinetic_delaunay_triangulation_2<Traits> kinetic_;
   Event_recorder recorder_;
   Algebraic_number previous_;
 };
@@ -70,7 +73,11 @@ class Same_run {
 /// empty if nothing does.
 inline std::string difference_from_brute_force(const std::vector<Linear_motion_2>& motions,
                                                const Algebraic_number& start = Algebraic_number()) {
-  return Same_run(motions, start).problem();
+  return Same_run<Linear_kinetic_traits_2>(motions, start).problem();
+}
+inline std::string difference_from_brute_force(const std::vector<Polynomial_motion_2>& motions,
+                                               const Algebraic_number& start = Algebraic_number()) {
+  return Same_run<Polynomial_kinetic_traits_2>(motions, start).problem();
 }
 
 }  // namespace kinetri::test

@@ -62,6 +62,9 @@ class Algebraic_number {
   /// The same number with a representation of its own, for use in another thread.
   Algebraic_number detached() const;
 
+  /// The negative of the number. Cost: none, or that of its polynomial if that has not been made.
+  Algebraic_number operator-() const;
+
   /// Whether the number is *known* to be rational: constructed as one, or found to be one while it
   /// was refined. False says nothing.
   bool is_known_rational() const;

@@ -4,9 +4,12 @@
 // is the value of the predicate at t. Both the kinetic certificates (whose failure times are roots
 // of these) and the predicates at an instant are made from them, so there is one formula for each.
 //
-// For linear motion the degrees are: x or y difference 1, orientation 2, distance difference 2,
-// in-circle 4. For constructed points they are higher, and the denominators are multiplied in with
-// the sign that keeps the predicate right; where a denominator vanishes the sign is 0.
+// With motions of degree d (linear: 1, polynomial: at most 3) the degrees are: x or y difference d,
+// orientation 2d, distance difference 2d, in-circle 4d. For constructed points they are higher, and
+// the denominators are multiplied in with the sign that keeps the predicate right; where a
+// denominator vanishes the sign is 0.
+//
+// `Point` is Basic_moving_point_2 of one of the motions.
 #ifndef KINETRI_KINETIC_CERTIFICATE_POLYNOMIALS_H
 #define KINETRI_KINETIC_CERTIFICATE_POLYNOMIALS_H
 
@@ -17,15 +20,17 @@
 namespace kinetri {
 
 /// Sign of x(p) - x(q), and of y(p) - y(q).
-Polynomial x_difference(const Moving_point_2& p, const Moving_point_2& q);
-Polynomial y_difference(const Moving_point_2& p, const Moving_point_2& q);
+template <class Point>
+Polynomial x_difference(const Point& p, const Point& q);
+template <class Point>
+Polynomial y_difference(const Point& p, const Point& q);
 
 /// Positive where p, q, r make a left turn; zero where they are collinear.
 ///
 ///     | qx-px  qy-py |
 ///     | rx-px  ry-py |
-Polynomial orientation_polynomial(const Moving_point_2& p, const Moving_point_2& q,
-                                  const Moving_point_2& r);
+template <class Point>
+Polynomial orientation_polynomial(const Point& p, const Point& q, const Point& r);
 
 /// Positive where s lies inside the circle through p, q, r and these make a left turn, negative
 /// where it lies outside; both reversed where they make a right turn. Zero where the four are
@@ -37,30 +42,32 @@ Polynomial orientation_polynomial(const Moving_point_2& p, const Moving_point_2&
 ///
 /// Source: L. Guibas, J. Stolfi, Primitives for the manipulation of general subdivisions and the
 /// computation of Voronoi diagrams, ACM Transactions on Graphics 4(2), 1985, section 8.
-Polynomial in_circle_polynomial(const Moving_point_2& p, const Moving_point_2& q,
-                                const Moving_point_2& r, const Moving_point_2& s);
+template <class Point>
+Polynomial in_circle_polynomial(const Point& p, const Point& q, const Point& r, const Point& s);
 
 /// Sign of |p-q|^2 - |p-r|^2: positive where q is farther from p than r is.
-Polynomial distance_difference(const Moving_point_2& p, const Moving_point_2& q,
-                               const Moving_point_2& r);
+template <class Point>
+Polynomial distance_difference(const Point& p, const Point& q, const Point& r);
 
 /// The scalar product (p-q).(r-q). With p, q, r collinear it is negative exactly where q lies
 /// strictly between p and r.
-Polynomial scalar_product_polynomial(const Moving_point_2& p, const Moving_point_2& q,
-                                     const Moving_point_2& r);
+template <class Point>
+Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point& r);
 
 /// Sign of |p-q|^2 - diameter^2: positive where discs of that diameter about p and q are apart.
 /// Precondition: the diameter is finite.
-Polynomial contact_polynomial(const Moving_point_2& p, const Moving_point_2& q, double diameter);
+template <class Point>
+Polynomial contact_polynomial(const Point& p, const Point& q, double diameter);
 
 /// Sign of the distance from p to the exact bound of the wall: positive inside, zero at the bound.
 /// Precondition: the numbers of the wall are finite.
-Polynomial wall_polynomial(const Moving_point_2& p, const Wall_2& wall);
+template <class Point>
+Polynomial wall_polynomial(const Point& p, const Wall_2& wall);
 
 /// The trajectory of the center of the circle through p, q, r.
 /// Precondition: p, q, r are not collinear at all times.
-Trajectory_2 circumcenter_trajectory(const Moving_point_2& p, const Moving_point_2& q,
-                                     const Moving_point_2& r);
+template <class Point>
+Trajectory_2 circumcenter_trajectory(const Point& p, const Point& q, const Point& r);
 
 }  // namespace kinetri
 

@@ -26,9 +26,10 @@ enum class Arithmetic { filtered, exact_only };
 /// Predicates are exact at every instant. The constructions give moving points or pairs of them:
 /// circumcenter is a point whose coordinates are rational functions of time; a line is the bisector
 /// of two points; a ray is a source and a line.
-class Instantaneous_traits_2 {
+template <class Motion>
+class Basic_instantaneous_traits_2 {
  public:
-  using Point_2 = Moving_point_2;
+  using Point_2 = Basic_moving_point_2<Motion>;
   struct Segment_2 {
     Point_2 source;
     Point_2 target;
@@ -50,8 +51,9 @@ class Instantaneous_traits_2 {
   };
 
   /// The instant 0, at it.
-  Instantaneous_traits_2() : Instantaneous_traits_2(Instant{}) {}
-  explicit Instantaneous_traits_2(Instant instant, Arithmetic arithmetic = Arithmetic::filtered)
+  Basic_instantaneous_traits_2() : Basic_instantaneous_traits_2(Instant{}) {}
+  explicit Basic_instantaneous_traits_2(Instant instant,
+                                        Arithmetic arithmetic = Arithmetic::filtered)
       : state_(std::make_shared<State>(State{std::move(instant), arithmetic})) {}
 
   const Instant& instant() const { return state_->instant; }
@@ -88,41 +90,45 @@ class Instantaneous_traits_2 {
  public:
   struct Compare_x_2 : Predicate {
     using Predicate::Predicate;
-    Comparison_result operator()(const Point_2& p, const Point_2& q) const { return x_order(p, q); }
+    Comparison_result operator()(const Point_2& p, const Point_2& q) const {
+      return this->x_order(p, q);
+    }
   };
   struct Compare_y_2 : Predicate {
     using Predicate::Predicate;
-    Comparison_result operator()(const Point_2& p, const Point_2& q) const { return y_order(p, q); }
+    Comparison_result operator()(const Point_2& p, const Point_2& q) const {
+      return this->y_order(p, q);
+    }
   };
   struct Less_x_2 : Predicate {
     using Predicate::Predicate;
     bool operator()(const Point_2& p, const Point_2& q) const {
-      return x_order(p, q) == CGAL::NEGATIVE;
+      return this->x_order(p, q) == CGAL::NEGATIVE;
     }
   };
   struct Less_y_2 : Predicate {
     using Predicate::Predicate;
     bool operator()(const Point_2& p, const Point_2& q) const {
-      return y_order(p, q) == CGAL::NEGATIVE;
+      return this->y_order(p, q) == CGAL::NEGATIVE;
     }
   };
   struct Orientation_2 : Predicate {
     using Predicate::Predicate;
     CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-      return orientation(p, q, r);
+      return this->orientation(p, q, r);
     }
   };
   struct Side_of_oriented_circle_2 : Predicate {
     using Predicate::Predicate;
     CGAL::Oriented_side operator()(const Point_2& p, const Point_2& q, const Point_2& r,
                                    const Point_2& s) const {
-      return in_circle(p, q, r, s);
+      return this->in_circle(p, q, r, s);
     }
   };
   struct Compare_distance_2 : Predicate {
     using Predicate::Predicate;
     Comparison_result operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-      return distance_order(p, q, r);
+      return this->distance_order(p, q, r);
     }
   };
   /// Whether `q` lies strictly between `p` and `r`. Precondition: the three are collinear at the
@@ -130,7 +136,7 @@ class Instantaneous_traits_2 {
   struct Collinear_are_strictly_ordered_along_line_2 : Predicate {
     using Predicate::Predicate;
     bool operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-      return scalar_product(p, q, r) == CGAL::NEGATIVE;
+      return this->scalar_product(p, q, r) == CGAL::NEGATIVE;
     }
   };
 
@@ -180,6 +186,11 @@ class Instantaneous_traits_2 {
  private:
   std::shared_ptr<State> state_;
 };
+
+extern template class Basic_instantaneous_traits_2<Linear_motion_2>;
+extern template class Basic_instantaneous_traits_2<Polynomial_motion_2>;
+
+using Instantaneous_traits_2 = Basic_instantaneous_traits_2<Linear_motion_2>;
 
 }  // namespace kinetri
 

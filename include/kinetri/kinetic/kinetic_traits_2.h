@@ -48,6 +48,8 @@ struct Outlook {
   Kind kind = Kind::holds_for_ever;
   Double_interval bounds = {};
   std::unique_ptr<Time> failure = nullptr;  ///< the time, where it had to be made already
+  bool may_vanish =
+      false;  ///< else it is certainly positive until it fails, from just after then on
 };
 
 /// What is known of the time after which an outlook is asked for.
@@ -59,11 +61,11 @@ enum class Certificate_state {
 
 /// A model has the types
 ///
-///   Motion                 a trajectory
+///   Motion                 a trajectory; mirrored(motion) is the one with -t in place of t
 ///   Point_2                a moving point: built from a Motion and a Point_id
 ///   Time                   an event time; totally ordered, exactly; made from a binary64 number;
-///                          with a binary64 interval() around it, and detached(), the same time
-///                          for use in another thread
+///                          with its negative, a binary64 interval() around it, and detached(),
+///                          the same time for use in another thread
 ///   Instantaneous_traits   a model of CGAL's DelaunayTriangulationTraits_2 on Point_2 at an
 ///   instant
 ///
@@ -74,14 +76,25 @@ enum class Certificate_state {
 ///
 ///   in_circle_outlook(p, q, r, s, t, state, counters)   s is not inside the circle through p, q, r
 ///   orientation_outlook(p, q, r, t, state, counters)    p, q, r do not make a right turn
-///   coincidence_time(p, q, t, counters)                 the first time *strictly* after t at which
+///   coincidence_time(p, q, t, among, counters)          the first time *strictly* after t at which
 ///                                                       p and q are in one place; none if they
-///                                                       never or always are
+///                                                       never or always are. There is none
+///                                                       before among.lower, and one after
+///                                                       among.upper is of no interest
 ///
 /// The failure times themselves, which are seldom needed, are made from an outlook's bounds:
 ///
 ///   in_circle_failure(p, q, r, s, bounds)
 ///   orientation_failure(p, q, r, bounds)
+///
+/// `watches_touches` says whether it matters that a hull edge touches, that is, three points become
+/// collinear and make a left turn again. It does where an orientation may have a root of order 3
+/// (docs/MATH.md, section 9). Then there is
+///
+///   flatness_outlook(p, q, r, t, state, counters)       as orientation_outlook, but a time
+///   strictly
+///                                                       after t at which p, q, r are collinear is
+///                                                       a failure as well
 ///
 /// A traits object is used from several threads at once.
 template <class Traits>
@@ -92,8 +105,11 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
   typename Traits::Instantaneous_traits;
   requires std::totally_ordered<typename Traits::Time>;
   requires std::constructible_from<typename Traits::Time, double>;
+  { Traits::watches_touches } -> std::convertible_to<bool>;
   { t.interval() } -> std::convertible_to<Double_interval>;
   { t.detached() } -> std::same_as<typename Traits::Time>;
+  { -t } -> std::same_as<typename Traits::Time>;
+  { mirrored(motion) } -> std::same_as<typename Traits::Motion>;
   typename Traits::Point_2;
   requires std::constructible_from<typename Traits::Point_2, typename Traits::Motion, Point_id>;
   {
@@ -105,7 +121,7 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
   { traits.in_circle_failure(p, p, p, p, bounds) } -> std::same_as<typename Traits::Time>;
   { traits.orientation_failure(p, p, p, bounds) } -> std::same_as<typename Traits::Time>;
   {
-    traits.coincidence_time(p, p, t, counters)
+    traits.coincidence_time(p, p, t, bounds, counters)
     } -> std::same_as<std::optional<typename Traits::Time>>;
 };
 

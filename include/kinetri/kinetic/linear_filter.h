@@ -6,25 +6,11 @@
 #ifndef KINETRI_KINETIC_LINEAR_FILTER_H
 #define KINETRI_KINETIC_LINEAR_FILTER_H
 
-#include <cstdint>
-
 #include "kinetri/algebra/number_types.h"
+#include "kinetri/kinetic/filter_verdict.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri {
-
-/// What the filter knows about a certificate from some time on.
-struct Filter_verdict {
-  enum class Kind : std::uint8_t {
-    unknown,         ///< nothing is known
-    holds_for_ever,  ///< the certificate is positive
-    holds,           ///< positive up to bounds.upper, which is bounds.lower
-    fails,           ///< positive up to bounds.lower; then, up to bounds.upper, one simple root
-  };
-  Kind kind = Kind::unknown;
-  Double_interval bounds = {};
-  bool is_refined = false;  ///< had to subdivide, or to narrow a root
-};
 
 /// The in-circle certificate (s is not inside the circle through p, q, r) after a time in `after`:
 /// the verdict is about the times after `after.upper`, or after the time itself where the
@@ -56,8 +42,10 @@ Sign certain_scalar_product(const Linear_motion_2& p, const Linear_motion_2& q,
 Sign certain_distance_order(const Linear_motion_2& p, const Linear_motion_2& q,
                             const Linear_motion_2& r, const Double_interval& interval);
 
-/// Whether p and q are certainly never in one place. False says nothing.
-bool certainly_never_coincide(const Linear_motion_2& p, const Linear_motion_2& q);
+/// Whether p and q are certainly not in one place at any time in `interval`. False says nothing.
+/// (What is asked is whether they ever are.)
+bool certainly_apart(const Linear_motion_2& p, const Linear_motion_2& q,
+                     const Double_interval& interval);
 
 }  // namespace kinetri
 

@@ -53,6 +53,11 @@ Linear_motion_2 turned(const Linear_motion_2& motion, const Vector_2& velocity, 
 Linear_motion_2 kept_inside(const Linear_motion_2& motion, const Wall_2& wall,
                             const Double_interval& times);
 
+/// The motion at -t in place of t, exactly.
+inline Linear_motion_2 mirrored(const Linear_motion_2& motion) {
+  return {motion.position, {-motion.velocity.x, -motion.velocity.y}, -motion.epoch};
+}
+
 }  // namespace kinetri
 
 #endif  // KINETRI_KINETIC_LINEAR_MOTION_2_H

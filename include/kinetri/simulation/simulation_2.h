@@ -248,6 +248,7 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
 };
 
 extern template class Simulation_2<Linear_kinetic_traits_2>;
+extern template class Simulation_2<Polynomial_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -30,7 +30,7 @@
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
 #include "kinetri/events/indexed_queue.h"
-#include "kinetri/kinetic/linear_kinetic_traits_2.h"
+#include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/triangulation/audit.h"
 #include "kinetri/triangulation/detail/time_pool.h"
 #include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
@@ -157,11 +157,13 @@ class Kinetic_delaunay_triangulation_2 {
   // ---- time ----
 
   /// The time of the next event; none if the triangulation never changes again. Looks at
-  /// certificates again as far as is needed to know.
+  /// certificates again as far as is needed to know. (Of a time at which points meet it is not
+  /// known before whether an edge will have changed just after it.)
   std::optional<Time> next_event_time();
 
-  /// Goes to next_event_time() and executes all events of that time, so that the triangulation is
-  /// Delaunay just after it. Returns their number; 0 if there is no next event.
+  /// Goes to the next time at which something changes and executes all events of that time, so that
+  /// the triangulation is Delaunay just after it. Returns their number; 0 if there is no next
+  /// event.
   std::size_t step();
 
   /// Goes to `time`: every event at or before it has happened, and current_time() is `time`.
@@ -171,6 +173,18 @@ class Kinetic_delaunay_triangulation_2 {
   /// As step(), but only if the next event is at or before `until`; else nothing happens, and
   /// current_time() stays what it is. Returns the number of events.
   std::size_t step(const Time& until);
+
+  /// Lets time run backwards: from now on the clock shows -t where it showed t, and each point has
+  /// the mirrored motion (`mirrored`), so that what happened comes again in mirrored order, at
+  /// mirrored times: what was removed is added. The events of the present time are undone at once;
+  /// then the triangulation is Delaunay just after the new current_time(), which is just before the
+  /// old one. Returns their number. Motions that points had before they were given their present
+  /// ones do not come back. Where several triangulations are Delaunay, as points are cocircular for
+  /// a while, another one than before may come back. Vertices keep their handles.
+  ///
+  /// Cost: O(n) failure times, as at the start; O(n log n) predicates more if three neighbors are
+  /// collinear now.
+  std::size_t reverse();
 
   // ---- changing points ----
 
@@ -312,8 +326,12 @@ class Kinetic_delaunay_triangulation_2 {
   Entry pop_entry();
   bool settle(const std::optional<Time>& until);
   void execute_due_events();
+  std::size_t step_until(const std::optional<Time>& until);
   std::size_t run_instant();
   void execute(const Two_sided_edge& edge, Entry_kind kind);
+  const Edge& hull_triangle(const Two_sided_edge& hull_edge) const;
+  bool is_touch(Face_handle face) const;
+  bool may_hide_a_turn(const Two_sided_edge& hull_edge) const;
   bool are_all_collinear(const Two_sided_edge& hull_edge) const;
   bool can_insert_into_hull(const Two_sided_edge& hull_edge) const;
   void flip_edge(const Two_sided_edge& edge, Event_kind kind);
@@ -324,6 +342,7 @@ class Kinetic_delaunay_triangulation_2 {
   void rebuild();
   template <class Change_vertices>
   void rebuild(Change_vertices change_vertices);
+  bool has_flat_triangle() const;
   void adopt(const Triangulation& rebuilt);
   void report_rebuild();
   template <class Change_edges>
@@ -376,6 +395,7 @@ class Kinetic_delaunay_triangulation_2 {
 };
 
 extern template class Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>;
+extern template class Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -55,12 +55,21 @@ auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() -> std::optiona
 
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::step() {
-  return settle(std::nullopt) ? run_instant() : 0;
+  return step_until(std::nullopt);
 }
 
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::step(const Time& until) {
-  return settle(until) ? run_instant() : 0;
+  return step_until(until);
+}
+
+// Points may meet, and part, without an event.
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::step_until(const std::optional<Time>& until) {
+  while (settle(until)) {
+    if (const std::size_t events = run_instant()) return events;
+  }
+  return 0;
 }
 
 template <KineticTraits_2 Traits>
@@ -111,10 +120,48 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edg
   KINETRI_ASSERT(kind >= Entry_kind::hull_insert,
                  "an event is a failure, and coincident points have been set aside");
   if (kind == Entry_kind::hull_insert) {
+    if constexpr (Traits::watches_touches) {
+      if (may_hide_a_turn(edge)) return rebuild();
+      if (is_touch(hull_triangle(edge).first)) return schedule(edge, current_time_);
+    }
     hull_is_flat_ = true;
     if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
   }
   flip_edge(edge, event_kind(kind));
+}
+
+// The finite triangle at a hull edge, seen from that edge.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::hull_triangle(const Two_sided_edge& hull_edge) const
+    -> const Edge& {
+  return triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there : hull_edge.here;
+}
+
+// Whether a triangle, flat at this time, makes a left turn just after it.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::is_touch(Face_handle face) const {
+  const auto after = traits_.instantaneous_traits({current_time_, Side::after});
+  return after.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
+                                      face->vertex(2)->point()) == CGAL::LEFT_TURN;
+}
+
+// Whether the triangle at a hull edge and one beside it are flat at this time and one of the two
+// does not turn over: then others may turn over behind it that no hull edge tells of.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::may_hide_a_turn(
+    const Two_sided_edge& hull_edge) const {
+  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
+  const auto& [face, i] = hull_triangle(hull_edge);
+  for (const int j : {Triangulation::cw(i), Triangulation::ccw(i)}) {
+    const Face_handle beside = face->neighbor(j);
+    if (!triangulation_.is_infinite(beside) &&
+        now.orientation_2_object()(beside->vertex(0)->point(), beside->vertex(1)->point(),
+                                   beside->vertex(2)->point()) == CGAL::COLLINEAR &&
+        (is_touch(face) || is_touch(beside))) {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Whether all points lie on the line of a hull edge, whose triangle is flat at this time. Usually
@@ -122,8 +169,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edg
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::are_all_collinear(
     const Two_sided_edge& hull_edge) const {
-  const Face_handle face = triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there.first
-                                                                            : hull_edge.here.first;
+  const Face_handle face = hull_triangle(hull_edge).first;
   const auto now = traits_.instantaneous_traits({current_time_, Side::at});
   return std::ranges::all_of(triangulation_.finite_vertex_handles(), [&](Vertex_handle v) {
     return face->has_vertex(v) ||
@@ -138,8 +184,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::are_all_collinear(
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
     const Two_sided_edge& hull_edge) const {
-  const auto& [face, i] =
-      triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there : hull_edge.here;
+  const auto& [face, i] = hull_triangle(hull_edge);
   const Vertex_handle apex = face->vertex(i);
   if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
   const auto now = traits_.instantaneous_traits({current_time_, Side::at});

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include "kinetri/base/check.h"
@@ -153,15 +154,21 @@ auto Kinetic_delaunay_triangulation_2<Traits>::outlook(const Certificate& certif
                                                        Certificate_counters& counters) const
     -> Outlook<Time> {
   const auto& [p, q, r, s] = certificate.points;
-  return certificate.kind == Entry_kind::flip
-             ? traits.in_circle_outlook(*p, *q, *r, *s, after, state, counters)
-             : traits.orientation_outlook(*p, *q, *r, after, state, counters);
+  if (certificate.kind == Entry_kind::flip) {
+    return traits.in_circle_outlook(*p, *q, *r, *s, after, state, counters);
+  }
+  if constexpr (Traits::watches_touches) {
+    if (certificate.kind == Entry_kind::hull_insert) {
+      return traits.flatness_outlook(*p, *q, *r, after, state, counters);
+    }
+  }
+  return traits.orientation_outlook(*p, *q, *r, after, state, counters);
 }
 
 // The earlier of the edge's two certificates: that it belongs to the triangulation, and that its
 // ends are apart. Points that come together share edges just before, so that watching edges finds
-// every coincidence. While an in-circle or orientation certificate is certainly positive, no two of
-// its points coincide.
+// every coincidence. While an in-circle or orientation certificate is positive, no two of its
+// points coincide.
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::prospect(const Two_sided_edge& edge,
                                                         const Time& after, Certificate_state state,
@@ -169,11 +176,17 @@ auto Kinetic_delaunay_triangulation_2<Traits>::prospect(const Two_sided_edge& ed
                                                         Certificate_counters& counters) const
     -> std::optional<Prospect> {
   std::optional<Prospect> result;
+  Double_interval among = {after.interval().lower, std::numeric_limits<double>::infinity()};
   if (triangulation_.dimension() == 2) {
     using Kind = typename Outlook<Time>::Kind;
     const Certificate topological = certificate(edge);
     Outlook<Time> next = outlook(topological, after, state, traits, counters);
-    if (next.kind != Kind::holds_for_ever) {
+    if (next.kind == Kind::holds_for_ever) {
+      if (!next.may_vanish) return std::nullopt;
+    } else {
+      if (next.kind == Kind::fails) {
+        among = {next.may_vanish ? among.lower : next.bounds.lower, next.bounds.upper};
+      }
       result = Prospect{next.kind == Kind::fails ? topological.kind : Entry_kind::look_again,
                         next.bounds, std::move(next.failure)};
     }
@@ -184,7 +197,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::prospect(const Two_sided_edge& ed
   const auto& [face, i] = edge.here;
   std::optional<Time> meeting =
       traits.coincidence_time(face->vertex(Triangulation::cw(i))->point(),
-                              face->vertex(Triangulation::ccw(i))->point(), after, counters);
+                              face->vertex(Triangulation::ccw(i))->point(), after, among, counters);
   if (!meeting) return result;
   if (result) {
     const Time failure =

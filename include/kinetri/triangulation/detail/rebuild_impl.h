@@ -90,6 +90,40 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild() {
   rebuild([] {});
 }
 
+// Just before the mirrored time the triangulation is Delaunay; the events of that time are executed
+// as in `run_instant`. A flat triangle, as there is also where points meet, is rebuilt instead.
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::reverse() {
+  const std::uint64_t before = counters_.number_of_events();
+  queue_.clear();
+  times_.clear();
+  current_time_ = -current_time_;
+  for (const Vertex_handle v : vertices_) {
+    if (v == Vertex_handle()) continue;
+    v->set_point(Point_2(mirrored(v->point().motion()), v->point().id()));
+  }
+  triangulation_.geom_traits().set_instant({current_time_, Side::after});
+  if (has_flat_triangle()) {
+    rebuild();
+  } else {
+    schedule_all();
+    execute_due_events();
+  }
+  report_rebuild();
+  return static_cast<std::size_t>(counters_.number_of_events() - before);
+}
+
+// Whether a triangle is flat at the present time, or the points are on a line.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::has_flat_triangle() const {
+  if (triangulation_.dimension() < 2) return true;
+  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
+  return std::ranges::any_of(triangulation_.finite_face_handles(), [&](Face_handle face) {
+    return now.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
+                                      face->vertex(2)->point()) == CGAL::COLLINEAR;
+  });
+}
+
 // Takes over the faces of another triangulation of the same points. The vertices stay what they
 // are.
 template <KineticTraits_2 Traits>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/kinetic/linear_kinetic_traits_2.h"
+#include "kinetri/kinetic/basic_kinetic_traits_2.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
@@ -21,6 +22,9 @@ Moving_point_2 resting(double x, double y) {
 }
 
 using Kind = Outlook<Algebraic_number>::Kind;
+
+constexpr Double_interval for_ever = {-std::numeric_limits<double>::infinity(),
+                                      std::numeric_limits<double>::infinity()};
 
 // The failure time at the end of the outlooks, each of which must hold as far as it says.
 template <class Outlook_after, class Failure_in>
@@ -71,7 +75,7 @@ class Linear_kinetic_traits_2_test : public testing::TestWithParam<Arithmetic> {
   }
   std::optional<Algebraic_number> coincidence_time(const Moving_point_2& p, const Moving_point_2& q,
                                                    double t) {
-    return traits.coincidence_time(p, q, t, counters);
+    return traits.coincidence_time(p, q, t, for_ever, counters);
   }
 
   const Linear_kinetic_traits_2 traits{GetParam()};
@@ -196,7 +200,7 @@ TEST_F(Deciding_stage, of_a_certificate_that_never_fails_is_the_filter) {
                 .kind,
             Kind::holds_for_ever);
   EXPECT_EQ(outlook(resting(0, 2)).kind, Kind::holds_for_ever);
-  EXPECT_FALSE(traits.coincidence_time(west, moving(0, 0, 0, 1), 0.0, counters));
+  EXPECT_FALSE(traits.coincidence_time(west, moving(0, 0, 0, 1), 0.0, for_ever, counters));
   expect_stage(4, 0, 0);
 }
 

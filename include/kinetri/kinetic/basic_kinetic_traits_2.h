@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The default model of KineticTraits_2: points that move along straight lines with constant
-// velocity.
-#ifndef KINETRI_KINETIC_LINEAR_KINETIC_TRAITS_2_H
-#define KINETRI_KINETIC_LINEAR_KINETIC_TRAITS_2_H
+// The models of KineticTraits_2: points that move along straight lines with constant velocity, the
+// default, and points whose coordinates are polynomials of degree at most 3 in time.
+#ifndef KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
+#define KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 
+#include <concepts>
 #include <optional>
 #include <utility>
 
@@ -14,22 +15,29 @@
 #include "kinetri/kinetic/kinetic_traits_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
 
 namespace kinetri {
 
-/// Certificates of linear motion; see KineticTraits_2 for their contracts. In-circle certificates
-/// are polynomials of degree at most 4 in time, orientation of degree at most 2, coincidence of
-/// degree 1. Every failure time is exact. Cost: some hundred floating-point operations where the
-/// filter decides (kinetri/kinetic/linear_filter.h), else exact arithmetic, a thousand times that.
-class Linear_kinetic_traits_2 {
+/// Certificates of one kind of motion; see KineticTraits_2 for their contracts. With motions of
+/// degree d (linear: 1, polynomial: at most 3) they are polynomials in time: in-circle of degree at
+/// most 4d, orientation 2d, coincidence d. Every failure time is exact. Cost: some hundred
+/// floating-point operations (polynomial: a thousand) where the filter decides
+/// (kinetri/kinetic/linear_filter.h, polynomial_filter.h), else exact arithmetic, a thousand times
+/// that.
+template <class MotionType>
+class Basic_kinetic_traits_2 {
  public:
-  using Motion = Linear_motion_2;
-  using Point_2 = Moving_point_2;
+  using Motion = MotionType;
+  using Point_2 = Basic_moving_point_2<Motion>;
   using Time = Algebraic_number;
-  using Instantaneous_traits = Instantaneous_traits_2;
+  using Instantaneous_traits = Basic_instantaneous_traits_2<Motion>;
 
-  Linear_kinetic_traits_2() = default;
-  explicit Linear_kinetic_traits_2(Arithmetic arithmetic) : arithmetic_(arithmetic) {}
+  /// Roots of order 3 or more make touches matter.
+  static constexpr bool watches_touches = !std::same_as<Motion, Linear_motion_2>;
+
+  Basic_kinetic_traits_2() = default;
+  explicit Basic_kinetic_traits_2(Arithmetic arithmetic) : arithmetic_(arithmetic) {}
 
   Outlook<Time> in_circle_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
                                   const Point_2& s, const Time& t, Certificate_state state,
@@ -37,15 +45,19 @@ class Linear_kinetic_traits_2 {
   Outlook<Time> orientation_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
                                     const Time& t, Certificate_state state,
                                     Certificate_counters& counters) const;
+  Outlook<Time> flatness_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
+                                 const Time& t, Certificate_state state,
+                                 Certificate_counters& counters) const;
   Time in_circle_failure(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s,
                          const Double_interval& bounds) const;
   Time orientation_failure(const Point_2& p, const Point_2& q, const Point_2& r,
                            const Double_interval& bounds) const;
   /// The coincidence time of linear motions is rational.
   std::optional<Time> coincidence_time(const Point_2& p, const Point_2& q, const Time& t,
+                                       const Double_interval& among,
                                        Certificate_counters& counters) const;
 
-  /// Contacts; see ContactKineticTraits_2. Polynomials of degree 2 (discs) and 1 (walls).
+  /// Contacts; see ContactKineticTraits_2. Polynomials of degree 2d (discs) and d (walls).
   Outlook<Time> contact_outlook(const Point_2& p, const Point_2& q, double diameter, const Time& t,
                                 Certificate_counters& counters) const;
   Outlook<Time> wall_outlook(const Point_2& p, const Wall_2& wall, const Time& t,
@@ -63,14 +75,21 @@ class Linear_kinetic_traits_2 {
   }
 
   /// Traits that decide everything exactly.
-  static Linear_kinetic_traits_2 exact() { return Linear_kinetic_traits_2(Arithmetic::exact_only); }
+  static Basic_kinetic_traits_2 exact() { return Basic_kinetic_traits_2(Arithmetic::exact_only); }
 
  private:
   Arithmetic arithmetic_ = Arithmetic::filtered;
 };
 
+extern template class Basic_kinetic_traits_2<Linear_motion_2>;
+extern template class Basic_kinetic_traits_2<Polynomial_motion_2>;
+
+using Linear_kinetic_traits_2 = Basic_kinetic_traits_2<Linear_motion_2>;
+using Polynomial_kinetic_traits_2 = Basic_kinetic_traits_2<Polynomial_motion_2>;
+
 static_assert(ContactKineticTraits_2<Linear_kinetic_traits_2>);
+static_assert(ContactKineticTraits_2<Polynomial_kinetic_traits_2>);
 
 }  // namespace kinetri
 
-#endif  // KINETRI_KINETIC_LINEAR_KINETIC_TRAITS_2_H
+#endif  // KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the floating-point stage of a certificate says.
+#ifndef KINETRI_KINETIC_FILTER_VERDICT_H
+#define KINETRI_KINETIC_FILTER_VERDICT_H
+
+#include <cstdint>
+
+#include "kinetri/algebra/number_types.h"
+
+namespace kinetri {
+
+/// What the filter knows about a certificate from some time on.
+struct Filter_verdict {
+  enum class Kind : std::uint8_t {
+    unknown,         ///< nothing is known
+    holds_for_ever,  ///< the certificate is positive
+    holds,           ///< positive up to bounds.upper, which is bounds.lower
+    fails,           ///< positive up to bounds.lower; then, up to bounds.upper, one simple root
+  };
+  Kind kind = Kind::unknown;
+  Double_interval bounds = {};
+  bool is_refined = false;  ///< had to subdivide, or to narrow a root
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_KINETIC_FILTER_VERDICT_H

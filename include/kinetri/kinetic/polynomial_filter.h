@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The floating-point stage of all certificates of polynomial motion: the functions of
+// linear_filter.h and contact_filter.h, with the same contracts. Points that are all linear are
+// left to those. Cost: about a thousand floating-point operations for in-circle (docs/MATH.md,
+// section 9).
+#ifndef KINETRI_KINETIC_POLYNOMIAL_FILTER_H
+#define KINETRI_KINETIC_POLYNOMIAL_FILTER_H
+
+#include "kinetri/algebra/number_types.h"
+#include "kinetri/kinetic/filter_verdict.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
+#include "kinetri/kinetic/wall_2.h"
+
+namespace kinetri {
+
+Filter_verdict filter_in_circle(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                                const Polynomial_motion_2& r, const Polynomial_motion_2& s,
+                                const Double_interval& after, bool vanishes_at);
+Filter_verdict filter_orientation(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                                  const Polynomial_motion_2& r, const Double_interval& after,
+                                  bool vanishes_at);
+
+Sign certain_x_order(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                     const Double_interval& interval);
+Sign certain_y_order(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                     const Double_interval& interval);
+Sign certain_orientation(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                         const Polynomial_motion_2& r, const Double_interval& interval);
+Sign certain_in_circle(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                       const Polynomial_motion_2& r, const Polynomial_motion_2& s,
+                       const Double_interval& interval);
+Sign certain_scalar_product(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                            const Polynomial_motion_2& r, const Double_interval& interval);
+Sign certain_distance_order(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                            const Polynomial_motion_2& r, const Double_interval& interval);
+
+/// Whether p and q are certainly not in one place at any time in `interval`. False says nothing.
+bool certainly_apart(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                     const Double_interval& interval);
+
+Filter_verdict filter_contact(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                              double diameter, const Double_interval& after);
+Filter_verdict filter_wall_contact(const Polynomial_motion_2& p, const Wall_2& wall,
+                                   const Double_interval& after);
+/// Whether p and q certainly do not approach each other at any time in `interval`.
+bool certainly_do_not_approach(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                               const Double_interval& interval);
+bool certainly_inside(const Polynomial_motion_2& p, const Wall_2& wall,
+                      const Double_interval& interval);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_KINETIC_POLYNOMIAL_FILTER_H

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The filters of polynomial motion never contradict exact arithmetic: as for linear motion, every
+// verdict on random, nearly degenerate and wild certificates is checked. And they decide what they
+// are there for.
+#include "kinetri/kinetic/polynomial_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cfenv>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "kinetri/algebra/real_roots.h"
+#include "kinetri/kinetic/basic_kinetic_traits_2.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
+#include "support/certificates.h"
+#include "support/motions.h"
+#include "support/verdicts.h"
+
+namespace kinetri {
+namespace {
+
+using Point = Basic_moving_point_2<Polynomial_motion_2>;
+using Motions = std::array<Polynomial_motion_2, 4>;
+
+constexpr std::array<int, 4> modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+// The linear motions with higher derivatives of the size of their velocities, in every mixture of
+// degrees.
+Motions bent(const std::array<Linear_motion_2, 4>& lines, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> share(-1, 1);
+  Motions result;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    result[i] = polynomial_motion(lines[i]);
+    const Vector_2 v = lines[(i + 1) % 4].velocity;
+    const auto times = [&](double factor) { return Vector_2{v.x * factor, v.y * factor}; };
+    // Integers stay integers.
+    const bool is_coarse = v.x == std::round(v.x) && v.y == std::round(v.y);
+    const auto factor = [&] { return is_coarse ? std::round(2 * share(random)) : share(random); };
+    if (random() % 3 > 0) result[i].acceleration = times(factor());
+    if (random() % 3 == 0) result[i].jerk = times(factor());
+  }
+  return result;
+}
+
+class Polynomial_filter : public testing::TestWithParam<int> {
+ protected:
+  Motions next() { return bent(source_.next(GetParam()), random_); }
+  double time() { return source_.time(GetParam()); }
+
+ private:
+  test::Certificates source_{314};
+  std::mt19937_64 random_{41};
+};
+
+TEST_P(Polynomial_filter, never_contradicts_exact_arithmetic) {
+  int decided = 0;
+  int failures = 0;
+  const int cases = 500 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const int mode = modes[static_cast<std::size_t>(i) % modes.size()];
+    const Motions m = next();
+    SCOPED_TRACE(test::describe(m));
+    const double t = time();
+    const Point p(m[0]);
+    const Point q(m[1]);
+    const Point r(m[2]);
+    const Point s(m[3]);
+    for (const bool is_negated : {false, true}) {
+      const Polynomial_motion_2& a = m[is_negated ? 1 : 0];
+      const Polynomial_motion_2& b = m[is_negated ? 0 : 1];
+      Polynomial circle = in_circle_polynomial(p, q, r, s);
+      if (!is_negated) circle = -circle;
+      const Filter_verdict verdict = test::in_mode(mode, [&] {
+        return filter_in_circle(a, b, m[2], m[3], {t, t}, false);
+      });
+      test::expect_true(verdict, circle, t);
+      if (HasFatalFailure()) return;
+      decided += verdict.kind != Filter_verdict::Kind::unknown;
+      if (verdict.kind == Filter_verdict::Kind::fails) {
+        ++failures;
+        const auto root = first_root_after(circle, t);
+        ASSERT_TRUE(root);
+        const Filter_verdict beyond = test::in_mode(
+            mode, [&] { return filter_in_circle(b, a, m[2], m[3], verdict.bounds, true); });
+        test::expect_true(beyond, -circle, root->value);
+        if (HasFatalFailure()) return;
+      }
+
+      Polynomial turn = orientation_polynomial(p, q, r);
+      if (is_negated) turn = -turn;
+      const Filter_verdict turn_verdict = test::in_mode(mode, [&] {
+        return filter_orientation(a, b, m[2], {t, t}, false);
+      });
+      test::expect_true(turn_verdict, turn, t);
+      if (HasFatalFailure()) return;
+      if (turn_verdict.kind == Filter_verdict::Kind::fails) {
+        const auto root = first_root_after(turn, t);
+        ASSERT_TRUE(root);
+        test::expect_true(filter_orientation(b, a, m[2], turn_verdict.bounds, true), -turn,
+                          root->value);
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(decided, cases * 99 / 100) << "of the certificates, half hold at the start";
+    EXPECT_GT(failures, cases / 50);
+  }
+}
+
+// Checks a certain sign of `p` in the middle of the interval and at its ends.
+void expect_sign(Sign sign, const Polynomial& p, const Double_interval& interval) {
+  if (sign == CGAL::ZERO) return;
+  const Rational lower = to_rational(interval.lower);
+  const Rational upper = to_rational(interval.upper);
+  for (const Rational& t : {lower, Rational((lower + upper) / 2), upper}) {
+    EXPECT_EQ(p.sign_at(t), sign);
+  }
+}
+
+TEST_P(Polynomial_filter, has_right_signs_at_instants) {
+  const int cases = 1000 * test::multiplier();
+  int certain = 0;
+  for (int i = 0; i < cases; ++i) {
+    const int mode = modes[static_cast<std::size_t>(i) % modes.size()];
+    const Motions m = next();
+    SCOPED_TRACE(test::describe(m));
+    const double t = time();
+    const Double_interval interval = {t, i % 3 == 0 ? t : t + std::abs(t) * 0x1p-52};
+    const Point p(m[0]);
+    const Point q(m[1]);
+    const Point r(m[2]);
+    const Point s(m[3]);
+    const auto sign = [&](const auto& filter) {
+      std::fesetround(mode);
+      const Sign result = filter();
+      std::fesetround(FE_TONEAREST);
+      certain += result != CGAL::ZERO;
+      return result;
+    };
+    expect_sign(sign([&] { return certain_x_order(m[0], m[1], interval); }), x_difference(p, q),
+                interval);
+    expect_sign(sign([&] { return certain_y_order(m[0], m[1], interval); }), y_difference(p, q),
+                interval);
+    expect_sign(sign([&] { return certain_orientation(m[0], m[1], m[2], interval); }),
+                orientation_polynomial(p, q, r), interval);
+    expect_sign(sign([&] { return certain_in_circle(m[0], m[1], m[2], m[3], interval); }),
+                in_circle_polynomial(p, q, r, s), interval);
+    expect_sign(sign([&] { return certain_scalar_product(m[0], m[1], m[2], interval); }),
+                scalar_product_polynomial(p, q, r), interval);
+    expect_sign(sign([&] { return certain_distance_order(m[0], m[1], m[2], interval); }),
+                distance_difference(p, q, r), interval);
+    if (HasFailure()) return;
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(certain, 6 * cases * 99 / 100);
+  }
+}
+
+// The first time from `t` on at which the distance is not positive and falls: looked for among all
+// roots of the distance and of its derivative.
+std::optional<Algebraic_number> first_contact(const Polynomial& distance,
+                                              const Algebraic_number& t) {
+  std::vector<Algebraic_number> candidates = {t};
+  for (const Polynomial& p : {distance, derivative(distance)}) {
+    if (p.is_zero()) continue;
+    for (const Real_root& root : real_roots(p)) candidates.push_back(root.value);
+  }
+  std::ranges::sort(candidates);
+  for (const Algebraic_number& time : candidates) {
+    if (time >= t && sign_at(distance, time) != CGAL::POSITIVE &&
+        sign_just_after(derivative(distance), time) == CGAL::NEGATIVE) {
+      return time;
+    }
+  }
+  return std::nullopt;
+}
+
+// Returns whether the verdict was more than nothing.
+bool expect_contact(const Filter_verdict& verdict, const Polynomial& distance, double t) {
+  const auto contact = first_contact(distance, Algebraic_number(t));
+  switch (verdict.kind) {
+    case Filter_verdict::Kind::unknown:
+      return false;
+    case Filter_verdict::Kind::holds_for_ever:
+      EXPECT_FALSE(contact) << "a contact, but none was found";
+      return true;
+    case Filter_verdict::Kind::holds:
+      EXPECT_GT(verdict.bounds.lower, t);
+      if (contact) {
+        EXPECT_GT(*contact, Algebraic_number(verdict.bounds.lower));
+      }
+      return true;
+    default:
+      EXPECT_TRUE(contact) << "no contact, but one was found";
+      if (!contact) return true;
+      EXPECT_GT(verdict.bounds.lower, t);
+      EXPECT_LE(Algebraic_number(verdict.bounds.lower), *contact);
+      EXPECT_GE(Algebraic_number(verdict.bounds.upper), *contact);
+      return true;
+  }
+}
+
+TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
+  const int cases = 1000 * test::multiplier();
+  int decided = 0;
+  const Polynomial_kinetic_traits_2 exact = Polynomial_kinetic_traits_2::exact();
+  for (int i = 0; i < cases; ++i) {
+    const int mode = modes[static_cast<std::size_t>(i) % modes.size()];
+    const Motions m = next();
+    SCOPED_TRACE(test::describe(m));
+    const double t = time();
+    const Point p(m[0]);
+    const Point q(m[1]);
+    // Of the size of the distance now, at times just that: as after a contact.
+    const Vector_2 a = rounded_place(m[0], t);
+    const Vector_2 b = rounded_place(m[1], t);
+    const double diameter = std::hypot(a.x - b.x, a.y - b.y) * (i % 4 < 2 ? 1 : 0.3 * (i % 4));
+    if (!std::isfinite(diameter)) continue;
+    const Polynomial distance = contact_polynomial(p, q, diameter);
+    decided += expect_contact(test::in_mode(mode,
+                                            [&] {
+                                              return filter_contact(m[0], m[1], diameter, {t, t});
+                                            }),
+                              distance, t);
+    const auto side = static_cast<Wall_2::Side>(i % 4);
+    const Wall_2 wall = {side, (side < Wall_2::Side::bottom ? a.x : a.y) + (i % 3 == 0 ? 0 : b.x),
+                         i % 5 == 0 ? 0.1 : 0};
+    if (!std::isfinite(wall.position)) continue;
+    const Polynomial inside = wall_polynomial(p, wall);
+    decided += expect_contact(test::in_mode(mode,
+                                            [&] {
+                                              return filter_wall_contact(m[0], wall, {t, t});
+                                            }),
+                              inside, t);
+    if (certainly_inside(m[0], wall, {t, t})) {
+      EXPECT_EQ(inside.sign_at(to_rational(t)), CGAL::POSITIVE);
+    }
+    if (certainly_do_not_approach(m[0], m[1], {t, t})) {
+      EXPECT_NE(sign_just_after(derivative(distance), Algebraic_number(t)), CGAL::NEGATIVE);
+    }
+    // What exact arithmetic says is the same.
+    Certificate_counters counters;
+    const auto expect_exact = [&](const Outlook<Algebraic_number>& outlook, const Polynomial& d) {
+      const auto contact = first_contact(d, Algebraic_number(t));
+      ASSERT_EQ(outlook.failure != nullptr, contact.has_value());
+      if (contact) {
+        ASSERT_EQ(*outlook.failure, *contact);
+      }
+    };
+    expect_exact(exact.contact_outlook(p, q, diameter, t, counters), distance);
+    expect_exact(exact.wall_outlook(p, wall, t, counters), inside);
+    if (HasFailure()) return;
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(decided, cases * 12 / 10);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Flavors, Polynomial_filter, testing::Range(0, test::Certificates::flavors),
+                         test::flavor_name);
+
+TEST(Polynomial_filter, rounds_failures_as_exact_arithmetic_does) {
+  std::mt19937_64 random(99);
+  test::Certificates source(100);
+  const Polynomial_kinetic_traits_2 traits;
+  int rounded = 0;
+  for (int i = 0; i < 2000 * test::multiplier(); ++i) {
+    const Motions m = bent(source.next(0), random);
+    const Point p(m[0]);
+    const Point q(m[1]);
+    const Point r(m[2]);
+    const Point s(m[3]);
+    const Filter_verdict verdict = filter_in_circle(m[0], m[1], m[2], m[3], {0, 0}, false);
+    if (verdict.kind != Filter_verdict::Kind::fails) continue;
+    ++rounded;
+    const auto root = first_root_after(in_circle_polynomial(p, q, r, s), Algebraic_number());
+    ASSERT_TRUE(root);
+    const Algebraic_number failure = traits.in_circle_failure(p, q, r, s, verdict.bounds);
+    EXPECT_EQ(failure.to_double(), root->value.to_double());
+    EXPECT_EQ(failure.tight_interval(), root->value.tight_interval());
+    EXPECT_EQ(failure, root->value);
+  }
+  EXPECT_GT(rounded, 40);
+}
+
+}  // namespace
+}  // namespace kinetri
