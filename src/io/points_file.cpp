@@ -12,6 +12,7 @@
 #include <iostream>
 #include <optional>
 #include <system_error>
+#include <tuple>
 
 #include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
@@ -30,11 +31,22 @@ constexpr std::string_view not_finite = "is not finite; expected a finite number
 constexpr std::string_view out_of_range =
     "is out of the range of binary64; expected 0, or a magnitude from 4.9e-324 to 1.8e308";
 
-enum Column : std::size_t { x, y, vx, vy, radius, column_count };
-constexpr std::array<std::string_view, column_count> column_names = {"x", "y", "vx", "vy",
-                                                                     "radius"};
+enum Column : std::size_t { x, y, vx, vy, ax, ay, jx, jy, radius, column_count };
+constexpr std::array<std::string_view, column_count> column_names = {
+    "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius"};
+constexpr std::size_t required_columns = ax;
 constexpr std::string_view expected_columns =
-    "expected a header line with the columns x,y,vx,vy and optionally radius, in any order";
+    "expected a header line with the columns x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any "
+    "order";
+
+// The numbers of a motion with epoch 0 in the order of the columns.
+std::array<double, 4> numbers(const Linear_motion_2& m) {
+  return {m.position.x, m.position.y, m.velocity.x, m.velocity.y};
+}
+std::array<double, 8> numbers(const Polynomial_motion_2& m) {
+  return {m.position.x,     m.position.y,     m.velocity.x, m.velocity.y,
+          m.acceleration.x, m.acceleration.y, m.jerk.x,     m.jerk.y};
+}
 
 class Points_reader {
  public:
@@ -42,16 +54,34 @@ class Points_reader {
       : table_(in, name, points_kind), name_(name) {}
 
   Points_file read() {
-    columns_ = table_.read_header(column_names, radius, expected_columns);
-    has_radius_ = std::find(columns_.begin(), columns_.end(), radius) != columns_.end();
+    columns_ = table_.read_header(column_names, required_columns, expected_columns);
+    has_radius_ = has(radius);
+    check_pair(ax, ay);
+    check_pair(jx, jy);
+    result_.is_polynomial = has(ax) || has(jx);
     while (const auto line = table_.next()) read_row(*line);
-    reject_equal_points();
+    if (result_.is_polynomial) {
+      reject_equal_points(result_.polynomial_motions);
+    } else {
+      reject_equal_points(result_.motions);
+    }
     return std::move(result_);
   }
 
  private:
+  bool has(Column column) const {
+    return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+  }
+
+  void check_pair(Column first, Column second) const {
+    if (has(first) == has(second)) return;
+    table_.fail(fmt::format("the column {} is missing; expected both {} and {}, or neither",
+                            column_names[has(first) ? second : first], column_names[first],
+                            column_names[second]));
+  }
+
   void read_row(std::string_view line) {
-    if (result_.motions.size() == no_point - 1) {
+    if (result_.lines.size() == no_point - 1) {
       table_.fail(fmt::format("there are too many points; expected at most {}", no_point - 1));
     }
     std::array<double, column_count> values = {};
@@ -64,7 +94,14 @@ class Points_reader {
       ++fields;
     });
     table_.check_number_of_fields(fields, columns_.size());
-    result_.motions.push_back({{values[x], values[y]}, {values[vx], values[vy]}, 0});
+    const Vector_2 position = {values[x], values[y]};
+    const Vector_2 velocity = {values[vx], values[vy]};
+    if (result_.is_polynomial) {
+      result_.polynomial_motions.push_back(
+          {position, velocity, {values[ax], values[ay]}, {values[jx], values[jy]}, 0});
+    } else {
+      result_.motions.push_back({position, velocity, 0});
+    }
     result_.lines.push_back(table_.line());
     if (has_radius_) {
       if (values[radius] < 0) {
@@ -76,20 +113,17 @@ class Points_reader {
 
   // Sorts ids by x, kept beside them, and by the other numbers where x does not decide. Not by a
   // hash: no input makes this quadratic.
-  void reject_equal_points() const {
+  template <class Motion>
+  void reject_equal_points(const std::vector<Motion>& motions) const {
     struct Entry {
       double x;
       Point_id id;
     };
-    const std::vector<Linear_motion_2>& motions = result_.motions;
     std::vector<Entry> entries(motions.size());
     for (std::size_t id = 0; id < motions.size(); ++id) {
       entries[id] = {motions[id].position.x, static_cast<Point_id>(id)};
     }
-    const auto others = [&motions](const Entry& entry) {
-      const Linear_motion_2& m = motions[entry.id];
-      return std::array{m.position.y, m.velocity.x, m.velocity.y};
-    };
+    const auto others = [&motions](const Entry& entry) { return numbers(motions[entry.id]); };
     std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
       if (a.x != b.x) return a.x < b.x;
       const auto others_a = others(a);
@@ -107,8 +141,9 @@ class Points_reader {
     if (!first) return;
     throw Input_error(
         name_, result_.lines[(*first)[1]],
-        fmt::format("the point has the same place and velocity as the one in line {}; expected "
-                    "points that differ in one of them: remove one or change its motion",
+        fmt::format("the point has the same place and {} as the one in line {}; expected points "
+                    "that differ in one of them: remove one or change its motion",
+                    result_.is_polynomial ? "derivatives" : "velocity",
                     result_.lines[(*first)[0]]));
   }
 
@@ -149,23 +184,38 @@ Points_file read_points_file(const std::string& path) {
   return read_points(in, path);
 }
 
-void write_points(std::ostream& out, std::span<const Linear_motion_2> motions,
-                  std::span<const double> radii) {
+namespace {
+
+template <class Motion>
+void write_all_points(std::ostream& out, std::span<const Motion> motions,
+                      std::span<const double> radii) {
   KINETRI_PRECONDITION(radii.empty() || radii.size() == motions.size(),
                        "there is one radius for each point, or none");
-  out << (radii.empty() ? "x,y,vx,vy\n" : "x,y,vx,vy,radius\n");
+  constexpr std::size_t columns = std::tuple_size_v<decltype(numbers(Motion()))>;
+  out << fmt::format("{}{}\n", fmt::join(column_names.begin(), column_names.begin() + columns, ","),
+                     radii.empty() ? "" : ",radius");
   fmt::memory_buffer row;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    const Linear_motion_2& m = motions[i];
-    KINETRI_PRECONDITION(is_finite(m) && m.epoch == 0,
+    KINETRI_PRECONDITION(is_finite(motions[i]) && motions[i].epoch == 0,
                          "a file of points holds finite numbers at time 0");
     row.clear();
-    fmt::format_to(std::back_inserter(row), "{},{},{},{}", m.position.x, m.position.y, m.velocity.x,
-                   m.velocity.y);
+    fmt::format_to(std::back_inserter(row), "{}", fmt::join(numbers(motions[i]), ","));
     if (!radii.empty()) fmt::format_to(std::back_inserter(row), ",{}", radii[i]);
     row.push_back('\n');
     out.write(row.data(), static_cast<std::streamsize>(row.size()));
   }
+}
+
+}  // namespace
+
+void write_points(std::ostream& out, std::span<const Linear_motion_2> motions,
+                  std::span<const double> radii) {
+  write_all_points(out, motions, radii);
+}
+
+void write_points(std::ostream& out, std::span<const Polynomial_motion_2> motions,
+                  std::span<const double> radii) {
+  write_all_points(out, motions, radii);
 }
 
 }  // namespace kinetri

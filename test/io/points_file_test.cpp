@@ -163,6 +163,26 @@ TEST(ReadPoints, TakesColumnsInAnyOrder) {
   EXPECT_EQ(file.radii, std::vector<double>{9});
 }
 
+TEST(ReadPoints, ReadsHigherDerivatives) {
+  const Points_file bent =
+      read("x,y,vx,vy,jy,jx,ax,radius,ay\n1,2,3,4,8,7,5,0.5,6\n0,0,0,0,0,0,0,1,0\n");
+  EXPECT_TRUE(bent.is_polynomial);
+  EXPECT_TRUE(bent.motions.empty());
+  ASSERT_EQ(bent.polynomial_motions.size(), 2U);
+  EXPECT_EQ(bent.polynomial_motions[0], (Polynomial_motion_2{{1, 2}, {3, 4}, {5, 6}, {7, 8}, 0}));
+  EXPECT_EQ(bent.radii, (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(bent.number_of_points(), 2U);
+  EXPECT_EQ(read("x,y,vx,vy,ax,ay\n1,2,3,4,5,6\n").polynomial_motions[0],
+            (Polynomial_motion_2{{1, 2}, {3, 4}, {5, 6}, {}, 0}));
+  EXPECT_EQ(read("x,y,vx,vy,jx,jy\n1,2,3,4,5,6\n").polynomial_motions[0],
+            (Polynomial_motion_2{{1, 2}, {3, 4}, {}, {5, 6}, 0}));
+  EXPECT_FALSE(read("x,y,vx,vy\n1,2,3,4\n").is_polynomial);
+  EXPECT_EQ(read("x,y,vx,vy,ax,ay\n1,2,3,4,5,6\n1,2,3,4,5,7\n").number_of_points(), 2U);
+  EXPECT_EQ(error_of("x,y,vx,vy,ax,ay\n1,2,3,4,5,6\n\n1,2,3,4,5,6\n"),
+            "p.csv:4: the point has the same place and derivatives as the one in line 2; expected "
+            "points that differ in one of them: remove one or change its motion");
+}
+
 TEST(ReadPoints, SkipsBlankLinesAndComments) {
   const Points_file file =
       read("# before, the header\n\n  \t\nx,y,vx,vy\n#1,2,3,4\n\n5,6,7,8\n   \n#\n1,2,3,4\n\n");
@@ -256,31 +276,35 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_file{
             "",
             "p.csv:1: the file is empty; expected a header line with the columns x,y,vx,vy and "
-            "optionally radius, in any order"},
+            "optionally radius, ax,ay, jx,jy, in any order"},
         Bad_file{
             "\n# only a comment\n",
             "p.csv:1: the file is empty; expected a header line with the columns x,y,vx,vy and "
-            "optionally radius, in any order"},
+            "optionally radius, ax,ay, jx,jy, in any order"},
         Bad_file{"x,y,vx\n1,2,3\n",
                  "p.csv:1: the column vy is missing; expected a header line with the columns "
-                 "x,y,vx,vy and optionally radius, in any order"},
+                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
         Bad_file{"# c\nx,y,vx,x,vy\n",
                  "p.csv:2: the column x is named twice; expected a header line with the columns "
-                 "x,y,vx,vy and optionally radius, in any order"},
+                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
         Bad_file{
             "x,y,vx,vy,mass\n",
             "p.csv:1: unknown column 'mass'; expected a header line with the columns x,y,vx,vy "
-            "and optionally radius, in any order"},
+            "and optionally radius, ax,ay, jx,jy, in any order"},
         Bad_file{"X,y,vx,vy\n",
                  "p.csv:1: unknown column 'X'; expected a header line with the columns x,y,vx,vy "
-                 "and optionally radius, in any order"},
+                 "and optionally radius, ax,ay, jx,jy, in any order"},
         Bad_file{
             "x,y,,vx,vy\n",
             "p.csv:1: unknown column ''; expected a header line with the columns x,y,vx,vy and "
-            "optionally radius, in any order"},
+            "optionally radius, ax,ay, jx,jy, in any order"},
+        Bad_file{"x,y,vx,vy,ax\n",
+                 "p.csv:1: the column ay is missing; expected both ax and ay, or neither"},
+        Bad_file{"x,y,vx,vy,ax,ay,jy\n",
+                 "p.csv:1: the column jx is missing; expected both jx and jy, or neither"},
         Bad_file{"1,2,3,4\n",
                  "p.csv:1: unknown column '1'; expected a header line with the columns x,y,vx,vy "
-                 "and optionally radius, in any order"}));
+                 "and optionally radius, ax,ay, jx,jy, in any order"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, BadFile,
@@ -461,6 +485,15 @@ TEST(WritePoints, ReadGivesTheSameNumbersBack) {
   const Points_file file = read(out.str());
   EXPECT_EQ(file.motions, motions);
   EXPECT_EQ(file.radii, radii);
+}
+
+TEST(WritePoints, WritesHigherDerivatives) {
+  const std::vector<Polynomial_motion_2> motions = {{{1, 2}, {3, 4}, {-0.0, 0.1}, {1e-300, 8}, 0},
+                                                    {}};
+  std::ostringstream out;
+  write_points(out, motions);
+  EXPECT_EQ(out.str(), "x,y,vx,vy,ax,ay,jx,jy\n1,2,3,4,-0,0.1,1e-300,8\n0,0,0,0,0,0,0,0\n");
+  EXPECT_EQ(read(out.str()).polynomial_motions, motions);
 }
 
 TEST(WritePoints, WhatTheFormatCannotHoldThrows) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Files of moving points: comma separated, a header line naming the columns x, y, vx, vy and
-// optionally radius in any order, then one point a line: its place at time 0 and its velocity.
-// Blank lines and lines that begin with # are skipped.
+// optionally radius, ax and ay, jx and jy in any order, then one point a line: its place at time 0
+// and its derivatives there, velocity, acceleration and jerk. Blank lines and lines that begin with
+// # are skipped.
 //
 // Every number that comes out is the binary64 number that the text stands for, rounded correctly.
 // Text that stands for none (nan, inf, too large, too small to be told from zero) is an error.
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
 
 namespace kinetri {
 
@@ -36,9 +38,15 @@ Parsed_number parse_number(std::string_view text);
 
 /// What a file of points holds. Entry i of each vector belongs to the point with the id i.
 struct Points_file {
-  std::vector<Linear_motion_2> motions;  ///< with epoch 0, all of them finite, no two equal
-  std::vector<double> radii;             ///< at least 0; empty if the file has no such column
-  std::vector<std::size_t> lines;        ///< where the point stands, counted from 1
+  /// With epoch 0, all of them finite, no two equal. Those of one kind: polynomial if the file has
+  /// a column ax or jx, else linear.
+  std::vector<Linear_motion_2> motions;
+  std::vector<Polynomial_motion_2> polynomial_motions;
+  bool is_polynomial = false;
+  std::vector<double> radii;       ///< at least 0; empty if the file has no such column
+  std::vector<std::size_t> lines;  ///< where the point stands, counted from 1
+
+  std::size_t number_of_points() const { return lines.size(); }
 };
 
 /// Reads points from `in`, line by line: beyond the result it needs memory for one line, which may
@@ -46,10 +54,11 @@ struct Points_file {
 /// order mark, and blanks around fields.
 ///
 /// Throws Input_error `name:line: ...` for everything else: no header; a column that is unknown,
-/// missing or named twice; a row with too few or too many fields; a field that is empty or not a
-/// number (see parse_number); a negative radius; two points with the same place and velocity (0 and
-/// -0 are the same), naming both lines; 2^32 - 1 points or more; a stream that fails. Zero points
-/// are valid. Cost: linear, but for a sort that finds equal points: O(n log n) for every input.
+/// missing or named twice, or one of a pair without the other; a row with too few or too many
+/// fields; a field that is empty or not a number (see parse_number); a negative radius; two points
+/// with the same motion (0 and -0 are the same), naming both lines; 2^32 - 1 points or more; a
+/// stream that fails. Zero points are valid. Cost: linear, but for a sort that finds equal points:
+/// O(n log n) for every input.
 Points_file read_points(std::istream& in, const std::string& name);
 
 /// Reads the file `path`, or standard input if it is "-". Throws as read_points, and Input_error
@@ -60,6 +69,8 @@ Points_file read_points_file(const std::string& path);
 /// numbers that read back exactly. Precondition: all motions are finite and have epoch 0; `radii`
 /// is empty or as long as `motions`. Errors are those of the stream.
 void write_points(std::ostream& out, std::span<const Linear_motion_2> motions,
+                  std::span<const double> radii = {});
+void write_points(std::ostream& out, std::span<const Polynomial_motion_2> motions,
                   std::span<const double> radii = {});
 
 }  // namespace kinetri
