@@ -45,7 +45,7 @@ LIBRARIES = {
     "events": (),
     "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/"),
     "simulation": ("CGAL/",),
-    "io": ("nlohmann/", "fmt/"),
+    "io": ("nlohmann/", "fmt/", "boost/crc.hpp"),
     "apps": ("CLI/", "nlohmann/", "fmt/"),
 }
 

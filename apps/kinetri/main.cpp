@@ -22,6 +22,7 @@
 #include "kinetri/io/output_file.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/version.h"
+#include "resume_command.h"
 #include "simulate_command.h"
 #include "tracks_command.h"
 
@@ -86,12 +87,14 @@ Exit_code run(int argc, char** argv) {
       "  kinetri simulate points.csv --until 10 --events events.csv --audit end");
   Generate_command generate(program);
   Simulate_command simulate(program);
+  Resume_command resume(program);
   Tracks_command tracks(program);
   Experiment_command experiment(program);
   try {
     program.parse(argc, argv);
     if (generate.chosen()) return generate.run();
     if (simulate.chosen()) return simulate.run();
+    if (resume.chosen()) return resume.run();
     return tracks.chosen() ? tracks.run() : experiment.run();
   } catch (const CLI::Success& success) {
     program.exit(success, std::cout, std::cerr);

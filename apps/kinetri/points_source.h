@@ -30,6 +30,7 @@ class Points_source final : public Run_source {
   std::size_t number_of_points() const override { return points_.motions.size(); }
   double from() const override { return settings_.from; }
   double until() const override { return settings_.until; }
+  std::string response() const override { return std::string(settings_.collisions.name); }
   std::unique_ptr<Simulation_2<>> make_simulation(Arithmetic arithmetic) const override;
   Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
   std::string name(Point_id id) const override { return std::to_string(id); }

@@ -36,12 +36,20 @@ void Run_options::add_to(CLI::App& command) {
   command.add_flag("--quiet", quiet_, "Neither a progress line nor a summary");
 }
 
+void Run_options::add_checkpoint_to(CLI::App& command) {
+  command
+      .add_option("--checkpoint", checkpoint_,
+                  "Write the state at the end here, for kinetri resume; when interrupted, too")
+      ->type_name("FILE");
+}
+
 Run_settings Run_options::settings() const {
   Run_settings result;
   result.events = events_;
   result.initial_edges = initial_edges_;
   result.edges = edges_;
   result.stats = stats_;
+  result.checkpoint = checkpoint_;
   result.audit = static_cast<Audit_mode>(choice_argument("--audit", audit_, audit_modes));
   if (exact_only_) result.arithmetic = Arithmetic::exact_only;
   result.progress =

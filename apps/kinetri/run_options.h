@@ -18,6 +18,9 @@ class Run_options {
  public:
   void add_to(CLI::App& command);
 
+  /// For commands whose runs can be taken up again.
+  void add_checkpoint_to(CLI::App& command);
+
   /// Throws Usage_error.
   Run_settings settings() const;
 
@@ -26,6 +29,7 @@ class Run_options {
   std::optional<std::string> initial_edges_;
   std::optional<std::string> edges_;
   std::optional<std::string> stats_;
+  std::optional<std::string> checkpoint_;
   std::string audit_ = "none";
   std::string progress_ = "auto";
   bool exact_only_ = false;

@@ -36,6 +36,9 @@ class Run_source {
   virtual double from() const = 0;
   virtual double until() const = 0;
 
+  /// The name of the response to contacts in `named_responses`.
+  virtual std::string response() const = 0;
+
   /// The simulation at from(). Throws Input_error, naming the line.
   virtual std::unique_ptr<Simulation_2<>> make_simulation(Arithmetic arithmetic) const = 0;
 

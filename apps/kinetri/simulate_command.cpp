@@ -53,6 +53,7 @@ Simulate_command::Simulate_command(CLI::App& program)
       "elastically; stop, both; vanish, both");
   add("--radius", radius_, "R", "Radius of all discs, for points without a column radius");
   run_options_.add_to(*command_);
+  run_options_.add_checkpoint_to(*command_);
   command_->footer(
       "The file POINTS has a header line x,y,vx,vy, or x,y,vx,vy,radius with all radii equal, and\n"
       "one point a line. Interrupted, the command stops at the next event and writes what it "
@@ -61,7 +62,8 @@ Simulate_command::Simulate_command(CLI::App& program)
       "130 interrupted.\n\n"
       "Example:\n"
       "  kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv --audit end\n"
-      "  kinetri simulate points.csv --until 10 --box 0,0,100,100 --collisions elastic --radius 1");
+      "  kinetri simulate points.csv --until 10 --box 0,0,100,100 --collisions elastic --radius 1\n"
+      "  kinetri simulate points.csv --until 10 --checkpoint run.kinetri");
 }
 
 Exit_code Simulate_command::run() const {

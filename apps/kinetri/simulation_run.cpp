@@ -16,6 +16,7 @@
 
 #include "arguments.h"
 #include "interrupt.h"
+#include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/io/output_file.h"
@@ -54,12 +55,13 @@ std::uint64_t peak_rss_bytes() {
 class Outputs {
  public:
   Outputs(const Run_settings& settings, const std::string& input_path) {
-    files_.reserve(6);
+    files_.reserve(7);
     events = open("--events", settings.events);
     initial_edges = open("--initial-edges", settings.initial_edges);
     edges = open("--edges", settings.edges);
     stats = open("--stats", settings.stats);
     points = open("--ids", settings.points);
+    checkpoint = open("--checkpoint", settings.checkpoint);
     if (settings.closest > 0) closest = open("--closest", "-");
     std::error_code ignored;
     const std::string input = std::filesystem::canonical(input_path, ignored).string();
@@ -82,6 +84,7 @@ class Outputs {
   Output_file* edges;
   Output_file* stats;
   Output_file* points;
+  Output_file* checkpoint;
   Output_file* closest = nullptr;
 
   // All are complete before the first takes its place.
@@ -140,6 +143,7 @@ class Simulation_run {
   std::optional<Event_log_writer> log_;
   std::unique_ptr<Simulation_2<>> simulation_;
   std::optional<Closest_approaches> closest_;
+  std::uint64_t events_before_ = 0;  // of the run that this one takes up
   std::size_t failures_ = 0;
 };
 
@@ -172,6 +176,7 @@ void Simulation_run::build() {
   progress_.show_stage(fmt::format("triangulating {} points", statistics_.points));
   statistics_.seconds.read = stopwatch_.lap();
   simulation_ = source_.make_simulation(settings_.arithmetic);
+  events_before_ = triangulation().counters().number_of_events();
   const Construction_seconds& construction = triangulation().construction_seconds();
   statistics_.seconds.initialize = construction.initialize;
   statistics_.seconds.build = stopwatch_.lap() - construction.initialize;
@@ -249,6 +254,9 @@ void Simulation_run::write_outputs() {
     write_edges(outputs_.edges->stream(), triangulation().finite_edge_ids());
   }
   if (outputs_.points != nullptr) source_.write_points(outputs_.points->stream());
+  if (outputs_.checkpoint != nullptr) {
+    write_checkpoint(outputs_.checkpoint->stream(), {simulation_->snapshot(), source_.response()});
+  }
   if (outputs_.closest != nullptr) write_approaches(outputs_.closest->stream());
   statistics_.triangulation = triangulation().counters();
   statistics_.certificates = simulation_->certificate_counters();
@@ -287,7 +295,8 @@ std::string stage_shares(const Run_seconds& seconds) {
 void Simulation_run::summarize() const {
   const Run_statistics& s = statistics_;
   const auto events = s.triangulation.number_of_events();
-  const double rate = s.seconds.run > 0 ? static_cast<double>(events) / s.seconds.run : 0;
+  const auto executed = static_cast<double>(events - events_before_);
+  const double rate = s.seconds.run > 0 ? executed / s.seconds.run : 0;
   const auto print = [](std::string_view label, const std::string& text) {
     fmt::print(stderr, "  {:<13}{}\n", label, text);
   };

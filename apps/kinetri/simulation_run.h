@@ -27,8 +27,9 @@ struct Run_settings {
   std::optional<std::string> initial_edges;
   std::optional<std::string> edges;
   std::optional<std::string> stats;
-  std::optional<std::string> points;  ///< a table of the source's points
-  std::size_t closest = 0;            ///< how many closest approaches to print on standard output
+  std::optional<std::string> points;      ///< a table of the source's points
+  std::optional<std::string> checkpoint;  ///< the state at the end
+  std::size_t closest = 0;  ///< how many closest approaches to print on standard output
   Audit_mode audit = Audit_mode::none;
   Arithmetic arithmetic = Arithmetic::filtered;
   Progress_mode progress = Progress_mode::automatic;

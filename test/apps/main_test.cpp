@@ -29,7 +29,8 @@ TEST_F(Program, PrintsItsVersion) {
 }
 
 TEST_F(Program, EveryHelpHasAnExample) {
-  std::vector<Arguments> commands = {{}, {"simulate"}, {"generate"}, {"tracks"}, {"experiment"}};
+  std::vector<Arguments> commands = {{},           {"simulate"}, {"resume"},
+                                     {"generate"}, {"tracks"},   {"experiment"}};
   for (const char* scenario :
        {"uniform", "gaussian", "constant-speed", "one-mover", "lattice", "lattice-jitter"}) {
     commands.push_back({"generate", scenario});
@@ -51,16 +52,17 @@ TEST_F(Program, WithoutACommandIsAUsageError) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err,
-            "kinetri: nothing to do; expected generate, simulate, tracks or experiment\n"
+            "kinetri: nothing to do; expected generate, simulate, resume, tracks or experiment\n"
             "Run 'kinetri --help' for what is possible.\n");
 }
 
 TEST_F(Program, UnknownCommandIsAUsageError) {
   const Outcome outcome = run({"stimulate"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err,
-            "kinetri: 'stimulate' is unknown; expected generate, simulate, tracks or experiment\n"
-            "Run 'kinetri --help' for what is possible.\n");
+  EXPECT_EQ(
+      outcome.err,
+      "kinetri: 'stimulate' is unknown; expected generate, simulate, resume, tracks or experiment\n"
+      "Run 'kinetri --help' for what is possible.\n");
 }
 
 // ---- failures inside, which a right library does not have: faults.cpp makes them ----

@@ -129,6 +129,11 @@ class Pair_of_queues {
       ASSERT_TRUE(queue_.contains(handle));
       ASSERT_EQ(queue_[handle], item);
     }
+    std::vector<Item> items;
+    queue_.for_each([&](const Item& item) { items.push_back(item); });
+    std::vector<Item> expected;
+    for (const auto& [handle, item] : reference_.items()) expected.push_back(item);
+    ASSERT_EQ(items, expected);
     for (Queue_handle handle = 0; handle < 2000; ++handle) {
       ASSERT_EQ(queue_.contains(handle), reference_.contains(handle)) << "handle " << handle;
     }

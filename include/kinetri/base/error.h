@@ -40,6 +40,12 @@ class Input_error : public Error {
                         : file + ":" + std::to_string(line) + ": " + message) {}
 };
 
+/// A snapshot that is not the state of anything: it was damaged, or made up.
+class Snapshot_error : public Error {
+ public:
+  using Error::Error;
+};
+
 /// Two points have the same trajectory from some instant on: they would stay in one place for ever,
 /// and no triangulation has both as vertices.
 class Coincident_trajectories_error : public Error {

@@ -118,6 +118,11 @@ class Indexed_queue {
   /// Removes all items.
   void clear();
 
+  /// Calls `function` with each item, in the order of their handles. Linear in the largest size so
+  /// far.
+  template <class Function>
+  void for_each(Function function) const;
+
   const Queue_counters& counters() const noexcept { return counters_; }
 
   /// Whether heap order, slots and index are intact. O(n); for audits.
@@ -265,6 +270,14 @@ void Indexed_queue<Item, Less>::clear() {
   cleared.counters_ = counters_;
   cleared.counters_.discarded += size();
   *this = std::move(cleared);
+}
+
+template <class Item, class Less>
+template <class Function>
+void Indexed_queue<Item, Less>::for_each(Function function) const {
+  for (const Place& place : places_) {
+    if (place.position != nowhere) function(place.item);
+  }
 }
 
 template <class Item, class Less>

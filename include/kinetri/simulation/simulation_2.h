@@ -18,10 +18,13 @@
 #define KINETRI_SIMULATION_SIMULATION_2_H
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "kinetri/base/error.h"
@@ -29,8 +32,8 @@
 #include "kinetri/events/event.h"
 #include "kinetri/events/indexed_queue.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
-#include "kinetri/simulation/box_2.h"
-#include "kinetri/simulation/collision_response.h"
+#include "kinetri/simulation/simulation_options.h"
+#include "kinetri/simulation/simulation_snapshot.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
@@ -51,32 +54,6 @@ class Outside_box_error : public Error {
   Point_id point_;
 };
 
-/// The box and the discs of a simulation. Without any, points go their ways freely.
-struct Simulation_options {
-  /// A point that reaches a side while it moves outward is reflected: the component of its velocity
-  /// changes sign, exactly.
-  std::optional<Box_2> box = std::nullopt;
-  /// What touches the box: the centre of a disc, or its rim.
-  bool rim_touches = false;
-  /// Of every disc, in the unit of the coordinates. Discs of different radii are not supported: two
-  /// of them may touch without being neighbors in the Delaunay triangulation; that takes a weighted
-  /// one.
-  double radius = 0;
-  /// What discs do that touch; empty: nothing, and contacts are not looked for.
-  Collision_response response = nullptr;
-  /// The most contacts, of all points together, at one time.
-  std::uint64_t contacts_at_one_time = 1'000'000;
-};
-
-/// Counts of what became of contacts; events count those that happened.
-struct Contact_counters {
-  Queue_counters queue;
-  std::uint64_t discarded_walls = 0;       ///< contacts found that did not happen, as the point
-  std::uint64_t discarded_collisions = 0;  ///< or its neighbor turned, or the edge went
-  std::uint64_t instants = 0;              ///< times with contacts and without other events
-  std::uint64_t most_at_one_time = 0;
-};
-
 /// The simulation. At each time first the triangulation's own events are executed, then contacts
 /// with walls, by point id, then those of discs, by ids, then changes that were scheduled.
 ///
@@ -93,6 +70,7 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   using Point_2 = typename Traits::Point_2;
   using Time = typename Traits::Time;
   using Observer = Event_observer<Time>;
+  using Snapshot = Simulation_snapshot<Traits>;
 
   /// Throws Precondition_error where an option has no meaning: a box without area, or not finite;
   /// a radius that is negative or not finite; collisions of discs without a radius; a box that is
@@ -101,6 +79,17 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   /// triangulation, and a contact certificate for each edge and wall.
   Simulation_2(const std::vector<Motion>& motions, const Simulation_options& options,
                const Time& start = Time(), const Traits& traits = Traits());
+
+  /// The simulation of the snapshot, which goes on as the one that it was taken of would: the same
+  /// events, with the same numbers, for the same calls. The response is what that one had, since a
+  /// function cannot be kept. Counters go on, but for those of the queues.
+  ///
+  /// Throws Snapshot_error if it is not the state of a simulation, as the constructor of the
+  /// triangulation. Precondition: there is a response if there was one. Cost: that of the
+  /// triangulation, and a contact certificate for each edge and wall.
+  template <std::same_as<Snapshot> Given>  // what is in braces is a list of motions
+  Simulation_2(const Given& snapshot, Collision_response response, const Traits& traits = Traits())
+      : Simulation_2(Restoration(), snapshot, std::move(response), traits) {}
 
   Simulation_2(const Simulation_2&) = delete;
   Simulation_2& operator=(const Simulation_2&) = delete;
@@ -111,6 +100,11 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   const Triangulation& triangulation() const { return triangulation_; }
   const Time& current_time() const { return triangulation_.current_time(); }
   const Simulation_options& options() const { return options_; }
+
+  /// The whole state but the response and the observers, to be restored later or elsewhere; see
+  /// Simulation_snapshot. O(n). Precondition: not within an event or an instant: not called by an
+  /// observer or a response, nor after an exception has left the simulation there (checked).
+  Snapshot snapshot() const;
 
   // ---- time ----
 
@@ -191,7 +185,12 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   };
 
   const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
-  void check_options() const;
+  const char* options_problem() const;
+  struct Restoration {};
+  Simulation_2(Restoration, const Snapshot& snapshot, Collision_response response,
+               const Traits& traits);
+  void restore_contacts(const Snapshot& snapshot);
+  void restore_changes(const Snapshot& snapshot);
 
   // Scheduling.
   const Time& time(const Entry& entry) const;
@@ -244,7 +243,8 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   std::unordered_map<std::uint32_t, Motion> scheduled_motions_;  // by number of the change
   std::uint32_t scheduled_ = 0;                                  // changes so far
   std::size_t scheduled_entries_ = 0;                            // of changes, in the queue
-  Contact_counters counters_;                                    // but for those of the queue
+  bool is_within_instant_ = false;
+  Contact_counters counters_;  // but for those of the queue
 };
 
 extern template class Simulation_2<Linear_kinetic_traits_2>;

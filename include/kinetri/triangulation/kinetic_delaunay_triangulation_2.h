@@ -19,6 +19,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -34,6 +35,8 @@
 #include "kinetri/triangulation/audit.h"
 #include "kinetri/triangulation/detail/time_pool.h"
 #include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
+#include "kinetri/triangulation/triangulation_counters.h"
+#include "kinetri/triangulation/triangulation_snapshot.h"
 
 namespace kinetri {
 
@@ -62,23 +65,6 @@ void prefetch_around(Face_handle face) {
 
 }  // namespace detail
 
-/// Counts of what the triangulation has done so far.
-struct Triangulation_counters {
-  std::array<std::uint64_t, event_kinds> events = {};  ///< by Event_kind
-  /// Failures that were found and did not happen, since the edge went or its neighbors changed; by
-  /// the kind of event that they would have been, coincidences as rebuild.
-  std::array<std::uint64_t, event_kinds> discarded = {};
-  std::uint64_t instants = 0;          ///< distinct times of failures
-  std::uint64_t largest_instant = 0;   ///< the most events at one time
-  std::uint64_t batches = 0;           ///< instants with two events or more
-  std::uint64_t flat_hulls = 0;        ///< instants at which a point reached the hull
-  std::uint64_t points_set_aside = 0;  ///< points taken out and put back, as they met others
-  std::uint64_t rebuilds = 0;          ///< reconstructions of the whole, as the hull went flat
-  std::uint64_t looks_again = 0;       ///< certificates looked at again, as they held so far
-
-  std::uint64_t number_of_events() const;
-};
-
 /// How long the two stages of construction took, in seconds of wall-clock time.
 struct Construction_seconds {
   double build = 0;       ///< the triangulation just after the start
@@ -102,6 +88,7 @@ class Kinetic_delaunay_triangulation_2 {
   using Face_handle = typename Triangulation::Face_handle;
   using Edge = typename Triangulation::Edge;
   using Observer = Event_observer<Time>;
+  using Snapshot = Triangulation_snapshot<Traits>;
 
   /// The triangulation of the motions in [first, last), numbered from 0, Delaunay just after
   /// `start`. The input may be degenerate at `start` and at every other time: any number of points,
@@ -119,6 +106,17 @@ class Kinetic_delaunay_triangulation_2 {
   explicit Kinetic_delaunay_triangulation_2(const std::vector<Motion>& motions,
                                             const Time& start = Time(),
                                             const Traits& traits = Traits());
+
+  /// The triangulation of the snapshot, which goes on as the one that it was taken of would: the
+  /// same events, with the same numbers, for the same calls. Counters go on too, but for those of
+  /// the queue; certificates are made anew, and counted. Observers are not part of a snapshot.
+  ///
+  /// Throws Snapshot_error if it is not that of a Delaunay triangulation: every link is checked,
+  /// and every triangle and edge, exactly. Cost: O(n) exact predicates and O(n) failure times, the
+  /// latter on all threads that oneTBB has.
+  template <std::same_as<Snapshot> Given>  // what is in braces is a list of motions
+  explicit Kinetic_delaunay_triangulation_2(const Given& snapshot, const Traits& traits = Traits())
+      : Kinetic_delaunay_triangulation_2(Restoration(), snapshot, traits) {}
 
   Kinetic_delaunay_triangulation_2(const Kinetic_delaunay_triangulation_2&) = delete;
   Kinetic_delaunay_triangulation_2& operator=(const Kinetic_delaunay_triangulation_2&) = delete;
@@ -153,6 +151,11 @@ class Kinetic_delaunay_triangulation_2 {
 
   /// The ids of the ends of all finite edges, sorted. O(n log n).
   std::vector<Edge_ids> finite_edge_ids() const;
+
+  /// The whole state, to be restored later or elsewhere; see Triangulation_snapshot. O(n).
+  /// Precondition: not within an event, that is, not called by an observer (checked), nor after an
+  /// observer has thrown.
+  Snapshot snapshot() const;
 
   // ---- time ----
 
@@ -301,6 +304,15 @@ class Kinetic_delaunay_triangulation_2 {
   Triangulation build(std::span<const Point_2> points, const Time& time) const;
   void index_vertices();
 
+  // Snapshots.
+  struct Restoration {};
+  Kinetic_delaunay_triangulation_2(Restoration, const Snapshot& snapshot, const Traits& traits);
+  std::vector<Face_handle> make_faces(const Snapshot& snapshot);
+  void check_restored() const;
+  void check_restored_chain() const;
+  std::vector<Edge> sides_in_queue(const Snapshot& snapshot,
+                                   const std::vector<Face_handle>& faces) const;
+
   // Certificates.
   std::vector<Edge> edges() const;
   Two_sided_edge two_sided(const Edge& edge) const;
@@ -317,7 +329,7 @@ class Kinetic_delaunay_triangulation_2 {
   void schedule(const Two_sided_edge& edge, const Time& after,
                 Certificate_state state = Certificate_state::any);
   Entry make_entry(const Edge& edge, Prospect prospect);
-  void schedule_all();
+  void schedule_all(const std::vector<Edge>& all);
   void unschedule(const Two_sided_edge& edge);
   static Event_kind event_kind(Entry_kind failure);
   static void set_event(const Two_sided_edge& edge, Queue_handle handle);
@@ -390,6 +402,7 @@ class Kinetic_delaunay_triangulation_2 {
   /// By edge, +1 if it has been added, -1 if removed; present while that is noted, not reported.
   std::optional<std::map<Edge_ids, int>> rebuilt_edges_;
   bool hull_is_flat_ = false;  // at the present time
+  bool is_in_event_ = false;   // observers are being called
   Triangulation_counters counters_;
   Construction_seconds construction_seconds_;
 };

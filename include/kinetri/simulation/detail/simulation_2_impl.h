@@ -37,7 +37,8 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
       options_(options),
       diameter_(2 * options.radius),
       triangulation_(motions, start, traits) {
-  check_options();
+  const char* const problem = options_problem();
+  KINETRI_PRECONDITION(problem == nullptr, problem);
   if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
   for (Point_id id = 0; id < motions.size(); ++id) check_inside(point(id));
   triangulation_.add_observer(*this);
@@ -48,21 +49,25 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
   for (const Edge_ids& edge : triangulation_.finite_edge_ids()) schedule_pair(edge, start);
 }
 
+// What is wrong with the options; null if nothing is.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::check_options() const {
-  KINETRI_PRECONDITION(std::isfinite(diameter_) && options_.radius >= 0,
-                       "the radius is negative or not finite");
-  KINETRI_PRECONDITION(!options_.response || options_.radius > 0,
-                       "discs without a radius never touch");
-  if (!options_.box) return;
+const char* Simulation_2<Traits>::options_problem() const {
+  if (!std::isfinite(diameter_) || !(options_.radius >= 0)) {
+    return "the radius is negative or not finite";
+  }
+  if (options_.response && options_.radius == 0) return "discs without a radius never touch";
+  if (!options_.box) return nullptr;
   const auto& [xmin, ymin, xmax, ymax] = *options_.box;
-  KINETRI_PRECONDITION(std::isfinite(xmin) && std::isfinite(ymin) && std::isfinite(xmax) &&
-                           std::isfinite(ymax) && xmin < xmax && ymin < ymax,
-                       "the box has no area or is not finite");
-  KINETRI_PRECONDITION(
-      !options_.rim_touches || (to_rational(xmax) - to_rational(xmin) > to_rational(diameter_) &&
-                                to_rational(ymax) - to_rational(ymin) > to_rational(diameter_)),
-      "the box is not wider than a disc");
+  if (!std::isfinite(xmin) || !std::isfinite(ymin) || !std::isfinite(xmax) ||
+      !std::isfinite(ymax) || !(xmin < xmax && ymin < ymax)) {
+    return "the box has no area or is not finite";
+  }
+  const Rational diameter = to_rational(diameter_);
+  if (options_.rim_touches && (to_rational(xmax) - to_rational(xmin) <= diameter ||
+                               to_rational(ymax) - to_rational(ymin) <= diameter)) {
+    return "the box is not wider than a disc";
+  }
+  return nullptr;
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -294,6 +299,7 @@ void Simulation_2<Traits>::settle() {
 
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::execute_due_entries() {
+  is_within_instant_ = true;  // and stays so if something throws
   const std::uint64_t events_before = triangulation_.counters().number_of_events();
   std::uint64_t contacts = 0;
   std::vector<Entry> postponed;
@@ -323,6 +329,7 @@ std::size_t Simulation_2<Traits>::execute_due_entries() {
     execute_due();
   }
   counters_.most_at_one_time = std::max(counters_.most_at_one_time, contacts);
+  is_within_instant_ = false;
   return static_cast<std::size_t>(triangulation_.counters().number_of_events() - events_before);
 }
 
@@ -634,5 +641,7 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
 }
 
 }  // namespace kinetri
+
+#include "kinetri/simulation/detail/snapshot_impl.h"
 
 #endif  // KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H

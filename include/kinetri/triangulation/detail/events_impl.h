@@ -205,10 +205,12 @@ void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event,
     return change_edges();
   }
   event.number = counters_.number_of_events();
+  is_in_event_ = true;
   for (Observer* observer : observers_) observer->before_event(event);
   change_edges();
   ++counters_.events[static_cast<std::size_t>(event.kind)];
   for (Observer* observer : observers_) observer->after_event(event);
+  is_in_event_ = false;
 }
 
 // Flips an edge, finite or infinite, whose event has been taken from the queue:

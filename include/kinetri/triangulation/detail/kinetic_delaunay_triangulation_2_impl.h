@@ -38,7 +38,7 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
   triangulation_ = build(points, start);
   index_vertices();
   const auto built = std::chrono::steady_clock::now();
-  schedule_all();
+  schedule_all(edges());
   const auto initialized = std::chrono::steady_clock::now();
   using Seconds = std::chrono::duration<double>;
   construction_seconds_ = {Seconds(built - started).count(), Seconds(initialized - built).count()};
@@ -285,10 +285,10 @@ auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge
   return result;
 }
 
-// Schedules every edge; the queue is empty. The prospects of a block of edges are found by several
-// threads; only the queue is filled by one.
+// Schedules all edges, each from the side given; the queue is empty. The prospects of a block of
+// edges are found by several threads; only the queue is filled by one.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_all(const std::vector<Edge>& all) {
   constexpr std::size_t edges_per_task = 4096;
   struct Task {
     std::span<const Edge> edges;
@@ -296,7 +296,6 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
     std::vector<std::optional<Prospect>> prospects;
     Certificate_counters counters;
   };
-  const std::vector<Edge> all = edges();
   std::vector<Entry> entries;
   entries.reserve(all.size());
   std::vector<Task> tasks(2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
@@ -366,5 +365,6 @@ Event_kind Kinetic_delaunay_triangulation_2<Traits>::event_kind(Entry_kind failu
 #include "kinetri/triangulation/detail/changes_impl.h"
 #include "kinetri/triangulation/detail/events_impl.h"
 #include "kinetri/triangulation/detail/rebuild_impl.h"
+#include "kinetri/triangulation/detail/snapshot_impl.h"
 
 #endif  // KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A checkpoint as the source of a run: one that was broken off.
+#ifndef KINETRI_APPS_CHECKPOINT_SOURCE_H
+#define KINETRI_APPS_CHECKPOINT_SOURCE_H
+
+#include "kinetri/io/checkpoint_file.h"
+#include "run_source.h"
+
+namespace kinetri::app {
+
+class Checkpoint_source final : public Run_source {
+ public:
+  /// `path` is a path, or "-"; `until` the end of the run.
+  Checkpoint_source(std::string path, double until) : path_(std::move(path)), until_(until) {}
+
+  const std::string& path() const override { return path_; }
+  void read() override;
+  std::size_t number_of_points() const override;
+  double from() const override { return time().to_double(); }
+  double until() const override { return until_; }
+  std::string response() const override { return checkpoint_.response; }
+  std::unique_ptr<Simulation_2<>> make_simulation(Arithmetic arithmetic) const override;
+  Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
+  std::string name(Point_id id) const override { return std::to_string(id); }
+  std::vector<std::string> remarks() const override;
+  void write_points(std::ostream&) const override {}
+
+ private:
+  const Algebraic_number& time() const { return checkpoint_.simulation.triangulation.time; }
+
+  std::string path_;
+  double until_;
+  Checkpoint checkpoint_;
+};
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_CHECKPOINT_SOURCE_H

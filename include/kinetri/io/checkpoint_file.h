@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checkpoint files: the whole state of a simulation, to go on with later as if there had been no
+// break. A text file of three parts: a first line that names format and version, the state as JSON,
+// and a last line with the CRC-32 checksum of all before it.
+#ifndef KINETRI_IO_CHECKPOINT_FILE_H
+#define KINETRI_IO_CHECKPOINT_FILE_H
+
+#include <iosfwd>
+#include <string>
+
+#include "kinetri/kinetic/linear_kinetic_traits_2.h"
+#include "kinetri/simulation/simulation_snapshot.h"
+
+namespace kinetri {
+
+/// What a checkpoint file holds.
+struct Checkpoint {
+  Simulation_snapshot<Linear_kinetic_traits_2> simulation;
+  /// The name of the response to collisions, for whoever restores the simulation and has to give it
+  /// one: text in UTF-8. The program has the names of `named_responses`.
+  std::string response = "none";
+};
+
+/// Writes a checkpoint so that read_checkpoint gives every number back: binary64 numbers with
+/// digits that read back exactly, -0 too, and exact times as fractions, or as the root of a
+/// polynomial between two fractions. Errors are those of the stream. Cost: linear; some 150 bytes a
+/// point.
+void write_checkpoint(std::ostream& out, const Checkpoint& checkpoint);
+
+/// Writes the file `path` whole, or not at all; see Output_file. Throws Output_error.
+void write_checkpoint_file(const std::string& path, const Checkpoint& checkpoint);
+
+/// Reads a checkpoint. Throws Input_error `name: what is wrong, what was expected` if it is none,
+/// is one of another version, is damaged (its checksum differs), or holds what no checkpoint holds.
+/// Whether the state makes sense is seen when a simulation is made of it, which throws
+/// Snapshot_error. Cost: linear; needs memory for several times the size of the text.
+Checkpoint read_checkpoint(std::istream& in, const std::string& name);
+
+/// Reads the file `path`, or standard input if it is "-". Throws as read_checkpoint, and if the
+/// path is a directory or cannot be opened.
+Checkpoint read_checkpoint_file(const std::string& path);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_IO_CHECKPOINT_FILE_H

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Simulation_2: how its state is taken out and put back.
+#ifndef KINETRI_SIMULATION_DETAIL_SNAPSHOT_IMPL_H
+#define KINETRI_SIMULATION_DETAIL_SNAPSHOT_IMPL_H
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri {
+
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::snapshot() const -> Snapshot {
+  KINETRI_PRECONDITION(!is_within_instant_, "a snapshot is taken between instants");
+  Snapshot result;
+  result.triangulation = triangulation_.snapshot();
+  result.options = options_;
+  result.options.response = nullptr;
+  result.has_response = options_.response != nullptr;
+  result.counters = counters_;
+  result.certificates = certificate_counters_;
+  for (Point_id a = 0; a < in_contact_.size(); ++a) {
+    for (const Point_id b : in_contact_[a]) {
+      if (a < b) result.in_contact.push_back({a, b});
+    }
+  }
+  std::ranges::sort(result.in_contact);
+  std::vector<Entry> changes;
+  queue_.for_each([&](const Entry& entry) {
+    if (entry.kind > Entry_kind::collision) changes.push_back(entry);
+  });
+  std::ranges::sort(changes, {}, &Entry::point_b);
+  for (const Entry& change : changes) {
+    const auto motion = scheduled_motions_.find(change.point_b);
+    result.scheduled.push_back(
+        {time(change).detached(),
+         change.kind == Entry_kind::erase    ? Event_kind::erase
+         : change.kind == Entry_kind::insert ? Event_kind::insert
+                                             : Event_kind::trajectory,
+         change.point_a,
+         motion == scheduled_motions_.end() ? std::nullopt : std::optional(motion->second)});
+  }
+  return result;
+}
+
+template <ContactKineticTraits_2 Traits>
+Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& snapshot,
+                                   Collision_response response, const Traits& traits)
+    : traits_(traits),
+      options_(snapshot.options),
+      diameter_(2 * snapshot.options.radius),
+      triangulation_(snapshot.triangulation, traits),
+      certificate_counters_(snapshot.certificates),
+      counters_(snapshot.counters) {
+  KINETRI_PRECONDITION(!snapshot.has_response == !response,
+                       "there is a response if the snapshot's simulation had one");
+  options_.response = std::move(response);
+  if (const char* const problem = options_problem()) {
+    throw Snapshot_error(std::string("the snapshot's options cannot be used: ") + problem);
+  }
+  counters_.queue = {};
+  if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
+  triangulation_.add_observer(*this);
+  const std::size_t ids = triangulation_.next_id();
+  wall_events_.assign(ids, no_event);
+  partners_.resize(ids);
+  in_contact_.resize(ids);
+  restore_contacts(snapshot);
+  restore_changes(snapshot);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
+  for (std::size_t i = 0; i < snapshot.in_contact.size(); ++i) {
+    const auto [a, b] = snapshot.in_contact[i];
+    if (!options_.response || a >= b || !triangulation_.contains(a) ||
+        !triangulation_.contains(b) || (i > 0 && !(snapshot.in_contact[i - 1] < Edge_ids{a, b}))) {
+      throw Snapshot_error("the snapshot has points " + std::to_string(a) + " and " +
+                           std::to_string(b) +
+                           " in contact; expected two points that are there, once, and a response");
+    }
+    leave_in_contact(a, b);
+  }
+  for (Point_id id = 0; id < wall_events_.size(); ++id) {
+    if (!triangulation_.contains(id)) continue;
+    try {
+      check_inside(point(id));
+    } catch (const Outside_box_error& error) {
+      throw Snapshot_error("point " + std::to_string(id) + " of the snapshot: " + error.what());
+    }
+    schedule_wall(id, current_time());
+  }
+  for (const Edge_ids& edge : triangulation_.finite_edge_ids()) {
+    schedule_pair(edge, current_time());
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::restore_changes(const Snapshot& snapshot) {
+  std::vector<bool> is_inserted(wall_events_.size());
+  for (const auto& [time, kind, id, motion] : snapshot.scheduled) {
+    const bool is_insert = kind == Event_kind::insert;
+    const bool is_erase = kind == Event_kind::erase;
+    if ((!is_insert && !is_erase && kind != Event_kind::trajectory) ||
+        motion.has_value() == is_erase || (motion && !is_finite(*motion)) ||
+        id >= triangulation_.next_id() || time < current_time() ||
+        (is_insert && (triangulation_.contains(id) || is_inserted[id]))) {
+      throw Snapshot_error(
+          "the snapshot has a scheduled change of point " + std::to_string(id) +
+          " that cannot be made; expected an insertion, a new motion or an erasure of a point that "
+          "has an id, not in the past");
+    }
+    if (is_insert) is_inserted[id] = true;
+    schedule(time.detached(),
+             is_insert  ? Entry_kind::insert
+             : is_erase ? Entry_kind::erase
+                        : Entry_kind::trajectory,
+             id, motion);
+  }
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_DETAIL_SNAPSHOT_IMPL_H

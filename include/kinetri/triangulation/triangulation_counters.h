@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a kinetic triangulation counts.
+#ifndef KINETRI_TRIANGULATION_TRIANGULATION_COUNTERS_H
+#define KINETRI_TRIANGULATION_TRIANGULATION_COUNTERS_H
+
+#include <array>
+#include <cstdint>
+
+#include "kinetri/events/event.h"
+
+namespace kinetri {
+
+/// Counts of what the triangulation has done so far.
+struct Triangulation_counters {
+  std::array<std::uint64_t, event_kinds> events = {};  ///< by Event_kind
+  /// Failures that were found and did not happen, since the edge went or its neighbors changed; by
+  /// the kind of event that they would have been, coincidences as rebuild.
+  std::array<std::uint64_t, event_kinds> discarded = {};
+  std::uint64_t instants = 0;          ///< distinct times of failures
+  std::uint64_t largest_instant = 0;   ///< the most events at one time
+  std::uint64_t batches = 0;           ///< instants with two events or more
+  std::uint64_t flat_hulls = 0;        ///< instants at which a point reached the hull
+  std::uint64_t points_set_aside = 0;  ///< points taken out and put back, as they met others
+  std::uint64_t rebuilds = 0;          ///< reconstructions of the whole, as the hull went flat
+  std::uint64_t looks_again = 0;       ///< certificates looked at again, as they held so far
+
+  std::uint64_t number_of_events() const;
+
+  friend bool operator==(const Triangulation_counters&, const Triangulation_counters&) = default;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_TRIANGULATION_TRIANGULATION_COUNTERS_H

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How a checkpoint file holds a motion: the name of its kind, and a list of numbers.
+#ifndef KINETRI_SRC_IO_CHECKPOINT_MOTION_H
+#define KINETRI_SRC_IO_CHECKPOINT_MOTION_H
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri {
+
+template <class Motion>
+struct Checkpoint_motion;
+
+template <>
+struct Checkpoint_motion<Linear_motion_2> {
+  static constexpr std::string_view name = "linear";
+  static constexpr std::string_view expected = "x, y, vx, vy and epoch";
+
+  static std::vector<double> numbers(const Linear_motion_2& motion) {
+    return {motion.position.x, motion.position.y, motion.velocity.x, motion.velocity.y,
+            motion.epoch};
+  }
+
+  /// None if there are too few numbers, or too many.
+  static std::optional<Linear_motion_2> from_numbers(std::span<const double> numbers) {
+    if (numbers.size() != 5) return std::nullopt;
+    return Linear_motion_2{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4]};
+  }
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_IO_CHECKPOINT_MOTION_H

@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checkpoint files: a run that is broken off and taken up again gives the same bytes as one without
+// a break, and a file that is damaged, foreign or made up is refused.
+#include "kinetri/io/checkpoint_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/crc.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "kinetri/base/error.h"
+#include "kinetri/io/event_log.h"
+#include "kinetri/io/output_file.h"
+#include "kinetri/simulation/scenarios.h"
+#include "kinetri/simulation/simulation_2.h"
+#include "support/disc_runs.h"
+#include "support/motions.h"
+#include "support/temporary_directory.h"
+
+namespace kinetri {
+namespace {
+
+using test::Simulation;
+
+std::string text_of(const Checkpoint& checkpoint) {
+  std::ostringstream out;
+  write_checkpoint(out, checkpoint);
+  return out.str();
+}
+
+Checkpoint checkpoint_of(const std::string& text) {
+  std::istringstream in(text);
+  return read_checkpoint(in, "run.kinetri");
+}
+
+// ---- a run with breaks ----
+
+struct Case {
+  std::vector<Linear_motion_2> motions;
+  Simulation_options options;
+};
+
+// Every kind of input in turn: tiny grids, the scenarios, and discs in a box.
+Case make_case(unsigned seed) {
+  const auto number = static_cast<std::size_t>(seed / 3);
+  switch (seed % 3) {
+    case 0:
+      return {test::grid_motions(8 + number % 5, 3 + seed % 4, 1 + seed % 2, seed), {}};
+    case 1: {
+      Scenario_options options;
+      options.points = 30;
+      options.seed = seed;
+      return {make_scenario(all_scenarios[number % all_scenarios.size()], options), {}};
+    }
+    default: {
+      Case result = {test::discs_in_a_box(16, 0.2, seed), {}};
+      result.options.box = test::box_of(16);
+      result.options.radius = 1.5;
+      result.options.contacts_at_one_time = 1000;
+      result.options.rim_touches = seed % 2 == 0;
+      result.options.response = named_responses[number % named_responses.size()].response;
+      if (number % 4 == 3) {  // many contacts at one time
+        for (Linear_motion_2& m : result.motions) {
+          m.position = {std::round(m.position.x), std::round(m.position.y)};
+          m.velocity = {std::round(m.velocity.x), std::round(m.velocity.y)};
+        }
+      }
+      return result;
+    }
+  }
+}
+
+// What has been seen of a run: everything that happened, and how it ended.
+struct Seen {
+  std::string log;
+  std::vector<Edge_ids> edges;
+  std::string audit;
+  int irrational_breaks = 0;
+};
+
+// A run of steps, jumps and changes, all by `seed`. At each break the simulation is written to a
+// file, and goes on as the one that is read from it.
+class Random_run {
+ public:
+  Random_run(unsigned seed, bool has_breaks) : has_breaks_(has_breaks), random_(seed) {
+    Case start = make_case(seed);
+    response_ = start.options.response;
+    simulation_ = std::make_unique<Simulation>(start.motions, start.options);
+    watch();
+    std::mt19937_64 breaks(seed + 1000);
+    for (int i = 0; i < 60; ++i) {
+      if (breaks() % 12 == 0 || (i == 0 && seed % 5 == 0)) take_up();
+      if (!operate()) break;
+    }
+    take_log();
+    seen_.edges = simulation_->triangulation().finite_edge_ids();
+    const Audit_report report = simulation_->audit(Audit_level::certificates);
+    if (!report.passed()) seen_.audit = report.failures.front();
+  }
+
+  const Seen& seen() const { return seen_; }
+
+ private:
+  void watch() {
+    log_ = std::make_unique<std::ostringstream>();
+    writer_ = std::make_unique<Event_log_writer>(*log_);
+    simulation_->add_observer(*writer_);
+  }
+
+  // Without the header line.
+  void take_log() {
+    const std::string text = log_->str();
+    seen_.log += text.substr(text.find('\n') + 1);
+  }
+
+  void take_up() {
+    if (!has_breaks_) return;
+    if (!simulation_->current_time().is_known_rational()) ++seen_.irrational_breaks;
+    take_log();
+    write_checkpoint_file(directory_.file("run"), {simulation_->snapshot(), "some"});
+    simulation_.reset();
+    const Checkpoint checkpoint = read_checkpoint_file(directory_.file("run"));
+    EXPECT_EQ(checkpoint.response, "some");
+    simulation_ = std::make_unique<Simulation>(checkpoint.simulation, response_);
+    watch();
+  }
+
+  // False if the run cannot go on.
+  bool operate() {
+    const Algebraic_number now = simulation_->current_time();
+    const double soon = now.tight_interval().upper + std::ldexp(1 + double(random_() % 8), -6);
+    const std::uint64_t choice = random_() % 14;
+    const Linear_motion_2 motion = some_motion(now.to_double());
+    const Point_id id = static_cast<Point_id>(random_() % simulation_->triangulation().next_id());
+    const bool is_there = simulation_->triangulation().contains(id);
+    try {
+      if (choice < 6) {
+        simulation_->step();
+      } else if (choice < 8) {
+        simulation_->advance_to(Algebraic_number(soon));
+      } else if (choice == 8) {
+        simulation_->advance_to(beyond(soon));
+      } else if (choice == 9) {
+        simulation_->insert(motion);
+      } else if (choice == 10) {
+        if (is_there) simulation_->set_motion(id, motion);
+      } else if (choice == 11) {
+        if (is_there) simulation_->erase(id);
+      } else if (choice == 12) {
+        simulation_->schedule_motion(random_() % 2 == 0 ? now : beyond(soon), id, motion);
+      } else {
+        simulation_->schedule_insert(Algebraic_number(soon), motion);
+        simulation_->schedule_erase(beyond(soon), id);
+      }
+    } catch (const Error& error) {
+      *log_ << error.what() << '\n';
+      // Within an instant, where a contact or a scheduled change was refused, nothing goes on.
+      return choice == 9 || choice == 10;
+    }
+    return true;
+  }
+
+  // The root of t^2 - 2 beyond `time`: irrational, and no event.
+  static Algebraic_number beyond(double time) {
+    const Rational c = to_rational(time);
+    const std::array<Rational, 3> coefficients = {c * c - Rational(2, 1000000), Rational(-2 * c),
+                                                  Rational(1)};
+    return {primitive_polynomial(coefficients), c, Rational(c + 1)};
+  }
+
+  Linear_motion_2 some_motion(double time) {
+    const auto number = [&] { return static_cast<double>(random_() % 6); };
+    const double x = number();
+    const double y = number();
+    const double vx = number() - 3;
+    return {{x, y}, {vx, number() - 3}, time};
+  }
+
+  bool has_breaks_;
+  std::mt19937_64 random_;
+  test::Temporary_directory directory_;
+  Collision_response response_;
+  std::unique_ptr<std::ostringstream> log_;
+  std::unique_ptr<Event_log_writer> writer_;
+  std::unique_ptr<Simulation> simulation_;
+  Seen seen_;
+};
+
+// The first lines that differ.
+std::string difference(const std::string& one, const std::string& other) {
+  std::istringstream lines(one);
+  std::istringstream other_lines(other);
+  std::string line;
+  std::string other_line;
+  for (;;) {
+    const bool is_there = static_cast<bool>(std::getline(lines, line));
+    const bool is_other_there = static_cast<bool>(std::getline(other_lines, other_line));
+    if (!is_there && !is_other_there) return {};
+    if (!is_there) return "only the other: " + other_line;
+    if (!is_other_there) return "only the one: " + line;
+    if (line != other_line) return line + "; the other: " + other_line;
+  }
+}
+
+TEST(Checkpoint, a_run_with_breaks_is_the_run_without) {
+  int irrational_breaks = 0;
+  std::size_t bytes = 0;
+  for (unsigned seed = 0; seed < 45u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Random_run whole(seed, false);
+    const Random_run broken(seed, true);
+    ASSERT_EQ(difference(broken.seen().log, whole.seen().log), "");
+    ASSERT_EQ(broken.seen().edges, whole.seen().edges);
+    ASSERT_EQ(broken.seen().audit, whole.seen().audit);
+    irrational_breaks += broken.seen().irrational_breaks;
+    bytes += whole.seen().log.size();
+  }
+  EXPECT_GT(irrational_breaks, 30);
+  EXPECT_GT(bytes, 50'000u);
+}
+
+// ---- numbers ----
+
+TEST(Checkpoint, numbers_read_back_exactly) {
+  constexpr double smallest = std::numeric_limits<double>::denorm_min();
+  Simulation simulation({{{-0.0, 0.1}, {smallest, -1e-300}, 0.3},
+                         {{1e100, 1.0 / 3}, {0, -0.0}, -7},
+                         {{0, -0x1.fffffffffffffp+900}, {12345678901234567.0, 2}, 0}},
+                        {}, Algebraic_number(Rational(-1, 3)));
+  simulation.schedule_erase(Algebraic_number(0.1), 2);
+  const Checkpoint read = checkpoint_of(text_of({simulation.snapshot(), "\"odd\" \n name \u00e4"}));
+  EXPECT_EQ(read.response, "\"odd\" \n name \u00e4");
+  EXPECT_EQ(read.simulation.triangulation.time, Algebraic_number(Rational(-1, 3)));
+  for (Point_id id = 0; id < 3; ++id) {
+    EXPECT_EQ(read.simulation.triangulation.motions[id], simulation.triangulation().motion(id));
+  }
+  EXPECT_TRUE(std::signbit(read.simulation.triangulation.motions[0]->position.x));
+  EXPECT_TRUE(std::signbit(read.simulation.triangulation.motions[1]->velocity.y));
+  ASSERT_EQ(read.simulation.scheduled.size(), 1u);
+  EXPECT_EQ(read.simulation.scheduled[0].time, Algebraic_number(0.1));
+}
+
+TEST(Checkpoint, read_and_written_again_is_the_same_text) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    Case start = make_case(seed);
+    Simulation simulation(start.motions, start.options);
+    for (int i = 0; i < 20; ++i) simulation.step();
+    const std::string text = text_of({simulation.snapshot(), "none"});
+    const Checkpoint read = checkpoint_of(text);
+    EXPECT_EQ(text_of(read), text);
+    EXPECT_EQ(read.simulation.triangulation.counters, simulation.triangulation().counters());
+    EXPECT_EQ(read.simulation.counters.most_at_one_time,
+              simulation.contact_counters().most_at_one_time);
+  }
+}
+
+TEST(Checkpoint, of_few_points_is_read_back) {
+  for (std::size_t points = 0; points < 4; ++points) {
+    std::vector<Linear_motion_2> motions;
+    for (std::size_t i = 0; i < points; ++i) motions.push_back({{double(i), 0}, {0, double(i)}, 0});
+    Simulation simulation(motions, {});
+    Simulation restored(checkpoint_of(text_of({simulation.snapshot(), "none"})).simulation,
+                        nullptr);
+    EXPECT_EQ(restored.triangulation().finite_edge_ids(),
+              simulation.triangulation().finite_edge_ids());
+    restored.insert({{9, 8}, {7, 6}, 0});
+    EXPECT_TRUE(restored.audit(Audit_level::certificates).passed());
+  }
+}
+
+// ---- damage ----
+
+std::string refusal(const std::string& text) {
+  try {
+    checkpoint_of(text);
+  } catch (const Input_error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void expect_refusal(const std::string& text, const std::string& expected) {
+  EXPECT_EQ(refusal(text).rfind("run.kinetri: " + expected, 0), 0u) << refusal(text);
+  EXPECT_NE(refusal(text).find("expected"), std::string::npos);
+}
+
+class Damaged_checkpoint : public testing::Test {
+ protected:
+  Damaged_checkpoint() {
+    Case start = make_case(2);
+    Simulation simulation(start.motions, start.options);
+    for (int i = 0; i < 20; ++i) simulation.step();
+    simulation.schedule_motion(Algebraic_number(1000.0), 3, {{1, 2}, {3, 4}, 0});
+    text = text_of({simulation.snapshot(), "log"});
+    response = start.options.response;
+  }
+
+  std::string text;
+  Collision_response response;
+};
+
+TEST_F(Damaged_checkpoint, with_any_byte_changed_is_refused) {
+  std::mt19937_64 random(1);
+  ASSERT_EQ(refusal(text), "");
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string damaged = text;
+    damaged[i] = static_cast<char>(static_cast<unsigned char>(text[i]) ^ (1 + random() % 255));
+    ASSERT_NE(refusal(damaged), "") << "byte " << i;
+  }
+}
+
+TEST_F(Damaged_checkpoint, cut_off_anywhere_is_refused) {
+  for (std::size_t size = 0; size < text.size(); ++size) {
+    ASSERT_NE(refusal(text.substr(0, size)), "") << size << " bytes";
+  }
+  for (std::size_t end = text.find('\n'); end + 1 < text.size(); end = text.find('\n', end + 1)) {
+    expect_refusal(text.substr(0, end + 1), "is cut short");
+  }
+}
+
+TEST_F(Damaged_checkpoint, says_what_is_wrong) {
+  expect_refusal("", "is empty;");
+  expect_refusal("x,y,vx,vy\n1,2,3,4\n", "is no checkpoint: it begins with 'x,y,vx,vy';");
+  expect_refusal(std::string(100, '\0'), "is no checkpoint:");
+  expect_refusal("kinetri checkpoint 2\n{}\n",
+                 "is a checkpoint of version '2'; expected version 1");
+  expect_refusal(text + "\n", "is cut short, or has more");
+  std::string damaged = text;
+  damaged[text.size() / 2] ^= 1;
+  expect_refusal(damaged, "is damaged: its checksum");
+  test::Temporary_directory directory;
+  EXPECT_THROW(read_checkpoint_file(directory.file("missing")), Input_error);
+  EXPECT_THROW(read_checkpoint_file(directory.path()), Input_error);
+}
+
+TEST(CheckpointFile, that_cannot_be_written_leaves_the_old_one) {
+  test::Temporary_directory directory;
+  const Simulation simulation({}, {});
+  EXPECT_THROW(write_checkpoint_file(directory.file("no/run"), {simulation.snapshot(), "none"}),
+               Output_error);
+  test::write_file(directory.file("run"), "before");
+  write_checkpoint_file(directory.file("run"), {simulation.snapshot(), "none"});
+  EXPECT_NO_THROW(read_checkpoint_file(directory.file("run")));
+  EXPECT_EQ(directory.entries(), std::vector<std::string>{"run"});
+}
+
+// ---- forgery ----
+
+// With the checksum that the text, now changed, should have.
+std::string signed_anew(const std::string& text) {
+  const std::string content = text.substr(0, text.rfind("checksum "));
+  boost::crc_32_type crc;
+  crc.process_bytes(content.data(), content.size());
+  char line[20];
+  std::snprintf(line, sizeof line, "checksum %08x\n", static_cast<unsigned>(crc.checksum()));
+  return content + line;
+}
+
+using Forged_checkpoint = Damaged_checkpoint;
+
+TEST_F(Forged_checkpoint, names_the_place_that_is_wrong) {
+  const auto forged = [this](const std::string& old, const std::string& text_instead) {
+    const std::size_t place = text.find(old);
+    EXPECT_NE(place, std::string::npos) << old;
+    std::string result = text;
+    return signed_anew(result.replace(place, old.size(), text_instead));
+  };
+  EXPECT_EQ(signed_anew(text), text);
+  expect_refusal(forged("\"motion\":\"linear\"", "\"motion\":\"wild\""),
+                 "state.motion is 'wild'; expected 'linear'");
+  expect_refusal(forged("\"radius\":1.5", "\"radius\":\"1.5\""), "state.radius is no number;");
+  expect_refusal(forged("\"radius\":1.5", "\"radius\":1e999"), "is no JSON");
+  expect_refusal(forged("\"radius\":1.5", "\"Radius\":1.5"),
+                 "state has no member \"radius\"; expected one");
+  expect_refusal(forged("\"rim_touches\":true", "\"rim_touches\":1"),
+                 "state.rim_touches is neither true nor false;");
+  expect_refusal(forged("\"box\":[", "\"box\":[1.0,"), "state.box has 5 elements; expected 4");
+  expect_refusal(forged("\"points\":[\n[", "\"points\":[\n[1.0,"),
+                 "state.points[0] has 6 numbers; expected x, y, vx, vy and epoch");
+  expect_refusal(forged("\"dimension\":2", "\"dimension\":3"),
+                 "state.dimension is no whole number from -1 to 2;");
+  expect_refusal(forged("\"faces\":[\n[[", "\"faces\":[\n[[-"),
+                 "state.faces[0][0][0] is no whole number from 0 to 4294967294;");
+  expect_refusal(forged("\"infinite_vertex_face\":", "\"infinite_vertex_face\":-"),
+                 "state.infinite_vertex_face is no whole number");
+  expect_refusal(forged("\"kind\":\"trajectory\"", "\"kind\":\"flip\""),
+                 "state.scheduled[0].kind is no change of a point;");
+  for (const char* time : {"\"\"", "\"-\"", "\"1.5\"", "\"1/0\"", "\"1/-2\"", "\"010\"", "\"1/\"",
+                           "\"0x10\"", "\" 1\"", "\"1/2/3\""}) {
+    expect_refusal(forged("\"time\":\"1000\"", std::string("\"time\":") + time),
+                   "state.scheduled[0].time is no fraction;");
+  }
+  const auto root = [](const std::string& polynomial, const std::string& ends) {
+    return "\"time\":{\"root_of\":" + polynomial + ",\"between\":" + ends + "}";
+  };
+  const std::string old = "\"time\":\"1000\"";
+  EXPECT_EQ(refusal(forged(old, root("[\"-2000000\",\"0\",\"1\"]", "[\"1000\",\"2000\"]"))), "");
+  for (const std::string& wrong :
+       {root("[\"-2\",\"0\",\"1\"]", "[\"2\",\"3\"]"), root("[]", "[\"0\",\"1\"]"),
+        root("[\"-2\",\"0\",\"1\"]", "[\"2\",\"1\"]"), root("[\"5\"]", "[\"0\",\"1\"]"),
+        root("[\"-1\",\"3\",\"-3\",\"1\"]", "[\"0\",\"2\"]"),     // a triple root
+        root("[\"0\",\"-1\",\"0\",\"1\"]", "[\"-2\",\"2\"]")}) {  // three roots
+    expect_refusal(forged(old, wrong), "state.scheduled[0].time is no root;");
+  }
+}
+
+// With a right checksum anything may stand in a file. It is refused, or makes a simulation that is
+// right: a number of another point, a counter.
+TEST_F(Forged_checkpoint, changed_at_random_is_refused_or_right) {
+  int refused = 0;
+  int right = 0;
+  for (unsigned seed = 0; seed < 900u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    std::string forged = text;
+    const std::size_t first = text.find('\n') + 1;
+    for (auto changes = 1 + random() % 2; changes > 0; --changes) {
+      const std::size_t place = first + random() % (forged.rfind("checksum ") - first);
+      constexpr std::string_view bytes = "0123456789-.,[]{}\"e/nt";
+      if (random() % 3 == 0) {
+        forged.erase(place, 1 + random() % 4);
+      } else {
+        forged[place] = bytes[random() % bytes.size()];
+      }
+    }
+    try {
+      const Checkpoint read = checkpoint_of(signed_anew(forged));
+      Simulation restored(read.simulation, read.simulation.has_response ? response : nullptr);
+      ASSERT_TRUE(restored.audit(Audit_level::certificates).passed());
+      ++right;
+      restored.step();
+    } catch (const Input_error&) {
+      ++refused;
+    } catch (const Snapshot_error&) {
+      ++refused;
+    } catch (const Endless_contacts_error&) {
+      // Discs that were put on top of each other.
+    }
+  }
+  EXPECT_GT(refused, 300);
+  EXPECT_GT(right, 30);
+}
+
+}  // namespace
+}  // namespace kinetri
