@@ -70,8 +70,8 @@ void Event_statistics<Time>::count_points(const Event<Time>& event) {
   if (event.point_a) points[4] = *event.point_a;
   if (event.point_b) points[5] = *event.point_b;
   std::ranges::sort(points);
-  const auto repeated = std::ranges::unique(points);
-  for (auto point = points.begin(); point != repeated.begin() && *point != no_point; ++point) {
+  const auto end = std::unique(points.begin(), points.end());
+  for (auto point = points.begin(); point != end && *point != no_point; ++point) {
     if (*point >= events_of_points_.size()) events_of_points_.resize(std::size_t{*point} + 1);
     ++events_of_points_[*point];
   }

@@ -255,7 +255,7 @@ Location_2 Kinetic_queries_2<Traits>::location_in(const std::vector<Face_handle>
   }
   const Face_handle face = faces.front();
   std::vector<Point_id> ids = {id(face->vertex(0)), id(face->vertex(1)), id(face->vertex(2))};
-  std::ranges::rotate(ids, std::ranges::min_element(ids));
+  std::rotate(ids.begin(), std::ranges::min_element(ids), ids.end());
   return {Kind::face, std::move(ids)};
 }
 
@@ -315,9 +315,9 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const
   } while (++neighbor != start);
   const auto infinite = std::ranges::find(result, no_point);
   if (infinite == result.end()) {
-    std::ranges::rotate(result, std::ranges::min_element(result));
+    std::rotate(result.begin(), std::ranges::min_element(result), result.end());
   } else {
-    std::ranges::rotate(result, infinite);
+    std::rotate(result.begin(), infinite, result.end());
     result.erase(result.begin());
   }
   return result;

@@ -54,10 +54,11 @@ auto Kinetic_queries_2<Traits>::by_direction(Vertex_handle v) const -> std::vect
     const auto side = turn(a.second, b.second);
     return side != CGAL::COLLINEAR ? side == CGAL::LEFT_TURN : is_nearer(a.second, b.second);
   });
-  const auto repeated = std::ranges::unique(sorted, [&](const auto& a, const auto& b) {
-    return a.first == b.first && turn(a.second, b.second) == CGAL::COLLINEAR;
-  });
-  sorted.erase(repeated.begin(), repeated.end());
+  const auto repeated =
+      std::unique(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
+        return a.first == b.first && turn(a.second, b.second) == CGAL::COLLINEAR;
+      });
+  sorted.erase(repeated, sorted.end());
   result.clear();
   for (const auto& [unused, u] : sorted) result.push_back(u);
   return result;
@@ -76,7 +77,8 @@ auto Kinetic_queries_2<Traits>::sides(Vertex_handle v) const -> Sides {
   for (std::size_t i = 0; i < candidates.size() && result.is_bounded; ++i) {
     const std::size_t next = (i + 1) % candidates.size();
     if (is_left_turn(v, candidates[i], candidates[next])) continue;
-    std::ranges::rotate(candidates, candidates.begin() + static_cast<std::ptrdiff_t>(next));
+    std::rotate(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(next),
+                candidates.end());
     result.is_bounded = false;
   }
   if (result.is_bounded) candidates.push_back(candidates.front());
