@@ -277,7 +277,8 @@ bool Kinetic_queries_2<Traits>::is_shorter(const std::array<Vertex_handle, 2>& e
 }
 
 // Without faces. The point next to the query on the line of all points is nearest to it, or the one
-// on its other side is; of either, the edges at all points that coincide there are looked at.
+// on its other side is; of either, the edges at all points that coincide there are looked at. One
+// of them, in a chain, leads to the other side.
 template <KineticTraits_2 Traits>
 Location_2 Kinetic_queries_2<Traits>::location_on_line(const Point_2& query) const {
   std::optional<Point_id> point;
@@ -286,8 +287,7 @@ Location_2 Kinetic_queries_2<Traits>::location_on_line(const Point_2& query) con
     if (coincide(v->point(), query)) point = std::min(point.value_or(no_point), id(v));
     for_each_neighbor(v, [&](Vertex_handle u) {
       if (!is_strictly_between(v->point(), query, u->point())) return;
-      const Edge_ids candidate = edge_ids(id(u), id(v));
-      edge = std::min(edge.value_or(candidate), candidate);
+      edge = edge_ids(id(u), id(v));
     });
   }
   using Kind = Location_2::Kind;
