@@ -66,8 +66,10 @@ auto Kinetic_queries_2<Traits>::by_direction(Vertex_handle v) const -> std::vect
 
 // The intersection of the half planes that the bisectors bound: all of them contain the place of
 // `v`, so that a scan as Graham's, by direction, takes those away that bound nothing, or only a
-// point: of three neighbors the middle one, if it is not inside the circle through `v` and the
-// other two. The nearest point has a side; and so has the first one after a gap of half a turn.
+// point: of three neighbors the middle one, if it is not inside the oriented circle through `v` and
+// the other two (where these are half a turn apart or more, it always is: each is less than half a
+// turn from the next). The nearest point has a side; and so has the first one after a gap of half a
+// turn.
 template <KineticTraits_2 Traits>
 auto Kinetic_queries_2<Traits>::sides(Vertex_handle v) const -> Sides {
   Sides result;
@@ -83,9 +85,8 @@ auto Kinetic_queries_2<Traits>::sides(Vertex_handle v) const -> Sides {
   }
   if (result.is_bounded) candidates.push_back(candidates.front());
   const auto is_redundant = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
-    return is_left_turn(v, a, c) &&
-           at_.side_of_oriented_circle_2_object()(v->point(), a->point(), c->point(), b->point()) !=
-               CGAL::ON_POSITIVE_SIDE;
+    return at_.side_of_oriented_circle_2_object()(v->point(), a->point(), c->point(), b->point()) !=
+           CGAL::ON_POSITIVE_SIDE;
   };
   for (const Vertex_handle u : candidates) {
     auto& across = result.across;
