@@ -10,6 +10,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/audit.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/queries_2.h"
 #include "kinetri/version.h"
 
 #endif  // KINETRI_KINETRI_H

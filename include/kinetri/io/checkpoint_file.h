@@ -9,7 +9,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "kinetri/kinetic/linear_kinetic_traits_2.h"
+#include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_snapshot.h"
 
 namespace kinetri {

@@ -131,6 +131,9 @@ class Kinetic_delaunay_triangulation_2 {
   /// is the object itself, valid until the next call that advances time.
   const Triangulation& triangulation() const { return triangulation_; }
 
+  /// What decides about the points: certificates, and the predicates at an instant.
+  const Traits& traits() const { return traits_; }
+
   std::size_t number_of_points() const noexcept { return number_of_points_; }
 
   /// The id that is given next: one more than the greatest so far. Ids are not used again when
@@ -163,6 +166,11 @@ class Kinetic_delaunay_triangulation_2 {
   /// certificates again as far as is needed to know. (Of a time at which points meet it is not
   /// known before whether an edge will have changed just after it.)
   std::optional<Time> next_event_time();
+
+  /// Whether next_event_time() is before `time`, exactly; changes nothing. Cost: O(1) after
+  /// next_event_time(), or where no certificate is to be looked at again before `time`; else O(n),
+  /// and those certificates are looked at each time that this is asked.
+  bool has_event_before(const Time& time) const;
 
   /// Goes to the next time at which something changes and executes all events of that time, so that
   /// the triangulation is Delaunay just after it. Returns their number; 0 if there is no next
@@ -337,6 +345,7 @@ class Kinetic_delaunay_triangulation_2 {
   // Events.
   Entry pop_entry();
   bool settle(const std::optional<Time>& until);
+  bool fails_before(const Entry& entry, const Time& time) const;
   void execute_due_events();
   std::size_t step_until(const std::optional<Time>& until);
   std::size_t run_instant();

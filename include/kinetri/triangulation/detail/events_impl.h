@@ -54,6 +54,37 @@ auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() -> std::optiona
 }
 
 template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::has_event_before(const Time& time) const {
+  if (queue_.empty() || this->time(queue_.top()) >= time) return false;
+  if (queue_.top().kind != Entry_kind::look_again) return true;
+  return std::ranges::any_of(edges(), [&](const Edge& edge) {
+    const Queue_handle handle = edge.first->event(edge.second);
+    return handle != no_event && fails_before(queue_[handle], time);
+  });
+}
+
+// Whether the failure of the entry's certificate is before `time`; looks again, as `settle` does,
+// but keeps nothing of what it finds.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::fails_before(const Entry& entry,
+                                                            const Time& time) const {
+  if (entry.bounds.lower > time.interval().upper) return false;
+  if (entry.kind != Entry_kind::look_again) return this->time(entry) < time;
+  const Two_sided_edge edge = two_sided(entry.edge());
+  Certificate_counters unused;
+  Time looked_at(entry.bounds.lower);
+  while (looked_at < time) {
+    const auto next = prospect(edge, looked_at, Certificate_state::any, traits_, unused);
+    if (!next) return false;
+    if (next->kind != Entry_kind::look_again) {
+      return (next->time ? *next->time : make_time(edge, next->kind, next->bounds)) < time;
+    }
+    looked_at = Time(next->bounds.lower);
+  }
+  return false;
+}
+
+template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::step() {
   return step_until(std::nullopt);
 }

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/triangulation/queries_2.h"
+
+#include "kinetri/triangulation/detail/queries_2_impl.h"
+
+namespace kinetri {
+
+template class Kinetic_queries_2<Linear_kinetic_traits_2>;
+
+}  // namespace kinetri
