@@ -136,9 +136,11 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
 
   /// The same at `time`: after the triangulation's events and the contacts of that time; there
   /// those that erase first, then new motions, then those that insert, by point id, then in the
-  /// order in which they were scheduled. A change of a point that is not there then is dropped. An
-  /// observer may schedule changes. Precondition: time >= current_time(); the motion is finite.
-  /// Returns the id that the point will have.
+  /// order in which they were scheduled. A change of a point that is not there then is dropped. One
+  /// that leads out of the box, or to the trajectory of a point that does not make way at that
+  /// time, is dropped too, and the call that has reached its time throws as the functions above;
+  /// the next call goes on with what else is due. An observer may schedule changes. Precondition:
+  /// time >= current_time(); the motion is finite. Returns the id that the point will have.
   Point_id schedule_insert(const Time& time, const Motion& motion);
   void schedule_motion(const Time& time, Point_id id, const Motion& motion);
   void schedule_erase(const Time& time, Point_id id);
@@ -173,6 +175,12 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
     mutable typename Time_pool::Index time = Time_pool::none;
     Entry_kind kind = Entry_kind::wall;
     bool is_event = false;
+  };
+
+  /// A scheduled change that is not in the queue any more; the motion is the one that it gives.
+  struct Due_change {
+    Entry entry;
+    std::optional<Motion> motion;
   };
 
   struct Earlier {
@@ -212,13 +220,16 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   std::size_t step(const Time* until);
   void settle();
   std::size_t execute_due_entries();
+  void execute_due_entries(std::vector<Due_change>& postponed);
   void check_limit(const Entry& entry, std::uint64_t contacts) const;
   void hit_wall(Point_id id, std::size_t wall);
   void collide(Point_id a, Point_id b);
   void schedule(const Time& time, Entry_kind kind, Point_id id,
                 const std::optional<Motion>& motion);
-  void execute_change(const Entry& entry);
-  bool try_change(const Entry& entry);
+  void push_change(const Time& time, Entry entry, const std::optional<Motion>& motion);
+  std::optional<Motion> take_scheduled_motion(const Entry& change);
+  void execute_change(const Due_change& change);
+  bool try_change(const Due_change& change);
   void check_inside(const Point_2& point) const;
   void change(Event_kind kind, std::span<const Point_id> points,
               std::span<const typename Triangulation::Change> changes);

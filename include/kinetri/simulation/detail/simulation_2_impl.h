@@ -254,38 +254,37 @@ std::size_t Simulation_2<Traits>::advance_to(const Time& time) {
 
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::step(const Time* until) {
-  // Of a time whose only changes are dropped there is no event; then the next one is wanted.
-  std::size_t events = 0;
-  while (events == 0) {
-    settle();
-    if (queue_.empty()) {
-      events = until != nullptr ? triangulation_.step(*until) : triangulation_.step();
-      if (events == 0) return 0;
-    } else {
-      const Time first = time(queue_.top());
-      const bool is_due = until == nullptr || first <= *until;
-      events = triangulation_.step(is_due ? first : *until);
-      if (events == 0) {
-        if (!is_due) return 0;
-        triangulation_.advance_to(first);
-      }
-    }
-    const bool is_instant_of_triangulation = events > 0;
-    events += execute_due_entries();
-    if (!is_instant_of_triangulation && events > 0) ++counters_.instants;
+  settle();
+  if (queue_.empty()) return until != nullptr ? triangulation_.step(*until) : triangulation_.step();
+  const Time first = time(queue_.top());
+  const bool is_due = until == nullptr || first <= *until;
+  const std::size_t events = triangulation_.step(is_due ? first : *until);
+  if (events == 0) {
+    if (!is_due) return 0;
+    triangulation_.advance_to(first);
   }
-  return events;
+  const std::size_t due_events = execute_due_entries();
+  if (events == 0) ++counters_.instants;
+  return events + due_events;
 }
 
-// Looks at certificates again until the first entry is a contact.
+// Takes from the front of the queue what is no event: certificates, which are looked at again, and
+// changes of points that are not there. These will not be there at its time either, since an
+// insertion before it would be before it in the queue.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::settle() {
-  while (!queue_.empty() && !queue_.top().is_event) {
+  const auto is_change_of_none = [&](const Entry& entry) {
+    return (entry.kind == Entry_kind::erase || entry.kind == Entry_kind::trajectory) &&
+           !triangulation_.contains(entry.point_a);
+  };
+  while (!queue_.empty() && (!queue_.top().is_event || is_change_of_none(queue_.top()))) {
     const Entry entry = pop();
     if (entry.kind == Entry_kind::wall) {
       schedule_wall(entry.point_a, Time(entry.bounds.lower));
-    } else {
+    } else if (entry.kind == Entry_kind::collision) {
       schedule_pair({entry.point_a, entry.point_b}, Time(entry.bounds.lower));
+    } else {
+      take_scheduled_motion(entry);
     }
   }
 }
@@ -295,13 +294,28 @@ void Simulation_2<Traits>::settle() {
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::execute_due_entries() {
   const std::uint64_t events_before = triangulation_.counters().number_of_events();
+  std::vector<Due_change> postponed;
+  try {
+    execute_due_entries(postponed);
+  } catch (...) {
+    for (const Due_change& change : postponed) {
+      push_change(current_time(), change.entry, change.motion);
+    }
+    throw;
+  }
+  return static_cast<std::size_t>(triangulation_.counters().number_of_events() - events_before);
+}
+
+// What is in `postponed` when this throws has not been made, and is to be kept.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postponed) {
   std::uint64_t contacts = 0;
-  std::vector<Entry> postponed;
   const auto execute_due = [&] {
     for (settle(); !queue_.empty() && time(queue_.top()) <= current_time(); settle()) {
       const Entry entry = pop();
       if (entry.kind > Entry_kind::collision) {
-        if (!try_change(entry)) postponed.push_back(entry);
+        const Due_change change = {entry, take_scheduled_motion(entry)};
+        if (!try_change(change)) postponed.push_back(change);
         continue;
       }
       check_limit(entry, ++contacts);
@@ -316,14 +330,18 @@ std::size_t Simulation_2<Traits>::execute_due_entries() {
   // A change may have to wait for another one of the same time, which takes away the point whose
   // trajectory it leads to.
   while (!postponed.empty()) {
-    const auto waiting =
-        std::ranges::find_if(postponed, [&](const Entry& entry) { return try_change(entry); });
-    if (waiting == postponed.end()) execute_change(postponed.front());  // throws
-    postponed.erase(waiting == postponed.end() ? postponed.begin() : waiting);
+    const auto waiting = std::ranges::find_if(
+        postponed, [&](const Due_change& change) { return try_change(change); });
+    if (waiting == postponed.end()) {
+      const Due_change hopeless = postponed.front();
+      postponed.erase(postponed.begin());
+      execute_change(hopeless);  // throws
+    } else {
+      postponed.erase(waiting);
+    }
     execute_due();
   }
   counters_.most_at_one_time = std::max(counters_.most_at_one_time, contacts);
-  return static_cast<std::size_t>(triangulation_.counters().number_of_events() - events_before);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -347,15 +365,27 @@ void Simulation_2<Traits>::schedule(const Time& time, Entry_kind kind, Point_id 
   KINETRI_PRECONDITION(id < triangulation_.next_id(), "no point has this id");
   KINETRI_PRECONDITION(!motion || is_finite(*motion), "a motion has a number that is not finite");
   Entry entry;
-  entry.bounds = time.interval();
   entry.point_a = id;
   entry.point_b = scheduled_++;
-  entry.time = times_.keep(time);
   entry.kind = kind;
   entry.is_event = true;
+  push_change(time, entry, motion);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::push_change(const Time& time, Entry entry,
+                                       const std::optional<Motion>& motion) {
+  entry.bounds = time.interval();
+  entry.time = times_.keep(time);
   if (motion) scheduled_motions_.emplace(entry.point_b, *motion);
   queue_.push(entry);
   ++scheduled_entries_;
+}
+
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::take_scheduled_motion(const Entry& change) -> std::optional<Motion> {
+  const auto node = scheduled_motions_.extract(change.point_b);
+  return node ? std::optional(node.mapped()) : std::nullopt;
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -378,30 +408,25 @@ void Simulation_2<Traits>::schedule_erase(const Time& time, Point_id id) {
   schedule(time, Entry_kind::erase, id, std::nullopt);
 }
 
-// Executes a scheduled change, or drops it if its point is not there.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::execute_change(const Entry& entry) {
-  const Point_id id = entry.point_a;
-  if (entry.kind == Entry_kind::erase) {
-    if (triangulation_.contains(id)) erase(id);
-    return;
-  }
-  const auto motion = scheduled_motions_.find(entry.point_b);
-  if (entry.kind == Entry_kind::insert) {
-    check_inside(Point_2(motion->second, id));
-    triangulation_.insert(motion->second, id);
+void Simulation_2<Traits>::execute_change(const Due_change& change) {
+  const Point_id id = change.entry.point_a;
+  if (change.entry.kind == Entry_kind::erase) {
+    erase(id);
+  } else if (change.entry.kind == Entry_kind::insert) {
+    check_inside(Point_2(*change.motion, id));
+    triangulation_.insert(*change.motion, id);
     schedule_contacts(id, no_point);
-  } else if (triangulation_.contains(id)) {
-    set_motion(id, motion->second);
+  } else if (triangulation_.contains(id)) {  // else it has left while the change was postponed
+    set_motion(id, *change.motion);
   }
-  scheduled_motions_.erase(motion);
 }
 
 // Likewise; returns false if another point has the trajectory that the change leads to.
 template <ContactKineticTraits_2 Traits>
-bool Simulation_2<Traits>::try_change(const Entry& entry) {
+bool Simulation_2<Traits>::try_change(const Due_change& change) {
   try {
-    execute_change(entry);
+    execute_change(change);
     return true;
   } catch (const Coincident_trajectories_error&) {
     return false;
