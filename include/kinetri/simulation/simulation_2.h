@@ -198,6 +198,14 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
     Queue_handle event;
   };
 
+  /// The entries of a point in the queue, and the discs that a response has left in contact with
+  /// its own.
+  struct Contacts {
+    Queue_handle wall_event = no_event;
+    std::vector<Partner> partners;   // of greater ids
+    std::vector<Point_id> touching;  // of all ids: both points know it
+  };
+
   const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
   void check_options() const;
 
@@ -212,7 +220,7 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void unschedule_contacts(Point_id id);
   void discard(Queue_handle handle);
   Entry pop();
-  Queue_handle forget_partner(Point_id a, Point_id b);
+  static Queue_handle forget_partner(Contacts& contacts, Point_id b);
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
 
@@ -237,7 +245,6 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void after_event(const Event<Time>& event) override;
 
   // Discs that a response has left in contact.
-  bool are_in_contact(Point_id a, Point_id b) const;
   void leave_in_contact(Point_id a, Point_id b);
   void part_from_others(Point_id id);
 
@@ -249,9 +256,8 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   Indexed_queue<Entry, Earlier> queue_{Earlier{this}};
   mutable Time_pool times_;  // of entries
   Certificate_counters certificate_counters_;
-  std::vector<Queue_handle> wall_events_;                        // by point id
-  std::vector<std::vector<Partner>> partners_;                   // by the smaller id of a pair
-  std::vector<std::vector<Point_id>> in_contact_;                // by point id, both ways
+  // Of points that are there, so that memory is that of these and not of all that ever were.
+  std::unordered_map<Point_id, Contacts> contacts_;
   std::unordered_map<std::uint32_t, Motion> scheduled_motions_;  // by number of the change
   std::uint32_t scheduled_ = 0;                                  // changes so far
   std::size_t scheduled_entries_ = 0;                            // of changes, in the queue
