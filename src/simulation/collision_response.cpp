@@ -12,11 +12,17 @@ Contact_response_2 log_contact(const Contact_2& /*contact*/) {
 }
 
 Contact_response_2 swap_velocities(const Contact_2& contact) {
+  if (contact.would_approach(contact.velocity_b, contact.velocity_a)) return {};
   return {contact.velocity_b, contact.velocity_a};
 }
 
 Contact_response_2 collide_elastically(const Contact_2& contact) {
-  const Vector_2& n = contact.separation;
+  Vector_2 n = contact.separation;
+  const double length = std::max(std::abs(n.x), std::abs(n.y));
+  if (length == 0) return {};
+  // Scaled by a power of two, which changes no result: else the square might underflow.
+  const int exponent = -std::ilogb(length);
+  n = {std::scalbn(n.x, exponent), std::scalbn(n.y, exponent)};
   const Vector_2& a = contact.velocity_a;
   const Vector_2& b = contact.velocity_b;
   const double impulse = ((b.x - a.x) * n.x + (b.y - a.y) * n.y) / (n.x * n.x + n.y * n.y);
@@ -31,6 +37,7 @@ Contact_response_2 collide_elastically(const Contact_2& contact) {
   for (double further =
            size * std::numeric_limits<double>::epsilon() + std::numeric_limits<double>::min();
        contact.would_approach(*result.velocity_a, *result.velocity_b); further *= 2) {
+    if (further > size) return {};
     result = velocities(impulse - further);
   }
   return result;

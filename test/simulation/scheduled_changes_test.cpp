@@ -106,6 +106,43 @@ TEST(Scheduled_changes, of_points_that_are_gone_are_dropped) {
   EXPECT_EQ(count(simulation, Event_kind::trajectory), 0u);
 }
 
+TEST(Scheduled_changes, of_points_that_are_gone_are_no_events) {
+  Simulation simulation(triangle(), {});
+  simulation.schedule_erase(Algebraic_number(1.0), 2);
+  simulation.schedule_motion(Algebraic_number(3.0), 2, {{0, 0}, {1, 0}, 0});
+  simulation.schedule_erase(Algebraic_number(4.0), 2);
+  EXPECT_EQ(simulation.step(), 3u);  // the point, and its two edges
+  EXPECT_EQ(simulation.step(Algebraic_number(5.0)), 0u);
+  EXPECT_EQ(simulation.step(), 0u);
+  EXPECT_EQ(simulation.current_time(), Algebraic_number(1.0));
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
+TEST(Scheduled_changes, that_cannot_be_made_are_dropped_and_the_others_made) {
+  std::vector<Linear_motion_2> motions = triangle();
+  motions.push_back({{0, 0}, {1, 0}, 0});
+  motions.push_back({{5, 5}, {0, 1}, 0});
+  Simulation_options options;
+  options.box = Box_2{-100, -100, 100, 100};
+  Simulation simulation(motions, options);
+  const Algebraic_number one(1.0);
+  // Three wait for point 4 to make way, which it does not; then one leads out of the box.
+  simulation.schedule_motion(one, 3, motions[4]);
+  const Point_id same = simulation.schedule_insert(one, motions[4]);
+  const Point_id outside = simulation.schedule_insert(one, {{101, 0}, {0, 0}, 0});
+  const Point_id last = simulation.schedule_insert(one, {{3, 3}, {0, 0}, 0});
+  EXPECT_THROW(simulation.advance_to(2.0), Outside_box_error);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+  EXPECT_THROW(simulation.advance_to(2.0), Coincident_trajectories_error);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+  EXPECT_TRUE(simulation.triangulation().contains(last));
+  simulation.erase(4);
+  EXPECT_EQ(test::audited_run(simulation, 2, Audit_level::certificates), "");
+  EXPECT_TRUE(simulation.triangulation().contains(same));
+  EXPECT_FALSE(simulation.triangulation().contains(outside));
+  EXPECT_EQ(simulation.triangulation().motion(3), motions[3]);
+}
+
 TEST(Scheduled_changes, that_have_no_meaning_are_refused) {
   Simulation_options options;
   options.box = Box_2{-100, -100, 100, 100};

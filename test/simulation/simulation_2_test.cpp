@@ -268,6 +268,42 @@ TEST(Discs, meet_the_box_in_a_corner) {
   EXPECT_GT(count(simulation, Event_kind::wall), 0u);
 }
 
+TEST(Discs, that_all_but_coincide_still_collide) {
+  for (const Collision_response& response :
+       {Collision_response(swap_velocities), Collision_response(collide_elastically)}) {
+    for (const double distance : {1e-13, 1e-200, 5e-324}) {
+      SCOPED_TRACE(distance);
+      const std::vector<Linear_motion_2> motions = {
+          {{0, 0}, {1, 0}, 0}, {{distance, 0}, {0, 0}, 0}, {{0, 30}, {0, 0}, 0}};
+      Simulation simulation(motions, discs(1, response));
+      EXPECT_EQ(test::audited_run(simulation, 10, Audit_level::certificates), "");
+      EXPECT_EQ(count(simulation, Event_kind::collision), 1u);
+      EXPECT_EQ(velocity(simulation, 0), (Vector_2{0, 0}));
+      EXPECT_EQ(velocity(simulation, 1), (Vector_2{1, 0}));
+    }
+  }
+}
+
+// Near an irrational time the places, rounded, may be the same, or such that no velocities part
+// the discs: then they go through each other.
+TEST(Discs, that_nothing_parts_keep_their_motions) {
+  Contact_2 contact;
+  contact.velocity_a = {1, 2};
+  contact.velocity_b = {-1, 0};
+  contact.would_approach = [](const Vector_2& a, const Vector_2& b) {
+    EXPECT_TRUE(std::isfinite(a.x) && std::isfinite(a.y));
+    EXPECT_LT(std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y), 100);
+    return true;
+  };
+  for (const Vector_2& separation : {Vector_2{0, 0}, Vector_2{1e-13, 0}, Vector_2{0, 1e-300}}) {
+    contact.separation = separation;
+    for (const auto response : {swap_velocities, collide_elastically}) {
+      const Contact_response_2 result = response(contact);
+      EXPECT_FALSE(result.velocity_a || result.velocity_b || result.erases_a || result.erases_b);
+    }
+  }
+}
+
 TEST(Discs, that_stop_stay) {
   const std::vector<Linear_motion_2> motions = {
       {{0, 0}, {1, 0}, 0}, {{5, 0.5}, {-1, 0}, 0}, {{2, 9}, {0, 0}, 0}};

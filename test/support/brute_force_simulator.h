@@ -3,12 +3,15 @@
 // The slow, obvious oracle for few moving points: every time at which any three are collinear, any
 // four cocircular or any two in one place is found, and between these times the Delaunay edges are
 // found by looking at all pairs and all circles. It shares with the library only the algebra.
+// Points may come, turn, jump and go: between two such changes all is as it is without.
 #ifndef KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
 #define KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
 
 #include <algorithm>
 #include <concepts>
 #include <functional>
+#include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -140,6 +143,66 @@ Static_edges edges_at(const std::vector<Motion>& motions, const Rational& t) {
   for (const Motion& m : motions) points.push_back(place_at(m, t));
   return static_edges(points);
 }
+
+/// A run of points that come, turn, jump and go at times that its user chooses.
+class Brute_force_simulator {
+ public:
+  explicit Brute_force_simulator(const Algebraic_number& start) : time_(start) {}
+
+  const Algebraic_number& time() const { return time_; }
+
+  /// Of the points that are there now.
+  const std::map<Point_id, Linear_motion_2>& motions() const { return motions_; }
+
+  /// The motion of the point from now on, whether it is there already or not.
+  void set_motion(Point_id id, const Linear_motion_2& motion) {
+    motions_[id] = motion;
+    find_critical_times();
+  }
+  void erase(Point_id id) {
+    motions_.erase(id);
+    find_critical_times();
+  }
+
+  /// The times after now at which the triangulation may change if no point does, sorted.
+  const std::vector<Algebraic_number>& critical_times() const { return critical_times_; }
+
+  /// Precondition: no critical time is between now and `time`; it may be `time` itself.
+  void advance_to(const Algebraic_number& time) {
+    time_ = time;
+    const auto is_past = [&](const Algebraic_number& critical) { return critical <= time_; };
+    std::erase_if(critical_times_, is_past);
+  }
+
+  /// The edges just after now, by the ids of the points: those up to the next critical time.
+  Static_edges edges() const {
+    const Algebraic_number end = critical_times_.empty()
+                                     ? Algebraic_number(Rational(time_.upper() + 1))
+                                     : critical_times_.front();
+    std::vector<Point_id> ids;
+    for (const auto& [id, motion] : motions_) ids.push_back(id);
+    const Static_edges found = edges_at(motion_list(), simplest_between(time_, end));
+    const auto by_id = [&](const std::set<Edge_ids>& edges) {
+      std::set<Edge_ids> result;
+      for (const auto& [a, b] : edges) result.insert({ids[a], ids[b]});
+      return result;
+    };
+    return {by_id(found.certain), by_id(found.possible)};
+  }
+
+ private:
+  std::vector<Linear_motion_2> motion_list() const {
+    std::vector<Linear_motion_2> result;
+    for (const auto& [id, motion] : motions_) result.push_back(motion);
+    return result;
+  }
+
+  void find_critical_times() { critical_times_ = test::critical_times(motion_list(), time_); }
+
+  Algebraic_number time_;
+  std::map<Point_id, Linear_motion_2> motions_;
+  std::vector<Algebraic_number> critical_times_;
+};
 
 }  // namespace kinetri::test
 

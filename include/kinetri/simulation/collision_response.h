@@ -20,7 +20,7 @@ struct Contact_2 {
   double time = 0;
   Point_id point_a = no_point;  ///< the smaller id
   Point_id point_b = no_point;
-  Vector_2 separation;  ///< from the centre of a to that of b
+  Vector_2 separation;  ///< from the centre of a to that of b; zero if they are that near
   Vector_2 velocity_a;
   Vector_2 velocity_b;
   /// Whether the two would approach each other with these velocities, decided exactly for the
@@ -45,13 +45,17 @@ using Collision_response = std::function<Contact_response_2(const Contact_2&)>;
 Contact_response_2 log_contact(const Contact_2& contact);
 
 /// The two exchange their velocities, so that a point that hits a resting one stops and sets it
-/// going. Energy and momentum are kept exactly. Source: Computation of Topologic Events in
-/// Kinetic Delaunay Triangulation using Sturm Sequences of Polynomials, section 6.3.
+/// going. Energy and momentum are kept exactly. Discs whose centres are so near to each other that
+/// their places, as rounded, would approach all the same keep their motions. Source: Computation of
+/// Topologic Events in Kinetic Delaunay Triangulation using Sturm Sequences of Polynomials,
+/// section 6.3.
 Contact_response_2 swap_velocities(const Contact_2& contact);
 
 /// Elastic collision of equal masses: the components along the line of centres are exchanged.
 /// Energy and momentum are kept up to rounding. A contact that is so nearly a touch in passing that
 /// the rounded velocities approach still gets the least further change with which they do not.
+/// Discs whose centres are so near to each other that there is none, up to their speeds, keep their
+/// motions.
 Contact_response_2 collide_elastically(const Contact_2& contact);
 
 /// Both stop.

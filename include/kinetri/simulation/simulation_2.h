@@ -130,9 +130,11 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
 
   /// The same at `time`: after the triangulation's events and the contacts of that time; there
   /// those that erase first, then new motions, then those that insert, by point id, then in the
-  /// order in which they were scheduled. A change of a point that is not there then is dropped. An
-  /// observer may schedule changes. Precondition: time >= current_time(); the motion is finite.
-  /// Returns the id that the point will have.
+  /// order in which they were scheduled. A change of a point that is not there then is dropped. One
+  /// that leads out of the box, or to the trajectory of a point that does not make way at that
+  /// time, is dropped too, and the call that has reached its time throws as the functions above;
+  /// the next call goes on with what else is due. An observer may schedule changes. Precondition:
+  /// time >= current_time(); the motion is finite. Returns the id that the point will have.
   Point_id schedule_insert(const Time& time, const Motion& motion);
   void schedule_motion(const Time& time, Point_id id, const Motion& motion);
   void schedule_erase(const Time& time, Point_id id);
@@ -169,6 +171,12 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
     bool is_event = false;
   };
 
+  /// A scheduled change that is not in the queue any more; the motion is the one that it gives.
+  struct Due_change {
+    Entry entry;
+    std::optional<Motion> motion;
+  };
+
   struct Earlier {
     const Simulation_2* simulation;
 
@@ -182,6 +190,14 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   struct Partner {
     Point_id id;
     Queue_handle event;
+  };
+
+  /// The entries of a point in the queue, and the discs that a response has left in contact with
+  /// its own.
+  struct Contacts {
+    Queue_handle wall_event = no_event;
+    std::vector<Partner> partners;   // of greater ids
+    std::vector<Point_id> touching;  // of all ids: both points know it
   };
 
   const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
@@ -203,7 +219,7 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void unschedule_contacts(Point_id id);
   void discard(Queue_handle handle);
   Entry pop();
-  Queue_handle forget_partner(Point_id a, Point_id b);
+  static Queue_handle forget_partner(Contacts& contacts, Point_id b);
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
 
@@ -211,13 +227,16 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   std::size_t step(const Time* until);
   void settle();
   std::size_t execute_due_entries();
+  void execute_due_entries(std::vector<Due_change>& postponed);
   void check_limit(const Entry& entry, std::uint64_t contacts) const;
   void hit_wall(Point_id id, std::size_t wall);
   void collide(Point_id a, Point_id b);
   void schedule(const Time& time, Entry_kind kind, Point_id id,
                 const std::optional<Motion>& motion);
-  void execute_change(const Entry& entry);
-  bool try_change(const Entry& entry);
+  void push_change(const Time& time, Entry entry, const std::optional<Motion>& motion);
+  std::optional<Motion> take_scheduled_motion(const Entry& change);
+  void execute_change(const Due_change& change);
+  bool try_change(const Due_change& change);
   void check_inside(const Point_2& point) const;
   void change(Event_kind kind, std::span<const Point_id> points,
               std::span<const typename Triangulation::Change> changes);
@@ -225,7 +244,6 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void after_event(const Event<Time>& event) override;
 
   // Discs that a response has left in contact.
-  bool are_in_contact(Point_id a, Point_id b) const;
   void leave_in_contact(Point_id a, Point_id b);
   void part_from_others(Point_id id);
 
@@ -237,9 +255,8 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   Indexed_queue<Entry, Earlier> queue_{Earlier{this}};
   mutable Time_pool times_;  // of entries
   Certificate_counters certificate_counters_;
-  std::vector<Queue_handle> wall_events_;                        // by point id
-  std::vector<std::vector<Partner>> partners_;                   // by the smaller id of a pair
-  std::vector<std::vector<Point_id>> in_contact_;                // by point id, both ways
+  // Of points that are there, so that memory is that of these and not of all that ever were.
+  std::unordered_map<Point_id, Contacts> contacts_;
   std::unordered_map<std::uint32_t, Motion> scheduled_motions_;  // by number of the change
   std::uint32_t scheduled_ = 0;                                  // changes so far
   std::size_t scheduled_entries_ = 0;                            // of changes, in the queue

@@ -42,9 +42,6 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
   if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
   for (Point_id id = 0; id < motions.size(); ++id) check_inside(point(id));
   triangulation_.add_observer(*this);
-  wall_events_.assign(motions.size(), no_event);
-  partners_.resize(motions.size());
-  in_contact_.resize(motions.size());
   for (Point_id id = 0; id < motions.size(); ++id) schedule_wall(id, start);
   for (const Edge_ids& edge : triangulation_.finite_edge_ids()) schedule_pair(edge, start);
 }
@@ -141,9 +138,9 @@ auto Simulation_2<Traits>::pop() -> Entry {
   const Entry entry = queue_.pop();
   times_.release(entry.time);
   if (entry.kind == Entry_kind::wall) {
-    wall_events_[entry.point_a] = no_event;
+    contacts_.at(entry.point_a).wall_event = no_event;
   } else if (entry.kind == Entry_kind::collision) {
-    forget_partner(entry.point_a, entry.point_b);
+    forget_partner(contacts_.at(entry.point_a), entry.point_b);
   } else {
     --scheduled_entries_;
   }
@@ -152,8 +149,8 @@ auto Simulation_2<Traits>::pop() -> Entry {
 
 // Returns the handle of the partner's entry; none if there is no such partner.
 template <ContactKineticTraits_2 Traits>
-Queue_handle Simulation_2<Traits>::forget_partner(Point_id a, Point_id b) {
-  auto& partners = partners_[a];
+Queue_handle Simulation_2<Traits>::forget_partner(Contacts& contacts, Point_id b) {
+  auto& partners = contacts.partners;
   const auto partner = std::ranges::find(partners, b, &Partner::id);
   if (partner == partners.end()) return no_event;
   const Queue_handle event = partner->event;
@@ -165,8 +162,8 @@ Queue_handle Simulation_2<Traits>::forget_partner(Point_id a, Point_id b) {
 // Only the first of the walls that the point reaches has an entry.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
-  unschedule_wall(id);
   if (!options_.box) return;
+  unschedule_wall(id);
   Entry first;
   Outlook<Time> first_outlook;
   for (Point_id i = 0; i < walls_.size(); ++i) {
@@ -188,32 +185,38 @@ void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
     first_outlook = std::move(outlook);
   }
   first.point_a = id;
-  wall_events_[id] = push(first, std::move(first_outlook));
+  contacts_[id].wall_event = push(first, std::move(first_outlook));
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unschedule_wall(Point_id id) {
-  const Queue_handle event = std::exchange(wall_events_[id], no_event);
+  const auto contacts = contacts_.find(id);
+  if (contacts == contacts_.end()) return;
+  const Queue_handle event = std::exchange(contacts->second.wall_event, no_event);
   if (event != no_event) discard(event);
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after) {
-  unschedule_pair(pair);
+  if (!options_.response) return;
   const auto [a, b] = pair;
-  if (!options_.response || are_in_contact(a, b)) return;
+  Contacts& contacts = contacts_[a];
+  if (const Queue_handle old = forget_partner(contacts, b); old != no_event) discard(old);
+  if (std::ranges::find(contacts.touching, b) != contacts.touching.end()) return;
   Entry entry;
   entry.kind = Entry_kind::collision;
   entry.point_a = a;
   entry.point_b = b;
   const Queue_handle event = push(
       entry, traits_.contact_outlook(point(a), point(b), diameter_, after, certificate_counters_));
-  if (event != no_event) partners_[a].push_back({b, event});
+  if (event != no_event) contacts.partners.push_back({b, event});
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unschedule_pair(const Edge_ids& pair) {
-  const Queue_handle event = forget_partner(pair[0], pair[1]);
+  const auto contacts = contacts_.find(pair[0]);
+  if (contacts == contacts_.end()) return;
+  const Queue_handle event = forget_partner(contacts->second, pair[1]);
   if (event != no_event) discard(event);
 }
 
@@ -259,38 +262,37 @@ std::size_t Simulation_2<Traits>::advance_to(const Time& time) {
 
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::step(const Time* until) {
-  // Of a time whose only changes are dropped there is no event; then the next one is wanted.
-  std::size_t events = 0;
-  while (events == 0) {
-    settle();
-    if (queue_.empty()) {
-      events = until != nullptr ? triangulation_.step(*until) : triangulation_.step();
-      if (events == 0) return 0;
-    } else {
-      const Time first = time(queue_.top());
-      const bool is_due = until == nullptr || first <= *until;
-      events = triangulation_.step(is_due ? first : *until);
-      if (events == 0) {
-        if (!is_due) return 0;
-        triangulation_.advance_to(first);
-      }
-    }
-    const bool is_instant_of_triangulation = events > 0;
-    events += execute_due_entries();
-    if (!is_instant_of_triangulation && events > 0) ++counters_.instants;
+  settle();
+  if (queue_.empty()) return until != nullptr ? triangulation_.step(*until) : triangulation_.step();
+  const Time first = time(queue_.top());
+  const bool is_due = until == nullptr || first <= *until;
+  const std::size_t events = triangulation_.step(is_due ? first : *until);
+  if (events == 0) {
+    if (!is_due) return 0;
+    triangulation_.advance_to(first);
   }
-  return events;
+  const std::size_t due_events = execute_due_entries();
+  if (events == 0) ++counters_.instants;
+  return events + due_events;
 }
 
-// Looks at certificates again until the first entry is a contact.
+// Takes from the front of the queue what is no event: certificates, which are looked at again, and
+// changes of points that are not there. These will not be there at its time either, since an
+// insertion before it would be before it in the queue.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::settle() {
-  while (!queue_.empty() && !queue_.top().is_event) {
+  const auto is_change_of_none = [&](const Entry& entry) {
+    return (entry.kind == Entry_kind::erase || entry.kind == Entry_kind::trajectory) &&
+           !triangulation_.contains(entry.point_a);
+  };
+  while (!queue_.empty() && (!queue_.top().is_event || is_change_of_none(queue_.top()))) {
     const Entry entry = pop();
     if (entry.kind == Entry_kind::wall) {
       schedule_wall(entry.point_a, Time(entry.bounds.lower));
-    } else {
+    } else if (entry.kind == Entry_kind::collision) {
       schedule_pair({entry.point_a, entry.point_b}, Time(entry.bounds.lower));
+    } else {
+      take_scheduled_motion(entry);
     }
   }
 }
@@ -301,13 +303,29 @@ template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::execute_due_entries() {
   is_within_instant_ = true;  // and stays so if something throws
   const std::uint64_t events_before = triangulation_.counters().number_of_events();
+  std::vector<Due_change> postponed;
+  try {
+    execute_due_entries(postponed);
+  } catch (...) {
+    for (const Due_change& change : postponed) {
+      push_change(current_time(), change.entry, change.motion);
+    }
+    throw;
+  }
+  is_within_instant_ = false;
+  return static_cast<std::size_t>(triangulation_.counters().number_of_events() - events_before);
+}
+
+// What is in `postponed` when this throws has not been made, and is to be kept.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postponed) {
   std::uint64_t contacts = 0;
-  std::vector<Entry> postponed;
   const auto execute_due = [&] {
     for (settle(); !queue_.empty() && time(queue_.top()) <= current_time(); settle()) {
       const Entry entry = pop();
       if (entry.kind > Entry_kind::collision) {
-        if (!try_change(entry)) postponed.push_back(entry);
+        const Due_change change = {entry, take_scheduled_motion(entry)};
+        if (!try_change(change)) postponed.push_back(change);
         continue;
       }
       check_limit(entry, ++contacts);
@@ -322,15 +340,18 @@ std::size_t Simulation_2<Traits>::execute_due_entries() {
   // A change may have to wait for another one of the same time, which takes away the point whose
   // trajectory it leads to.
   while (!postponed.empty()) {
-    const auto waiting =
-        std::ranges::find_if(postponed, [&](const Entry& entry) { return try_change(entry); });
-    if (waiting == postponed.end()) execute_change(postponed.front());  // throws
-    postponed.erase(waiting == postponed.end() ? postponed.begin() : waiting);
+    const auto waiting = std::ranges::find_if(
+        postponed, [&](const Due_change& change) { return try_change(change); });
+    if (waiting == postponed.end()) {
+      const Due_change hopeless = postponed.front();
+      postponed.erase(postponed.begin());
+      execute_change(hopeless);  // throws
+    } else {
+      postponed.erase(waiting);
+    }
     execute_due();
   }
   counters_.most_at_one_time = std::max(counters_.most_at_one_time, contacts);
-  is_within_instant_ = false;
-  return static_cast<std::size_t>(triangulation_.counters().number_of_events() - events_before);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -354,23 +375,32 @@ void Simulation_2<Traits>::schedule(const Time& time, Entry_kind kind, Point_id 
   KINETRI_PRECONDITION(id < triangulation_.next_id(), "no point has this id");
   KINETRI_PRECONDITION(!motion || is_finite(*motion), "a motion has a number that is not finite");
   Entry entry;
-  entry.bounds = time.interval();
   entry.point_a = id;
   entry.point_b = scheduled_++;
-  entry.time = times_.keep(time);
   entry.kind = kind;
   entry.is_event = true;
+  push_change(time, entry, motion);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::push_change(const Time& time, Entry entry,
+                                       const std::optional<Motion>& motion) {
+  entry.bounds = time.interval();
+  entry.time = times_.keep(time);
   if (motion) scheduled_motions_.emplace(entry.point_b, *motion);
   queue_.push(entry);
   ++scheduled_entries_;
 }
 
 template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::take_scheduled_motion(const Entry& change) -> std::optional<Motion> {
+  const auto node = scheduled_motions_.extract(change.point_b);
+  return node ? std::optional(node.mapped()) : std::nullopt;
+}
+
+template <ContactKineticTraits_2 Traits>
 Point_id Simulation_2<Traits>::schedule_insert(const Time& time, const Motion& motion) {
   const Point_id id = triangulation_.reserve_id();
-  wall_events_.push_back(no_event);
-  partners_.emplace_back();
-  in_contact_.emplace_back();
   schedule(time, Entry_kind::insert, id, motion);
   return id;
 }
@@ -385,30 +415,25 @@ void Simulation_2<Traits>::schedule_erase(const Time& time, Point_id id) {
   schedule(time, Entry_kind::erase, id, std::nullopt);
 }
 
-// Executes a scheduled change, or drops it if its point is not there.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::execute_change(const Entry& entry) {
-  const Point_id id = entry.point_a;
-  if (entry.kind == Entry_kind::erase) {
-    if (triangulation_.contains(id)) erase(id);
-    return;
-  }
-  const auto motion = scheduled_motions_.find(entry.point_b);
-  if (entry.kind == Entry_kind::insert) {
-    check_inside(Point_2(motion->second, id));
-    triangulation_.insert(motion->second, id);
+void Simulation_2<Traits>::execute_change(const Due_change& change) {
+  const Point_id id = change.entry.point_a;
+  if (change.entry.kind == Entry_kind::erase) {
+    erase(id);
+  } else if (change.entry.kind == Entry_kind::insert) {
+    check_inside(Point_2(*change.motion, id));
+    triangulation_.insert(*change.motion, id);
     schedule_contacts(id, no_point);
-  } else if (triangulation_.contains(id)) {
-    set_motion(id, motion->second);
+  } else if (triangulation_.contains(id)) {  // else it has left while the change was postponed
+    set_motion(id, *change.motion);
   }
-  scheduled_motions_.erase(motion);
 }
 
 // Likewise; returns false if another point has the trajectory that the change leads to.
 template <ContactKineticTraits_2 Traits>
-bool Simulation_2<Traits>::try_change(const Entry& entry) {
+bool Simulation_2<Traits>::try_change(const Due_change& change) {
   try {
-    execute_change(entry);
+    execute_change(change);
     return true;
   } catch (const Coincident_trajectories_error&) {
     return false;
@@ -419,9 +444,6 @@ template <ContactKineticTraits_2 Traits>
 Point_id Simulation_2<Traits>::insert(const Motion& motion) {
   check_inside(Point_2(motion, static_cast<Point_id>(triangulation_.next_id())));
   const Point_id id = triangulation_.insert(motion)->point().id();
-  wall_events_.push_back(no_event);
-  partners_.emplace_back();
-  in_contact_.emplace_back();
   schedule_contacts(id, no_point);
   return id;
 }
@@ -503,7 +525,10 @@ void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> poi
   const auto schedule_anew = [&] {
     for (const Point_id id : points) part_from_others(id);
     for (const Point_id id : points) {
-      if (!triangulation_.contains(id)) continue;
+      if (!triangulation_.contains(id)) {
+        contacts_.erase(id);
+        continue;
+      }
       const Point_id first = points.front();
       schedule_contacts(id, id != first && triangulation_.contains(first) ? first : no_point);
     }
@@ -538,26 +563,23 @@ void Simulation_2<Traits>::after_event(const Event<Time>& event) {
 // ---- discs in contact ----
 
 template <ContactKineticTraits_2 Traits>
-bool Simulation_2<Traits>::are_in_contact(Point_id a, Point_id b) const {
-  return std::ranges::find(in_contact_[a], b) != in_contact_[a].end();
-}
-
-template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::leave_in_contact(Point_id a, Point_id b) {
-  in_contact_[a].push_back(b);
-  in_contact_[b].push_back(a);
+  contacts_[a].touching.push_back(b);
+  contacts_[b].touching.push_back(a);
 }
 
 // Of a point that has a new motion, or none, those that it does not overlap now are no longer in
 // contact with it. As long as two keep their motions they overlap once, so that nothing is to do.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::part_from_others(Point_id id) {
-  std::erase_if(in_contact_[id], [&](Point_id other) {
+  const auto contacts = contacts_.find(id);
+  if (contacts == contacts_.end()) return;
+  std::erase_if(contacts->second.touching, [&](Point_id other) {
     if (triangulation_.contains(id) && triangulation_.contains(other) &&
         traits_.do_overlap(point(id), point(other), diameter_, current_time())) {
       return false;
     }
-    std::erase(in_contact_[other], id);
+    std::erase(contacts_.at(other).touching, id);
     return true;
   });
 }
@@ -587,16 +609,25 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   if (!queue_.is_valid()) fail("the queue of contacts is out of order");
   if (!queue_.empty() && time(queue_.top()) < current_time()) fail("a contact has been missed");
   const std::vector<Edge_ids> edges = triangulation_.finite_edge_ids();
+  const Contacts none;
+  const auto contacts = [&](Point_id id) -> const Contacts& {
+    const auto found = contacts_.find(id);
+    return found == contacts_.end() ? none : found->second;
+  };
   std::size_t entries = 0;
-  for (Point_id a = 0; a < partners_.size(); ++a) {
-    for (const auto& [b, event] : partners_[a]) {
+  std::size_t points_with_contacts = 0;
+  for (Point_id a = 0; a < triangulation_.next_id(); ++a) {
+    if (!triangulation_.contains(a)) continue;
+    points_with_contacts += contacts_.count(a);
+    if (contacts(a).wall_event != no_event) ++entries;
+    for (const auto& [b, event] : contacts(a).partners) {
       ++entries;
       if (!std::ranges::binary_search(edges, edge_ids(a, b))) {
         fail(pair_name(a, b) + " have a contact but no edge");
       }
     }
   }
-  for (const Queue_handle event : wall_events_) entries += event != no_event ? 1 : 0;
+  if (points_with_contacts != contacts_.size()) fail("a point that is not there has contacts");
   entries += scheduled_entries_;
   if (entries != queue_.size()) fail("the queue of contacts holds others than those of the points");
   if (!report.passed() || level < Audit_level::delaunay) return report;
@@ -626,15 +657,16 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
       if (outlook.failure && (!first || *outlook.failure < *first)) first = *outlook.failure;
     }
     if (level < Audit_level::certificates) continue;
-    compare("point " + std::to_string(id), wall_events_[id], first);
+    compare("point " + std::to_string(id), contacts(id).wall_event, first);
   }
   if (!options_.response || level < Audit_level::certificates) return report;
   for (const auto& [a, b] : edges) {
-    if (are_in_contact(a, b)) continue;
-    const auto partner = std::ranges::find(partners_[a], b, &Partner::id);
+    const auto& [unused_wall, partners, touching] = contacts(a);
+    if (std::ranges::find(touching, b) != touching.end()) continue;
+    const auto partner = std::ranges::find(partners, b, &Partner::id);
     const Outlook<Time> outlook =
         exact.contact_outlook(point(a), point(b), diameter_, current_time(), unused);
-    compare(pair_name(a, b), partner == partners_[a].end() ? no_event : partner->event,
+    compare(pair_name(a, b), partner == partners.end() ? no_event : partner->event,
             outlook.failure ? std::optional(*outlook.failure) : std::nullopt);
   }
   return report;

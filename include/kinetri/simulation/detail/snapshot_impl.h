@@ -24,8 +24,8 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   result.has_response = options_.response != nullptr;
   result.counters = counters_;
   result.certificates = certificate_counters_;
-  for (Point_id a = 0; a < in_contact_.size(); ++a) {
-    for (const Point_id b : in_contact_[a]) {
+  for (const auto& [a, contacts] : contacts_) {
+    for (const Point_id b : contacts.touching) {
       if (a < b) result.in_contact.push_back({a, b});
     }
   }
@@ -66,10 +66,6 @@ Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& sna
   counters_.queue = {};
   if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
   triangulation_.add_observer(*this);
-  const std::size_t ids = triangulation_.next_id();
-  wall_events_.assign(ids, no_event);
-  partners_.resize(ids);
-  in_contact_.resize(ids);
   restore_contacts(snapshot);
   restore_changes(snapshot);
 }
@@ -86,7 +82,7 @@ void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
     }
     leave_in_contact(a, b);
   }
-  for (Point_id id = 0; id < wall_events_.size(); ++id) {
+  for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
     if (!triangulation_.contains(id)) continue;
     try {
       check_inside(point(id));
@@ -102,7 +98,7 @@ void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::restore_changes(const Snapshot& snapshot) {
-  std::vector<bool> is_inserted(wall_events_.size());
+  std::vector<bool> is_inserted(triangulation_.next_id());
   for (const auto& [time, kind, id, motion] : snapshot.scheduled) {
     const bool is_insert = kind == Event_kind::insert;
     const bool is_erase = kind == Event_kind::erase;

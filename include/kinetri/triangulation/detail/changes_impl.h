@@ -240,8 +240,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::check_is_distinct(const Point_2& 
     return;
   }
   const Instantaneous_traits& now = triangulation_.geom_traits();
-  for (const Vertex_handle v : vertices_) {
-    if (v == Vertex_handle() || v->point().id() == point.id()) continue;
+  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
+    if (v->point().id() == point.id()) continue;
     if (now.compare_x_2_object()(v->point(), point) == CGAL::EQUAL &&
         now.compare_y_2_object()(v->point(), point) == CGAL::EQUAL) {
       throw Coincident_trajectories_error(std::min(v->point().id(), point.id()),

@@ -273,7 +273,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge
     for (const Edge& edge : triangulation_.all_edges()) result.push_back(edge);
     return result;
   }
-  result.reserve(3 * (vertices_.size() + 1));
+  result.reserve(3 * (number_of_points_ + 1));
   for (const Face_handle face : triangulation_.all_face_handles()) {
     for (int i = 0; i < 3; ++i) {
       if (face->vertex(Triangulation::cw(i))->point().id() <

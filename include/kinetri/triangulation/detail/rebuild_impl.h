@@ -75,10 +75,11 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_ve
   times_.clear();
   change_vertices();
   std::vector<Point_2> points;
-  points.reserve(vertices_.size());
-  for (const Vertex_handle v : vertices_) {
-    if (v != Vertex_handle()) points.push_back(v->point());
+  points.reserve(number_of_points_);
+  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
+    points.push_back(v->point());
   }
+  std::ranges::sort(points, {}, &Point_2::id);
   adopt(build(points, current_time_));
   schedule_all(edges());
   for (const Edge_ids& edge : finite_edge_ids()) ++(*rebuilt_edges_)[edge];
