@@ -18,12 +18,15 @@ void Checkpoint_source::read() {
 }
 
 std::size_t Checkpoint_source::number_of_points() const {
-  const auto& motions = checkpoint_.simulation.triangulation.motions;
-  return static_cast<std::size_t>(
-      std::ranges::count_if(motions, [](const auto& motion) { return motion.has_value(); }));
+  return std::visit(
+      [](const auto& snapshot) {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            snapshot.triangulation.motions, [](const auto& motion) { return motion.has_value(); }));
+      },
+      checkpoint_.simulation);
 }
 
-std::unique_ptr<Simulation_2<>> Checkpoint_source::make_simulation(Arithmetic arithmetic) const {
+Any_simulation Checkpoint_source::make_simulation(Arithmetic arithmetic) const {
   const auto* const response = std::ranges::find(
       named_responses, std::string_view(checkpoint_.response), &Named_response::name);
   const auto fail = [this](const std::string& problem) -> Input_error {
@@ -32,12 +35,15 @@ std::unique_ptr<Simulation_2<>> Checkpoint_source::make_simulation(Arithmetic ar
   if (response == named_responses.end()) {
     throw fail(fmt::format("the response '{}' is unknown", checkpoint_.response));
   }
-  if ((response->response != nullptr) != checkpoint_.simulation.has_response) {
-    throw fail(fmt::format("the response '{}' does not go with the state", response->name));
-  }
+  const auto restored = [&]<class Traits>(const Simulation_snapshot<Traits>& snapshot) {
+    if ((response->response != nullptr) != snapshot.has_response) {
+      throw fail(fmt::format("the response '{}' does not go with the state", response->name));
+    }
+    return Any_simulation(
+        std::make_unique<Simulation_2<Traits>>(snapshot, response->response, Traits(arithmetic)));
+  };
   try {
-    return std::make_unique<Simulation_2<>>(checkpoint_.simulation, response->response,
-                                            Linear_kinetic_traits_2(arithmetic));
+    return std::visit(restored, checkpoint_.simulation);
   } catch (const Snapshot_error& error) {
     throw fail(error.what());
   }
@@ -53,8 +59,10 @@ Input_error Checkpoint_source::coincidence(const Coincident_trajectories_error& 
 }
 
 std::vector<std::string> Checkpoint_source::remarks() const {
-  return {fmt::format("taken up after {} events; counts go on from there",
-                      checkpoint_.simulation.triangulation.counters.number_of_events())};
+  const auto events = std::visit(
+      [](const auto& snapshot) { return snapshot.triangulation.counters.number_of_events(); },
+      checkpoint_.simulation);
+  return {fmt::format("taken up after {} events; counts go on from there", events)};
 }
 
 }  // namespace kinetri::app

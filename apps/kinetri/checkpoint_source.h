@@ -20,14 +20,18 @@ class Checkpoint_source final : public Run_source {
   double from() const override { return time().to_double(); }
   double until() const override { return until_; }
   std::string response() const override { return checkpoint_.response; }
-  std::unique_ptr<Simulation_2<>> make_simulation(Arithmetic arithmetic) const override;
+  Any_simulation make_simulation(Arithmetic arithmetic) const override;
   Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
   std::string name(Point_id id) const override { return std::to_string(id); }
   std::vector<std::string> remarks() const override;
   void write_points(std::ostream&) const override {}
 
  private:
-  const Algebraic_number& time() const { return checkpoint_.simulation.triangulation.time; }
+  const Algebraic_number& time() const {
+    return std::visit(
+        [](const auto& snapshot) -> auto& { return snapshot.triangulation.time; },
+        checkpoint_.simulation);
+  }
 
   std::string path_;
   double until_;

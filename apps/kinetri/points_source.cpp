@@ -13,9 +13,14 @@ void Points_source::read() {
   points_ = read_points_file(settings_.points);
 }
 
-std::unique_ptr<Simulation_2<>> Points_source::make_simulation(Arithmetic arithmetic) const {
+Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
   const Simulation_options simulation_options = options();
   try {
+    if (points_.is_polynomial) {
+      return std::make_unique<Simulation_2<Polynomial_kinetic_traits_2>>(
+          points_.polynomial_motions, simulation_options, settings_.from,
+          Polynomial_kinetic_traits_2(arithmetic));
+    }
     return std::make_unique<Simulation_2<>>(points_.motions, simulation_options, settings_.from,
                                             Linear_kinetic_traits_2(arithmetic));
   } catch (const Coincident_trajectories_error& error) {
@@ -23,9 +28,9 @@ std::unique_ptr<Simulation_2<>> Points_source::make_simulation(Arithmetic arithm
     const Point_id second = error.second();
     throw Input_error(
         input_name(path()), points_.lines[second],
-        fmt::format("the point has the same place and velocity as the one in line {}; expected "
-                    "distinct trajectories",
-                    points_.lines[first]));
+        fmt::format("the point has the same place and {} as the one in line {}; expected distinct "
+                    "trajectories",
+                    points_.is_polynomial ? "derivatives" : "velocity", points_.lines[first]));
   } catch (const Outside_box_error& error) {
     throw Input_error(input_name(path()), points_.lines[error.point()], error.what());
   }
@@ -70,7 +75,7 @@ double Points_source::radius() const {
                                   input_name(path())));
   }
   if (points_.radii.empty()) {
-    if (points_.motions.empty()) return 1;  // of no disc
+    if (points_.lines.empty()) return 1;  // of no disc
     throw Usage_error(
         fmt::format("{}: discs have a radius; expected a column radius in {}, or --radius R",
                     option, input_name(path())));

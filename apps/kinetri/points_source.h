@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A file of points as the source of a run: straight paths, walls and discs.
+// A file of points as the source of a run: their paths, walls and discs.
 #ifndef KINETRI_APPS_POINTS_SOURCE_H
 #define KINETRI_APPS_POINTS_SOURCE_H
 
@@ -27,11 +27,11 @@ class Points_source final : public Run_source {
 
   const std::string& path() const override { return settings_.points; }
   void read() override;
-  std::size_t number_of_points() const override { return points_.motions.size(); }
+  std::size_t number_of_points() const override { return points_.number_of_points(); }
   double from() const override { return settings_.from; }
   double until() const override { return settings_.until; }
   std::string response() const override { return std::string(settings_.collisions.name); }
-  std::unique_ptr<Simulation_2<>> make_simulation(Arithmetic arithmetic) const override;
+  Any_simulation make_simulation(Arithmetic arithmetic) const override;
   Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
   std::string name(Point_id id) const override { return std::to_string(id); }
   std::vector<std::string> remarks() const override { return {}; }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "kinetri/base/error.h"
@@ -19,6 +20,10 @@ namespace kinetri::app {
 inline std::string input_name(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
+
+/// A simulation of one of the kinds of motion.
+using Any_simulation = std::variant<std::unique_ptr<Simulation_2<>>,
+                                    std::unique_ptr<Simulation_2<Polynomial_kinetic_traits_2>>>;
 
 /// The source of a run.
 class Run_source {
@@ -40,7 +45,7 @@ class Run_source {
   virtual std::string response() const = 0;
 
   /// The simulation at from(). Throws Input_error, naming the line.
-  virtual std::unique_ptr<Simulation_2<>> make_simulation(Arithmetic arithmetic) const = 0;
+  virtual Any_simulation make_simulation(Arithmetic arithmetic) const = 0;
 
   /// What to say of two points that a contact or a turn has left on one trajectory.
   virtual Input_error coincidence(const Coincident_trajectories_error& error,

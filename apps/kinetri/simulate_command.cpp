@@ -55,8 +55,9 @@ Simulate_command::Simulate_command(CLI::App& program)
   run_options_.add_to(*command_);
   run_options_.add_checkpoint_to(*command_);
   command_->footer(
-      "The file POINTS has a header line x,y,vx,vy, or x,y,vx,vy,radius with all radii equal, and\n"
-      "one point a line. Interrupted, the command stops at the next event and writes what it "
+      "The file POINTS has a header line x,y,vx,vy, and one point a line. Further columns may be\n"
+      "radius, with all radii equal; ax,ay, accelerations; jx,jy, their derivatives. Interrupted, "
+      "the command stops at the next event and writes what it "
       "has.\n\n"
       "Exit codes: 0 done; 1 an audit failed; 2 bad usage or input; 3 an internal check failed;\n"
       "130 interrupted.\n\n"

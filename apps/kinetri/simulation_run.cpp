@@ -12,6 +12,7 @@
 #include <initializer_list>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "arguments.h"
@@ -124,8 +125,20 @@ class Simulation_run {
 
  private:
   void build();
-  const Kinetic_delaunay_triangulation_2<>& triangulation() const {
-    return simulation_->triangulation();
+  // What `function` says of the simulation, whichever it is.
+  template <class Function>
+  auto with_simulation(Function function) const {
+    return std::visit([&](const auto& simulation) { return function(*simulation); }, simulation_);
+  }
+  std::vector<Edge_ids> edges() const {
+    return with_simulation([](const auto& s) { return s.triangulation().finite_edge_ids(); });
+  }
+  std::uint64_t number_of_events() const {
+    return with_simulation(
+        [](const auto& s) { return s.triangulation().counters().number_of_events(); });
+  }
+  double time() const {
+    return with_simulation([](const auto& s) { return s.current_time().to_double(); });
   }
   void advance();
   std::size_t step(const Algebraic_number& until);
@@ -141,7 +154,7 @@ class Simulation_run {
   Stopwatch stopwatch_;
   Run_statistics statistics_;
   std::optional<Event_log_writer> log_;
-  std::unique_ptr<Simulation_2<>> simulation_;
+  Any_simulation simulation_;
   std::optional<Closest_approaches> closest_;
   std::uint64_t events_before_ = 0;  // of the run that this one takes up
   std::size_t failures_ = 0;
@@ -176,26 +189,28 @@ void Simulation_run::build() {
   progress_.show_stage(fmt::format("triangulating {} points", statistics_.points));
   statistics_.seconds.read = stopwatch_.lap();
   simulation_ = source_.make_simulation(settings_.arithmetic);
-  events_before_ = triangulation().counters().number_of_events();
-  const Construction_seconds& construction = triangulation().construction_seconds();
+  events_before_ = number_of_events();
+  const Construction_seconds construction =
+      with_simulation([](const auto& s) { return s.triangulation().construction_seconds(); });
   statistics_.seconds.initialize = construction.initialize;
   statistics_.seconds.build = stopwatch_.lap() - construction.initialize;
   if (outputs_.initial_edges != nullptr) {
-    write_edges(outputs_.initial_edges->stream(), triangulation().finite_edge_ids());
+    write_edges(outputs_.initial_edges->stream(), edges());
   }
   if (outputs_.events != nullptr) {
     log_.emplace(outputs_.events->stream());
-    simulation_->add_observer(*log_);
+    with_simulation([this](auto& s) { s.add_observer(*log_); });
   }
-  if (settings_.closest > 0) closest_.emplace(*simulation_, settings_.closest);
+  // Asked for with recorded tracks only, which are linear.
+  if (settings_.closest > 0) closest_.emplace(*std::get<0>(simulation_), settings_.closest);
   statistics_.seconds.write += stopwatch_.lap();
 }
 
 std::size_t Simulation_run::step(const Algebraic_number& until) {
   try {
-    return simulation_->step(until);
+    return with_simulation([&](auto& s) { return s.step(until); });
   } catch (const Coincident_trajectories_error& error) {
-    throw source_.coincidence(error, simulation_->current_time().to_double());
+    throw source_.coincidence(error, time());
   }
 }
 
@@ -205,23 +220,22 @@ void Simulation_run::advance() {
   while (!interrupted() && step(until) > 0) {
     if (outputs_.events != nullptr && !outputs_.events->stream()) outputs_.events->finish();
     if (progress_.due()) {
-      progress_.show(simulation_->current_time().to_double(),
-                     triangulation().counters().number_of_events());
+      progress_.show(time(), number_of_events());
     }
     // Recomputing all certificates exactly is left to the audits at the two ends: it would take
     // nearly all the time of the run.
     if (settings_.audit == Audit_mode::events) audit(Audit_level::reference);
   }
   statistics_.interrupted = interrupted();
-  if (!statistics_.interrupted) simulation_->advance_to(until);
-  statistics_.reached = simulation_->current_time().to_double();
+  if (!statistics_.interrupted) with_simulation([&](auto& s) { s.advance_to(until); });
+  statistics_.reached = time();
   statistics_.seconds.run += stopwatch_.lap();
 }
 
 void Simulation_run::audit(Audit_level level) {
   constexpr std::size_t most_messages = 100;
   statistics_.seconds.run += stopwatch_.lap();
-  const Audit_report report = simulation_->audit(level);
+  const Audit_report report = with_simulation([&](const auto& s) { return s.audit(level); });
   ++statistics_.audits_run;
   if (!report.passed()) {
     ++statistics_.audits_failed;
@@ -230,8 +244,7 @@ void Simulation_run::audit(Audit_level level) {
   for (const std::string& failure : report.failures) {
     ++failures_;
     if (failures_ > most_messages) break;
-    fmt::print(stderr, "kinetri: audit just after t = {}: {}\n",
-               simulation_->current_time().to_double(), failure);
+    fmt::print(stderr, "kinetri: audit just after t = {}: {}\n", time(), failure);
     if (failures_ == most_messages) {
       fmt::print(stderr, "kinetri: further failures of audits are counted, not shown\n");
     }
@@ -251,17 +264,21 @@ void Simulation_run::write_approaches(std::ostream& out) {
 
 void Simulation_run::write_outputs() {
   if (outputs_.edges != nullptr) {
-    write_edges(outputs_.edges->stream(), triangulation().finite_edge_ids());
+    write_edges(outputs_.edges->stream(), edges());
   }
   if (outputs_.points != nullptr) source_.write_points(outputs_.points->stream());
   if (outputs_.checkpoint != nullptr) {
-    write_checkpoint(outputs_.checkpoint->stream(), {simulation_->snapshot(), source_.response()});
+    with_simulation([&](const auto& s) {
+      write_checkpoint(outputs_.checkpoint->stream(), {s.snapshot(), source_.response()});
+    });
   }
   if (outputs_.closest != nullptr) write_approaches(outputs_.closest->stream());
-  statistics_.triangulation = triangulation().counters();
-  statistics_.certificates = simulation_->certificate_counters();
-  statistics_.queue = triangulation().queue_counters();
-  statistics_.contacts = simulation_->contact_counters();
+  with_simulation([&](const auto& s) {
+    statistics_.triangulation = s.triangulation().counters();
+    statistics_.certificates = s.certificate_counters();
+    statistics_.queue = s.triangulation().queue_counters();
+    statistics_.contacts = s.contact_counters();
+  });
   statistics_.seconds.write += stopwatch_.lap();
   statistics_.peak_rss_bytes = peak_rss_bytes();
   if (outputs_.stats != nullptr) write_stats(outputs_.stats->stream(), statistics_);

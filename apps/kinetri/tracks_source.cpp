@@ -54,7 +54,7 @@ void Tracks_source::check_velocities() const {
   }
 }
 
-std::unique_ptr<Simulation_2<>> Tracks_source::make_simulation(Arithmetic arithmetic) const {
+Any_simulation Tracks_source::make_simulation(Arithmetic arithmetic) const {
   Simulation_options options;
   if (settings_.radius) {
     options.radius = *settings_.radius;

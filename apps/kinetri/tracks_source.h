@@ -33,7 +33,7 @@ class Tracks_source final : public Run_source {
   double from() const override { return from_; }
   double until() const override { return until_; }
   std::string response() const override { return settings_.radius ? "log" : "none"; }
-  std::unique_ptr<Simulation_2<>> make_simulation(Arithmetic arithmetic) const override;
+  Any_simulation make_simulation(Arithmetic arithmetic) const override;
   Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
   std::string name(Point_id id) const override { return file_.tracks[stays_[id].track].id; }
   std::vector<std::string> remarks() const override;

@@ -333,11 +333,6 @@ Simulation_snapshot<Traits> simulation_snapshot(const Json_value& state) {
   using Motion = typename Traits::Motion;
   Simulation_snapshot<Traits> result;
   Triangulation_snapshot<Traits>& topology = result.triangulation;
-  const Json_value motion_kind = state.member("motion");
-  if (motion_kind.text() != Checkpoint_motion<Motion>::name) {
-    motion_kind.fail(fmt::format("is {}; expected '{}'", kinetri::quoted(motion_kind.text()),
-                                 Checkpoint_motion<Motion>::name));
-  }
   topology.time = exact_time(state.member("time"));
   result.options = options(state);
   result.has_response = state.member("has_response").truth();
@@ -395,8 +390,11 @@ std::string_view state_text(std::string_view file, const std::string& file_name)
 
 void write_checkpoint(std::ostream& out, const Checkpoint& checkpoint) {
   std::string text = fmt::format("{}{}\n", format_name, version);
-  Checkpoint_writer<Linear_kinetic_traits_2>(text).write(checkpoint.simulation,
-                                                         checkpoint.response);
+  std::visit(
+      [&]<class Traits>(const Simulation_snapshot<Traits>& snapshot) {
+        Checkpoint_writer<Traits>(text).write(snapshot, checkpoint.response);
+      },
+      checkpoint.simulation);
   out << text << checksum_line(text);
 }
 
@@ -415,7 +413,17 @@ Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
     throw Input_error(
         name, 0, "is no JSON between its first and last line; expected the file as it was written");
   const Json_value state(json, name);
-  return {simulation_snapshot<Linear_kinetic_traits_2>(state), state.member("response").text()};
+  const Json_value motion = state.member("motion");
+  const std::string response = state.member("response").text();
+  if (motion.text() == Checkpoint_motion<Linear_motion_2>::name) {
+    return {simulation_snapshot<Linear_kinetic_traits_2>(state), response};
+  }
+  if (motion.text() == Checkpoint_motion<Polynomial_motion_2>::name) {
+    return {simulation_snapshot<Polynomial_kinetic_traits_2>(state), response};
+  }
+  motion.fail(fmt::format("is {}; expected '{}' or '{}'", kinetri::quoted(motion.text()),
+                          Checkpoint_motion<Linear_motion_2>::name,
+                          Checkpoint_motion<Polynomial_motion_2>::name));
 }
 
 Checkpoint read_checkpoint_file(const std::string& path) {

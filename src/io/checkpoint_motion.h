@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
 
 namespace kinetri {
 
@@ -30,6 +31,23 @@ struct Checkpoint_motion<Linear_motion_2> {
   static std::optional<Linear_motion_2> from_numbers(std::span<const double> numbers) {
     if (numbers.size() != 5) return std::nullopt;
     return Linear_motion_2{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4]};
+  }
+};
+
+template <>
+struct Checkpoint_motion<Polynomial_motion_2> {
+  static constexpr std::string_view name = "polynomial";
+  static constexpr std::string_view expected = "x, y, vx, vy, ax, ay, jx, jy and epoch";
+
+  static std::vector<double> numbers(const Polynomial_motion_2& motion) {
+    return {motion.position.x, motion.position.y,     motion.velocity.x,
+            motion.velocity.y, motion.acceleration.x, motion.acceleration.y,
+            motion.jerk.x,     motion.jerk.y,         motion.epoch};
+  }
+
+  static std::optional<Polynomial_motion_2> from_numbers(std::span<const double> n) {
+    if (n.size() != 9) return std::nullopt;
+    return Polynomial_motion_2{{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}, {n[6], n[7]}, n[8]};
   }
 };
 

@@ -6,5 +6,6 @@
 namespace kinetri {
 
 template class Kinetic_queries_2<Linear_kinetic_traits_2>;
+template class Kinetic_queries_2<Polynomial_kinetic_traits_2>;
 
 }  // namespace kinetri

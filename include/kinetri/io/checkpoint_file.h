@@ -8,6 +8,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <variant>
 
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_snapshot.h"
@@ -16,7 +17,9 @@ namespace kinetri {
 
 /// What a checkpoint file holds.
 struct Checkpoint {
-  Simulation_snapshot<Linear_kinetic_traits_2> simulation;
+  std::variant<Simulation_snapshot<Linear_kinetic_traits_2>,
+               Simulation_snapshot<Polynomial_kinetic_traits_2>>
+      simulation;
   /// The name of the response to collisions, for whoever restores the simulation and has to give it
   /// one: text in UTF-8. The program has the names of `named_responses`.
   std::string response = "none";

@@ -178,6 +178,7 @@ class Kinetic_queries_2 {
 };
 
 extern template class Kinetic_queries_2<Linear_kinetic_traits_2>;
+extern template class Kinetic_queries_2<Polynomial_kinetic_traits_2>;
 
 }  // namespace kinetri
 
