@@ -638,6 +638,19 @@ TEST(Queries, a_tie_at_an_irrational_time_is_found) {
   EXPECT_EQ(Kinetic_queries_2(kinetic, 1.5).closest_pair(), (Edge_ids{0, 1}));
 }
 
+// The pair 2-3 is longer or shorter than 1, the length of the pair 0-1, by 2^-40 t: far less than
+// the error of its coordinates in binary64.
+TEST(Queries, lengths_that_floating_point_cannot_tell_apart_are_compared_exactly) {
+  for (const double difference : {-0x1p-40, 0x1p-40}) {
+    const Kinetic_delaunay kinetic({{{0, 0}, {0, 0}},
+                                    {{1, 0}, {0, 0}},
+                                    {{1e6, 5}, {3, 0}},
+                                    {{1e6 + 1, 5}, {3 + difference, 0}}});
+    EXPECT_EQ(Kinetic_queries_2(kinetic, 0.1).closest_pair(),
+              (difference < 0 ? Edge_ids{2, 3} : Edge_ids{0, 1}));
+  }
+}
+
 // ---- numbers of any size ----
 
 TEST(Queries, of_tiny_and_huge_coordinates_are_exact) {
