@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "kinetri/kinetri.h"
+#include "kinetri/simulation/simulation_2.h"
 #include "support/live_bytes.h"
 #include "support/motions.h"
 
