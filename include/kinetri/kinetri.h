@@ -7,6 +7,7 @@
 #include "kinetri/base/error.h"
 #include "kinetri/events/event.h"
 #include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/audit.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"

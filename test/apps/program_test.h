@@ -28,6 +28,13 @@ constexpr const char* one_flip =
     "0,4,0,0\n"
     "3,3,1,1\n";
 
+/// Nine balls in a square of side 9 that fall.
+constexpr const char* falling_balls =
+    "x,y,vx,vy,ax,ay,jx,jy\n"
+    "1,1,2,0,0,-2,0,0\n4,1,-1,1,0,-2,0,0\n7.5,1.25,0,1,0,-2,0.1,0\n"
+    "1,4,0,0,0,-2,0,0\n4,4.5,1,1,0,-2,0,0\n7,4,-2,0,0,-2,0,0.2\n"
+    "1.5,7,1,0,0,-2,0,0\n4,7,0,-1,0,-2,0,0\n7,7,0.5,0,0,0,0,0\n";
+
 class Program_test : public testing::Test {
  protected:
   std::string file(const std::string& name) const { return directory_.file(name); }

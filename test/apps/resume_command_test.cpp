@@ -13,6 +13,7 @@ namespace {
 
 using test::Arguments;
 using test::Entries;
+using test::falling_balls;
 using test::one_flip;
 using test::Outcome;
 using test::Process;
@@ -42,7 +43,9 @@ TEST_F(Resume, ARunInTwoPartsIsTheRunInOne) {
         run({"generate", "lattice-jitter", "--points", "49", "--speed", "5", "--seed", "2"}).out);
   write("free.csv", run({"generate", "uniform", "--points", "60", "--seed", "3"}).out);
   write("grid.csv", run({"generate", "lattice", "--points", "25", "--seed", "4"}).out);
+  write("falling.csv", falling_balls);
   const std::vector<Arguments> runs = {
+      {"simulate", "falling.csv", "--box", "0,0,9,9", "--collisions", "elastic", "--radius", "0.5"},
       {"simulate", "discs.csv", "--box", "-5,-5,65,65", "--collisions", "elastic", "--radius", "3"},
       {"simulate", "discs.csv", "--box", "-5,-5,65,65", "--collisions", "log", "--radius", "3",
        "--rim"},

@@ -198,6 +198,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_input{"x,y,vx\n1,2,3\n", "p.csv:1: the column vy is missing;"},
         Bad_input{"x,y,x,vx,vy\n", "p.csv:1: the column x is named twice;"},
         Bad_input{"x,y,vx,vy,z\n", "p.csv:1: unknown column 'z';"},
+        Bad_input{"x,y,vx,vy,ax\n1,2,3,4,5\n", "p.csv:1: the column ay is missing;"},
+        Bad_input{"x,y,vx,vy,jx,jy\n1,2,3,4,5,6\n1,2,3,4,5,6\n",
+                  "p.csv:3: the point has the same place and derivatives as the one in line 2;"},
         Bad_input{"x,y,vx,vy\n1,2,3,4\n1,2,3\n", "p.csv:3: the row has 3 fields;"},
         Bad_input{"x,y,vx,vy\n1,2,3,4,5\n", "p.csv:2: the row has 5 fields;"},
         Bad_input{"x,y,vx,vy\n1,two,3,4\n", "p.csv:2: the column y is 'two', which is not a"},
@@ -331,6 +334,29 @@ TEST_F(Simulate, LogsWallsAndCollisions) {
   EXPECT_EQ(stats["instants"], 2);
   EXPECT_EQ(stats["contacts"]["most_at_one_time"], 1);
   EXPECT_EQ(stats["audits"]["failed"], 0);
+}
+
+TEST_F(Simulate, FollowsPointsThatAccelerate) {
+  // y = 4 - t^2, and a point that rests.
+  const Outcome outcome =
+      simulate("x,y,vx,vy,ax,ay\n1,4,0,0,0,-2\n3,1,0,0,0,0\n",
+               {"--until", "7", "--box", "0,0,4,4", "--events", "-", "--audit", "events"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n"
+            "0,wall,2,2,2,,,,,0,\n"
+            "1,wall,6,6,6,,,,,0,\n");
+  const Outcome balls =
+      simulate(test::falling_balls,
+               {"--until", "5", "--box", "0,0,9,9", "--collisions", "elastic", "--radius", "0.5",
+                "--stats", "stats.json", "--audit", "events", "--edges", "filtered.csv"});
+  EXPECT_EQ(balls.exit_code, 0) << balls.err;
+  const auto stats = nlohmann::json::parse(read("stats.json"));
+  EXPECT_EQ(stats["audits"]["failed"], 0);
+  EXPECT_GT(stats["events"]["collision"], 5);
+  simulate(test::falling_balls, {"--until", "5", "--box", "0,0,9,9", "--collisions", "elastic",
+                                 "--radius", "0.5", "--exact-only", "--edges", "exact.csv"});
+  EXPECT_EQ(read("filtered.csv"), read("exact.csv"));
 }
 
 TEST_F(Simulate, TakesTheRadiusOfAllDiscsFromAnOption) {

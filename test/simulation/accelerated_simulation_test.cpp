@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Walls, discs and scheduled changes of points that accelerate.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "kinetri/simulation/simulation_2.h"
+#include "support/kinetic_runs.h"
+
+namespace kinetri {
+namespace {
+
+using Simulation = Simulation_2<Polynomial_kinetic_traits_2>;
+
+struct Recorder : Simulation::Observer {
+  void after_event(const Event<Algebraic_number>& event) override {
+    if (event.kind == Event_kind::wall || event.kind == Event_kind::collision) {
+      contacts.push_back(event);
+    }
+    events.push_back(event);
+  }
+  std::vector<Event<Algebraic_number>> contacts;
+  std::vector<Event<Algebraic_number>> events;
+};
+
+Simulation_options balls(const Box_2& box, double radius, Collision_response response) {
+  Simulation_options options;
+  options.box = box;
+  options.radius = radius;
+  options.response = std::move(response);
+  return options;
+}
+
+Simulation_options in_box(const Box_2& box) {
+  Simulation_options options;
+  options.box = box;
+  return options;
+}
+
+TEST(Accelerated_points, bounce_from_the_floor_at_exact_times) {
+  // y = 1 - t^2: down at time 1, then up and down again in 2 units of time.
+  Simulation simulation({{{0.5, 1}, {0, 0}, {0, -2}, {0, 0}, 0}}, in_box({0, 0, 1, 4}));
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  simulation.advance_to(100.0);
+  ASSERT_EQ(recorder.contacts.size(), 50u);
+  for (std::size_t i = 0; i < 50; ++i) {
+    EXPECT_EQ(recorder.contacts[i].time, Algebraic_number(2.0 * static_cast<double>(i) + 1));
+    EXPECT_EQ(recorder.contacts[i].kind, Event_kind::wall);
+  }
+  EXPECT_EQ(simulation.triangulation().motion(0),
+            (Polynomial_motion_2{{0.5, 0}, {0, 2}, {0, -2}, {0, 0}, 99}));
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
+TEST(Accelerated_points, reach_walls_at_irrational_times) {
+  // x = t^3 is 10 at the cube root of 10; y = 1 + t^2 / 2 is 10 later.
+  Simulation simulation({{{0, 1}, {0, 0}, {0, 1}, {6, 0}, 0}}, in_box({0, 0, 10, 10}));
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  simulation.advance_to(3.0);
+  ASSERT_EQ(recorder.contacts.size(), 1u);
+  EXPECT_TRUE(recorder.contacts[0].time.is_root_of(Polynomial{-10, 0, 0, 1}));
+}
+
+TEST(Accelerated_points, that_only_touch_a_wall_are_not_reflected) {
+  // y = (t - 1)^2
+  Simulation simulation({{{1, 1}, {0, -2}, {0, 2}, {0, 0}, 0}}, in_box({0, 0, 2, 20}));
+  EXPECT_EQ(simulation.advance_to(3.0), 0u);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
+TEST(Accelerated_points, pressed_against_a_wall_end_the_run_with_their_name) {
+  Simulation_options options = in_box({0, 0, 2, 2});
+  options.contacts_at_one_time = 1000;
+  Simulation simulation(
+      {{{0.5, 1}, {0, 0}, {0, 0}, {0, 0}, 0}, {{1, 0}, {0, 0}, {0, -1}, {0, 0}, 0}}, options);
+  try {
+    simulation.advance_to(1.0);
+    FAIL() << "a point on the floor that falls";
+  } catch (const Endless_contacts_error& error) {
+    EXPECT_NE(std::string(error.what()).find("point 1 and a wall"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Accelerated_discs, that_part_and_come_back_before_they_are_apart_collide) {
+  // Along x at a distance of 1 + t - t^2 / 2, with a diameter of 2: greatest at t = 1, where it is
+  // 1.5. They overlap throughout, and approach from then on.
+  Simulation_options options;
+  options.radius = 1;
+  options.response = log_contact;
+  Simulation simulation({{{0, 0}, {0, 0}, {0, 0}, {0, 0}, 0}, {{1, 0}, {1, 0}, {-1, 0}, {0, 0}, 0}},
+                        options);
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  simulation.advance_to(2.0);
+  ASSERT_EQ(recorder.contacts.size(), 1u);
+  EXPECT_EQ(recorder.contacts[0].time, Algebraic_number(1.0));
+}
+
+// Balls on a lattice that fall, some of them also with a jerk of their own.
+std::vector<Polynomial_motion_2> falling_balls(int side, bool has_jerk, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Polynomial_motion_2> result;
+  for (int i = 0; i < side * side; ++i) {
+    Polynomial_motion_2 m;
+    m.position = {4.0 * (i % side) + unit(random), 4.0 * (i / side) + unit(random)};
+    m.velocity = {3 * unit(random), 3 * unit(random)};
+    m.acceleration = {0, -2};
+    if (has_jerk && i % 3 == 0) m.jerk = {unit(random), 0};
+    result.push_back(m);
+  }
+  return result;
+}
+
+Box_2 box_of(int side) {
+  return {-2, -2, 4.0 * side - 2, 4.0 * side - 2};
+}
+
+TEST(Accelerated_discs, keep_their_energy_in_a_box_and_are_audited) {
+  constexpr int side = 5;
+  Simulation simulation(falling_balls(side, false, 1),
+                        balls(box_of(side), 0.7, collide_elastically));
+  const auto energy = [&] {
+    double sum = 0;
+    for (Point_id id = 0; id < side * side; ++id) {
+      const Polynomial_motion_2& m = simulation.triangulation().motion(id);
+      const double t = simulation.current_time().to_double();
+      const Vector_2 v = rounded_velocity(m, t);
+      sum += (v.x * v.x + v.y * v.y) / 2 + 2 * rounded_place(m, t).y;
+    }
+    return sum;
+  };
+  const double before = energy();
+  for (int second = 1; second <= 10; ++second) {
+    simulation.advance_to(static_cast<double>(second));
+    const Audit_report report = simulation.audit(Audit_level::certificates);
+    ASSERT_TRUE(report.passed()) << report.failures.front();
+  }
+  const auto& events = simulation.triangulation().counters().events;
+  EXPECT_GT(events[static_cast<std::size_t>(Event_kind::collision)], 100u);
+  EXPECT_GT(events[static_cast<std::size_t>(Event_kind::wall)], 30u);
+  // Rounded places and velocities: not exact, as for all responses.
+  EXPECT_NEAR(energy(), before, 1e-9 * before);
+}
+
+TEST(Accelerated_discs, have_the_same_events_without_filters) {
+  constexpr int side = 3;
+  const auto events_with = [&](const Polynomial_kinetic_traits_2& traits) {
+    Simulation simulation(falling_balls(side, true, 2),
+                          balls(box_of(side), 0.7, collide_elastically), Algebraic_number(),
+                          traits);
+    Recorder recorder;
+    simulation.add_observer(recorder);
+    simulation.advance_to(4.0);
+    return recorder.events;
+  };
+  const auto filtered = events_with(Polynomial_kinetic_traits_2());
+  EXPECT_GT(filtered.size(), 50u);
+  EXPECT_EQ(test::difference(filtered, events_with(Polynomial_kinetic_traits_2::exact())), "");
+}
+
+TEST(Accelerated_discs, go_on_from_a_snapshot_as_if_there_had_been_no_break) {
+  constexpr int side = 4;
+  const auto options = balls(box_of(side), 0.7, collide_elastically);
+  Simulation whole(falling_balls(side, true, 3), options);
+  Simulation first(falling_balls(side, true, 3), options);
+  Recorder expected;
+  whole.add_observer(expected);
+  Recorder actual;
+  first.add_observer(actual);
+  first.advance_to(1.3);
+  Simulation second(first.snapshot(), collide_elastically);
+  second.add_observer(actual);
+  second.advance_to(3.0);
+  whole.advance_to(3.0);
+  EXPECT_GT(expected.events.size(), 60u);
+  EXPECT_EQ(test::difference(expected.events, actual.events), "");
+}
+
+TEST(Accelerated_points, come_turn_and_go_by_schedule) {
+  Simulation simulation(falling_balls(3, true, 4), {});
+  const Point_id comes = simulation.schedule_insert(0.5, {{3, 3}, {1, 0}, {0, 5}, {0, 0}, 0.5});
+  simulation.schedule_motion(1.0, 0, {{0, 9}, {1, 0}, {0, -5}, {1, 1}, 1.0});
+  simulation.schedule_erase(1.5, 4);
+  simulation.advance_to(2.0);
+  EXPECT_TRUE(simulation.triangulation().contains(comes));
+  EXPECT_FALSE(simulation.triangulation().contains(4));
+  EXPECT_EQ(simulation.triangulation().motion(0).jerk, (Vector_2{1, 1}));
+  const Audit_report report = simulation.audit(Audit_level::certificates);
+  EXPECT_TRUE(report.passed()) << report.failures.front();
+}
+
+}  // namespace
+}  // namespace kinetri
