@@ -121,18 +121,17 @@ class Checkpoint_writer {
     add("contacts_at_one_time", options.contacts_at_one_time);
   }
 
-  // Of each face the vertices (null for the infinite one), the neighbors, and the sides of queue
-  // entries, as many of each as the dimension has.
+  // Of each face the vertices (null for the infinite one) and the neighbors, as many as the
+  // dimension has.
   void write_faces(const Triangulation_snapshot<Traits>& topology) {
     const auto vertices = static_cast<std::size_t>(std::max(topology.dimension, 0) + 1);
     const auto neighbors = static_cast<std::size_t>(topology.dimension + 1);
     add_list("faces", topology.faces, [&](const auto& face) {
-      Json lists = {Json::array(), Json::array(), Json::array()};
+      Json lists = {Json::array(), Json::array()};
       for (std::size_t i = 0; i < vertices; ++i) {
         const Point_id id = face.vertices[i];
         lists[0].push_back(id == no_point ? Json() : Json(id));
         if (i < neighbors) lists[1].push_back(face.neighbors[i]);
-        if (topology.dimension == 2) lists[2].push_back(face.has_queue_entry[i]);
       }
       return lists;
     });
@@ -285,17 +284,15 @@ template <class Traits>
 void read_faces(const Json_value& state, Triangulation_snapshot<Traits>& topology) {
   const auto vertices = static_cast<std::size_t>(std::max(topology.dimension, 0) + 1);
   const auto neighbors = static_cast<std::size_t>(topology.dimension + 1);
-  const std::size_t entries = topology.dimension == 2 ? 3 : 0;
   const auto face_number = [](const Json_value& value) {
     return value.whole_number<std::size_t>();
   };
   const Json_value faces = state.member("faces");
   topology.faces.reserve(faces.size());
   faces.for_each([&](const Json_value& lists) {
-    lists.expect_size(3);
+    lists.expect_size(2);
     lists.element(0).expect_size(vertices);
     lists.element(1).expect_size(neighbors);
-    lists.element(2).expect_size(entries);
     auto& face = topology.faces.emplace_back();
     for (std::size_t i = 0; i < vertices; ++i) {
       const Json_value list = lists.element(0);
@@ -304,10 +301,6 @@ void read_faces(const Json_value& state, Triangulation_snapshot<Traits>& topolog
     for (std::size_t i = 0; i < neighbors; ++i) {
       const Json_value list = lists.element(1);
       face.neighbors[i] = face_number(list.element(i));
-    }
-    for (std::size_t i = 0; i < entries; ++i) {
-      const Json_value list = lists.element(2);
-      face.has_queue_entry[i] = list.element(i).truth();
     }
   });
   state.member("vertex_faces").for_each([&](const Json_value& face) {

@@ -36,6 +36,8 @@ TEST(Simulation_snapshot, knows_the_discs_left_in_contact) {
   Simulation restored(snapshot, log_contact);
   restored.advance_to(10.0);
   EXPECT_EQ(count(restored, Event_kind::collision), 1u);
+  EXPECT_EQ(simulation.contact_counters().instants, 1u);
+  EXPECT_EQ(restored.contact_counters().instants, 1u);
   Simulation forgetful(
       [&] {
         Snapshot forgets = snapshot;

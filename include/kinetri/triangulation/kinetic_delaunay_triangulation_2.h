@@ -315,11 +315,9 @@ class Kinetic_delaunay_triangulation_2 {
   // Snapshots.
   struct Restoration {};
   Kinetic_delaunay_triangulation_2(Restoration, const Snapshot& snapshot, const Traits& traits);
-  std::vector<Face_handle> make_faces(const Snapshot& snapshot);
+  void make_faces(const Snapshot& snapshot);
   void check_restored() const;
   void check_restored_chain() const;
-  std::vector<Edge> sides_in_queue(const Snapshot& snapshot,
-                                   const std::vector<Face_handle>& faces) const;
 
   // Certificates.
   std::vector<Edge> edges() const;
@@ -337,7 +335,7 @@ class Kinetic_delaunay_triangulation_2 {
   void schedule(const Two_sided_edge& edge, const Time& after,
                 Certificate_state state = Certificate_state::any);
   Entry make_entry(const Edge& edge, Prospect prospect);
-  void schedule_all(const std::vector<Edge>& all);
+  void schedule_all();
   void unschedule(const Two_sided_edge& edge);
   static Event_kind event_kind(Entry_kind failure);
   static void set_event(const Two_sided_edge& edge, Queue_handle handle);

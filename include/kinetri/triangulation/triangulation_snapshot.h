@@ -16,11 +16,11 @@
 
 namespace kinetri {
 
-/// A snapshot of Kinetic_delaunay_triangulation_2. The edges alone would not do: which of two
-/// diagonals of cocircular points an insertion or removal chooses depends on the face in which it
-/// begins, and on the order of the vertices in the faces. The queue is not part of it, since a
-/// certificate's failure does not depend on when it was found; only the side of its edge is, from
-/// which it will be flipped.
+/// A snapshot of Kinetic_delaunay_triangulation_2. The points alone would not do, since cocircular
+/// ones have several triangulations. The order of the vertices in a face, and the face at which
+/// CGAL begins at a vertex, are part of it so that CGAL's queries, too, go the same way and decide
+/// ties alike. The queue is not, since when a certificate fails does not depend on when that was
+/// found.
 template <KineticTraits_2 Traits>
 struct Triangulation_snapshot {
   using Motion = typename Traits::Motion;
@@ -31,7 +31,6 @@ struct Triangulation_snapshot {
   struct Face {
     std::array<Point_id, 3> vertices = {};      ///< the infinite one is no_point
     std::array<std::size_t, 3> neighbors = {};  ///< positions in `faces`
-    std::array<bool, 3> has_queue_entry = {};   ///< in dimension 2: whether the edge opposite has
                                                 ///< one, on this side; at most one of its sides has
   };
 

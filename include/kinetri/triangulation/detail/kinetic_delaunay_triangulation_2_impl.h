@@ -38,7 +38,7 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
   triangulation_ = build(points, start);
   index_vertices();
   const auto built = std::chrono::steady_clock::now();
-  schedule_all(edges());
+  schedule_all();
   const auto initialized = std::chrono::steady_clock::now();
   using Seconds = std::chrono::duration<double>;
   construction_seconds_ = {Seconds(built - started).count(), Seconds(initialized - built).count()};
@@ -285,10 +285,10 @@ auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge
   return result;
 }
 
-// Schedules all edges, each from the side given; the queue is empty. The prospects of a block of
+// Schedules every edge; the queue is empty. The prospects of a block of
 // edges are found by several threads; only the queue is filled by one.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_all(const std::vector<Edge>& all) {
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
   constexpr std::size_t edges_per_task = 4096;
   struct Task {
     std::span<const Edge> edges;
@@ -296,6 +296,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_all(const std::vector<Ed
     std::vector<std::optional<Prospect>> prospects;
     Certificate_counters counters;
   };
+  const std::vector<Edge> all = edges();
   std::vector<Entry> entries;
   entries.reserve(all.size());
   std::vector<Task> tasks(2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));

@@ -81,7 +81,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_ve
   }
   std::ranges::sort(points, {}, &Point_2::id);
   adopt(build(points, current_time_));
-  schedule_all(edges());
+  schedule_all();
   for (const Edge_ids& edge : finite_edge_ids()) ++(*rebuilt_edges_)[edge];
 }
 

@@ -32,13 +32,11 @@ auto Kinetic_delaunay_triangulation_2<Traits>::snapshot() const -> Snapshot {
   }
   result.faces.resize(numbers.size());
   for (const auto& [face, number] : numbers) {
-    auto& [vertices, neighbors, has_queue_entry] = result.faces[number];
+    auto& [vertices, neighbors] = result.faces[number];
     for (int i = 0; i <= std::max(result.dimension, 0); ++i) {
       const auto at = static_cast<std::size_t>(i);
       vertices[at] = face->vertex(i)->point().id();
       if (result.dimension >= 0) neighbors[at] = numbers.at(face->neighbor(i));
-      if (result.dimension < 2 || face->event(i) == no_event) continue;
-      has_queue_entry[at] = queue_[face->event(i)].edge() == Edge(face, i);
     }
   }
   result.infinite_vertex_face = numbers.at(triangulation_.infinite_vertex()->face());
@@ -58,21 +56,20 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(Resto
   const auto started = std::chrono::steady_clock::now();
   detail::Snapshot_links<Snapshot>(snapshot).check();
   triangulation_ = Triangulation(traits_.instantaneous_traits({current_time_, Side::after}));
-  const std::vector<Face_handle> faces = make_faces(snapshot);
+  make_faces(snapshot);
   check_restored();
   const auto built = std::chrono::steady_clock::now();
   certificate_counters_ = snapshot.certificates;
-  schedule_all(sides_in_queue(snapshot, faces));
+  schedule_all();
   counters_ = snapshot.counters;
   const auto initialized = std::chrono::steady_clock::now();
   using Seconds = std::chrono::duration<double>;
   construction_seconds_ = {Seconds(built - started).count(), Seconds(initialized - built).count()};
 }
 
-// Makes the vertices and faces of a snapshot whose links are right. Returns the faces in its order.
+// Makes the vertices and faces of a snapshot whose links are right.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::make_faces(const Snapshot& snapshot)
-    -> std::vector<Face_handle> {
+void Kinetic_delaunay_triangulation_2<Traits>::make_faces(const Snapshot& snapshot) {
   auto& tds = triangulation_.tds();
   tds.faces().clear();
   tds.set_dimension(snapshot.dimension);
@@ -89,7 +86,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::make_faces(const Snapshot& snapsh
   }
   triangulation_.infinite_vertex()->set_face(faces[snapshot.infinite_vertex_face]);
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto& [vertices, neighbors, unused] = snapshot.faces[f];
+    const auto& [vertices, neighbors] = snapshot.faces[f];
     for (int i = 0; i <= std::max(snapshot.dimension, 0); ++i) {
       const auto at = static_cast<std::size_t>(i);
       faces[f]->set_vertex(
@@ -97,39 +94,17 @@ auto Kinetic_delaunay_triangulation_2<Traits>::make_faces(const Snapshot& snapsh
       if (snapshot.dimension >= 0) faces[f]->set_neighbor(i, faces[neighbors[at]]);
     }
   }
-  return faces;
-}
-
-// Every edge from the side on which its entry was, those without one as in edges().
-template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::sides_in_queue(
-    const Snapshot& snapshot, const std::vector<Face_handle>& faces) const -> std::vector<Edge> {
-  if (snapshot.dimension < 2) return edges();
-  std::vector<Edge> result;
-  result.reserve(3 * (vertices_.size() + 1));
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      const Two_sided_edge edge = two_sided(Edge(faces[f], i));
-      const std::size_t g = snapshot.faces[f].neighbors[static_cast<std::size_t>(i)];
-      const bool is_here = snapshot.faces[f].has_queue_entry[static_cast<std::size_t>(i)];
-      const bool is_there =
-          snapshot.faces[g].has_queue_entry[static_cast<std::size_t>(edge.there.second)];
-      if (is_here || (!is_there && faces[f]->vertex(Triangulation::cw(i))->point().id() <
-                                       faces[f]->vertex(Triangulation::ccw(i))->point().id())) {
-        result.push_back(edge.here);
-      }
-    }
-  }
-  return result;
 }
 
 // Throws unless faces whose links are right are a Delaunay triangulation just after the present
-// time. The links make closed surfaces with as many faces as a sphere. One without the infinite
-// vertex would be finite triangles whose signed areas add up to nothing; so, with all of them left
-// turns, there is one surface, and it is a sphere. What is left is a disc that might cover places
-// of the plane more than once, as about a point whose angles add up to two turns. Its hull, nowhere
-// a right turn, then goes around more than once, and as often as it goes around it has a vertex
-// that is lexicographically less than both its neighbors.
+// time. The links make closed surfaces, which may have vertices in common. None is without the
+// infinite vertex: it would be finite triangles whose signed areas add up to nothing, though all of
+// them turn left. Each way around the infinite vertex is a polygon that turns right nowhere, and so
+// has as many vertices that are lexicographically less than both their neighbors as it goes around,
+// at least one. Where there is one in all, there is one surface, with one hull that goes around
+// once. Had it a handle, or a vertex in two places, it would have more faces than the number of
+// vertices allows; so it is a sphere. And since the hull goes around once, the angles at each inner
+// vertex add up to no more than one turn (Gauss and Bonnet): no place is covered twice.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::check_restored() const {
   if (triangulation_.dimension() < 2) return check_restored_chain();
@@ -150,6 +125,10 @@ void Kinetic_delaunay_triangulation_2<Traits>::check_restored() const {
                            std::to_string(f->vertex(2)->point().id()) + " is not counterclockwise");
     }
   }
+  const auto edge_text = [](const Edge& edge) {
+    const Edge_ids ids = ids_of(edge);
+    return std::to_string(ids[0]) + " and " + std::to_string(ids[1]);
+  };
   std::size_t least_vertices = 0;
   for (const Edge& edge : edges()) {
     const auto& [face, i] = edge;
@@ -160,15 +139,16 @@ void Kinetic_delaunay_triangulation_2<Traits>::check_restored() const {
                              std::to_string(here->point().id()));
       }
       if (is_less(here, previous) && is_less(here, next)) ++least_vertices;
+    } else if (triangulation_.is_infinite(face) && triangulation_.is_infinite(face->neighbor(i))) {
+      throw Snapshot_error("the snapshot's edge of points " + edge_text(edge) + " has no triangle");
     } else if (!triangulation_.is_infinite(face) &&
                !triangulation_.is_infinite(face->neighbor(i)) &&
                now.side_of_oriented_circle_2_object()(
                    face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
                    triangulation_.tds().mirror_vertex(face, i)->point()) ==
                    CGAL::ON_POSITIVE_SIDE) {
-      const Edge_ids ids = ids_of(edge);
-      throw Snapshot_error("the snapshot's edge of points " + std::to_string(ids[0]) + " and " +
-                           std::to_string(ids[1]) + " is not locally Delaunay");
+      throw Snapshot_error("the snapshot's edge of points " + edge_text(edge) +
+                           " is not locally Delaunay");
     }
   }
   if (least_vertices != 1) throw Snapshot_error("the snapshot's hull goes around more than once");

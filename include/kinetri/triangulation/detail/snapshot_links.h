@@ -32,10 +32,10 @@ class Snapshot_links {
     check_numbers();
     for (std::size_t f = 0; f < snapshot_.faces.size(); ++f) check_vertices(f);
     for (std::size_t f = 0; f < snapshot_.faces.size(); ++f) check_neighbors(f);
-    check_around(no_point, snapshot_.infinite_vertex_face, faces_at_infinity_);
+    check_face_of(no_point, snapshot_.infinite_vertex_face);
     for (std::size_t id = 0; id < snapshot_.motions.size(); ++id) {
       if (!snapshot_.motions[id]) continue;
-      check_around(static_cast<Point_id>(id), snapshot_.vertex_faces[id], faces_at_[id]);
+      check_face_of(static_cast<Point_id>(id), snapshot_.vertex_faces[id]);
     }
   }
 
@@ -79,7 +79,6 @@ class Snapshot_links {
         fail("the motion of point " + std::to_string(id) + " has a number that is not finite");
       }
     }
-    faces_at_.assign(ids, 0);
   }
 
   // Euler's formula says how many faces there are.
@@ -98,7 +97,7 @@ class Snapshot_links {
     }
   }
 
-  void check_vertices(std::size_t f) {
+  void check_vertices(std::size_t f) const {
     const Face& face = snapshot_.faces[f];
     for (int i = 0; i < corners(); ++i) {
       const Point_id id = vertex(face, i);
@@ -106,7 +105,6 @@ class Snapshot_links {
         fail_at(f, "has " + vertex_name(id) + ", which is not there");
       }
       if (index(face, id) != i) fail_at(f, "has " + vertex_name(id) + " twice");
-      ++(id == no_point ? faces_at_infinity_ : faces_at_[id]);
     }
   }
 
@@ -134,36 +132,17 @@ class Snapshot_links {
     const int right = index(other, vertex(face, ccw(i)));
     if (right == corners()) return false;
     const int j = ccw(right);
-    return vertex(other, ccw(j)) == vertex(face, cw(i)) && neighbor(other, j) == f &&
-           !(face.has_queue_entry[static_cast<std::size_t>(i)] &&
-             other.has_queue_entry[static_cast<std::size_t>(j)]);
+    return vertex(other, ccw(j)) == vertex(face, cw(i)) && neighbor(other, j) == f;
   }
 
-  // All faces at a vertex are met on one way around it, which begins at its face. In dimension 1
-  // that of the infinite vertex is the whole chain.
-  void check_around(Point_id id, std::size_t first, std::size_t faces) const {
-    if (first >= snapshot_.faces.size() || index(snapshot_.faces[first], id) == corners()) {
-      fail("the snapshot gives " + vertex_name(id) + " the face " + std::to_string(first) +
-           ", which does not have it");
-    }
-    const bool is_chain = snapshot_.dimension == 1 && id == no_point;
-    if (snapshot_.dimension < 2 && !is_chain) return;
-    std::size_t met = 0;
-    std::size_t f = first;
-    do {
-      const Face& face = snapshot_.faces[f];
-      f = neighbor(face, is_chain ? 0 : ccw(index(face, id)));
-      ++met;
-    } while (f != first);
-    if (met != (is_chain ? snapshot_.faces.size() : faces)) {
-      fail("the faces of the snapshot at " + vertex_name(id) + " do not hang together");
-    }
+  void check_face_of(Point_id id, std::size_t f) const {
+    if (f < snapshot_.faces.size() && index(snapshot_.faces[f], id) < corners()) return;
+    fail("the snapshot gives " + vertex_name(id) + " the face " + std::to_string(f) +
+         ", which does not have it");
   }
 
   const Snapshot& snapshot_;
   std::size_t points_ = 0;
-  std::vector<std::size_t> faces_at_;  // their number, by point id
-  std::size_t faces_at_infinity_ = 0;
 };
 
 }  // namespace kinetri::detail
