@@ -16,7 +16,8 @@ namespace kinetri {
 // object as its first argument.
 Audit_report
 faulty_audit(const Kinetic_delaunay_triangulation_2<>* audited, Audit_level level) __asm__(
-    "_ZNK7kinetri32Kinetic_delaunay_triangulation_2INS_23Linear_kinetic_traits_2EE5audit"
+    "_ZNK7kinetri32Kinetic_delaunay_triangulation_2INS_22Basic_kinetic_traits_2INS_15Linear_motion_"
+    "2EEEE5audit"
     "ENS_11Audit_levelE");
 
 Audit_report faulty_audit(const Kinetic_delaunay_triangulation_2<>* /*audited*/,

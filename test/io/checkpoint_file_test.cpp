@@ -129,7 +129,7 @@ class Random_run {
     simulation_.reset();
     const Checkpoint checkpoint = read_checkpoint_file(directory_.file("run"));
     EXPECT_EQ(checkpoint.response, "some");
-    simulation_ = std::make_unique<Simulation>(checkpoint.simulation, response_);
+    simulation_ = std::make_unique<Simulation>(std::get<0>(checkpoint.simulation), response_);
     watch();
   }
 
@@ -238,14 +238,15 @@ TEST(Checkpoint, numbers_read_back_exactly) {
   simulation.schedule_erase(Algebraic_number(0.1), 2);
   const Checkpoint read = checkpoint_of(text_of({simulation.snapshot(), "\"odd\" \n name \u00e4"}));
   EXPECT_EQ(read.response, "\"odd\" \n name \u00e4");
-  EXPECT_EQ(read.simulation.triangulation.time, Algebraic_number(Rational(-1, 3)));
+  EXPECT_EQ(std::get<0>(read.simulation).triangulation.time, Algebraic_number(Rational(-1, 3)));
   for (Point_id id = 0; id < 3; ++id) {
-    EXPECT_EQ(read.simulation.triangulation.motions[id], simulation.triangulation().motion(id));
+    EXPECT_EQ(std::get<0>(read.simulation).triangulation.motions[id],
+              simulation.triangulation().motion(id));
   }
-  EXPECT_TRUE(std::signbit(read.simulation.triangulation.motions[0]->position.x));
-  EXPECT_TRUE(std::signbit(read.simulation.triangulation.motions[1]->velocity.y));
-  ASSERT_EQ(read.simulation.scheduled.size(), 1u);
-  EXPECT_EQ(read.simulation.scheduled[0].time, Algebraic_number(0.1));
+  EXPECT_TRUE(std::signbit(std::get<0>(read.simulation).triangulation.motions[0]->position.x));
+  EXPECT_TRUE(std::signbit(std::get<0>(read.simulation).triangulation.motions[1]->velocity.y));
+  ASSERT_EQ(std::get<0>(read.simulation).scheduled.size(), 1u);
+  EXPECT_EQ(std::get<0>(read.simulation).scheduled[0].time, Algebraic_number(0.1));
 }
 
 TEST(Checkpoint, read_and_written_again_is_the_same_text) {
@@ -256,8 +257,9 @@ TEST(Checkpoint, read_and_written_again_is_the_same_text) {
     const std::string text = text_of({simulation.snapshot(), "none"});
     const Checkpoint read = checkpoint_of(text);
     EXPECT_EQ(text_of(read), text);
-    EXPECT_EQ(read.simulation.triangulation.counters, simulation.triangulation().counters());
-    EXPECT_EQ(read.simulation.counters.most_at_one_time,
+    EXPECT_EQ(std::get<0>(read.simulation).triangulation.counters,
+              simulation.triangulation().counters());
+    EXPECT_EQ(std::get<0>(read.simulation).counters.most_at_one_time,
               simulation.contact_counters().most_at_one_time);
   }
 }
@@ -267,8 +269,8 @@ TEST(Checkpoint, of_few_points_is_read_back) {
     std::vector<Linear_motion_2> motions;
     for (std::size_t i = 0; i < points; ++i) motions.push_back({{double(i), 0}, {0, double(i)}, 0});
     Simulation simulation(motions, {});
-    Simulation restored(checkpoint_of(text_of({simulation.snapshot(), "none"})).simulation,
-                        nullptr);
+    Simulation restored(
+        std::get<0>(checkpoint_of(text_of({simulation.snapshot(), "none"})).simulation), nullptr);
     EXPECT_EQ(restored.triangulation().finite_edge_ids(),
               simulation.triangulation().finite_edge_ids());
     restored.insert({{9, 8}, {7, 6}, 0});
@@ -433,7 +435,8 @@ TEST_F(Forged_checkpoint, changed_at_random_is_refused_or_right) {
     }
     try {
       const Checkpoint read = checkpoint_of(signed_anew(forged));
-      Simulation restored(read.simulation, read.simulation.has_response ? response : nullptr);
+      Simulation restored(std::get<0>(read.simulation),
+                          std::get<0>(read.simulation).has_response ? response : nullptr);
       ASSERT_TRUE(restored.audit(Audit_level::certificates).passed());
       ++right;
       restored.step();

@@ -107,7 +107,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::reverse() {
   if (has_flat_triangle()) {
     rebuild();
   } else {
-    schedule_all(edges());
+    schedule_all();
     execute_due_events();
   }
   report_rebuild();
