@@ -59,58 +59,18 @@ class Polynomial_filter : public testing::TestWithParam<int> {
 };
 
 TEST_P(Polynomial_filter, never_contradicts_exact_arithmetic) {
-  int decided = 0;
-  int failures = 0;
+  test::Decided decided;
   const int cases = 500 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
-    const int mode = modes[static_cast<std::size_t>(i) % modes.size()];
     const Motions m = next();
     SCOPED_TRACE(test::describe(m));
-    const double t = time();
-    const Point p(m[0]);
-    const Point q(m[1]);
-    const Point r(m[2]);
-    const Point s(m[3]);
-    for (const bool is_negated : {false, true}) {
-      const Polynomial_motion_2& a = m[is_negated ? 1 : 0];
-      const Polynomial_motion_2& b = m[is_negated ? 0 : 1];
-      Polynomial circle = in_circle_polynomial(p, q, r, s);
-      if (!is_negated) circle = -circle;
-      const Filter_verdict verdict = test::in_mode(mode, [&] {
-        return filter_in_circle(a, b, m[2], m[3], {t, t}, false);
-      });
-      test::expect_true(verdict, circle, t);
-      if (HasFatalFailure()) return;
-      decided += verdict.kind != Filter_verdict::Kind::unknown;
-      if (verdict.kind == Filter_verdict::Kind::fails) {
-        ++failures;
-        const auto root = first_root_after(circle, t);
-        ASSERT_TRUE(root);
-        const Filter_verdict beyond = test::in_mode(
-            mode, [&] { return filter_in_circle(b, a, m[2], m[3], verdict.bounds, true); });
-        test::expect_true(beyond, -circle, root->value);
-        if (HasFatalFailure()) return;
-      }
-
-      Polynomial turn = orientation_polynomial(p, q, r);
-      if (is_negated) turn = -turn;
-      const Filter_verdict turn_verdict = test::in_mode(mode, [&] {
-        return filter_orientation(a, b, m[2], {t, t}, false);
-      });
-      test::expect_true(turn_verdict, turn, t);
-      if (HasFatalFailure()) return;
-      if (turn_verdict.kind == Filter_verdict::Kind::fails) {
-        const auto root = first_root_after(turn, t);
-        ASSERT_TRUE(root);
-        test::expect_true(filter_orientation(b, a, m[2], turn_verdict.bounds, true), -turn,
-                          root->value);
-        if (HasFatalFailure()) return;
-      }
-    }
+    test::expect_true_certificates(m, time(), modes[static_cast<std::size_t>(i) % modes.size()],
+                                   decided);
+    if (HasFatalFailure()) return;
   }
   if (GetParam() == 0) {
-    EXPECT_GT(decided, cases * 99 / 100) << "of the certificates, half hold at the start";
-    EXPECT_GT(failures, cases / 50);
+    EXPECT_GT(decided.all, cases * 99 / 100) << "of the certificates, half hold at the start";
+    EXPECT_GT(decided.failures, cases / 50);
   }
 }
 

@@ -6,10 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cfenv>
 
 #include "kinetri/algebra/real_roots.h"
-#include "kinetri/kinetic/filter_verdict.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
+#include "kinetri/kinetic/linear_filter.h"
+#include "kinetri/kinetic/polynomial_filter.h"
 
 namespace kinetri::test {
 
@@ -48,6 +51,58 @@ Filter_verdict in_mode(int mode, const Filter& filter) {
   EXPECT_EQ(std::fegetround(), mode);
   std::fesetround(FE_TONEAREST);
   return verdict;
+}
+
+/// How many in-circle certificates a filter has decided, and of these how many fail.
+struct Decided {
+  int all = 0;
+  int failures = 0;
+};
+
+/// Checks what the filters say in a rounding mode about the certificates of four points from `t`
+/// on, about their negatives, and how either goes on after its failure.
+template <class Motion>
+void expect_true_certificates(const std::array<Motion, 4>& m, double t, int mode,
+                              Decided& decided) {
+  using Point = Basic_moving_point_2<Motion>;
+  const Polynomial in_circle =
+      in_circle_polynomial(Point(m[0]), Point(m[1]), Point(m[2]), Point(m[3]));
+  const Polynomial orientation = orientation_polynomial(Point(m[0]), Point(m[1]), Point(m[2]));
+  const auto expect = [&](const Polynomial& certificate, const auto& filter) {
+    const Filter_verdict verdict = in_mode(mode, [&] {
+      return filter(false, Double_interval{t, t}, false);
+    });
+    expect_true(verdict, certificate, t);
+    if (testing::Test::HasFatalFailure() || verdict.kind != Filter_verdict::Kind::fails) {
+      return verdict.kind;
+    }
+    // After its failure, the negated certificate goes on from a root.
+    const auto root = first_root_after(certificate, t);
+    EXPECT_TRUE(root);
+    if (root) {
+      expect_true(in_mode(mode, [&] { return filter(true, verdict.bounds, true); }), -certificate,
+                  root->value);
+    }
+    return verdict.kind;
+  };
+  for (const bool is_negated : {false, true}) {
+    const auto circle = [&](bool again, const Double_interval& after, bool vanishes) {
+      const bool is_swapped = is_negated != again;
+      return filter_in_circle(m[is_swapped ? 1 : 0], m[is_swapped ? 0 : 1], m[2], m[3], after,
+                              vanishes);
+    };
+    const auto turn = [&](bool again, const Double_interval& after, bool vanishes) {
+      const bool is_swapped = is_negated != again;
+      return filter_orientation(m[is_swapped ? 1 : 0], m[is_swapped ? 0 : 1], m[2], after,
+                                vanishes);
+    };
+    const auto kind = expect(is_negated ? in_circle : -in_circle, circle);
+    if (testing::Test::HasFatalFailure()) return;
+    decided.all += kind != Filter_verdict::Kind::unknown;
+    decided.failures += kind == Filter_verdict::Kind::fails;
+    expect(is_negated ? -orientation : orientation, turn);
+    if (testing::Test::HasFatalFailure()) return;
+  }
 }
 
 }  // namespace kinetri::test
