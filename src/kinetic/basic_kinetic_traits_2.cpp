@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 
+#include <concepts>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -179,6 +180,9 @@ Outlook<Time> Basic_kinetic_traits_2<Motion>::flatness_outlook(
     const Filter_verdict verdict = filter_orientation(
         p.motion(), q.motion(), r.motion(), t.interval(), state == Certificate_state::vanishes);
     if (verdict.kind != Filter_verdict::Kind::unknown) return outlook(verdict, counters);
+    if (certain_orientation(p.motion(), q.motion(), r.motion(), t.interval()) == CGAL::NEGATIVE) {
+      return failure_at_once(t, counters);
+    }
   }
   const Polynomial orientation = orientation_polynomial(p, q, r);
   ++counters.exact_decided;

@@ -125,6 +125,12 @@ struct Forgetful_traits : Linear_kinetic_traits_2 {
     if (deaf_to_turns) return {};
     return Linear_kinetic_traits_2::orientation_outlook(p, q, r, t, state, counters);
   }
+  Outlook<Time> flatness_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
+                                 const Time& t, Certificate_state state,
+                                 Certificate_counters& counters) const {
+    if (deaf_to_turns) return {};
+    return Linear_kinetic_traits_2::flatness_outlook(p, q, r, t, state, counters);
+  }
 };
 
 class Audit_of_missed_events : public testing::Test {

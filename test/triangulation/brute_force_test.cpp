@@ -32,6 +32,21 @@ TEST(Brute_force, random_points_from_an_irrational_start_change_in_the_same_way)
   }
 }
 
+TEST(Brute_force, a_triangle_that_turns_over_behind_a_hull_edge_that_is_only_touched_is_seen) {
+  // The second point goes down through the line of the first and the third, as the third touches
+  // that of the first and the fourth.
+  for (const double side : {-1, 1}) {
+    std::vector<Linear_motion_2> motions = {{{0, 0}, {0, 0}, 1},
+                                            {{side * 1, 0}, {0, -1}, 1},
+                                            {{side * 2, 0}, {0, 2}, 1},
+                                            {{side * 4, 0}, {side * 2, 4}, 1},
+                                            {{side * 1, 90}, {0, 0}, 1}};
+    expect_same_run(motions, Algebraic_number());
+    motions.push_back({{side * 3, 0}, {0, -1}, 1});
+    expect_same_run(motions, Algebraic_number());
+  }
+}
+
 // Places in a square of few integers, small integer velocities: simultaneous events, collinear
 // hulls, points that pass through one another, everything on a line or in one place for an instant.
 class Brute_force_on_grids : public testing::TestWithParam<std::tuple<int, int, int>> {};

@@ -65,6 +65,15 @@ void run_audited(Kinetic_delaunay& kinetic, double until) {
   expect_passes(kinetic);
 }
 
+TEST(Kinetic_delaunay_triangulation_2, steps_over_a_time_at_which_points_meet_and_no_edge_changes) {
+  // The first two pass through each other at t = 1; later the last one leaves the hull.
+  Kinetic_delaunay_triangulation_2<> kinetic(
+      {{{0, 0}, {1, 0}}, {{2, 0}, {-1, 0}}, {{1, 5}, {0, 0}}, {{1, 9}, {0, -1}}});
+  EXPECT_GT(kinetic.step(), 0u);
+  EXPECT_GT(kinetic.current_time(), Algebraic_number(1.0));
+  EXPECT_GT(kinetic.counters().points_set_aside + kinetic.counters().rebuilds, 0u);
+}
+
 TEST(Kinetic_delaunay_triangulation_2, of_no_points_is_empty_for_ever) {
   const std::vector<Linear_motion_2> none;
   Kinetic_delaunay kinetic(none.begin(), none.end());

@@ -5,7 +5,6 @@
 #ifndef KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 
-#include <concepts>
 #include <optional>
 #include <utility>
 
@@ -32,9 +31,6 @@ class Basic_kinetic_traits_2 {
   using Point_2 = Basic_moving_point_2<Motion>;
   using Time = Algebraic_number;
   using Instantaneous_traits = Basic_instantaneous_traits_2<Motion>;
-
-  /// Roots of order 3 or more make touches matter.
-  static constexpr bool watches_touches = !std::same_as<Motion, Linear_motion_2>;
 
   Basic_kinetic_traits_2() = default;
   explicit Basic_kinetic_traits_2(Arithmetic arithmetic) : arithmetic_(arithmetic) {}

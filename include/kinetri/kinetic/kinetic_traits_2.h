@@ -69,13 +69,16 @@ enum class Certificate_state {
 ///   Instantaneous_traits   a model of CGAL's DelaunayTriangulationTraits_2 on Point_2 at an
 ///   instant
 ///
-/// and three certificates, each given by its outlook from `t` on and counted in `counters`. The
+/// and certificates, each given by its outlook from `t` on and counted in `counters`. The
 /// *failure time* is the infimum of the times after `t` at which the certificate is violated: `t`
 /// itself if it is violated just after `t`, and none if it is never violated. An outlook may stop
 /// short of it where that saves work.
 ///
 ///   in_circle_outlook(p, q, r, s, t, state, counters)   s is not inside the circle through p, q, r
 ///   orientation_outlook(p, q, r, t, state, counters)    p, q, r do not make a right turn
+///   flatness_outlook(p, q, r, t, state, counters)       likewise, but a time strictly after t at
+///                                                       which p, q, r are collinear is a failure
+///                                                       as well
 ///   coincidence_time(p, q, t, among, counters)          the first time *strictly* after t at which
 ///                                                       p and q are in one place; none if they
 ///                                                       never or always are. There is none
@@ -87,15 +90,6 @@ enum class Certificate_state {
 ///   in_circle_failure(p, q, r, s, bounds)
 ///   orientation_failure(p, q, r, bounds)
 ///
-/// `watches_touches` says whether it matters that a hull edge touches, that is, three points become
-/// collinear and make a left turn again. It does where an orientation may have a root of order 3
-/// (docs/MATH.md, section 9). Then there is
-///
-///   flatness_outlook(p, q, r, t, state, counters)       as orientation_outlook, but a time
-///   strictly
-///                                                       after t at which p, q, r are collinear is
-///                                                       a failure as well
-///
 /// A traits object is used from several threads at once.
 template <class Traits>
 concept KineticTraits_2 = requires(const Traits traits, const typename Traits::Motion motion,
@@ -105,7 +99,6 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
   typename Traits::Instantaneous_traits;
   requires std::totally_ordered<typename Traits::Time>;
   requires std::constructible_from<typename Traits::Time, double>;
-  { Traits::watches_touches } -> std::convertible_to<bool>;
   { t.interval() } -> std::convertible_to<Double_interval>;
   { t.detached() } -> std::same_as<typename Traits::Time>;
   { -t } -> std::same_as<typename Traits::Time>;
@@ -117,6 +110,9 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
     } -> std::same_as<Outlook<typename Traits::Time>>;
   {
     traits.orientation_outlook(p, p, p, t, state, counters)
+    } -> std::same_as<Outlook<typename Traits::Time>>;
+  {
+    traits.flatness_outlook(p, p, p, t, state, counters)
     } -> std::same_as<Outlook<typename Traits::Time>>;
   { traits.in_circle_failure(p, p, p, p, bounds) } -> std::same_as<typename Traits::Time>;
   { traits.orientation_failure(p, p, p, bounds) } -> std::same_as<typename Traits::Time>;

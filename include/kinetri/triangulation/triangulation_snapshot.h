@@ -31,7 +31,6 @@ struct Triangulation_snapshot {
   struct Face {
     std::array<Point_id, 3> vertices = {};      ///< the infinite one is no_point
     std::array<std::size_t, 3> neighbors = {};  ///< positions in `faces`
-                                                ///< one, on this side; at most one of its sides has
   };
 
   Time time = {};                              ///< the state is the one just after it

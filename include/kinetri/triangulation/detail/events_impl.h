@@ -151,10 +151,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edg
   KINETRI_ASSERT(kind >= Entry_kind::hull_insert,
                  "an event is a failure, and coincident points have been set aside");
   if (kind == Entry_kind::hull_insert) {
-    if constexpr (Traits::watches_touches) {
-      if (may_hide_a_turn(edge)) return rebuild();
-      if (is_touch(hull_triangle(edge).first)) return schedule(edge, current_time_);
-    }
+    if (may_hide_a_turn(edge)) return rebuild();
+    if (is_touch(hull_triangle(edge).first)) return schedule(edge, current_time_);
     hull_is_flat_ = true;
     if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
   }

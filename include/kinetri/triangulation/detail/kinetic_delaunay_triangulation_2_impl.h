@@ -157,10 +157,8 @@ auto Kinetic_delaunay_triangulation_2<Traits>::outlook(const Certificate& certif
   if (certificate.kind == Entry_kind::flip) {
     return traits.in_circle_outlook(*p, *q, *r, *s, after, state, counters);
   }
-  if constexpr (Traits::watches_touches) {
-    if (certificate.kind == Entry_kind::hull_insert) {
-      return traits.flatness_outlook(*p, *q, *r, after, state, counters);
-    }
+  if (certificate.kind == Entry_kind::hull_insert) {
+    return traits.flatness_outlook(*p, *q, *r, after, state, counters);
   }
   return traits.orientation_outlook(*p, *q, *r, after, state, counters);
 }
