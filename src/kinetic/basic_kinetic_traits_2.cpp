@@ -248,6 +248,20 @@ Outlook<Time> Basic_kinetic_traits_2<Motion>::contact_outlook(
   return exact_contact_outlook(contact_polynomial(p, q, diameter), t, counters);
 }
 
+// On straight lines two that part never meet again: their squared distance is convex.
+template <class Motion>
+Outlook<Time> Basic_kinetic_traits_2<Motion>::next_contact_outlook(
+    const Point_2& p, const Point_2& q, double diameter, const Time& t,
+    Certificate_counters& counters) const {
+  if constexpr (std::same_as<Motion, Linear_motion_2>) {
+    return {};
+  } else {
+    const std::optional<Time> parting = failure_time(-contact_polynomial(p, q, diameter), t);
+    if (!parting) return {};
+    return contact_outlook(p, q, diameter, *parting, counters);
+  }
+}
+
 template <class Motion>
 Outlook<Time> Basic_kinetic_traits_2<Motion>::wall_outlook(const Point_2& p, const Wall_2& wall,
                                                            const Time& t,

@@ -103,6 +103,25 @@ TEST(Accelerated_discs, that_part_and_come_back_before_they_are_apart_collide) {
   EXPECT_EQ(recorder.contacts[0].time, Algebraic_number(1.0));
 }
 
+TEST(Accelerated_discs, that_part_and_come_back_are_logged_again) {
+  // Their distance is 2 - (t - 1) (t - 2) (t - 3), that of their touch 2.
+  Simulation_options options;
+  options.radius = 1;
+  options.response = log_contact;
+  Simulation simulation(
+      {{{0, 0}, {0, 0}, {0, 0}, {0, 0}, 0}, {{8, 0}, {-11, 0}, {12, 0}, {-6, 0}, 0}}, options);
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  for (const double time : {0.5, 1.0, 1.5, 2.0, 2.5, 2.75, 3.0, 3.5}) {
+    simulation.advance_to(time);
+    const Audit_report report = simulation.audit(Audit_level::certificates);
+    ASSERT_TRUE(report.passed()) << time << ": " << report.failures.front();
+  }
+  ASSERT_EQ(recorder.contacts.size(), 2u);
+  EXPECT_EQ(recorder.contacts[0].time, Algebraic_number(1.0));
+  EXPECT_EQ(recorder.contacts[1].time, Algebraic_number(3.0));
+}
+
 // Balls on a lattice that fall, some of them also with a jerk of their own.
 std::vector<Polynomial_motion_2> falling_balls(int side, bool has_jerk, unsigned seed) {
   std::mt19937_64 random(seed);

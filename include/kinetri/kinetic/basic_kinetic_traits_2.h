@@ -56,6 +56,8 @@ class Basic_kinetic_traits_2 {
   /// Contacts; see ContactKineticTraits_2. Polynomials of degree 2d (discs) and d (walls).
   Outlook<Time> contact_outlook(const Point_2& p, const Point_2& q, double diameter, const Time& t,
                                 Certificate_counters& counters) const;
+  Outlook<Time> next_contact_outlook(const Point_2& p, const Point_2& q, double diameter,
+                                     const Time& t, Certificate_counters& counters) const;
   Outlook<Time> wall_outlook(const Point_2& p, const Wall_2& wall, const Time& t,
                              Certificate_counters& counters) const;
   Time contact_failure(const Point_2& p, const Point_2& q, double diameter,

@@ -21,6 +21,9 @@ namespace kinetri {
 ///
 ///   contact_outlook(p, q, diameter, t, counters)   discs about p and q; none after the first
 ///                                                  contact is of interest
+///   next_contact_outlook(p, q, diameter, t, counters)   likewise, but the first contact after the
+///                                                  two have been apart once, from t on: for those
+///                                                  that a response has left in contact
 ///   wall_outlook(p, wall, t, counters)             p and the bound of the wall
 ///   contact_failure(p, q, diameter, bounds)        the failure times, made from an outlook's
 ///   wall_failure(p, wall, bounds)                  bounds
@@ -42,6 +45,9 @@ concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
              Certificate_counters& counters) {
   {
     traits.contact_outlook(p, p, 1.0, t, counters)
+    } -> std::same_as<Outlook<typename Traits::Time>>;
+  {
+    traits.next_contact_outlook(p, p, 1.0, t, counters)
     } -> std::same_as<Outlook<typename Traits::Time>>;
   { traits.wall_outlook(p, wall, t, counters) } -> std::same_as<Outlook<typename Traits::Time>>;
   { traits.contact_failure(p, p, 1.0, bounds) } -> std::same_as<typename Traits::Time>;

@@ -214,6 +214,8 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void schedule_wall(Point_id id, const Time& after);
   void unschedule_wall(Point_id id);
   void schedule_pair(const Edge_ids& pair, const Time& after);
+  Outlook<Time> pair_outlook(const Contacts& contacts, const Edge_ids& pair, const Time& after,
+                             const Traits& traits, Certificate_counters& counters) const;
   void unschedule_pair(const Edge_ids& pair);
   void schedule_contacts(Point_id id, Point_id scheduled);
   void unschedule_contacts(Point_id id);

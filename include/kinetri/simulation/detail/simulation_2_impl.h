@@ -202,14 +202,25 @@ void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after
   const auto [a, b] = pair;
   Contacts& contacts = contacts_[a];
   if (const Queue_handle old = forget_partner(contacts, b); old != no_event) discard(old);
-  if (std::ranges::find(contacts.touching, b) != contacts.touching.end()) return;
   Entry entry;
   entry.kind = Entry_kind::collision;
   entry.point_a = a;
   entry.point_b = b;
-  const Queue_handle event = push(
-      entry, traits_.contact_outlook(point(a), point(b), diameter_, after, certificate_counters_));
+  const Queue_handle event =
+      push(entry, pair_outlook(contacts, {a, b}, after, traits_, certificate_counters_));
   if (event != no_event) contacts.partners.push_back({b, event});
+}
+
+// The outlook of the next contact of a pair; `contacts` are those of its first point.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::pair_outlook(const Contacts& contacts, const Edge_ids& pair,
+                                        const Time& after, const Traits& traits,
+                                        Certificate_counters& counters) const -> Outlook<Time> {
+  const auto [a, b] = pair;
+  if (std::ranges::find(contacts.touching, b) != contacts.touching.end()) {
+    return traits.next_contact_outlook(point(a), point(b), diameter_, after, counters);
+  }
+  return traits.contact_outlook(point(a), point(b), diameter_, after, counters);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -510,7 +521,8 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
   add(b, motion_b, response.erases_b, response.velocity_b);
   if (number == 0) {
     leave_in_contact(a, b);
-    return triangulation_.apply(Event_kind::collision, a, b, {});
+    triangulation_.apply(Event_kind::collision, a, b, {});
+    return schedule_pair(edge_ids(a, b), current_time());
   }
   const std::array<Point_id, 2> points = {a, b};
   change(Event_kind::collision, points, {changes.data(), number});
@@ -564,12 +576,16 @@ void Simulation_2<Traits>::after_event(const Event<Time>& event) {
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::leave_in_contact(Point_id a, Point_id b) {
-  contacts_[a].touching.push_back(b);
-  contacts_[b].touching.push_back(a);
+  const auto add = [this](Point_id id, Point_id other) {
+    std::vector<Point_id>& touching = contacts_[id].touching;
+    if (std::ranges::find(touching, other) == touching.end()) touching.push_back(other);
+  };
+  add(a, b);
+  add(b, a);
 }
 
 // Of a point that has a new motion, or none, those that it does not overlap now are no longer in
-// contact with it. As long as two keep their motions they overlap once, so that nothing is to do.
+// contact with it. As long as two keep their motions, next_contact_outlook knows.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::part_from_others(Point_id id) {
   const auto contacts = contacts_.find(id);
@@ -661,11 +677,9 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   }
   if (!options_.response || level < Audit_level::certificates) return report;
   for (const auto& [a, b] : edges) {
-    const auto& [unused_wall, partners, touching] = contacts(a);
-    if (std::ranges::find(touching, b) != touching.end()) continue;
+    const auto& partners = contacts(a).partners;
     const auto partner = std::ranges::find(partners, b, &Partner::id);
-    const Outlook<Time> outlook =
-        exact.contact_outlook(point(a), point(b), diameter_, current_time(), unused);
+    const Outlook<Time> outlook = pair_outlook(contacts(a), {a, b}, current_time(), exact, unused);
     compare(pair_name(a, b), partner == partners.end() ? no_event : partner->event,
             outlook.failure ? std::optional(*outlook.failure) : std::nullopt);
   }
