@@ -125,8 +125,9 @@ Outlook<Time> exact_contact_outlook(const Polynomial& distance, const Time& t,
                                     Certificate_counters& counters) {
   ++counters.exact_decided;
   std::optional<Time> contact = contact_time(distance, t);
-  if (contact && *contact == t)
+  if (contact && *contact == t) {
     return {Outlook<Time>::Kind::fails, t.interval(), std::make_unique<Time>(t)};
+  }
   if (contact) ++counters.root_solves;
   return exact_outlook(std::move(contact));
 }

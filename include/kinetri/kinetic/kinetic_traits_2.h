@@ -48,8 +48,8 @@ struct Outlook {
   Kind kind = Kind::holds_for_ever;
   Double_interval bounds = {};
   std::unique_ptr<Time> failure = nullptr;  ///< the time, where it had to be made already
-  bool may_vanish =
-      false;  ///< else it is certainly positive until it fails, from just after then on
+  /// Else the certificate is certainly positive from just after then on until it fails.
+  bool may_vanish = false;
 };
 
 /// What is known of the time after which an outlook is asked for.

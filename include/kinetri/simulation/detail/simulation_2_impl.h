@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Simulation_2. Include this only where the class is instantiated for a kinetic
-// traits class of one's own; it is compiled into the library for Linear_kinetic_traits_2.
+// traits class of one's own; it is compiled into the library for both kinds of motion.
 #ifndef KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H
 #define KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H
 

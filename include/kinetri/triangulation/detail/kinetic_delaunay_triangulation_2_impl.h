@@ -2,7 +2,7 @@
 //
 // Definitions of Kinetic_delaunay_triangulation_2 but for its audits. Include this, and
 // audit_impl.h, only where the class is instantiated for a kinetic traits class of one's own; it is
-// compiled into the library for Linear_kinetic_traits_2.
+// compiled into the library for both kinds of motion.
 #ifndef KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
 
