@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The viewer: a recorded run as one HTML page that plays it, with everything in it; it opens from a
+// file, in any browser, and asks the network for nothing.
+//
+// The page is put together from src/io/viewer/ (see the README there) and the recording, which is
+// the JSON object in the element `<script type="application/json" id="recording">`:
+//
+//   format        1
+//   program       "kinetri 0.1.0"
+//   title         of the run, for people
+//   from, until   the times between which it can be played
+//   points        the number of point ids: these are 0 ... points - 1
+//   names         the points' names by id; absent: their ids
+//   box           [xmin, ymin, xmax, ymax], or null
+//   radius        of the discs, 0 without discs
+//   thinned       null, or {"events": how many the run had} where events are left out (Recording)
+//   wave          null, or {"height": h, "width": w}: the page begins with the wave, whose height
+//   at
+//                 a place is h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving
+//                 points
+//   initial_edges base64 of the ids of the ends, two an edge, sorted
+//   motions       {count, degree, starting, event, point, there, data}: trajectories in the order
+//                 in which they begin, the first `starting` of them at the start. event: base64 of
+//                 uint32, index of the event from which on it is in force, 0 for those of the
+//                 start; point: base64 of ids; there: base64 of uint8, 1, or 0 if the point is gone
+//                 from then on; data: base64 of binary64, each trajectory (0 of points that are
+//                 gone) the epoch e, x, y, vx, vy, and, as far as `degree` (1 to 3) asks for them,
+//                 ax, ay, jx, jy: x + vx s + ax s^2/2 + jx s^3/6 with s = t - e
+//   events        {count, kinds, kind, fields, time, ids}: kinds are the names of the kinds;
+//                 kind: base64 of uint8, indices in `kinds`; fields: base64 of uint8, the sum of 1
+//                 if an edge is removed, 2 if one is added, 4 if there is a point_a, 8 if there is
+//                 a point_b, and 0, 16 or 32 if the exact time is `time`, or lies between it and
+//                 the next binary64 number above (16) or below (32); time: base64 of binary64;
+//                 ids: base64 of the ids in that order, an edge being two
+//
+// In base64 all numbers are little-endian, ids uint16 if points <= 65536, else uint32.
+#ifndef KINETRI_IO_VIEWER_PAGE_H
+#define KINETRI_IO_VIEWER_PAGE_H
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinetri/simulation/recording.h"
+
+namespace kinetri {
+
+/// The height of the wave that moving points are the crest of.
+struct Wave_shape {
+  double height = 1;
+  double width = 1;  ///< standard deviation of the Gaussian, in the unit of the coordinates
+};
+
+/// What the page says and shows besides the recording.
+struct Viewer_settings {
+  std::string title;
+  std::vector<std::string> names;  ///< of the points by id, or none
+  std::optional<Box_2> box = std::nullopt;
+  double radius = 0;
+  std::optional<Wave_shape> wave = std::nullopt;
+};
+
+/// Writes the page. Errors are those of the stream. The same recording gives the same bytes.
+void write_viewer_page(std::ostream& out, const Recording& recording,
+                       const Viewer_settings& settings);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_IO_VIEWER_PAGE_H
