@@ -15,9 +15,8 @@
 //   box           [xmin, ymin, xmax, ymax], or null
 //   radius        of the discs, 0 without discs
 //   thinned       null, or {"events": how many the run had} where events are left out (Recording)
-//   wave          null, or {"height": h, "width": w}: the page begins with the wave, whose height
-//   at
-//                 a place is h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving
+//   wave          null, or {"height": h, "width": w}: the page begins with the wave. At a place its
+//                 height is h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving
 //                 points
 //   initial_edges base64 of the ids of the ends, two an edge, sorted
 //   motions       {count, degree, starting, event, point, there, data}: trajectories in the order

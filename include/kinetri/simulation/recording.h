@@ -52,36 +52,36 @@ struct Recording {
   bool is_thinned = false;
 };
 
-/// Observes a run and records it. Cost: some operations an event. Memory: O(points + rows).
+/// Observes a run and records it. Cost: some operations an event, and O(rows log rows) once in
+/// `most_rows` / 2 events or less often. Memory: O(points + rows).
 template <class Traits = Linear_kinetic_traits_2>
 class Recorder : public Event_observer<typename Traits::Time> {
  public:
   using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;
   using Time = typename Traits::Time;
 
-  /// Records what happens in `triangulation` up to the time `until`, from its present on. To be
+  /// Records what happens in `triangulation` from its present on, up to the time `until`. To be
   /// added as its observer, or as one of the simulation that owns it. If there are more than
-  /// `most_rows` events, the recording is thinned to at most that many rows (or to as many as the
-  /// difference of the first and the last triangulation takes). Precondition: until is finite and
-  /// not before the present; most_rows > 0.
+  /// `most_rows` events, the recording is thinned to at most that many rows, or, where the first
+  /// and the last triangulation differ in more, to at most twice what they differ in. Precondition:
+  /// until is finite; most_rows > 0.
   Recorder(const Triangulation& triangulation, double until, std::size_t most_rows);
 
   void after_event(const Event<Time>& event) override;
 
-  /// The recording up to the triangulation's present. Call it between events.
+  /// The recording up to the present of the triangulation. Not to be called within an event.
   Recording recording() const;
 
  private:
   void record_motion(Point_id id, std::optional<std::size_t> event);
-  void thin();
 
   const Triangulation& triangulation_;
-  double until_;
   std::size_t most_rows_;
-  double interval_ = 0;       // of time, whose events are merged; 0: none are
-  std::optional<Time> time_;  // of the last event
-  Recorded_time recorded_time_;
-  Recording recording_;
+  std::size_t limit_;           // of rows before the next thinning
+  double interval_ = 0;         // of time, whose events were merged
+  std::optional<Time> time_;    // of the last event
+  Recorded_time rounded_time_;  // the same
+  Recording recording_;         // up to the last event; until is the end that is expected
 };
 
 extern template class Recorder<Linear_kinetic_traits_2>;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The files of src/io/viewer/, of which the viewer page is put together; the build makes the
+// definitions.
+#ifndef KINETRI_IO_VIEWER_ASSETS_H
+#define KINETRI_IO_VIEWER_ASSETS_H
+
+#include <span>
+#include <string_view>
+
+namespace kinetri::detail {
+
+extern const std::string_view viewer_page;  // with a marker where something is put in
+extern const std::string_view viewer_style;
+extern const std::span<const std::string_view> viewer_scripts;  // in their order
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IO_VIEWER_ASSETS_H

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/io/viewer_page.h"
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string_view>
+#include <type_traits>
+
+#include "kinetri/version.h"
+#include "viewer_assets.h"
+
+namespace kinetri {
+namespace {
+
+using nlohmann::json;
+
+// Numbers as little-endian bytes.
+class Bytes {
+ public:
+  template <std::unsigned_integral Number>
+  void add(Number number) {
+    for (std::size_t i = 0; i < sizeof(Number); ++i) {
+      bytes_.push_back(static_cast<std::uint8_t>(std::uint64_t{number} >> (8 * i)));
+    }
+  }
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+
+  // RFC 4648, section 4.
+  std::string base64() const {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes_.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes_.size(); i += 3) {
+      const auto byte = [&](std::size_t j) {
+        return j < bytes_.size() ? std::uint32_t{bytes_[j]} : 0;
+      };
+      const std::uint32_t group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+      for (const int shift : {18, 12, 6, 0}) text.push_back(digits[group >> shift & 63]);
+    }
+    const std::size_t padding = (3 - bytes_.size() % 3) % 3;
+    return text.replace(text.size() - padding, padding, padding, '=');
+  }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+};
+
+// Point ids, each as short as the number of points allows.
+class Id_bytes {
+ public:
+  explicit Id_bytes(std::size_t points) : is_short_(points <= 65'536) {}
+
+  void add(Point_id id) {
+    if (is_short_) return bytes_.add(static_cast<std::uint16_t>(id));
+    bytes_.add(std::uint32_t{id});
+  }
+  void add(const Edge_ids& edge) {
+    add(edge[0]);
+    add(edge[1]);
+  }
+  std::string base64() const { return bytes_.base64(); }
+
+ private:
+  Bytes bytes_;
+  bool is_short_;
+};
+
+// Ids are given in the order in which points come, so that each has a motion.
+std::size_t number_of_points(const Recording& recording) {
+  std::size_t result = 0;
+  for (const Recorded_motion& motion : recording.motions) {
+    result = std::max(result, std::size_t{motion.point} + 1);
+  }
+  return result;
+}
+
+int degree(const Recording& recording) {
+  int result = 1;
+  for (const Recorded_motion& recorded : recording.motions) {
+    if (!recorded.motion) continue;
+    const Vector_2 zero;
+    if (recorded.motion->jerk != zero) return 3;
+    if (recorded.motion->acceleration != zero) result = 2;
+  }
+  return result;
+}
+
+json initial_edges(const Recording& recording, std::size_t points) {
+  Id_bytes ids(points);
+  for (const Edge_ids& edge : recording.initial_edges) ids.add(edge);
+  return ids.base64();
+}
+
+json motions(const Recording& recording, std::size_t points) {
+  const int terms = degree(recording);
+  std::size_t starting = 0;
+  Bytes event;
+  Id_bytes point(points);
+  Bytes there;
+  Bytes data;
+  for (const Recorded_motion& recorded : recording.motions) {
+    if (!recorded.event) ++starting;
+    event.add(static_cast<std::uint32_t>(recorded.event.value_or(0)));
+    point.add(recorded.point);
+    there.add(static_cast<std::uint8_t>(recorded.motion.has_value()));
+    const Polynomial_motion_2 motion = recorded.motion.value_or(Polynomial_motion_2());
+    const std::array<Vector_2, 4> derivatives = {motion.position, motion.velocity,
+                                                 motion.acceleration, motion.jerk};
+    data.add(motion.epoch);
+    for (int i = 0; i <= terms; ++i) {
+      data.add(derivatives[static_cast<std::size_t>(i)].x);
+      data.add(derivatives[static_cast<std::size_t>(i)].y);
+    }
+  }
+  return {{"count", recording.motions.size()},
+          {"degree", terms},
+          {"starting", starting},
+          {"event", event.base64()},
+          {"point", point.base64()},
+          {"there", there.base64()},
+          {"data", data.base64()}};
+}
+
+std::uint8_t fields(const Recorded_event& event) {
+  const auto& [nearest, bounds] = event.time;
+  return static_cast<std::uint8_t>((event.removed ? 1 : 0) | (event.added ? 2 : 0) |
+                                   (event.point_a ? 4 : 0) | (event.point_b ? 8 : 0) |
+                                   (nearest < bounds.upper ? 16 : 0) |
+                                   (nearest > bounds.lower ? 32 : 0));
+}
+
+json events(const Recording& recording, std::size_t points) {
+  json kinds = json::array();
+  for (std::size_t i = 0; i < event_kinds; ++i) kinds.push_back(name(static_cast<Event_kind>(i)));
+  Bytes kind;
+  Bytes present;
+  Bytes time;
+  Id_bytes ids(points);
+  for (const Recorded_event& event : recording.events) {
+    kind.add(static_cast<std::uint8_t>(event.kind));
+    present.add(fields(event));
+    time.add(event.time.nearest);
+    if (event.removed) ids.add(*event.removed);
+    if (event.added) ids.add(*event.added);
+    if (event.point_a) ids.add(*event.point_a);
+    if (event.point_b) ids.add(*event.point_b);
+  }
+  return {{"count", recording.events.size()},
+          {"first", recording.events.empty() ? 0 : recording.events.front().number},
+          {"kinds", kinds},
+          {"kind", kind.base64()},
+          {"fields", present.base64()},
+          {"time", time.base64()},
+          {"ids", ids.base64()}};
+}
+
+json page_data(const Recording& recording, const Viewer_settings& settings) {
+  const std::size_t points = number_of_points(recording);
+  json result = {{"format", 1},
+                 {"program", std::string("kinetri ") + version},
+                 {"title", settings.title},
+                 {"from", recording.from},
+                 {"until", recording.until},
+                 {"points", points},
+                 {"box", nullptr},
+                 {"radius", settings.radius},
+                 {"thinned", nullptr},
+                 {"wave", nullptr},
+                 {"initial_edges", initial_edges(recording, points)},
+                 {"motions", motions(recording, points)},
+                 {"events", events(recording, points)}};
+  if (!settings.names.empty()) result["names"] = settings.names;
+  if (settings.box) {
+    const auto& [xmin, ymin, xmax, ymax] = *settings.box;
+    result["box"] = {xmin, ymin, xmax, ymax};
+  }
+  if (recording.is_thinned) result["thinned"] = {{"events", recording.events_in_all}};
+  if (settings.wave) {
+    result["wave"] = {{"height", settings.wave->height}, {"width", settings.wave->width}};
+  }
+  return result;
+}
+
+// The text of a JSON object that nothing in it can end the element that it stands in.
+std::string embedded(const json& data) {
+  std::string result;
+  for (const char c : data.dump(-1, ' ', true, json::error_handler_t::replace)) {
+    c == '<' ? result += "\\u003c" : result += c;
+  }
+  return result;
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void write_viewer_page(std::ostream& out, const Recording& recording,
+                       const Viewer_settings& settings) {
+  std::string_view rest = detail::viewer_page;
+  const auto write_up_to = [&](std::string_view marker) {
+    const std::size_t position = rest.find(marker);
+    out << rest.substr(0, position);
+    rest.remove_prefix(position + marker.size());
+  };
+  write_up_to("<!-- title -->");
+  out << escaped(settings.title);
+  write_up_to("<!-- style -->");
+  out << detail::viewer_style;
+  write_up_to("<!-- recording -->");
+  out << "<script type=\"application/json\" id=\"recording\">"
+      << embedded(page_data(recording, settings)) << "</script>\n";
+  write_up_to("<!-- scripts -->");
+  out << "<script>\n";
+  for (const std::string_view script : detail::viewer_scripts) out << script;
+  out << "</script>\n" << rest;
+}
+
+}  // namespace kinetri
