@@ -49,15 +49,6 @@ Any_simulation Checkpoint_source::make_simulation(Arithmetic arithmetic) const {
   }
 }
 
-Input_error Checkpoint_source::coincidence(const Coincident_trajectories_error& error,
-                                           double time) const {
-  return Input_error(
-      input_name(path_), 0,
-      fmt::format("at t = {} a contact leaves points {} and {} in one place with one velocity; "
-                  "expected trajectories that stay distinct",
-                  time, error.first(), error.second()));
-}
-
 std::vector<std::string> Checkpoint_source::remarks() const {
   const auto events = std::visit(
       [](const auto& snapshot) { return snapshot.triangulation.counters.number_of_events(); },

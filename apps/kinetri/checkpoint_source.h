@@ -14,17 +14,14 @@ class Checkpoint_source final : public Run_source {
   /// `path` is a path, or "-"; `until` the end of the run.
   Checkpoint_source(std::string path, double until) : path_(std::move(path)), until_(until) {}
 
-  const std::string& path() const override { return path_; }
+  std::string path() const override { return path_; }
   void read() override;
   std::size_t number_of_points() const override;
   double from() const override { return time().to_double(); }
   double until() const override { return until_; }
   std::string response() const override { return checkpoint_.response; }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
-  Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
-  std::string name(Point_id id) const override { return std::to_string(id); }
   std::vector<std::string> remarks() const override;
-  void write_points(std::ostream&) const override {}
 
  private:
   const Algebraic_number& time() const {

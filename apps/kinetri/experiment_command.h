@@ -10,6 +10,8 @@
 
 #include "exit_code.h"
 #include "experiment_run.h"
+#include "generated_source.h"
+#include "run_options.h"
 
 namespace kinetri::app {
 
@@ -22,15 +24,18 @@ class Experiment_command {
 
   bool chosen() const { return command_->parsed(); }
 
-  /// Throws Usage_error, and what run_experiments throws.
+  /// Throws Usage_error, and what run_experiments and run_simulation throw.
   Exit_code run() const;
 
  private:
+  Experiment_setting setting() const;
+  const Named_response& response() const;
   Experiment_plan plan() const;
+  Generated_run single_run() const;
 
   // The options' values as they stand on the command line.
   CLI::App* command_;
-  std::string output_;
+  std::optional<std::string> output_;
   std::string points_ = "100";
   std::string seeds_ = "5";
   std::string until_ = "10";
@@ -38,10 +43,11 @@ class Experiment_command {
   std::string radius_ = "0.5";
   std::optional<std::string> side_;
   std::string collisions_ = "swap";
-  std::string progress_ = "auto";
   bool compare_ = false;
   bool no_plots_ = false;
-  bool quiet_ = false;
+  std::optional<std::string> single_;
+  std::string seed_ = "1";
+  Run_options run_options_;
 };
 
 }  // namespace kinetri::app

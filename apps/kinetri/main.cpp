@@ -25,6 +25,7 @@
 #include "resume_command.h"
 #include "simulate_command.h"
 #include "tracks_command.h"
+#include "wave_command.h"
 
 namespace kinetri::app {
 namespace {
@@ -89,13 +90,15 @@ Exit_code run(int argc, char** argv) {
   Simulate_command simulate(program);
   Resume_command resume(program);
   Tracks_command tracks(program);
+  Wave_command wave(program);
   Experiment_command experiment(program);
   try {
     program.parse(argc, argv);
     if (generate.chosen()) return generate.run();
     if (simulate.chosen()) return simulate.run();
     if (resume.chosen()) return resume.run();
-    return tracks.chosen() ? tracks.run() : experiment.run();
+    if (tracks.chosen()) return tracks.run();
+    return wave.chosen() ? wave.run() : experiment.run();
   } catch (const CLI::Success& success) {
     program.exit(success, std::cout, std::cerr);
     return Exit_code::done;

@@ -36,15 +36,6 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
   }
 }
 
-Input_error Points_source::coincidence(const Coincident_trajectories_error& error,
-                                       double time) const {
-  return Input_error(
-      input_name(path()), 0,
-      fmt::format("at t = {} a contact leaves points {} and {} in one place with one velocity; "
-                  "expected trajectories that stay distinct",
-                  time, error.first(), error.second()));
-}
-
 Simulation_options Points_source::options() const {
   Simulation_options result;
   result.box = settings_.box;

@@ -25,17 +25,13 @@ class Points_source final : public Run_source {
  public:
   explicit Points_source(Points_settings settings) : settings_(std::move(settings)) {}
 
-  const std::string& path() const override { return settings_.points; }
+  std::string path() const override { return settings_.points; }
   void read() override;
   std::size_t number_of_points() const override { return points_.number_of_points(); }
   double from() const override { return settings_.from; }
   double until() const override { return settings_.until; }
   std::string response() const override { return std::string(settings_.collisions.name); }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
-  Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
-  std::string name(Point_id id) const override { return std::to_string(id); }
-  std::vector<std::string> remarks() const override { return {}; }
-  void write_points(std::ostream&) const override {}
 
  private:
   Simulation_options options() const;

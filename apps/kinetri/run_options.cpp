@@ -16,24 +16,28 @@ constexpr std::array<std::string_view, 3> progress_modes = {"auto", "always", "n
 
 }  // namespace
 
-void Run_options::add_to(CLI::App& command) {
-  const auto add = [&command](const char* option, auto& value, const char* type, const char* help) {
-    command.add_option(option, value, help)->type_name(type);
+std::vector<CLI::Option*> Run_options::add_to(CLI::App& command) {
+  std::vector<CLI::Option*> result;
+  const auto add = [&](const char* option, auto& value, const char* type, const char* help) {
+    result.push_back(command.add_option(option, value, help)->type_name(type));
   };
   add("--events", events_, "FILE", "Write the events here; - is standard output");
   add("--initial-edges", initial_edges_, "FILE", "Write the edges just after the start here");
   add("--edges", edges_, "FILE", "Write the edges at the end here");
   add("--stats", stats_, "FILE", "Write counts and times here, as JSON");
+  add("--html", html_, "FILE", "Write a page here that plays the run in a browser");
   add("--audit", audit_, "none|end|events",
       "Check everything exactly: never (default), at the end, or after every event too (there "
       "without "
       "recomputing all failure times)");
-  command.add_flag(
+  result.push_back(command.add_flag(
       "--exact-only", exact_only_,
-      "Decide everything by exact arithmetic, without filters: the same events, slower");
-  add("--progress", progress_, "auto|always|never",
-      "Show a progress line; auto (default): on a terminal");
+      "Decide everything by exact arithmetic, without filters: the same events, slower"));
+  command
+      .add_option("--progress", progress_, "Show a progress line; auto (default): on a terminal")
+      ->type_name("auto|always|never");
   command.add_flag("--quiet", quiet_, "Neither a progress line nor a summary");
+  return result;
 }
 
 void Run_options::add_checkpoint_to(CLI::App& command) {
@@ -50,6 +54,7 @@ Run_settings Run_options::settings() const {
   result.edges = edges_;
   result.stats = stats_;
   result.checkpoint = checkpoint_;
+  result.html = html_;
   result.audit = static_cast<Audit_mode>(choice_argument("--audit", audit_, audit_modes));
   if (exact_only_) result.arithmetic = Arithmetic::exact_only;
   result.progress =

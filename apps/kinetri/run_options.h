@@ -7,6 +7,7 @@
 #include <CLI/App.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "simulation_run.h"
 
@@ -16,7 +17,8 @@ namespace kinetri::app {
 /// the command line.
 class Run_options {
  public:
-  void add_to(CLI::App& command);
+  /// Returns those of outputs and of what is done in the run; not those of progress.
+  std::vector<CLI::Option*> add_to(CLI::App& command);
 
   /// For commands whose runs can be taken up again.
   void add_checkpoint_to(CLI::App& command);
@@ -30,6 +32,7 @@ class Run_options {
   std::optional<std::string> edges_;
   std::optional<std::string> stats_;
   std::optional<std::string> checkpoint_;
+  std::optional<std::string> html_;
   std::string audit_ = "none";
   std::string progress_ = "auto";
   bool exact_only_ = false;

@@ -1,37 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run simulates: points of a file, or recorded tracks.
+// What a run simulates: points of a file, recorded tracks, or points that the program makes.
 #ifndef KINETRI_APPS_RUN_SOURCE_H
 #define KINETRI_APPS_RUN_SOURCE_H
 
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "kinetri/base/error.h"
+#include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::app {
 
 /// The name of an input in messages. `path` is a path, or "-".
-inline std::string input_name(const std::string& path) {
-  return path == "-" ? "standard input" : path;
-}
+std::string input_name(const std::string& path);
 
 /// A simulation of one of the kinds of motion.
 using Any_simulation = std::variant<std::unique_ptr<Simulation_2<>>,
                                     std::unique_ptr<Simulation_2<Polynomial_kinetic_traits_2>>>;
 
-/// The source of a run.
+/// The source of a run. By default its points are called by their ids.
 class Run_source {
  public:
   virtual ~Run_source() = default;
 
-  /// The file, or "-".
-  virtual const std::string& path() const = 0;
+  /// The file, or "-"; empty if there is none.
+  virtual std::string path() const = 0;
+
+  /// What it is, for people.
+  virtual std::string title() const { return input_name(path()); }
 
   /// Reads the input. To be called once, before everything below. Throws Input_error, and
   /// Usage_error where options do not go with what was read.
@@ -48,17 +51,22 @@ class Run_source {
   virtual Any_simulation make_simulation(Arithmetic arithmetic) const = 0;
 
   /// What to say of two points that a contact or a turn has left on one trajectory.
-  virtual Input_error coincidence(const Coincident_trajectories_error& error,
-                                  double time) const = 0;
+  virtual Input_error coincidence(const Coincident_trajectories_error& error, double time) const;
 
   /// The point in the words of the input: its number, or the id of its track.
-  virtual std::string name(Point_id id) const = 0;
+  virtual std::string name(Point_id id) const { return std::to_string(id); }
+
+  /// Those of all points that the run will have, by id; none if they are called by their ids.
+  virtual std::vector<std::string> names() const { return {}; }
 
   /// What a user should know of what was read; one line each.
-  virtual std::vector<std::string> remarks() const = 0;
+  virtual std::vector<std::string> remarks() const { return {}; }
 
   /// A table of the points, for sources whose points have names.
-  virtual void write_points(std::ostream& out) const = 0;
+  virtual void write_points(std::ostream& /*out*/) const {}
+
+  /// The wave that the points make, if they do.
+  virtual std::optional<Wave_shape> wave() const { return std::nullopt; }
 
  protected:
   Run_source() = default;

@@ -24,6 +24,7 @@
 #include "kinetri/io/stats_file.h"
 #include "kinetri/simulation/closest_approaches.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "viewer_output.h"
 
 namespace kinetri::app {
 namespace {
@@ -56,13 +57,14 @@ std::uint64_t peak_rss_bytes() {
 class Outputs {
  public:
   Outputs(const Run_settings& settings, const std::string& input_path) {
-    files_.reserve(7);
+    files_.reserve(8);
     events = open("--events", settings.events);
     initial_edges = open("--initial-edges", settings.initial_edges);
     edges = open("--edges", settings.edges);
     stats = open("--stats", settings.stats);
     points = open("--ids", settings.points);
     checkpoint = open("--checkpoint", settings.checkpoint);
+    html = open("--html", settings.html);
     if (settings.closest > 0) closest = open("--closest", "-");
     std::error_code ignored;
     const std::string input = std::filesystem::canonical(input_path, ignored).string();
@@ -86,6 +88,7 @@ class Outputs {
   Output_file* stats;
   Output_file* points;
   Output_file* checkpoint;
+  Output_file* html;
   Output_file* closest = nullptr;
 
   // All are complete before the first takes its place.
@@ -155,6 +158,7 @@ class Simulation_run {
   Run_statistics statistics_;
   std::optional<Event_log_writer> log_;
   Any_simulation simulation_;
+  std::optional<Viewer_output> viewer_;
   std::optional<Closest_approaches> closest_;
   std::uint64_t events_before_ = 0;  // of the run that this one takes up
   std::size_t failures_ = 0;
@@ -201,6 +205,7 @@ void Simulation_run::build() {
     log_.emplace(outputs_.events->stream());
     with_simulation([this](auto& s) { s.add_observer(*log_); });
   }
+  if (outputs_.html != nullptr) viewer_.emplace(simulation_, source_);
   // Asked for with recorded tracks only, which are linear.
   if (settings_.closest > 0) closest_.emplace(*std::get<0>(simulation_), settings_.closest);
   statistics_.seconds.write += stopwatch_.lap();
@@ -272,6 +277,7 @@ void Simulation_run::write_outputs() {
       write_checkpoint(outputs_.checkpoint->stream(), {s.snapshot(), source_.response()});
     });
   }
+  if (viewer_) viewer_->write(outputs_.html->stream());
   if (outputs_.closest != nullptr) write_approaches(outputs_.closest->stream());
   with_simulation([&](const auto& s) {
     statistics_.triangulation = s.triangulation().counters();

@@ -29,6 +29,7 @@ struct Run_settings {
   std::optional<std::string> stats;
   std::optional<std::string> points;      ///< a table of the source's points
   std::optional<std::string> checkpoint;  ///< the state at the end
+  std::optional<std::string> html;        ///< a page that plays the run
   std::size_t closest = 0;  ///< how many closest approaches to print on standard output
   Audit_mode audit = Audit_mode::none;
   Arithmetic arithmetic = Arithmetic::filtered;

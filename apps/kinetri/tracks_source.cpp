@@ -93,6 +93,12 @@ void Tracks_source::write_points(std::ostream& out) const {
   }
 }
 
+std::vector<std::string> Tracks_source::names() const {
+  std::vector<std::string> result;
+  for (const Stay& stay : stays_) result.push_back(file_.tracks[stay.track].id);
+  return result;
+}
+
 std::vector<std::string> Tracks_source::remarks() const {
   std::vector<std::string> result;
   result.push_back(fmt::format("{} observations of {} ids, {} stays", file_.observations,

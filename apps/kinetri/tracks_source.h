@@ -27,7 +27,7 @@ class Tracks_source final : public Run_source {
  public:
   explicit Tracks_source(Tracks_settings settings) : settings_(std::move(settings)) {}
 
-  const std::string& path() const override { return settings_.tracks; }
+  std::string path() const override { return settings_.tracks; }
   void read() override;
   std::size_t number_of_points() const override { return stays_.size(); }
   double from() const override { return from_; }
@@ -36,6 +36,7 @@ class Tracks_source final : public Run_source {
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
   Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
   std::string name(Point_id id) const override { return file_.tracks[stays_[id].track].id; }
+  std::vector<std::string> names() const override;
   std::vector<std::string> remarks() const override;
   void write_points(std::ostream& out) const override;
 

@@ -24,14 +24,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Simulation_options options(const Experiment_setting& setting) {
-  Simulation_options result;
-  result.box = Box_2{0, 0, setting.side, setting.side};
-  result.radius = setting.diameter / 2;
-  result.response = setting.response;
-  return result;
-}
-
 // The motion of each point over time: each of its motions, with the time from which on it holds.
 class Path_recorder : public Simulation_2<>::Observer {
  public:
@@ -156,6 +148,14 @@ class Discrete_run {
 
 }  // namespace
 
+Simulation_options experiment_options(const Experiment_setting& setting) {
+  Simulation_options result;
+  result.box = Box_2{0, 0, setting.side, setting.side};
+  result.radius = setting.diameter / 2;
+  result.response = setting.response;
+  return result;
+}
+
 std::vector<Linear_motion_2> experiment_motions(const Experiment_setting& setting) {
   KINETRI_PRECONDITION(setting.movers <= setting.points, "more points move than there are");
   Scenario_options scenario;
@@ -171,7 +171,7 @@ std::vector<Linear_motion_2> experiment_motions(const Experiment_setting& settin
 Experiment_result run_experiment(const Experiment_setting& setting) {
   const std::vector<Linear_motion_2> motions = experiment_motions(setting);
   const auto start = Clock::now();
-  Simulation_2<> simulation(motions, options(setting));
+  Simulation_2<> simulation(motions, experiment_options(setting));
   simulation.advance_to(setting.duration);
   const double seconds = seconds_since(start);
   return {simulation.triangulation().counters(), simulation.contact_counters(),
@@ -186,7 +186,7 @@ std::vector<Discrete_comparison> compare_with_discrete_steps(const Experiment_se
   Discrete_comparison kinetic;
   kinetic.kinetic_seconds = run_experiment(passing).seconds;
 
-  Simulation_2<> simulation(motions, options(passing));
+  Simulation_2<> simulation(motions, experiment_options(passing));
   simulation.advance_to(0.0);  // discs that overlap at the start are no contacts to be missed
   Path_recorder paths(simulation);
   const Triangulation_counters before = simulation.triangulation().counters();

@@ -30,6 +30,9 @@ struct Experiment_setting {
 /// The points of the setting: random places; the first ones move.
 std::vector<Linear_motion_2> experiment_motions(const Experiment_setting& setting);
 
+/// The box and the discs of the setting.
+Simulation_options experiment_options(const Experiment_setting& setting);
+
 /// What a run did, and how long it took, construction included.
 struct Experiment_result {
   Triangulation_counters events;

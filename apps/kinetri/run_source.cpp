@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_source.h"
+
+#include <fmt/format.h>
+
+namespace kinetri::app {
+
+std::string input_name(const std::string& path) {
+  return path == "-" ? "standard input" : path;
+}
+
+Input_error Run_source::coincidence(const Coincident_trajectories_error& error, double time) const {
+  return Input_error(
+      title(), 0,
+      fmt::format("at t = {} a contact leaves points {} and {} in one place with one velocity; "
+                  "expected trajectories that stay distinct",
+                  time, error.first(), error.second()));
+}
+
+}  // namespace kinetri::app

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/simulation/wave.h"
+
+#include "kinetri/base/check.h"
+#include "kinetri/simulation/scenarios.h"
+
+namespace kinetri {
+namespace {
+
+bool is_size(double x) {
+  return x >= smallest_scenario_size && x <= largest_scenario_size;
+}
+
+void check(const Wave_setting& setting) {
+  KINETRI_PRECONDITION(setting.columns > 0 && setting.rows > 0, "a wave without points");
+  KINETRI_PRECONDITION(setting.rows < no_point / setting.columns, "too many points");
+  KINETRI_PRECONDITION(is_size(setting.spacing) && is_size(setting.speed) &&
+                           is_size(setting.diameter) && setting.diameter < setting.spacing,
+                       "spacing, speed or diameter of a wave out of range");
+  KINETRI_PRECONDITION(
+      setting.jitter == 0 ||
+          (is_size(setting.jitter) && setting.jitter < (setting.spacing - setting.diameter) / 2),
+      "the jitter of a wave is out of range");
+}
+
+}  // namespace
+
+std::vector<Linear_motion_2> wave_motions(const Wave_setting& setting) {
+  check(setting);
+  const std::size_t points = setting.columns * setting.rows;
+  std::vector<double> offsets(points, 0);
+  if (setting.jitter > 0) {
+    Scenario_options options;
+    options.points = points;
+    options.seed = setting.seed;
+    options.side = 2 * setting.jitter;
+    const auto random = make_scenario(Scenario::uniform, options);
+    for (std::size_t i = 0; i < points; ++i) offsets[i] = random[i].position.y - setting.jitter;
+  }
+  std::vector<Linear_motion_2> result;
+  result.reserve(points);
+  for (std::size_t row = 0; row < setting.rows; ++row) {
+    for (std::size_t column = 0; column < setting.columns; ++column) {
+      const Vector_2 place = {static_cast<double>(column) * setting.spacing,
+                              static_cast<double>(row) * setting.spacing + offsets[result.size()]};
+      result.push_back({place, {0, row == 0 ? setting.speed : 0}});
+    }
+  }
+  return result;
+}
+
+Simulation_options wave_options(const Wave_setting& setting) {
+  check(setting);
+  const double margin = setting.spacing / 2;
+  Simulation_options result;
+  result.box = Box_2{-margin, -margin, setting.width() - margin, setting.height() - margin};
+  result.radius = setting.diameter / 2;
+  result.response = swap_velocities;
+  return result;
+}
+
+}  // namespace kinetri
