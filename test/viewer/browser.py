@@ -172,7 +172,8 @@ class Browser:
     def key(self, key, code=None, text=None, modifiers=0):
         if text is None and len(key) == 1:
             text = key
-        common = {"key": key, "code": code or key, "modifiers": modifiers}
+        common = {"key": key, "code": code or key, "modifiers": modifiers,
+                  "windowsVirtualKeyCode": {"Escape": 27}.get(key, 0)}
         down = {"text": text} if text is not None else {}
         self.call("Input.dispatchKeyEvent", type="keyDown", **common, **down)
         self.call("Input.dispatchKeyEvent", type="keyUp", **common)
@@ -197,9 +198,14 @@ class Browser:
             ".getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()")
         self.click(x, y)
 
-    def screenshot(self):
-        """The page as the bytes of a PNG file."""
-        return base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
+    def screenshot(self, box=None):
+        """The page, or its part (left, top, right, bottom), as the bytes of a PNG file."""
+        part = {}
+        if box is not None:
+            left, top, right, bottom = box
+            part["clip"] = {"x": left, "y": top, "width": right - left, "height": bottom - top,
+                            "scale": 1}
+        return base64.b64decode(self.call("Page.captureScreenshot", format="png", **part)["data"])
 
 
 def decode_png(data):
@@ -255,14 +261,28 @@ def unfilter(kind, row, above, size):
     return row
 
 
-def colors(picture, box=None):
-    """How often each colour (r, g, b) occurs in the box (left, top, right, bottom) of a decoded
-    picture."""
-    width, height, rows, size = picture
-    left, top, right, bottom = box or (0, 0, width, height)
-    counts = {}
-    for row in rows[top:bottom]:
-        for x in range(left * size, right * size, size):
-            color = row[x:x + 3]
-            counts[color] = counts.get(color, 0) + 1
-    return counts
+class Picture:
+    """A PNG file, to be compared with others: the same pixels make the same bytes."""
+
+    def __init__(self, png):
+        self.png = png
+
+    def __eq__(self, other):
+        return self.png == other.png
+
+    def __repr__(self):
+        return f"<picture of {len(self.counts())} colours, checksum {zlib.crc32(self.png):x}>"
+
+    def counts(self):
+        """How often each colour (r, g, b) occurs."""
+        _, _, rows, size = decode_png(self.png)
+        result = {}
+        for row in rows:
+            for x in range(0, len(row), size):
+                color = row[x:x + 3]
+                result[color] = result.get(color, 0) + 1
+        return result
+
+    def most_frequent(self):
+        counts = self.counts()
+        return max(counts, key=counts.get)

@@ -5,9 +5,8 @@
 'use strict';
 
 const FIT_MARGIN = 36;       // pixels
+const SWITCHES_MARGIN = 34;  // more at the top, where the switches are
 const MOST_ZOOM = 1e9;       // relative to the whole
-const OUTLIERS = 0.02;       // share of the places at each end that need not be in the picture
-const TIMES_IN_MOTION = 8;   // at which an accelerated motion is looked at
 
 class Camera {
   constructor(extent) {
@@ -23,13 +22,21 @@ class Camera {
     if (this.isFitted) this.fit();
   }
 
+  /** Shows another extent, unless the user has chosen what is shown. */
+  follow(extent) {
+    this.extent = extent;
+    if (this.isFitted) this.fit();
+  }
+
   /** Shows the whole extent. */
   fit() {
     const [left, bottom, right, top] = this.extent;
     this.x = left / 2 + right / 2;
     this.y = bottom / 2 + top / 2;
     const room = (pixels) => Math.max(pixels - 2 * FIT_MARGIN, 16);
-    this.scale = Math.min(room(this.width) / (right - left), room(this.height) / (top - bottom));
+    this.scale = Math.min(room(this.width) / (right - left),
+                          room(this.height - SWITCHES_MARGIN) / (top - bottom));
+    this.y += SWITCHES_MARGIN / 2 / this.scale;
     this.fitScale = this.scale;
     this.isFitted = true;
   }
@@ -65,60 +72,6 @@ class Camera {
     this.y += dy / this.scale;
     this.isFitted = false;
   }
-}
-
-/** [left, bottom, right, top] of what a recording shows: its box, or where its points go but for
- * the few that go farthest. Never empty. */
-function extentOf(recording) {
-  let extent;
-  if (recording.box !== null) {
-    extent = recording.box.slice();
-  } else {
-    const xs = [], ys = [];
-    for (let i = 0; i < recording.motions; ++i) sampleMotion(recording, i, xs, ys);
-    const [left, right] = mostOf(xs), [bottom, top] = mostOf(ys);
-    extent = [left, bottom, right, top];
-  }
-  const r = recording.radius;
-  if (recording.box === null) extent = [extent[0] - r, extent[1] - r, extent[2] + r, extent[3] + r];
-  for (const axis of [0, 1]) {
-    const span = Math.max(extent[2] - extent[0], extent[3] - extent[1]);
-    const size = extent[axis + 2] - extent[axis];
-    const least = Math.max(span / 1e3, Math.abs(extent[axis]) * 1e-9) || 2;
-    if (size < least) {
-      extent[axis] -= least / 2;
-      extent[axis + 2] += least / 2;
-    }
-    if (extent[axis + 2] - extent[axis] === Infinity) {
-      extent[axis] /= 2;
-      extent[axis + 2] /= 2;
-    }
-  }
-  return extent;
-}
-
-function sampleMotion(recording, motion, xs, ys) {
-  if (!recording.motionThere[motion]) return;
-  const {motionRow, motionNext, rowTime, degree} = recording;
-  const next = motionNext[motion];
-  const begin = motionRow[motion] < 0 ? recording.from : rowTime[motionRow[motion]];
-  const end = next < 0 ? recording.until : rowTime[motionRow[next]];
-  const steps = degree === 1 ? 1 : TIMES_IN_MOTION;
-  for (let i = 0; i <= steps; ++i) {
-    const time = begin + (end - begin) * i / steps;
-    xs.push(motionX(recording, motion, time));
-    ys.push(motionY(recording, motion, time));
-  }
-}
-
-/** [least, greatest] of most of the numbers, with some room. */
-function mostOf(numbers) {
-  if (numbers.length === 0) return [-1, 1];
-  const sorted = Float64Array.from(numbers).sort();
-  const last = sorted.length - 1;
-  const low = sorted[Math.floor(OUTLIERS * last)], high = sorted[Math.ceil((1 - OUTLIERS) * last)];
-  const room = 0.25 * (high - low);
-  return [Math.max(sorted[0], low - room), Math.min(sorted[last], high + room)];
 }
 
 /**

@@ -77,7 +77,7 @@ class CertificatePanel {
               `${coefficients.length - 1} in s = t \u2212 t\u2080`);
     this.fact('t\u2080', this.digits([String(origin)]));
     this.fact('Coefficients', this.digits(coefficients.map((c, k) =>
-      `${k === 0 ? '1' : `s${superscript(k)}`}: ${c}`)));
+      `s${superscript(k)}  ${c < 0 ? '' : ' '}${c}`)));
   }
 
   limitText({row, reason}, isEnd) {

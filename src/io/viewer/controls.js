@@ -140,5 +140,5 @@ class Controls {
 }
 
 function keyName(key) {
-  return KEY_NAMES[key] ?? key.toUpperCase();
+  return KEY_NAMES[key] ?? (key.length === 1 ? key.toUpperCase() : key);
 }

@@ -6,10 +6,10 @@
 const WHOLE_RUN = 30;           // seconds that playing the run takes, about, at first
 const LONGEST_FRAME = 0.1;      // seconds; a page that slept does not jump
 const HIGHLIGHT = 0.3;          // seconds of playing about an event in which it is marked
-const TRAIL = 2.5;              // seconds of playing that trails show
+const TRAIL = 6;                // seconds of playing that trails show
 const COLOR_NAMES = ['background', 'edge', 'edgeBehind', 'hull', 'point', 'box', 'disc', 'discFill',
                      'trail', 'voronoi', 'circle', 'circleFill', 'removed', 'added', 'selected',
-                     'selectedFill', 'waveEdge', 'text', 'quiet', 'hover'];
+                     'selectedFill', 'waveEdge', 'waveLowEdge', 'text', 'quiet', 'hover'];
 
 function element(id) {
   return document.getElementById(id);
@@ -166,8 +166,6 @@ class Viewer {
 
   toggleList() {
     element('events').hidden = !element('events').hidden;
-    element('viewer').classList.toggle('without-list', element('events').hidden);
-    this.list.shownEvent = -1;
     this.requestFrame();
   }
 
@@ -232,14 +230,16 @@ class Viewer {
     const resized = new ResizeObserver(() => this.resize());
     resized.observe(element('stage'));
     resized.observe(element('histogram'));
+    resized.observe(element('list'));
+    this.resize();
   }
 
   resize() {
-    const {width, height} = element('stage').getBoundingClientRect();
-    this.width = width;
-    this.height = height;
-    this.flatView.resize(width, height);
-    this.waveView?.resize(width, height);
+    const {clientWidth, clientHeight} = element('stage');
+    this.width = clientWidth;
+    this.height = clientHeight;
+    this.flatView.resize(clientWidth, clientHeight);
+    this.waveView?.resize(clientWidth, clientHeight);
     this.list.shownEvent = -1;
     this.timeline.draw();
     this.draw();
@@ -282,6 +282,7 @@ class Viewer {
     this.timeline.update();
     this.list.update();
     this.panel.update();
+    this.showSide();
     this.controls.update();
     this.writePresent();
   }
@@ -296,6 +297,13 @@ class Viewer {
     const last = end.row < 0 ? recording.rows : recording.instantBegin[end.row];
     if (playback.event >= first && playback.event <= last) return;
     this.certificate = certificateOf(playback, this.topology, this.selected);
+  }
+
+  /** The column beside the picture is there as long as there is something in it. */
+  showSide() {
+    const isEmpty = element('events').hidden && this.selected < 0;
+    element('side').hidden = isEmpty;
+    element('viewer').classList.toggle('without-side', isEmpty);
   }
 
   writePresent() {

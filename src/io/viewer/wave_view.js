@@ -9,24 +9,22 @@ const HEIGHT_COLORS = 40;
 const LIGHTS = 12;
 const DEPTHS = 4096;
 // Dark to light in lightness too, so that the heights can be told apart without colour.
-const WAVE_RAMP = [[18, 52, 86], [0, 98, 148], [0, 141, 158], [98, 186, 160], [206, 226, 170],
+const WAVE_RAMP = [[24, 66, 106], [0, 98, 148], [0, 141, 158], [98, 186, 160], [206, 226, 170],
                    [255, 250, 228]];
+const DARK_HEIGHT = 0.45;  // share of the height below which lines are light
 const LIGHT = [-0.42, -0.46, 0.78];
 
-class WaveView {
+class WaveView extends View {
   constructor(viewer) {
-    this.viewer = viewer;
+    super(viewer);
     const {points} = viewer.recording;
-    this.extent = extentOf(viewer.recording);
+    this.extent = wholeExtent(viewer.recording);
     this.z = new Float64Array(points);
-    this.sx = new Float64Array(points);
-    this.sy = new Float64Array(points);
     this.depth = new Float64Array(points);
     this.bucketStart = new Uint32Array(DEPTHS + 1);
     this.order = new Uint32Array(0);
     this.bucket = new Uint16Array(0);
     this.fills = waveColors();
-    this.width = this.height = 1;
     this.fit();
   }
 
@@ -38,7 +36,7 @@ class WaveView {
 
   fit() {
     this.yaw = -0.5;
-    this.pitch = 0.82;  // 0: from the side, pi / 2: from above
+    this.pitch = 0.66;  // 0: from the side, pi / 2: from above
     this.magnification = 1;
     this.panX = this.panY = 0;
     this.findScale();
@@ -66,20 +64,12 @@ class WaveView {
     this.pitch = Math.min(Math.max(this.pitch + dy * 0.006, 0.12), Math.PI / 2);
   }
 
-  pointAt(x, y, reach) {
-    return FlatView.prototype.pointAt.call(this, x, y, reach);
-  }
-
-  edgeAt(x, y, reach) {
-    return FlatView.prototype.edgeAt.call(this, x, y, reach);
-  }
-
   pointRadius() {
     return 2;
   }
 
   draw(context) {
-    const {topology, colors, switches} = this.viewer;
+    const {topology, switches} = this.viewer;
     topology.update();
     this.raise();
     this.sortTriangles();
@@ -88,15 +78,8 @@ class WaveView {
     for (let i = 0; i < topology.triangles; ++i) this.drawTriangle(context, this.order[i]);
     if (this.viewer.selected >= 0) drawSelection(context, this);
     drawEventsAround(context, this);
-    if (switches.ids) FlatView.prototype.drawIds.call(this, context);
-    if (this.viewer.hoverPoint >= 0) {
-      context.strokeStyle = colors.selected;
-      context.lineWidth = 2;
-      context.beginPath();
-      context.arc(this.sx[this.viewer.hoverPoint], this.sy[this.viewer.hoverPoint], 6, 0,
-                  2 * Math.PI);
-      context.stroke();
-    }
+    if (switches.ids) this.drawIds(context);
+    if (this.viewer.hoverPoint >= 0) this.drawHover(context, this.viewer.hoverPoint);
   }
 
   /** Heights, and places on the screen. */
@@ -174,7 +157,8 @@ class WaveView {
     context.closePath();
     context.fillStyle = this.fills[at] ?? this.fills[0];
     context.fill();
-    context.strokeStyle = viewer.switches.delaunay ? viewer.colors.waveEdge : context.fillStyle;
+    context.strokeStyle = !viewer.switches.delaunay ? context.fillStyle :
+      level < DARK_HEIGHT ? viewer.colors.waveLowEdge : viewer.colors.waveEdge;
     context.stroke();
   }
 }
