@@ -22,7 +22,7 @@ import runs  # noqa: E402
 
 PROGRAM = FOLDER = TEST = None
 SKIPPED = 77
-SWITCHES = 80  # pixels at the top of the picture that the switches take
+SWITCHES = 130  # pixels at the top of the picture that switches and buttons take
 STEPS = """(() => {
   const seen = [];
   const note = () => seen.push([kinetri.time, kinetri.event, kinetri.edges()]);
@@ -345,7 +345,10 @@ class Certificate(Page):
 
     def setUp(self):
         super().setUp()
-        self.run_ = runs.Run(PROGRAM, FOLDER, "uniform")
+        self.open_run("uniform")
+
+    def open_run(self, name):
+        self.run_ = runs.Run(PROGRAM, FOLDER, name)
         self.open(self.run_.page)
 
     def place_of(self, edge):
@@ -354,7 +357,7 @@ class Certificate(Page):
         return (ax + bx) / 2, (ay + by) / 2, places
 
     def is_clear(self, edge):
-        """Whether the middle of the edge is far enough from everything else to be clicked."""
+        """Whether the middle of the edge is nearer than all others to a click there."""
         x, y, places = self.place_of(edge)
         for other in self.evaluate("kinetri.edges()"):
             if tuple(other) == edge:
@@ -362,7 +365,7 @@ class Certificate(Page):
             (ax, ay), (bx, by) = places[other[0]], places[other[1]]
             length = max((bx - ax) ** 2 + (by - ay) ** 2, 1e-9)
             share = min(max(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / length, 0), 1)
-            if (ax + share * (bx - ax) - x) ** 2 + (ay + share * (by - ay) - y) ** 2 < 16 ** 2:
+            if (ax + share * (bx - ax) - x) ** 2 + (ay + share * (by - ay) - y) ** 2 < 5 ** 2:
                 return False
         return True
 
@@ -407,7 +410,8 @@ class Certificate(Page):
         self.check_removal("flip", 4, 8)
 
     def test_hull_edges(self):
-        self.check_removal("hull_insert", 2, 2)
+        self.open_run("box")
+        self.check_removal("hull_insert", 2, 3)
 
     def test_it_follows_time_and_closes(self):
         event = next(self.removals("flip"))
