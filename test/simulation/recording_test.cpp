@@ -95,8 +95,12 @@ void expect_plays(const Watched_run& run) {
     }
     for (; motion != recording.motions.end() && motion->event == i; ++motion) {
       EXPECT_TRUE(motion->point == event.point_a || motion->point == event.point_b);
-      motion->motion ? void(motions[motion->point] = *motion->motion)
-                     : void(motions.erase(motion->point));
+      EXPECT_NE(motions.contains(motion->point), event.kind == Event_kind::insert) << "row " << i;
+      if (motion->motion) {
+        motions[motion->point] = *motion->motion;
+      } else {
+        EXPECT_EQ(motions.erase(motion->point), 1u) << "row " << i;
+      }
     }
     if (i + 1 < recording.events.size() && recording.events[i + 1].time == event.time) continue;
     const auto is_meant = [&](const auto& other) {
