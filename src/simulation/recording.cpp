@@ -140,22 +140,28 @@ void Recorder<Traits>::after_event(const Event<Time>& event) {
   if (event.point_a) record_motion(*event.point_a, index);
   if (event.point_b) record_motion(*event.point_b, index);
   if (recording_.events.size() <= limit_) return;
-  // Half of the limit, so that the next time is some way off. Where even all events together come
-  // to more, it is the limit that gives way.
-  const double duration = recording_.until - recording_.from;
-  interval_ = std::max(interval_, duration / static_cast<double>(most_rows_));
+  // To half of the limit, so that the next time is some way off. Where even all events together
+  // come to more, it is the limit that gives way.
+  thin(recording_, limit_ / 2);
+  limit_ = std::max(limit_, 2 * recording_.events.size());
+}
+
+template <class Traits>
+void Recorder<Traits>::thin(Recording& recording, std::size_t most_rows) const {
+  const double duration = recording.until - recording.from;
+  double interval = duration / static_cast<double>(limit_);
   Recording thinned;
   do {
-    interval_ *= 2;
-    thinned = merged(recording_, interval_);
-  } while (thinned.events.size() > limit_ / 2 && interval_ < duration);
-  recording_ = std::move(thinned);
-  limit_ = std::max(limit_, 2 * recording_.events.size());
+    interval *= 2;
+    thinned = merged(recording, interval);
+  } while (thinned.events.size() > most_rows && interval < duration);
+  recording = std::move(thinned);
 }
 
 template <class Traits>
 Recording Recorder<Traits>::recording() const {
   Recording result = recording_;
+  if (result.events.size() > most_rows_) thin(result, most_rows_);
   result.until = triangulation_.current_time().to_double();
   return result;
 }

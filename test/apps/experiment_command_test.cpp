@@ -3,6 +3,7 @@
 // `kinetri experiment` from outside: tables, plots, and bad usage.
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -82,7 +83,11 @@ TEST_F(Experiment, SaysWhatIsWrong) {
     const char* message;
   };
   const std::vector<Case> cases = {
-      {{}, "kinetri experiment: --output is required\n"},
+      {{},
+       "kinetri experiment: --output: there is none; expected a directory for the tables, or "
+       "--single\n"},
+      {{"--output", "r", "--events", "e"}, "kinetri experiment: --events requires --single\n"},
+      {{"--single", "50", "--output", "r"}, "kinetri experiment: --output excludes --single\n"},
       {{"--output", "r", "--speed", "0"},
        "kinetri experiment: --speed: 0 is out of range; expected a number from 1e-100 to 1e+100\n"},
       {{"--output", "r", "--collisions", "none"},
@@ -99,6 +104,35 @@ TEST_F(Experiment, SaysWhatIsWrong) {
   const Outcome none = run({"experiment", "--output", "r", "--points", "0"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.err.find("--points: 0 points do nothing"), std::string::npos) << none.err;
+}
+
+TEST_F(Experiment, RunsASingleOne) {
+  const Arguments one = {"experiment", "--points", "20",       "--until", "4",  "--single",
+                         "50",         "--seed",   "3",        "--stats", "s",  "--events",
+                         "e",          "--html",   "run.html", "--audit", "end"};
+  const Outcome outcome = run(one);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  // The same run is a row of the tables.
+  const Outcome all = run({"experiment", "--points", "20", "--until", "4", "--seeds", "3",
+                           "--output", "r", "--no-plots", "--quiet"});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  const auto stats = nlohmann::json::parse(read("s"));
+  EXPECT_EQ(stats["points"], 20);
+  const auto rows = table(read("r/experiment.csv"));
+  const auto row = std::ranges::find_if(
+      rows, [](const auto& fields) { return fields[0] == "50" && fields[1] == "3"; });
+  ASSERT_NE(row, rows.end());
+  for (std::size_t i = 0; i < row->size(); ++i) {
+    const std::string& kind = rows[0][i];
+    if (stats["events"].contains(kind)) {
+      EXPECT_EQ(stats["events"][kind], std::stoi((*row)[i]));
+    }
+  }
+  EXPECT_GT(stats["events"]["flip"], 0);
+  EXPECT_NE(read("run.html").find("experiment: 20 points, 50 % moving, seed 3"), std::string::npos);
+  const Outcome wrong = run({"experiment", "--single", "101"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("expected a whole number from 0 to 100"), std::string::npos);
 }
 
 TEST_F(Experiment, NeedsNoGnuplotForTables) {

@@ -51,18 +51,19 @@ TEST_F(Program, WithoutACommandIsAUsageError) {
   const Outcome outcome = run({});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err,
-            "kinetri: nothing to do; expected generate, simulate, resume, tracks or experiment\n"
-            "Run 'kinetri --help' for what is possible.\n");
+  EXPECT_EQ(
+      outcome.err,
+      "kinetri: nothing to do; expected generate, simulate, resume, tracks, wave or experiment\n"
+      "Run 'kinetri --help' for what is possible.\n");
 }
 
 TEST_F(Program, UnknownCommandIsAUsageError) {
   const Outcome outcome = run({"stimulate"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(
-      outcome.err,
-      "kinetri: 'stimulate' is unknown; expected generate, simulate, resume, tracks or experiment\n"
-      "Run 'kinetri --help' for what is possible.\n");
+  EXPECT_EQ(outcome.err,
+            "kinetri: 'stimulate' is unknown; expected generate, simulate, resume, tracks, wave or "
+            "experiment\n"
+            "Run 'kinetri --help' for what is possible.\n");
 }
 
 // ---- failures inside, which a right library does not have: faults.cpp makes them ----

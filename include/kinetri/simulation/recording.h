@@ -63,8 +63,8 @@ class Recorder : public Event_observer<typename Traits::Time> {
   /// Records what happens in `triangulation` from its present on, up to the time `until`. To be
   /// added as its observer, or as one of the simulation that owns it. If there are more than
   /// `most_rows` events, the recording is thinned to at most that many rows, or, where the first
-  /// and the last triangulation differ in more, to at most twice what they differ in. Precondition:
-  /// until is finite; most_rows > 0.
+  /// and the last triangulation differ in more, to what they differ in. Precondition: until is
+  /// finite; most_rows > 0.
   Recorder(const Triangulation& triangulation, double until, std::size_t most_rows);
 
   void after_event(const Event<Time>& event) override;
@@ -74,11 +74,11 @@ class Recorder : public Event_observer<typename Traits::Time> {
 
  private:
   void record_motion(Point_id id, std::optional<std::size_t> event);
+  void thin(Recording& recording, std::size_t most_rows) const;
 
   const Triangulation& triangulation_;
   std::size_t most_rows_;
   std::size_t limit_;           // of rows before the next thinning
-  double interval_ = 0;         // of time, whose events were merged
   std::optional<Time> time_;    // of the last event
   Recorded_time rounded_time_;  // the same
   Recording recording_;         // up to the last event; until is the end that is expected

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A recording that is played shows the edges and the motions that the run had at each time; where
+// it is thinned, at each time that is left.
+#include "kinetri/simulation/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/error.h"
+#include "kinetri/simulation/simulation_2.h"
+#include "kinetri/simulation/tracks.h"
+#include "support/motions.h"
+
+namespace kinetri {
+namespace {
+
+using Motions = std::map<Point_id, Polynomial_motion_2>;
+
+// What there is just after a time.
+struct State {
+  std::vector<Edge_ids> edges;
+  Motions motions;
+
+  friend bool operator==(const State&, const State&) = default;
+};
+
+Polynomial_motion_2 polynomial(const Linear_motion_2& motion) {
+  return {motion.position, motion.velocity, {}, {}, motion.epoch};
+}
+Polynomial_motion_2 polynomial(const Polynomial_motion_2& motion) {
+  return motion;
+}
+
+template <class Triangulation>
+State state_of(const Triangulation& triangulation) {
+  State result;
+  result.edges = triangulation.finite_edge_ids();
+  for (Point_id id = 0; id < triangulation.next_id(); ++id) {
+    if (triangulation.contains(id)) result.motions[id] = polynomial(triangulation.motion(id));
+  }
+  return result;
+}
+
+// A run, watched step by step, and its recording.
+struct Watched_run {
+  State start;
+  std::vector<std::pair<Algebraic_number, State>> instants;
+  std::uint64_t events = 0;
+  Recording recording;
+};
+
+template <class Traits>
+Watched_run watch(Simulation_2<Traits>& simulation, double until, std::size_t most_rows) {
+  Watched_run result;
+  result.start = state_of(simulation.triangulation());
+  Recorder<Traits> recorder(simulation.triangulation(), until, most_rows);
+  simulation.add_observer(recorder);
+  while (const std::size_t events = simulation.step(Algebraic_number(until))) {
+    result.events += events;
+    result.instants.emplace_back(simulation.current_time(), state_of(simulation.triangulation()));
+  }
+  simulation.advance_to(Algebraic_number(until));
+  result.recording = recorder.recording();
+  simulation.remove_observer(recorder);
+  return result;
+}
+
+// Plays the recording, and compares at each time of a row.
+void expect_plays(const Watched_run& run) {
+  const Recording& recording = run.recording;
+  std::set<Edge_ids> edges(recording.initial_edges.begin(), recording.initial_edges.end());
+  Motions motions;
+  auto motion = recording.motions.begin();
+  for (; motion != recording.motions.end() && !motion->event; ++motion) {
+    ASSERT_TRUE(motion->motion);
+    motions[motion->point] = *motion->motion;
+  }
+  const auto now = [&] { return State{{edges.begin(), edges.end()}, motions}; };
+  EXPECT_EQ(now(), run.start);
+  auto instant = run.instants.begin();
+  for (std::size_t i = 0; i < recording.events.size(); ++i) {
+    const Recorded_event& event = recording.events[i];
+    if (event.removed) {
+      EXPECT_EQ(edges.erase(*event.removed), 1u) << "row " << i;
+    }
+    if (event.added) {
+      EXPECT_TRUE(edges.insert(*event.added).second) << "row " << i;
+    }
+    for (; motion != recording.motions.end() && motion->event == i; ++motion) {
+      EXPECT_TRUE(motion->point == event.point_a || motion->point == event.point_b);
+      EXPECT_NE(motions.contains(motion->point), event.kind == Event_kind::insert) << "row " << i;
+      if (motion->motion) {
+        motions[motion->point] = *motion->motion;
+      } else {
+        EXPECT_EQ(motions.erase(motion->point), 1u) << "row " << i;
+      }
+    }
+    if (i + 1 < recording.events.size() && recording.events[i + 1].time == event.time) continue;
+    const auto is_meant = [&](const auto& other) {
+      return other.first.to_double() == event.time.nearest;
+    };
+    instant = std::find_if(instant, run.instants.end(), is_meant);
+    ASSERT_NE(instant, run.instants.end()) << "row " << i << " is at no instant";
+    EXPECT_EQ(event.time.bounds, instant->first.tight_interval());
+    EXPECT_EQ(now(), instant->second) << "after row " << i << ", t = " << event.time.nearest;
+  }
+  EXPECT_EQ(motion, recording.motions.end());
+  if (!run.instants.empty()) {
+    EXPECT_EQ(now(), run.instants.back().second);
+  }
+  EXPECT_EQ(recording.events_in_all, run.events);
+}
+
+Simulation_options discs(double side, double radius, Collision_response response) {
+  Simulation_options options;
+  options.box = Box_2{0, 0, side, side};
+  options.radius = radius;
+  options.response = std::move(response);
+  return options;
+}
+
+TEST(Recording, plays_flips) {
+  Simulation_2<> simulation(test::random_motions(60, 80, 5, 1), {}, -1.5);
+  const Watched_run run = watch(simulation, 6, 100'000);
+  EXPECT_GT(run.events, 100u);
+  EXPECT_FALSE(run.recording.is_thinned);
+  EXPECT_EQ(run.recording.events.size(), run.events);
+  EXPECT_EQ(run.recording.from, -1.5);
+  EXPECT_EQ(run.recording.until, 6);
+  EXPECT_EQ(run.recording.motions.size(), 60u);
+  expect_plays(run);
+}
+
+TEST(Recording, plays_walls_and_collisions) {
+  for (const auto response : {collide_elastically, erase_both, log_contact}) {
+    Simulation_2<> simulation(test::random_motions(60, 40, 5, 2), discs(40, 0.5, response));
+    const Watched_run run = watch(simulation, 5, 100'000);
+    EXPECT_GT(run.recording.motions.size(), 80u);
+    expect_plays(run);
+  }
+}
+
+TEST(Recording, plays_degenerate_instants) {
+  // A lattice whose points meet.
+  std::vector<Linear_motion_2> motions;
+  for (int x = 0; x < 6; ++x) {
+    for (int y = 0; y < 6; ++y) {
+      motions.push_back({{x * 4.0, y * 4.0}, {(x * y) % 3 - 1.0, (x + 2 * y) % 3 - 1.0}});
+    }
+  }
+  Simulation_2<> simulation(motions, {});
+  const Watched_run run = watch(simulation, 12, 100'000);
+  EXPECT_GT(simulation.triangulation().counters().events[0], 0u) << "no rebuild";
+  EXPECT_LT(run.instants.size(), run.events) << "no simultaneous events";
+  expect_plays(run);
+}
+
+TEST(Recording, plays_points_that_come_turn_and_go) {
+  std::vector<std::vector<Observation_2>> tracks;
+  const auto motions = test::random_motions(40, 30, 4, 3);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    auto& track = tracks.emplace_back();
+    for (std::size_t k = i % 7; k < 12; k += 1 + i % 3) {
+      const double turn = k % 2 == 0 ? 1 : -0.5;
+      track.push_back({static_cast<double>(k),
+                       {motions[i].position.x + turn * motions[i].velocity.x,
+                        motions[i].position.y + turn * motions[i].velocity.y}});
+    }
+  }
+  const auto stays = stays_of(tracks, {0, 12});
+  const auto run_with = [&](std::size_t most_rows) {
+    const auto simulation = simulate_tracks(tracks, stays, 0, {}, {});
+    return watch(*simulation, 12, most_rows);
+  };
+  const Watched_run run = run_with(100'000);
+  EXPECT_FALSE(run.recording.is_thinned);
+  expect_plays(run);
+  const Watched_run thinned = run_with(200);
+  EXPECT_TRUE(thinned.recording.is_thinned);
+  expect_plays(thinned);
+}
+
+TEST(Recording, plays_points_that_accelerate) {
+  std::vector<Polynomial_motion_2> motions;
+  for (const Linear_motion_2& m : test::random_motions(30, 30, 3, 4)) {
+    motions.push_back({m.position, m.velocity, {0, -1}, {m.velocity.y / 4, 0}, 0});
+  }
+  Simulation_2<Polynomial_kinetic_traits_2> simulation(motions, {});
+  const Watched_run run = watch(simulation, 5, 100'000);
+  EXPECT_GT(run.events, 20u);
+  expect_plays(run);
+}
+
+TEST(Recording, is_thinned_to_exact_instants) {
+  for (const std::size_t most_rows : {450u, 700u, 1000u}) {
+    Simulation_2<> simulation(test::random_motions(60, 40, 5, 5),
+                              discs(40, 0.25, collide_elastically));
+    const Watched_run run = watch(simulation, 16, most_rows);
+    ASSERT_GT(run.events, 1500u);
+    EXPECT_TRUE(run.recording.is_thinned);
+    EXPECT_LE(run.recording.events.size(), most_rows);
+    // Not more than is needed: a quarter of the limit is left.
+    EXPECT_GE(4 * run.recording.events.size(), most_rows) << most_rows;
+    expect_plays(run);
+  }
+}
+
+TEST(Recording, of_many_changes_is_thinned_to_the_difference_of_start_and_end) {
+  Simulation_2<> simulation(test::random_motions(60, 60, 5, 6), {});
+  const Watched_run run = watch(simulation, 8, 1);
+  EXPECT_TRUE(run.recording.is_thinned);
+  std::vector<Edge_ids> difference;
+  std::ranges::set_symmetric_difference(run.start.edges, run.instants.back().second.edges,
+                                        std::back_inserter(difference));
+  EXPECT_EQ(run.recording.events.size(), difference.size());
+  expect_plays(run);
+}
+
+TEST(Recording, of_an_instant_may_be_thinned) {
+  // Everything happens at the only time that there is: points are inserted and erased.
+  Simulation_2<> simulation(test::random_motions(20, 20, 5, 7), {});
+  Recorder<> recorder(simulation.triangulation(), 0, 50);
+  simulation.add_observer(recorder);
+  const State start = state_of(simulation.triangulation());
+  for (const Linear_motion_2& motion : test::random_motions(30, 20, 5, 8)) {
+    const Point_id id = simulation.insert(motion);
+    if (id % 2 == 0) simulation.erase(id);
+  }
+  const Recording recording = recorder.recording();
+  EXPECT_TRUE(recording.is_thinned);
+  Watched_run run;
+  run.start = start;
+  run.instants.emplace_back(0.0, state_of(simulation.triangulation()));
+  run.recording = recording;
+  run.events = simulation.triangulation().counters().number_of_events();
+  expect_plays(run);
+}
+
+TEST(Recording, of_nothing_is_empty) {
+  Simulation_2<> simulation(std::vector<Linear_motion_2>{}, {}, 2.0);
+  const Watched_run run = watch(simulation, 2, 10);
+  EXPECT_TRUE(run.recording.events.empty());
+  EXPECT_TRUE(run.recording.motions.empty());
+  EXPECT_EQ(run.recording.from, 2);
+  EXPECT_EQ(run.recording.until, 2);
+  EXPECT_THROW(Recorder<>(simulation.triangulation(), 3, 0), Precondition_error);
+  EXPECT_THROW(Recorder<>(simulation.triangulation(), 1.0 / 0.0, 1), Precondition_error);
+}
+
+TEST(Recording, says_how_far_it_got) {
+  Simulation_2<> simulation(test::random_motions(30, 30, 5, 9), {});
+  Recorder<> recorder(simulation.triangulation(), 100, 1000);
+  simulation.add_observer(recorder);
+  simulation.step();
+  const Recording recording = recorder.recording();
+  EXPECT_EQ(recording.until, simulation.current_time().to_double());
+  EXPECT_EQ(recording.events.back().time.nearest, recording.until);
+}
+
+}  // namespace
+}  // namespace kinetri

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/simulation/wave.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "kinetri/base/error.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri {
+namespace {
+
+// The rows, counted from below, in which points move.
+std::multiset<std::size_t> moving_rows(const Simulation_2<>& simulation, std::size_t columns) {
+  std::multiset<std::size_t> result;
+  const auto& triangulation = simulation.triangulation();
+  for (Point_id id = 0; id < triangulation.next_id(); ++id) {
+    if (triangulation.motion(id).velocity != Vector_2{}) result.insert(id / columns);
+  }
+  return result;
+}
+
+TEST(Wave, runs_from_row_to_row_and_back) {
+  Wave_setting setting;
+  setting.columns = 5;
+  setting.rows = 4;
+  setting.spacing = 8;
+  setting.speed = 8;
+  setting.diameter = 1;
+  Simulation_2<> simulation(wave_motions(setting), wave_options(setting));
+  const auto all_of_row = [](std::size_t row) {
+    return std::multiset<std::size_t>{row, row, row, row, row};
+  };
+  // From one row to the next it is 8 - 1; from the last one to the wall 4, and 4 back to where the
+  // row below stands 1 away.
+  EXPECT_EQ(moving_rows(simulation, 5), all_of_row(0));
+  const struct {
+    double way;
+    std::size_t row;
+  } stages[] = {{6.5, 0}, {7.5, 1}, {14.5, 2}, {21.5, 3}, {24.5, 3}, {29.5, 2}};
+  for (const auto& [way, row] : stages) {
+    simulation.advance_to(way / 8);
+    EXPECT_EQ(moving_rows(simulation, 5), all_of_row(row)) << "after a way of " << way;
+    EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+  }
+  // All contacts of one row happen at one exact time.
+  EXPECT_EQ(simulation.contact_counters().most_at_one_time, 5u);
+  simulation.advance_to(20.0);
+  EXPECT_EQ(moving_rows(simulation, 5).size(), 5u);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
+TEST(Wave, with_jitter_moves_one_point_of_each_column) {
+  Wave_setting setting;
+  setting.columns = 6;
+  setting.rows = 5;
+  setting.jitter = 3;
+  setting.seed = 7;
+  const auto motions = wave_motions(setting);
+  ASSERT_EQ(motions.size(), 30u);
+  std::set<double> offsets;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    EXPECT_EQ(motions[i].position.x, 10.0 * static_cast<double>(i % 6));
+    const double offset = motions[i].position.y - 10.0 * static_cast<double>(i / 6);
+    EXPECT_TRUE(offset >= -3 && offset <= 3) << offset;
+    offsets.insert(offset);
+  }
+  EXPECT_GT(offsets.size(), 25u);
+  EXPECT_EQ(motions, wave_motions(setting));
+  setting.seed = 8;
+  EXPECT_NE(motions, wave_motions(setting));
+
+  Simulation_2<> simulation(motions, wave_options(setting));
+  for (double t = 1; t <= 12; ++t) {
+    simulation.advance_to(t);
+    std::set<std::size_t> columns;
+    for (Point_id id = 0; id < 30; ++id) {
+      if (simulation.triangulation().motion(id).velocity != Vector_2{}) columns.insert(id % 6);
+    }
+    EXPECT_EQ(columns.size(), 6u) << "t = " << t;
+  }
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
+TEST(Wave, refuses_what_is_no_lattice) {
+  const auto refused = [](auto change) {
+    Wave_setting setting;
+    change(setting);
+    EXPECT_THROW(wave_motions(setting), Precondition_error);
+    EXPECT_THROW(wave_options(setting), Precondition_error);
+  };
+  refused([](Wave_setting& s) { s.columns = 0; });
+  refused([](Wave_setting& s) { s.rows = 0; });
+  refused([](Wave_setting& s) { s.columns = s.rows = std::size_t{1} << 33; });
+  refused([](Wave_setting& s) { s.spacing = 0; });
+  refused([](Wave_setting& s) { s.speed = 1e200; });
+  refused([](Wave_setting& s) { s.diameter = s.spacing; });
+  refused([](Wave_setting& s) { s.jitter = -1; });
+  refused([](Wave_setting& s) { s.jitter = 5; });
+}
+
+}  // namespace
+}  // namespace kinetri
