@@ -92,6 +92,8 @@ class Playing(Page):
         if run.motions is not None:
             self.check_positions(run)
         self.check_picture()
+        if TEST == "wave":
+            self.check_wave()
 
     def check_steps(self, run):
         """Each instant of the log is a step, forward and backward, with the edges of the log."""
@@ -156,7 +158,8 @@ class Playing(Page):
         for event in run.events:
             touched = {point for point in event.points if point is not None}
             (gone if event.kind == "erase" or "remove" in runs.RUNS[TEST][2] else turned).update(touched)
-        for when in (0.0, run.until / 3, float(run.until)):
+        box = runs.recording_of(run.page)["box"]
+        for when in (0.0, run.until / 3, run.until / 2, float(run.until)):
             self.go_to(when)
             found = self.evaluate("kinetri.positions()")
             self.assertEqual(len(found), len(run.motions))
@@ -169,13 +172,14 @@ class Playing(Page):
                     for k in (0, 1):
                         error = abs(runs.fractions.Fraction(place[k]) - exact[k])
                         self.assertLessEqual(error, bound[k], f"point {point} at {when}")
-        box = runs.recording_of(run.page)["box"]
-        if box is None:
-            return
-        for x, y in self.evaluate("kinetri.positions()"):
-            # What is exactly inside is rounded to what is inside, but for the evaluation: three
-            # operations with numbers that are no larger than 1000.
-            slack = 3 * 1000 * float(runs.HALF_ULP)
+            if box is not None:
+                self.check_inside(box, found)
+
+    def check_inside(self, box, places):
+        """What is exactly inside is so as it is shown, but for the evaluation: some ten operations
+        with numbers that are no larger than 10000."""
+        slack = 10 * 10000 * float(runs.HALF_ULP)
+        for x, y in places:
             self.assertTrue(box[0] - slack <= x <= box[2] + slack, x)
             self.assertTrue(box[1] - slack <= y <= box[3] + slack, y)
 
@@ -190,6 +194,23 @@ class Playing(Page):
         self.assertGreater(drawn, 2000, "hardly anything is drawn")
         self.browser.key("End")
         self.assertNotEqual(self.look(SWITCHES), first, "the end looks like the start")
+
+    def check_wave(self):
+        """It begins tilted, can be turned, and laid flat and back."""
+        wave = self.look(SWITCHES)
+        left, top, right, bottom = self.picture_box()
+        x, y = (left + right) // 2, (top + bottom) // 2
+        self.browser.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
+        self.browser.mouse("mouseMoved", x + 60, y + 30, button="left", buttons=1)
+        self.browser.mouse("mouseReleased", x + 60, y + 30, button="left", clickCount=1)
+        self.browser.move(5, 5)
+        self.assertNotEqual(self.look(SWITCHES), wave, "it does not turn")
+        self.browser.key("f")
+        self.assertEqual(self.look(SWITCHES), wave)
+        self.browser.key("w")
+        self.assertNotEqual(self.look(SWITCHES), wave, "it is not laid flat")
+        self.browser.key("w")
+        self.assertEqual(self.look(SWITCHES), wave)
 
 
 class Interface(Page):
@@ -392,19 +413,22 @@ class Certificate(Page):
         self.assertEqual(title, f"Edge {edge[0]}\u2013{edge[1]}")
 
     def check_removal(self, kind, degree, least):
-        checked = 0
+        checked = exact = 0
         for event in self.removals(kind):
             text = self.evaluate("document.getElementById('certificate-facts').innerText")
             interval = self.evaluate("document.getElementById('interval').textContent")
             found = [float(number) for number in interval.strip("[]").split(",")]
             self.assertEqual(found, sorted(set(event.time[1:])))
             self.assertIn(f"{kind.replace('_', ' ')} #{event.number}", text)
-            self.assertIn("positive at the lower one, negative at the upper one", text)
-            self.assertIn(f"{degree} in s", text)
+            self.assertIn("the certificate is zero there" if len(found) == 1 else
+                          "positive at the lower one, negative at the upper one", text)
+            self.assertLessEqual(int(text.split("Degree\n")[1].split()[0]), degree)
+            exact += len(found) == 1
             checked += 1
             if checked == least:
-                return
+                break
         self.assertGreaterEqual(checked, least, "too few edges that can be clicked")
+        return exact
 
     def test_flips(self):
         self.check_removal("flip", 4, 8)
@@ -412,6 +436,35 @@ class Certificate(Page):
     def test_hull_edges(self):
         self.open_run("box")
         self.check_removal("hull_insert", 2, 3)
+
+    def test_accelerated_points(self):
+        self.open_run("accelerated")
+        self.check_removal("flip", 12, 6)
+
+    def test_times_that_are_numbers(self):
+        self.open_run("lattice")
+        self.assertGreater(self.check_removal("flip", 4, 6), 0)
+
+    def test_corners_that_change(self):
+        """Of an edge that is removed after its corners have changed, the first change is named."""
+        for i, event in enumerate(self.run_.events):
+            self.go_to(max(event.time[0] - 1, 0.0))
+            there = edges(self.evaluate("kinetri.edges()"))
+            if event.kind != "flip" or event.removed not in there or not self.is_clear(event.removed):
+                continue
+            self.click(event.removed)
+            text = self.evaluate("document.getElementById('certificate-facts').innerText")
+            if "its corners change before it fails" not in text:
+                continue
+            change = text.split("before it fails, ")[1].split()
+            number = int(next(word for word in change if word.startswith("#"))[1:])
+            self.assertLess(number, event.number)
+            self.assertIn(f"later, with flip #{event.number}", text)
+            ends = set(event.removed)
+            changed = self.run_.events[number]
+            self.assertTrue(ends & set((changed.removed or ()) + (changed.added or ())))
+            return
+        self.fail("no such edge")
 
     def test_it_follows_time_and_closes(self):
         event = next(self.removals("flip"))

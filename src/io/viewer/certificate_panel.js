@@ -69,6 +69,10 @@ class CertificatePanel {
     this.facts.replaceChildren();
     this.plot.hidden = kind === 'none';
     if (kind !== 'none') this.now = this.fact('Sign now', '');
+    if (this.viewer.recording.thinned !== null) {
+      this.fact('Note', 'events are left out of this recording: in between, the edge may have had ' +
+                'other corners');
+    }
     this.fact('Since', ...this.limitText(certificate.begin, false));
     this.fact('Until', ...this.limitText(certificate.end, true));
     this.writeFailure(certificate);
@@ -140,7 +144,7 @@ class CertificatePanel {
     const button = document.createElement('button');
     button.className = 'link';
     button.dataset.row = row;
-    button.textContent = `${kindName(recording, row)} #${recording.firstNumber + row}`;
+    button.textContent = `${kindName(recording, row)} ${eventNumber(recording, row)}`;
     button.title = `${changeText(this.viewer, row)}: go there`;
     return button;
   }

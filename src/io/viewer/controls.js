@@ -37,11 +37,17 @@ function switchesOf(recording) {
     {id: 'voronoi', key: 'v', label: 'Voronoi', isThere: true, mark: '--voronoi'},
     {id: 'circle', key: 'c', label: 'Circumcircle', isThere: true, mark: '--circle'},
     {id: 'discs', key: 'o', label: 'Discs', isThere: recording.radius > 0, mark: '--disc'},
-    {id: 'trails', key: 't', label: 'Trails', isThere: true, mark: '--trail'},
+    {id: 'trails', key: 't', label: 'Trails', isThere: !turnsAreLeftOut(recording),
+     mark: '--trail'},
     {id: 'ids', key: 'i', label: recording.names === null ? 'Ids' : 'Names', isThere: true,
      mark: '--quiet'},
   ];
   return all.filter((one) => one.isThere);
+}
+
+/** Whether the switch does something in the view of the wave. */
+function isOfWave(id) {
+  return ['wave', 'delaunay', 'ids'].includes(id);
 }
 
 const KEY_NAMES = {' ': 'Space', ArrowRight: '\u2192', ArrowLeft: '\u2190', ArrowUp: '\u2191',
@@ -119,8 +125,7 @@ class Controls {
     const {playback, recording, direction} = viewer;
     for (const {id, button} of this.switches) {
       button.setAttribute('aria-pressed', String(viewer.switches[id]));
-      const isOfFlatView = !['wave', 'delaunay', 'ids'].includes(id);
-      button.hidden = viewer.switches.wave && isOfFlatView;
+      button.hidden = viewer.switches.wave && !isOfWave(id);
     }
     this.setIcon('play', direction === 1 ? 'pause' : 'play');
     this.setIcon('back', direction === -1 ? 'pause' : 'back');

@@ -20,6 +20,11 @@ function kindName(recording, row) {
   return recording.kinds[recording.rowKind[row]].replace(/_/g, ' ');
 }
 
+/** As in the event log; of a thinned recording the rows are not those of the log. */
+function eventNumber(recording, row) {
+  return recording.thinned === null ? `#${recording.firstNumber + row}` : `row ${row}`;
+}
+
 function edgeName(viewer, edge) {
   const {edgeA, edgeB} = viewer.recording;
   return `${viewer.pointName(edgeA[edge])}\u2013${viewer.pointName(edgeB[edge])}`;
@@ -142,6 +147,6 @@ class EventList {
     element.kind.textContent = kindName(recording, row);
     element.change.textContent = changeText(this.viewer, row);
     element.time.textContent = shortNumber(recording.rowTime[row], 7);
-    element.number.textContent = `#${recording.firstNumber + row}`;
+    element.number.textContent = eventNumber(recording, row);
   }
 }

@@ -25,6 +25,7 @@ class FlatView extends View {
       this.sy[point] = camera.screenY(viewer.y[point]);
     }
     if (recording.box !== null) this.drawBox(context);
+    if (recording.points === 0) this.sayEmpty(context);
     if (switches.discs && recording.radius > 0) this.drawDiscs(context);
     if (switches.trails) drawTrails(context, this);
     if (switches.delaunay) this.drawEdges(context);
@@ -36,6 +37,13 @@ class FlatView extends View {
     this.drawPoints(context);
     if (switches.ids) this.drawIds(context);
     if (viewer.hoverPoint >= 0) this.drawHover(context, viewer.hoverPoint);
+  }
+
+  sayEmpty(context) {
+    context.fillStyle = this.viewer.colors.quiet;
+    context.font = '15px system-ui, sans-serif';
+    context.textAlign = 'center';
+    context.fillText('There are no points in this run.', this.width / 2, this.height / 2);
   }
 
   drawBox(context) {

@@ -6,7 +6,7 @@
 
 const TRAIL_PARTS = 5;             // each fainter than the one before it
 const TRAIL_STEPS = 4;             // in a part of the trail of an accelerated point
-const MOST_EVENTS_SHOWN = 24;      // on each side of the shown time
+const MOST_EVENTS_SHOWN = 24;      // on each side of the shown time, beside those at it
 const CENTER = {x: 0, y: 0};
 const ENDS = new Float64Array(4);
 const CLIP_MARGIN = 4;
@@ -150,10 +150,10 @@ function drawEventsAround(context, view) {
   const {playback, recording} = view.viewer;
   const while_ = view.viewer.highlightLength();
   const {time, event} = playback;
-  for (let row = event - 1; row >= Math.max(event - MOST_EVENTS_SHOWN, 0); --row) {
+  for (let row = event - 1; row >= 0; --row) {
     const since = time - shownTime(recording, row);
     const isPresent = recording.instantEnd[row] === event && since === 0;
-    if (!isPresent && !(since < while_)) break;
+    if (!isPresent && !(since < while_ && row >= event - MOST_EVENTS_SHOWN)) break;
     drawEvent(context, view, row, isPresent ? 1 : 1 - since / while_);
   }
   for (let row = event; row < Math.min(event + MOST_EVENTS_SHOWN, recording.rows); ++row) {

@@ -187,4 +187,24 @@ function placePoints(playback, time, xs, ys) {
       xs[point] = ys[point] = NaN;
     }
   }
+  if (recording.thinned !== null) placeTurningPoints(playback, time, xs, ys);
+}
+
+/**
+ * Where events are left out, nobody knows where a point turned that has another trajectory from the
+ * next instant on: it is put on the straight way from its place at the last instant to that one.
+ */
+function placeTurningPoints(playback, time, xs, ys) {
+  const {recording, event} = playback;
+  if (event === recording.rows) return;
+  const {motionPoint, motionThere, rowMotion, rowTime, instantEnd} = recording;
+  const before = event === 0 ? recording.from : rowTime[event - 1], after = rowTime[event];
+  const share = (time - before) / (after - before);
+  for (let i = rowMotion[event]; i < rowMotion[instantEnd[event]]; ++i) {
+    const point = motionPoint[i], previous = playback.current[point];
+    if (previous < 0 || !motionThere[previous] || !motionThere[i] || !(share <= 1)) continue;
+    const between = (a, b) => a + (b - a) * share;
+    xs[point] = between(motionX(recording, previous, before), motionX(recording, i, after));
+    ys[point] = between(motionY(recording, previous, before), motionY(recording, i, after));
+  }
 }

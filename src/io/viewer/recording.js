@@ -221,6 +221,11 @@ function readMotions(recording, json, ids) {
                             motionPrevious: previous, motionNext: next});
 }
 
+/** Whether points turn at times that are left out. */
+function turnsAreLeftOut(recording) {
+  return recording.thinned !== null && recording.motions > recording.starting;
+}
+
 /** Rows of the same time are one step. */
 function findInstants(recording) {
   const {rows, rowLow, rowHigh} = recording;

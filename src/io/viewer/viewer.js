@@ -11,24 +11,6 @@ const COLOR_NAMES = ['background', 'edge', 'edgeBehind', 'hull', 'point', 'box',
                      'trail', 'voronoi', 'circle', 'circleFill', 'removed', 'added', 'selected',
                      'selectedFill', 'waveEdge', 'waveLowEdge', 'text', 'quiet', 'hover'];
 
-function element(id) {
-  return document.getElementById(id);
-}
-
-/** The canvas's context, in CSS pixels, at the display's resolution. */
-function sizedContext(canvas, width, height) {
-  const ratio = window.devicePixelRatio || 1;
-  const columns = Math.max(Math.round(width * ratio), 1);
-  const rows = Math.max(Math.round(height * ratio), 1);
-  if (canvas.width !== columns || canvas.height !== rows) {
-    canvas.width = columns;
-    canvas.height = rows;
-  }
-  const context = canvas.getContext('2d');
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  return context;
-}
-
 /** 1, 2 or 5 times a power of ten: the n-th, 10^0 being the zeroth. */
 function roundSpeed(n) {
   const step = ((n % 3) + 3) % 3;
@@ -59,13 +41,12 @@ class Viewer {
     this.frameRequested = false;
     this.lastFrame = 0;
     this.frame = this.frame.bind(this);
-    this.writeHeader();
+    writeHeader(recording);
     this.timeline = new Timeline(this);
     this.list = new EventList(this);
     this.panel = new CertificatePanel(this);
     this.pointerInput = new PointerInput(this);
     this.controls = new Controls(this);
-    this.texts = ['time', 'present', 'speed'].map(element);
     this.followEnvironment();
   }
 
@@ -143,6 +124,7 @@ class Viewer {
   }
 
   toggleSwitch(id) {
+    if (this.switches.wave && !isOfWave(id)) return;
     this.switches[id] = !this.switches[id];
     this.requestFrame();
   }
@@ -194,21 +176,6 @@ class Viewer {
   }
 
   // ---- the page around the picture ----
-
-  writeHeader() {
-    const {recording} = this;
-    const {title, program, points, thinned, instants, rows} = recording;
-    element('title').textContent = title || 'Kinetri';
-    const count = (n, one) => `${n.toLocaleString('en')} ${one}${n === 1 ? '' : 's'}`;
-    element('summary').textContent = [count(points, 'point'), count(rows, 'event'),
-      `t from ${shortNumber(recording.from)} to ${shortNumber(recording.until)}`, program]
-      .filter(Boolean).join(' \u00b7 ');
-    if (thinned === null) return;
-    element('note').hidden = false;
-    element('note').textContent = `The run had ${count(thinned.events, 'event')}; ` +
-      `${count(instants, 'instant')} of it are shown. Between two of these the edges are those of ` +
-      'the earlier one.';
-  }
 
   setTheme(isDark) {
     document.documentElement.classList.toggle('dark', isDark);
@@ -284,7 +251,7 @@ class Viewer {
     this.panel.update();
     this.showSide();
     this.controls.update();
-    this.writePresent();
+    writePresent(this);
   }
 
   /** The certificate of the selected edge is the one that it has now; of an edge that is not there
@@ -304,19 +271,5 @@ class Viewer {
     const isEmpty = element('events').hidden && this.selected < 0;
     element('side').hidden = isEmpty;
     element('viewer').classList.toggle('without-side', isEmpty);
-  }
-
-  writePresent() {
-    const {recording, playback} = this;
-    const [time, present, speed] = this.texts;
-    const decimals = Math.min(Math.max(4 - Math.floor(Math.log10(
-      recording.until - recording.from || 1)), 0), 12);
-    const isLarge = Math.abs(playback.time) >= 1e9;
-    time.textContent =
-      `t = ${isLarge ? shortNumber(playback.time, 10) : playback.time.toFixed(decimals)}`;
-    present.textContent = `event ${playback.event} of ${recording.rows}`;
-    speed.textContent = `${shortNumber(this.speed())} / s`;
-    element('picture').setAttribute('aria-label', `The triangulation at time ` +
-      `${shortNumber(playback.time)}, after event ${playback.event} of ${recording.rows}`);
   }
 }

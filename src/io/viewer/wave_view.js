@@ -45,7 +45,7 @@ class WaveView extends View {
   findScale() {
     const [left, bottom, right, top] = this.extent;
     const diagonal = Math.hypot(right - left, top - bottom);
-    this.scale = this.magnification *
+    this.scale = 1.1 * this.magnification *
       Math.min(this.width / diagonal, this.height / (diagonal * 0.82));
   }
 
