@@ -135,6 +135,8 @@ std::uint8_t fields(const Recorded_event& event) {
 }
 
 json events(const Recording& recording, std::size_t points) {
+  const bool are_all_there = !recording.events.empty() && !recording.is_thinned;
+  const std::uint64_t first = are_all_there ? recording.events.front().number : 0;
   json kinds = json::array();
   for (std::size_t i = 0; i < event_kinds; ++i) kinds.push_back(name(static_cast<Event_kind>(i)));
   Bytes kind;
@@ -151,7 +153,7 @@ json events(const Recording& recording, std::size_t points) {
     if (event.point_b) ids.add(*event.point_b);
   }
   return {{"count", recording.events.size()},
-          {"first", recording.events.empty() ? 0 : recording.events.front().number},
+          {"first", first},
           {"kinds", kinds},
           {"kind", kind.base64()},
           {"fields", present.base64()},

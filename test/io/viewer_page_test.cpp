@@ -105,6 +105,7 @@ TEST(Viewer_page, says_what_the_settings_say) {
   EXPECT_EQ(object["box"], json({-1, 0.1, 2, 3}));
   EXPECT_EQ(object["radius"], 0.25);
   EXPECT_EQ(object["thinned"]["events"], 12'345);
+  EXPECT_EQ(object["events"]["first"], 0);
   EXPECT_EQ(object["wave"]["height"], 3);
   EXPECT_EQ(object["wave"]["width"], 20);
   EXPECT_EQ(object["motions"]["degree"], 3);
