@@ -34,6 +34,9 @@ def accelerated_points():
     return "\n".join(lines) + "\n"
 
 
+# A point falls through the fourth corner of a square, at exactly t = 1.
+SQUARE = "x,y,vx,vy\n0,0,0,0\n2,0,0,0\n2,2,0,0\n0,3,0,-1\n"
+
 # By name: how the points are generated (or what is in their file), the end, further options.
 RUNS = {
     "uniform": ("uniform --points 40 --seed 3", 8, ()),
@@ -44,6 +47,7 @@ RUNS = {
     "accelerated": (accelerated_points(), 5, ()),
     "lattice": ("lattice --points 16 --movers all", 4, ()),
     "tracks": (TRACKS, 6, ()),
+    "square": (SQUARE, 1.5, ()),
     "wave": (None, 12, ("--columns", "6", "--rows", "5")),
     "thinned": ("uniform --points 130 --seed 6 --side 100", 330, ("--box", "0,0,100,100")),
 }

@@ -11,6 +11,7 @@ const DEPTHS = 4096;
 // Dark to light in lightness too, so that the heights can be told apart without colour.
 const WAVE_RAMP = [[24, 66, 106], [0, 98, 148], [0, 141, 158], [98, 186, 160], [206, 226, 170],
                    [255, 250, 228]];
+const FIRST_PITCH = 0.66;  // 0: from the side, pi / 2: from above
 const DARK_HEIGHT = 0.45;  // share of the height below which lines are light
 const LIGHT = [-0.42, -0.46, 0.78];
 
@@ -36,17 +37,19 @@ class WaveView extends View {
 
   fit() {
     this.yaw = -0.5;
-    this.pitch = 0.66;  // 0: from the side, pi / 2: from above
+    this.pitch = FIRST_PITCH;
     this.magnification = 1;
     this.panX = this.panY = 0;
     this.findScale();
   }
 
+  /** So that the whole is seen from everywhere. */
   findScale() {
     const [left, bottom, right, top] = this.extent;
     const diagonal = Math.hypot(right - left, top - bottom);
-    this.scale = 1.1 * this.magnification *
-      Math.min(this.width / diagonal, this.height / (diagonal * 0.82));
+    const tall = diagonal * Math.sin(FIRST_PITCH) +
+      Math.abs(this.viewer.recording.wave.height) * Math.cos(FIRST_PITCH);
+    this.scale = this.magnification * Math.min(this.width / diagonal, this.height / tall);
   }
 
   zoom(factor) {
@@ -105,7 +108,8 @@ class WaveView extends View {
       const back = sinYaw * px + cosYaw * py;
       this.z[point] = z;
       this.sx[point] = this.width / 2 + this.panX + this.scale * (cosYaw * px - sinYaw * py);
-      this.sy[point] = this.height / 2 + this.panY - this.scale * (back * sinPitch + z * cosPitch);
+      this.sy[point] = this.height / 2 + this.panY -
+        this.scale * (back * sinPitch + (z - height / 2) * cosPitch);
       this.depth[point] = back * cosPitch - z * sinPitch;
     }
   }
