@@ -16,7 +16,8 @@ LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 LICENCE_LINES = 3
 
 # Files that are checked, by suffix or by name.
-SUFFIXES = {".h", ".cpp", ".cmake", ".in", ".py", ".sh", ".md", ".json", ".yml", ".yaml"}
+SUFFIXES = {".h", ".cpp", ".cmake", ".in", ".py", ".sh", ".md", ".json", ".yml", ".yaml",
+            ".html", ".css", ".js"}
 NAMES = {"CMakeLists.txt", ".clang-format", ".gitignore", "run"}
 # Folders that are not ours to check: what is built, what is hidden, and data that tests read.
 SKIPPED_FOLDERS = re.compile(r"^(build.*|out|data|corpus|__pycache__|\..*)$")

@@ -4,7 +4,7 @@
 # What scripts/demo.sh, scripts/test.sh and scripts/fuzz.sh have in common: the packages they need,
 # and the calls of CMake. Source it for its functions, or run it to install what is missing:
 #
-#   scripts/setup.sh demo|test|fuzz
+#   scripts/setup.sh demo|test|browser|fuzz
 
 kinetri_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -15,8 +15,8 @@ kinetri_fail() {
   exit 1
 }
 
-# kinetri_packages demo|test|fuzz: the Debian packages needed, as `package` or, where a program that
-# came from elsewhere will do as well, `package=program`.
+# kinetri_packages demo|test|browser|fuzz: the Debian packages needed, as `package` or, where a
+# program that came from elsewhere will do as well, `package=program`.
 kinetri_packages() {
   printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libfmt-dev libgmp-dev \
     libmpfr-dev libtbb-dev nlohmann-json3-dev
@@ -26,11 +26,12 @@ kinetri_packages() {
     printf '%s\n' gnuplot-nox=gnuplot libgtest-dev librapidcheck-dev pkg-config=pkg-config \
       python3=python3
   fi
+  if [[ $1 == browser ]]; then printf '%s\n' chromium=chromium; fi
   # The sanitizers' and libFuzzer's libraries.
   if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi
 }
 
-# kinetri_missing demo|test|fuzz: those of them that are not there, one a line.
+# kinetri_missing demo|test|browser|fuzz: those of them that are not there, one a line.
 kinetri_missing() {
   local entry package program
   while IFS= read -r entry; do
@@ -44,7 +45,7 @@ kinetri_missing() {
   done < <(kinetri_packages "$1")
 }
 
-# kinetri_setup demo|test|fuzz: installs the missing packages. Silent if there are none.
+# kinetri_setup demo|test|browser|fuzz: installs the missing packages. Silent if there are none.
 kinetri_setup() {
   local missing
   if ! command -v dpkg-query >/dev/null; then
@@ -122,8 +123,8 @@ kinetri_build() {
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
   set -euo pipefail
-  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|fuzz)$ ]]; then
-    printf 'usage: %s demo|test|fuzz\nInstalls the Debian packages that are missing.\n' "$0" >&2
+  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|fuzz)$ ]]; then
+    printf 'usage: %s demo|test|browser|fuzz\nInstalls the Debian packages that are missing.\n' "$0" >&2
     exit 2
   fi
   kinetri_setup "$1"

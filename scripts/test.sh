@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 usage() {
   cat <<EOF
-usage: scripts/test.sh [--sanitize] [--compiler CXX] [--filter REGEX] [--quick]
+usage: scripts/test.sh [--sanitize] [--compiler CXX] [--filter REGEX] [--quick] [--browser]
 
 Installs what is missing (with apt-get, as root), builds everything, and runs every test. The last
 line reads "N passed, N failed"; the exit code is 0 if none failed.
@@ -17,17 +17,20 @@ line reads "N passed, N failed"; the exit code is 0 if none failed.
   --compiler CXX  with another compiler, e.g. clang++, in a directory of its own
   --filter REGEX  only the tests whose names match
   --quick         without the tests labelled slow
+  --browser       with chromium, which the tests of the viewer page need; it is installed if missing,
+                  and else these tests run where it is already
 
 KINETRI_TEST_MULTIPLIER=N makes the randomized tests N times as long.
 EOF
 }
 
-preset=test dir=build/test
+preset=test dir=build/test packages=test
 configure=() select=()
 while (($# > 0)); do
   case $1 in
     --help | -h) usage && exit 0 ;;
     --sanitize) preset=asan-ubsan dir=build/asan ;;
+    --browser) packages=browser ;;
     --quick) select+=(--label-exclude slow) ;;
     --compiler | --filter)
       (($# >= 2)) || { usage >&2 && exit 2; }
@@ -47,7 +50,7 @@ while (($# > 0)); do
 done
 if [[ -n ${compiler:-} ]]; then dir+="-${compiler##*/}"; fi
 
-kinetri_setup test
+kinetri_setup "$packages"
 build_dir="$kinetri_root/$dir"
 kinetri_build "$build_dir" "$preset" "${configure[@]}"
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The certificate of an edge: which polynomial says that the edge is right, from when to when it is
+// this one, and what ends it.
+'use strict';
+
+/** The opposite corners of the edge ab, left and right, in the topology; -1 for none. */
+function cornersOf(topology, a, b) {
+  topology.update();
+  return [topology.opposite(a, b, 1), topology.opposite(a, b, -1)];
+}
+
+/**
+ * The certificate of the edge, which is there. Members: a, b, left, right (corners, -1 for none);
+ * kind 'in-circle', 'orientation' or 'none'; begin and end: {row, reason}, row -1 for the ends of
+ * the recording, reason 'edge', 'corners', 'motion' or 'recording'; from and until, in binary64;
+ * removal: the row that removes the edge, or -1; and, unless there is none, `polynomial` with its
+ * `origin` and `divisor`, and `coefficients`.
+ */
+function certificateOf(playback, topology, edge) {
+  const {recording} = playback;
+  const a = recording.edgeA[edge], b = recording.edgeB[edge];
+  const [left, right] = cornersOf(topology, a, b);
+  const result = {edge, a, b, left, right, event: playback.event, kind: 'none'};
+  result.begin = endOfLife(playback, edge, left, right, -1);
+  result.end = endOfLife(playback, edge, left, right, 1);
+  result.from = result.begin.row < 0 ? recording.from : recording.rowTime[result.begin.row];
+  result.until = result.end.row < 0 ? recording.until : recording.rowTime[result.end.row];
+  result.removal = -1;
+  for (let row = playback.event; row < recording.rows && result.removal < 0; ++row) {
+    if (recording.rowRemoved[row] === edge) result.removal = row;
+  }
+  result.origin = result.from;
+  const motion = (point) => playback.current[point];
+  if (left >= 0 && right >= 0) {
+    result.kind = 'in-circle';
+    result.divisor = 6n ** 4n;
+    result.polynomial =
+      delaunayPolynomial(recording, [a, b, left, right].map(motion), result.origin);
+  } else if (left >= 0 || right >= 0) {
+    result.kind = 'orientation';
+    result.divisor = 6n ** 2n;
+    const corners = left >= 0 ? [a, b, left] : [b, a, right];
+    result.polynomial = orientationPolynomial(recording, corners.map(motion), result.origin);
+  } else {
+    return result;
+  }
+  result.coefficients = roundedCoefficients(result.polynomial, result.divisor);
+  return result;
+}
+
+/** What ends the edge's life with these corners and motions, forward (direction 1) or back (-1). */
+function endOfLife(playback, edge, left, right, direction) {
+  const {recording} = playback;
+  const cursor = playback.clone();
+  const topology = new Topology(cursor);
+  const a = recording.edgeA[edge], b = recording.edgeB[edge];
+  const corners = [a, b, left, right].filter((point) => point >= 0);
+  const limit = direction > 0 ? recording.rows : 0;
+  while (cursor.event !== limit) {
+    const first = direction > 0 ? cursor.event : recording.instantBegin[cursor.event - 1];
+    const last = direction > 0 ? recording.instantEnd[first] : cursor.event;
+    const change = firstChange(recording, corners, first, last, direction);
+    cursor.goToEvent(direction > 0 ? last : first);
+    if (change.edges < 0 && change.motion < 0) continue;
+    if (cursor.where[edge] < 0) {
+      return {row: rowOfEdge(recording, edge, first, last, direction), reason: 'edge'};
+    }
+    if (change.motion >= 0) return {row: change.motion, reason: 'motion'};
+    const now = cornersOf(topology, a, b);
+    if (now[0] !== left || now[1] !== right) return {row: change.edges, reason: 'corners'};
+  }
+  return {row: -1, reason: 'recording'};
+}
+
+/** The first rows of an instant that give one of the corners a new motion, and that change an edge
+ * between two of them or at an end of the edge. */
+function firstChange(recording, corners, first, last, direction) {
+  const {rowRemoved, rowAdded, rowMotion, motionPoint, edgeA, edgeB} = recording;
+  const isEnd = (point) => point === corners[0] || point === corners[1];
+  const touches = (edge) => edge >= 0 && (isEnd(edgeA[edge]) || isEnd(edgeB[edge]));
+  // What belongs to the quadrilateral itself names the cause better than what is only beside it.
+  const within = (edge) =>
+    edge >= 0 && corners.includes(edgeA[edge]) && corners.includes(edgeB[edge]);
+  const lost = direction > 0 ? rowRemoved : rowAdded;
+  const change = {edges: -1, motion: -1};
+  let named = false;
+  for (let row = first; row < last; ++row) {
+    for (let i = rowMotion[row]; i < rowMotion[row + 1]; ++i) {
+      if (change.motion < 0 && corners.includes(motionPoint[i])) change.motion = row;
+    }
+    if (!named && within(lost[row])) {
+      change.edges = row;
+      named = true;
+    } else if (change.edges < 0 && (touches(rowRemoved[row]) || touches(rowAdded[row]))) {
+      change.edges = row;
+    }
+  }
+  return change;
+}
+
+/** The row in which the edge goes (or comes, backward). */
+function rowOfEdge(recording, edge, first, last, direction) {
+  const rows = direction > 0 ? recording.rowRemoved : recording.rowAdded;
+  for (let row = first; row < last; ++row) if (rows[row] === edge) return row;
+  return first;
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The list of events: only the rows in sight are elements. And how events are put into words.
+'use strict';
+
+const ROW_HEIGHT = 44;
+const LONGEST_LIST = 8e6;  // pixels; browsers do not scroll through much more
+const LEFT_ALONE = 2500;   // milliseconds after the user has scrolled in which the list stays put
+const GLYPHS = {
+  flip: '\u21c4', hull_insert: '\u25b2', hull_remove: '\u25bc', rebuild: '\u21bb', wall: '\u2503',
+  collision: '\u25cf', insert: '+', erase: '\u00d7', trajectory: '\u2197',
+};
+
+/** A number for the eye. */
+function shortNumber(x, digits = 6) {
+  return String(Number(x.toPrecision(digits))).replace(/^-/, '\u2212');
+}
+
+function kindName(recording, row) {
+  return recording.kinds[recording.rowKind[row]].replace(/_/g, ' ');
+}
+
+/** As in the event log; of a thinned recording the rows are not those of the log. */
+function eventNumber(recording, row) {
+  return recording.thinned === null ? `#${recording.firstNumber + row}` : `row ${row}`;
+}
+
+function edgeName(viewer, edge) {
+  const {edgeA, edgeB} = viewer.recording;
+  return `${viewer.pointName(edgeA[edge])}\u2013${viewer.pointName(edgeB[edge])}`;
+}
+
+/** What an event does, such as "3–7 → 5–9". */
+function changeText(viewer, row) {
+  const {rowRemoved, rowAdded, rowA, rowB} = viewer.recording;
+  const parts = [];
+  if (rowA[row] >= 0) parts.push(viewer.pointName(rowA[row]));
+  if (rowB[row] >= 0) parts.push(viewer.pointName(rowB[row]));
+  const points = parts.length > 0 ? `point${parts.length > 1 ? 's' : ''} ${parts.join(', ')}` : '';
+  const removed = rowRemoved[row] >= 0 ? edgeName(viewer, rowRemoved[row]) : '';
+  const added = rowAdded[row] >= 0 ? edgeName(viewer, rowAdded[row]) : '';
+  let edges = '';
+  if (removed && added) edges = `${removed} \u2192 ${added}`;
+  else if (removed) edges = `\u2212 ${removed}`;
+  else if (added) edges = `+ ${added}`;
+  return [points, edges].filter(Boolean).join(', ');
+}
+
+class EventList {
+  constructor(viewer) {
+    this.viewer = viewer;
+    this.list = element('list');
+    this.rows = element('rows');
+    this.pool = [];
+    this.shownEvent = -1;
+    this.userScrolled = -Infinity;
+    const {rows, instants} = viewer.recording;
+    element('events-count').textContent = rows === 0 ? 'none' :
+      instants === rows ? `${rows}` : `${rows} at ${instants} instants`;
+    this.total = ROW_HEIGHT * rows;
+    this.rows.style.height = `${Math.min(this.total, LONGEST_LIST)}px`;
+    this.list.addEventListener('scroll', () => this.draw(), {passive: true});
+    for (const type of ['wheel', 'touchmove', 'pointerdown']) {
+      this.list.addEventListener(type, () => { this.userScrolled = performance.now(); },
+                                 {passive: true});
+    }
+    this.rows.addEventListener('click', (event) => {
+      const row = event.target.closest('.row');
+      if (row !== null) viewer.goToRow(Number(row.dataset.row));
+    });
+  }
+
+  /** Pixels of the whole list above the window, for the place of the scroll bar. */
+  offset() {
+    const height = this.list.clientHeight;
+    const scrollable = Math.min(this.total, LONGEST_LIST) - height;
+    if (scrollable <= 0) return 0;
+    return this.list.scrollTop * (this.total - height) / scrollable;
+  }
+
+  scrollTo(offset) {
+    const height = this.list.clientHeight;
+    if (this.total <= height) return;
+    this.list.scrollTop =
+      offset * (Math.min(this.total, LONGEST_LIST) - height) / (this.total - height);
+  }
+
+  /** Brings the present event into sight, unless the user is elsewhere in the list. */
+  update() {
+    const {event} = this.viewer.playback;
+    if (this.shownEvent === event || this.list.clientHeight === 0) return;
+    this.shownEvent = event;
+    if (performance.now() - this.userScrolled > LEFT_ALONE) {
+      const at = ROW_HEIGHT * Math.max(event - 1, 0), offset = this.offset();
+      const height = this.list.clientHeight;
+      const isInSight = at >= offset && at + 2 * ROW_HEIGHT <= offset + height;
+      if (!isInSight) this.scrollTo(at - height / 2 + ROW_HEIGHT);
+    }
+    this.draw();
+  }
+
+  draw() {
+    const {recording, playback} = this.viewer;
+    const offset = this.offset(), height = this.list.clientHeight;
+    const first = Math.max(Math.floor(offset / ROW_HEIGHT), 0);
+    const count = Math.min(Math.ceil(height / ROW_HEIGHT) + 1, recording.rows - first);
+    while (this.pool.length < count) this.pool.push(this.newRow());
+    const shift = this.list.scrollTop - offset;
+    const {event} = playback;
+    const presentBegin = event === 0 ? 0 : recording.instantBegin[event - 1];
+    let active = '';
+    for (let i = 0; i < this.pool.length; ++i) {
+      const row = this.pool[i];
+      row.root.hidden = i >= count;
+      if (i >= count) continue;
+      this.fill(row, first + i);
+      row.root.style.transform = `translateY(${ROW_HEIGHT * (first + i) + shift}px)`;
+      const isPresent = first + i >= presentBegin && first + i < event;
+      row.root.className = isPresent ? 'row present' : first + i >= event ? 'row future' : 'row';
+      row.root.setAttribute('aria-selected', String(isPresent));
+      if (isPresent) active = row.root.id;
+    }
+    this.list.setAttribute('aria-activedescendant', active);
+  }
+
+  newRow() {
+    const root = document.createElement('div');
+    root.id = `row-${this.pool.length}`;
+    root.setAttribute('role', 'option');
+    root.innerHTML = '<span class="glyph" aria-hidden="true"></span>' +
+      '<span class="what"><span></span><span class="change"></span></span>' +
+      '<span class="when"><span></span><span class="number"></span></span>';
+    this.rows.append(root);
+    const [glyph, what, when] = root.children;
+    return {root, glyph, row: -1, kind: what.firstChild, change: what.lastChild,
+            time: when.firstChild, number: when.lastChild};
+  }
+
+  fill(element, row) {
+    if (element.row === row) return;
+    element.row = row;
+    const {recording} = this.viewer;
+    element.root.dataset.row = row;
+    element.root.setAttribute('aria-posinset', row + 1);
+    element.root.setAttribute('aria-setsize', recording.rows);
+    element.glyph.textContent = GLYPHS[recording.kinds[recording.rowKind[row]]] ?? '\u2022';
+    element.kind.textContent = kindName(recording, row);
+    element.change.textContent = changeText(this.viewer, row);
+    element.time.textContent = shortNumber(recording.rowTime[row], 7);
+    element.number.textContent = eventNumber(recording, row);
+  }
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How much of the plane a recording takes, which is what the cameras show of themselves. An extent
+// is [left, bottom, right, top], and never empty.
+'use strict';
+
+const OUTLIERS = 0.02;       // share of the places at each end that need not be in the picture
+const TIMES_IN_MOTION = 8;   // at which an accelerated motion is looked at
+const TIMES_IN_RUN = 32;     // at which all points are, where the camera goes with them
+const MOST_GROWTH = 1.5;     // of a run that one extent is good enough for
+
+/** The extent at a time: one for the whole run, unless the points spread much. */
+class Extents {
+  constructor(recording) {
+    this.recording = recording;
+    this.whole = wholeExtent(recording);
+    this.samples = [];
+    if (recording.box === null && recording.until > recording.from) this.sample();
+  }
+
+  at(time) {
+    const {recording, whole, samples} = this;
+    if (samples.length === 0) return whole;
+    const {from, until} = recording;
+    const place = (time - from) / (until - from) * TIMES_IN_RUN;
+    const i = Math.min(Math.max(Math.floor(place), 0), TIMES_IN_RUN - 1);
+    return samples[i].map((side, k) => side + (samples[i + 1][k] - side) * (place - i));
+  }
+
+  sample() {
+    const {recording, whole} = this;
+    const {from, until, points, radius} = recording;
+    const playback = new Playback(recording);
+    const xs = new Float64Array(points), ys = new Float64Array(points);
+    const samples = [];
+    let least = Infinity;
+    for (let i = 0; i <= TIMES_IN_RUN; ++i) {
+      playback.goTo(from + (until - from) * i / TIMES_IN_RUN);
+      placePoints(playback, playback.time, xs, ys);
+      const isThere = (place) => !Number.isNaN(place);
+      const extent = extentOf(xs.filter(isThere), ys.filter(isThere), radius);
+      samples.push(extent);
+      least = Math.min(least, Math.max(extent[2] - extent[0], extent[3] - extent[1]));
+    }
+    // Points that come and go take the camera to and fro: then it stays.
+    const areSame = recording.motions === recording.starting;
+    const growth = Math.max(whole[2] - whole[0], whole[3] - whole[1]) / least;
+    if (areSame && growth > MOST_GROWTH) this.samples = samples;
+  }
+}
+
+/** Of the box, or of where the points go in the whole run. */
+function wholeExtent(recording) {
+  if (recording.box !== null) {
+    const [left, bottom, right, top] = recording.box;
+    return extentOf([left, right], [bottom, top], 0);
+  }
+  const xs = [], ys = [];
+  for (let i = 0; i < recording.motions; ++i) sampleMotion(recording, i, xs, ys);
+  return extentOf(xs, ys, recording.radius);
+}
+
+/** Of most of the places, with discs of the radius. */
+function extentOf(xs, ys, radius) {
+  const [left, right] = mostOf(xs), [bottom, top] = mostOf(ys);
+  const extent = [left - radius, bottom - radius, right + radius, top + radius];
+  for (const axis of [0, 1]) {
+    const span = Math.max(extent[2] - extent[0], extent[3] - extent[1]);
+    const size = extent[axis + 2] - extent[axis];
+    const least = Math.max(span / 1e3, Math.abs(extent[axis]) * 1e-9) || 2;
+    if (size < least) {
+      extent[axis] -= least / 2;
+      extent[axis + 2] += least / 2;
+    } else if (size === Infinity) {
+      extent[axis] /= 2;
+      extent[axis + 2] /= 2;
+    }
+  }
+  return extent;
+}
+
+function sampleMotion(recording, motion, xs, ys) {
+  if (!recording.motionThere[motion]) return;
+  const {motionRow, motionNext, rowTime, degree} = recording;
+  const next = motionNext[motion];
+  const begin = motionRow[motion] < 0 ? recording.from : rowTime[motionRow[motion]];
+  const end = next < 0 ? recording.until : rowTime[motionRow[next]];
+  const steps = degree === 1 ? 1 : TIMES_IN_MOTION;
+  for (let i = 0; i <= steps; ++i) {
+    const time = begin + (end - begin) * i / steps;
+    xs.push(motionX(recording, motion, time));
+    ys.push(motionY(recording, motion, time));
+  }
+}
+
+/** [least, greatest] of most of the numbers, with some room. */
+function mostOf(numbers) {
+  if (numbers.length === 0) return [-1, 1];
+  const sorted = Float64Array.from(numbers).sort();
+  const last = sorted.length - 1;
+  const low = sorted[Math.floor(OUTLIERS * last)], high = sorted[Math.ceil((1 - OUTLIERS) * last)];
+  const room = 0.25 * (high - low);
+  return [Math.max(sorted[0], low - room), Math.min(sorted[last], high + room)];
+}

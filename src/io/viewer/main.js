@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The start: reads the recording, makes the viewer, and `window.kinetri`.
+'use strict';
+
+/**
+ * What the console has of the run:
+ *
+ *   time, event        the shown time, and how many rows are executed
+ *   counts             {points, rows, instants, edges}; edges: those that are there
+ *   edges()            the edges that are there, [a, b] with a < b, sorted
+ *   positions()        [x, y] of each point at the shown time by id; null for those not there
+ *   goTo(time)         every row whose exact time is at or before it is executed, and no other
+ *   stepForward()      to just after the next instant; false if there is none
+ *   stepBackward()     to just after the last instant before now, or the start; false if it is now
+ *   screen(x, y)       where a place in the plane is on the page, in CSS pixels (flat view)
+ *   drawNow()          draws at once, and returns the milliseconds that it took
+ */
+function consoleObject(viewer) {
+  const {playback, recording} = viewer;
+  return Object.freeze({
+    get time() { return playback.time; },
+    get event() { return playback.event; },
+    get counts() {
+      const {points, rows, instants} = recording;
+      return {points, rows, instants, edges: playback.liveCount};
+    },
+    edges() {
+      const edges = Array.from(playback.live.subarray(0, playback.liveCount), (edge) =>
+        [recording.edgeA[edge], recording.edgeB[edge]]);
+      return edges.sort((e, f) => e[0] - f[0] || e[1] - f[1]);
+    },
+    positions() {
+      placePoints(playback, playback.time, viewer.x, viewer.y);
+      return Array.from(viewer.x, (x, point) => (Number.isNaN(x) ? null : [x, viewer.y[point]]));
+    },
+    goTo(time) {
+      if (!Number.isFinite(time)) throw new TypeError('goTo: expected a finite time');
+      viewer.goTo(time);
+    },
+    stepForward: () => viewer.stepForward(),
+    stepBackward: () => viewer.stepBackward(),
+    screen(x, y) {
+      const {left, top} = element('picture').getBoundingClientRect();
+      const {camera} = viewer.flatView;
+      return [left + camera.screenX(x), top + camera.screenY(y)];
+    },
+    drawNow() {
+      const start = performance.now();
+      viewer.draw();
+      return performance.now() - start;
+    },
+  });
+}
+
+/** Says on the page why there is nothing to see. */
+function showMessage(error) {
+  const isOurs = error instanceof RecordingError;
+  const title = document.createElement('h1'), text = document.createElement('p');
+  title.textContent = isOurs ? 'This recording is damaged' : 'This page has failed';
+  text.textContent = isOurs ?
+    `It cannot be played: ${error.message}. Make the page anew with kinetri.` :
+    `An error of the viewer itself: ${error}. Please report it, with the page.`;
+  element('message').replaceChildren(title, text);
+  element('message').hidden = false;
+  element('viewer').hidden = true;
+}
+
+try {
+  const source = element('recording');
+  demand(source !== null, 'there is no recording in the page');
+  const recording = readRecording(source.textContent);
+  source.remove();  // it takes memory
+  element('viewer').hidden = false;
+  window.kinetri = consoleObject(new Viewer(recording));
+} catch (error) {
+  showMessage(error);
+  if (!(error instanceof RecordingError)) throw error;
+}

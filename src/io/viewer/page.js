@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The page's elements: its canvases, and the texts that say what is shown.
+'use strict';
+
+function element(id) {
+  return document.getElementById(id);
+}
+
+/** The canvas's context, in CSS pixels, at the display's resolution. */
+function sizedContext(canvas, width, height) {
+  const ratio = window.devicePixelRatio || 1;
+  const columns = Math.max(Math.round(width * ratio), 1);
+  const rows = Math.max(Math.round(height * ratio), 1);
+  if (canvas.width !== columns || canvas.height !== rows) {
+    canvas.width = columns;
+    canvas.height = rows;
+  }
+  const context = canvas.getContext('2d');
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return context;
+}
+
+/** What does not change while the run plays. */
+function writeHeader(recording) {
+  const {title, program, points, thinned, instants, rows} = recording;
+  element('title').textContent = title || 'Kinetri';
+  const count = (n, one) => `${n.toLocaleString('en')} ${one}${n === 1 ? '' : 's'}`;
+  const events = thinned === null ? count(rows, 'event') :
+    `${count(instants, 'instant')} of ${count(thinned.events, 'event')}`;
+  element('summary').textContent = [count(points, 'point'), events,
+    `t from ${shortNumber(recording.from)} to ${shortNumber(recording.until)}`, program]
+    .filter(Boolean).join(' \u00b7 ');
+  if (thinned === null) return;
+  element('note').hidden = false;
+  element('note').textContent = `The run had ${count(thinned.events, 'event')}; ` +
+    `${count(instants, 'instant')} of it are shown, each with its exact triangulation. Between two ` +
+    'of these the edges are those of the earlier one' +
+    (turnsAreLeftOut(recording) ? ', and points that turn go straight.' : '.');
+}
+
+/** The time, the number of events, and the speed. */
+function writePresent(viewer) {
+  const {recording, playback} = viewer;
+  const span = recording.until - recording.from || 1;
+  const decimals = Math.min(Math.max(4 - Math.floor(Math.log10(span)), 0), 12);
+  const isLarge = Math.abs(playback.time) >= 1e9;
+  element('time').textContent =
+    `t = ${isLarge ? shortNumber(playback.time, 10) : playback.time.toFixed(decimals)}`;
+  element('present').textContent = `event ${playback.event} of ${recording.rows}`;
+  element('speed').textContent = `${shortNumber(viewer.speed())} / s`;
+  element('picture').setAttribute('aria-label', `The triangulation at time ` +
+    `${shortNumber(playback.time)}, after event ${playback.event} of ${recording.rows}`);
+}

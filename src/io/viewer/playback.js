@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Playing a recording: the edges and trajectories after so many events, forward and backward, and
+// where the points are at a time.
+'use strict';
+
+/**
+ * A recording at a time. `event` rows are executed: those whose exact time is at or before `time`
+ * (of a step: those of its instant and before). `live` holds the `liveCount` edges that are there,
+ * in no order; `where[edge]` is its place in there, or -1; `current[point]` the motion in force, or
+ * -1 before the point comes.
+ */
+class Playback {
+  constructor(recording) {
+    this.recording = recording;
+    this.time = recording.from;
+    this.event = 0;
+    this.live = new Uint32Array(recording.edgeA.length);
+    this.where = new Int32Array(recording.edgeA.length).fill(-1);
+    this.liveCount = 0;
+    for (let edge = 0; edge < recording.initialEdges; ++edge) this.addEdge(edge);
+    this.current = new Int32Array(recording.points).fill(-1);
+    for (let i = 0; i < recording.starting; ++i) this.current[recording.motionPoint[i]] = i;
+  }
+
+  /** A copy that can be played by itself. */
+  clone() {
+    const copy = Object.create(Playback.prototype);
+    Object.assign(copy, this);
+    copy.live = this.live.slice();
+    copy.where = this.where.slice();
+    copy.current = this.current.slice();
+    return copy;
+  }
+
+  addEdge(edge) {
+    this.where[edge] = this.liveCount;
+    this.live[this.liveCount++] = edge;
+  }
+
+  removeEdge(edge) {
+    const last = this.live[--this.liveCount];
+    this.live[this.where[edge]] = last;
+    this.where[last] = this.where[edge];
+    this.where[edge] = -1;
+  }
+
+  /** Executes the row `event`. */
+  execute() {
+    const {rowRemoved, rowAdded, rowMotion, motionPoint} = this.recording;
+    const row = this.event++;
+    if (rowRemoved[row] >= 0) this.removeEdge(rowRemoved[row]);
+    if (rowAdded[row] >= 0) this.addEdge(rowAdded[row]);
+    for (let i = rowMotion[row]; i < rowMotion[row + 1]; ++i) this.current[motionPoint[i]] = i;
+  }
+
+  /** Undoes the row before `event`. */
+  undo() {
+    const {rowRemoved, rowAdded, rowMotion, motionPoint, motionPrevious} = this.recording;
+    const row = --this.event;
+    if (rowAdded[row] >= 0) this.removeEdge(rowAdded[row]);
+    if (rowRemoved[row] >= 0) this.addEdge(rowRemoved[row]);
+    for (let i = rowMotion[row + 1] - 1; i >= rowMotion[row]; --i) {
+      this.current[motionPoint[i]] = motionPrevious[i];
+    }
+  }
+
+  /** Executes or undoes rows until `event` of them are executed. */
+  goToEvent(event) {
+    while (this.event < event) this.execute();
+    while (this.event > event) this.undo();
+  }
+
+  /** Goes to the time, or to the end of the recording that is nearer. */
+  goTo(time) {
+    const {from, until} = this.recording;
+    this.time = Math.min(Math.max(time, from), until);
+    this.goToEvent(rowsAtOrBefore(this.recording, this.time));
+  }
+
+  /** Goes to just after the instant of a row. */
+  goToRow(row) {
+    this.time = shownTime(this.recording, row);
+    this.goToEvent(this.recording.instantEnd[row]);
+  }
+
+  /** Goes to just after the next instant. Returns whether there is one. */
+  stepForward() {
+    if (this.event === this.recording.rows) return false;
+    this.goToRow(this.event);
+    return true;
+  }
+
+  /**
+   * Goes back to just after the last instant before the shown time, or to the start if there is
+   * none. Returns whether anything changed.
+   */
+  stepBackward() {
+    const {from, instantBegin} = this.recording;
+    if (this.event === 0) {
+      const moved = this.time > from;
+      this.time = from;
+      return moved;
+    }
+    if (this.time > shownTime(this.recording, this.event - 1)) {
+      this.goToRow(this.event - 1);
+      return true;
+    }
+    const begin = instantBegin[this.event - 1];
+    this.goToEvent(begin);
+    this.time = begin === 0 ? from : shownTime(this.recording, begin - 1);
+    return true;
+  }
+
+  /**
+   * A time between the last instant and the next one, at which the points are in general position
+   * as far as binary64 can tell: orders by angle are found there. Where events are left out, just
+   * after the last instant, since later the edges are not those of a triangulation.
+   */
+  settledTime() {
+    const {from, until, rows, rowLow, rowHigh, thinned} = this.recording;
+    const after = this.event === 0 ? from : rowHigh[this.event - 1];
+    const before = this.event === rows ? Math.max(until, after) : rowLow[this.event];
+    return after + (before - after) * (thinned === null ? 0.5 : 1e-6);
+  }
+}
+
+/** The time at which the state just after a row is shown: the least at or after the exact one. */
+function shownTime(recording, row) {
+  return Math.min(recording.rowHigh[row], recording.until);
+}
+
+/** The number of rows whose exact time is at or before the binary64 number `time`. */
+function rowsAtOrBefore(recording, time) {
+  let low = 0, high = recording.rows;
+  while (low < high) {
+    const middle = (low + high) >>> 1;
+    if (recording.rowHigh[middle] <= time) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+// Places and velocities by a motion's number. In binary64: off by some units in the last place of
+// the largest term.
+
+function motionX(recording, motion, time) {
+  return motionCoordinate(recording, motion, time, 0);
+}
+
+function motionY(recording, motion, time) {
+  return motionCoordinate(recording, motion, time, 1);
+}
+
+function motionCoordinate({motionData: data, stride, degree}, motion, time, coordinate) {
+  const i = stride * motion + 1 + coordinate;
+  const s = time - data[stride * motion];
+  if (degree === 1) return data[i] + data[i + 2] * s;
+  const jerk = degree === 3 ? data[i + 6] : 0;
+  return data[i] + s * (data[i + 2] + s * (data[i + 4] / 2 + s * jerk / 6));
+}
+
+function motionVelocity({motionData: data, stride, degree}, motion, time, coordinate) {
+  const i = stride * motion + 3 + coordinate;
+  if (degree === 1) return data[i];
+  const s = time - data[stride * motion];
+  return data[i] + s * (data[i + 2] + (degree === 3 ? s * data[i + 4] / 2 : 0));
+}
+
+/** Whether the motion is one that moves at all. */
+function isMoving({motionData: data, stride}, motion) {
+  for (let i = stride * motion + 3; i < stride * (motion + 1); ++i) {
+    if (data[i] !== 0) return true;
+  }
+  return false;
+}
+
+/** Writes the places of all points at a time to xs and ys: NaN for those that are not there. */
+function placePoints(playback, time, xs, ys) {
+  const {recording, current} = playback;
+  for (let point = 0; point < recording.points; ++point) {
+    const motion = current[point];
+    if (motion >= 0 && recording.motionThere[motion]) {
+      xs[point] = motionX(recording, motion, time);
+      ys[point] = motionY(recording, motion, time);
+    } else {
+      xs[point] = ys[point] = NaN;
+    }
+  }
+  if (recording.thinned !== null) placeTurningPoints(playback, time, xs, ys);
+}
+
+/**
+ * Where events are left out, nobody knows where a point turned that has another trajectory from the
+ * next instant on: it is put on the straight way from its place at the last instant to that one.
+ */
+function placeTurningPoints(playback, time, xs, ys) {
+  const {recording, event} = playback;
+  if (event === recording.rows) return;
+  const {motionPoint, motionThere, rowMotion, rowTime, instantEnd} = recording;
+  const before = event === 0 ? recording.from : rowTime[event - 1], after = rowTime[event];
+  const share = (time - before) / (after - before);
+  for (let i = rowMotion[event]; i < rowMotion[instantEnd[event]]; ++i) {
+    const point = motionPoint[i], previous = playback.current[point];
+    if (previous < 0 || !motionThere[previous] || !motionThere[i] || !(share <= 1)) continue;
+    const between = (a, b) => a + (b - a) * share;
+    xs[point] = between(motionX(recording, previous, before), motionX(recording, i, after));
+    ys[point] = between(motionY(recording, previous, before), motionY(recording, i, after));
+  }
+}

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The recording: from the JSON object in the page to flat arrays, checked. What its members mean is
+// said in include/kinetri/io/viewer_page.h. Every pair of points that is ever an edge has a number
+// here, so that executing an event takes no look-up.
+'use strict';
+
+/** A recording that cannot be played; the message is for people. */
+class RecordingError extends Error {}
+
+function demand(condition, what) {
+  if (!condition) throw new RecordingError(what);
+}
+
+/** The numbers of type 'Uint8', 'Uint16', 'Uint32' or 'Float64' in the base64 text. */
+function decodeNumbers(text, type, what) {
+  demand(typeof text === 'string', `${what} is not there`);
+  let bytes;
+  try {
+    bytes = atob(text);
+  } catch {
+    throw new RecordingError(`${what} is not base64`);
+  }
+  const size = {Uint8: 1, Uint16: 2, Uint32: 4, Float64: 8}[type];
+  demand(bytes.length % size === 0, `${what} ends within a number`);
+  const view = new DataView(new ArrayBuffer(bytes.length));
+  for (let i = 0; i < bytes.length; ++i) view.setUint8(i, bytes.charCodeAt(i));
+  const Numbers = {Uint8: Uint8Array, Uint16: Uint16Array, Uint32: Uint32Array,
+                   Float64: Float64Array}[type];
+  const numbers = new Numbers(bytes.length / size);
+  const get = view[`get${type}`].bind(view);
+  for (let i = 0; i < numbers.length; ++i) numbers[i] = get(size * i, true);
+  return numbers;
+}
+
+const DOUBLE_BITS = new BigInt64Array(1);
+const DOUBLE_VALUE = new Float64Array(DOUBLE_BITS.buffer);
+
+/** The next binary64 number above (direction 1) or below (-1) the finite number x. */
+function neighborDouble(x, direction) {
+  if (x === 0) return direction * Number.MIN_VALUE;
+  DOUBLE_VALUE[0] = x;
+  DOUBLE_BITS[0] += (x > 0) === (direction > 0) ? 1n : -1n;
+  return DOUBLE_VALUE[0];
+}
+
+const FIELD_REMOVED = 1, FIELD_ADDED = 2, FIELD_POINT_A = 4, FIELD_POINT_B = 8;
+const FIELD_ABOVE = 16, FIELD_BELOW = 32;
+
+/** Numbers of pairs of points: given out in the order in which the pairs come up. */
+class EdgeNumbers {
+  constructor(points) {
+    this.points = points;
+    this.numbers = new Map();
+    this.a = [];
+    this.b = [];
+  }
+
+  number(a, b, what) {
+    demand(a < this.points && b < this.points, `${what} names the point ${Math.max(a, b)}, but ` +
+           `the ids end with ${this.points - 1}`);
+    demand(a !== b, `${what} has an edge from point ${a} to itself`);
+    const low = Math.min(a, b), high = Math.max(a, b);
+    const key = low * this.points + high;
+    let number = this.numbers.get(key);
+    if (number === undefined) {
+      number = this.a.length;
+      this.numbers.set(key, number);
+      this.a.push(low);
+      this.b.push(high);
+    }
+    return number;
+  }
+}
+
+/**
+ * The recording of the JSON text. Throws RecordingError where it is damaged.
+ *
+ * Row 0 is the run's event `firstNumber`. Arrays by row: rowKind, rowTime (the nearest binary64 number), rowLow
+ * and rowHigh (around the exact time; equal if it is one number), rowRemoved and rowAdded (edges),
+ * rowA and rowB (points), -1 for none, rowMotion (the first motion in force from that row on, or
+ * later; one entry more than rows), instantBegin and instantEnd (rows of the same time). By motion:
+ * motionPoint, motionRow (-1: from the start), motionThere, motionPrevious (of the point, or -1),
+ * motionNext, and motionData, `stride` numbers each. By edge: edgeA < edgeB; the first
+ * `initialEdges` are there at the start.
+ */
+function readRecording(text) {
+  let json;
+  try {
+    json = JSON.parse(text);
+  } catch (error) {
+    throw new RecordingError(`it is not JSON (${error.message})`);
+  }
+  demand(json !== null && typeof json === 'object', 'it is not a JSON object');
+  demand(json.format === 1, `its format is ${json.format}, but this page plays format 1`);
+  const {from, until, points} = json;
+  demand(Number.isFinite(from) && Number.isFinite(until) && from <= until,
+         'its times `from` and `until` are not two numbers in order');
+  demand(Number.isInteger(points) && points >= 0, 'its number of points is not a whole number');
+  const recording = {
+    from, until, points,
+    program: String(json.program ?? ''),
+    title: String(json.title ?? ''),
+    names: json.names ?? null,
+    box: json.box ?? null,
+    radius: json.radius ?? 0,
+    thinned: json.thinned ?? null,
+    wave: json.wave ?? null,
+  };
+  demand(recording.names === null ||
+         (Array.isArray(json.names) && json.names.length === points), 'not every point has a name');
+  demand(recording.box === null || (Array.isArray(json.box) && json.box.length === 4 &&
+         json.box.every(Number.isFinite)), 'its box is not four numbers');
+  demand(Number.isFinite(recording.radius) && recording.radius >= 0, 'its radius is not a number');
+  demand(recording.thinned === null || Number.isInteger(recording.thinned.events),
+         'it does not say how many events the run had');
+  demand(recording.wave === null || (Number.isFinite(recording.wave.height) &&
+         recording.wave.width > 0), 'its wave has no height or no width');
+
+  const ids = points <= 65536 ? 'Uint16' : 'Uint32';
+  const edges = new EdgeNumbers(points);
+  const initial = decodeNumbers(json.initial_edges, ids, 'the list of edges at the start');
+  demand(initial.length % 2 === 0, 'the list of edges at the start ends within an edge');
+  for (let i = 0; i < initial.length; i += 2) {
+    edges.number(initial[i], initial[i + 1], 'the list of edges at the start');
+  }
+  recording.initialEdges = edges.a.length;
+  demand(2 * edges.a.length === initial.length, 'an edge is twice in the list of those at the start');
+  readEvents(recording, json.events, ids, edges);
+  readMotions(recording, json.motions, ids);
+  recording.edgeA = Uint32Array.from(edges.a);
+  recording.edgeB = Uint32Array.from(edges.b);
+  findInstants(recording);
+  checkEdges(recording);
+  return recording;
+}
+
+function readEvents(recording, json, ids, edges) {
+  demand(json !== null && typeof json === 'object', 'the events are not there');
+  const count = json.count;
+  const kind = decodeNumbers(json.kind, 'Uint8', 'the list of kinds of event');
+  const fields = decodeNumbers(json.fields, 'Uint8', 'the list of fields of events');
+  const time = decodeNumbers(json.time, 'Float64', 'the list of times of events');
+  const id = decodeNumbers(json.ids, ids, 'the list of ids in events');
+  demand(kind.length === count && fields.length === count && time.length === count,
+         `it has ${count} events, but ${kind.length} kinds, ${fields.length} fields and ` +
+         `${time.length} times of them`);
+  demand(Array.isArray(json.kinds), 'the names of the kinds of event are not there');
+  let at = 0;
+  const take = (row) => {
+    demand(at < id.length, `the ids of event ${row} are not there`);
+    return id[at++];
+  };
+  const takeEdge = (row) => edges.number(take(row), take(row), `event ${row}`);
+  const takePoint = (row) => {
+    const point = take(row);
+    demand(point < recording.points, `event ${row} names the point ${point}, but the ids end with ` +
+           `${recording.points - 1}`);
+    return point;
+  };
+  Object.assign(recording, {
+    rows: count, firstNumber: json.first ?? 0, kinds: json.kinds.map(String), rowKind: kind, rowTime: time,
+    rowLow: new Float64Array(count), rowHigh: new Float64Array(count),
+    rowRemoved: new Int32Array(count).fill(-1), rowAdded: new Int32Array(count).fill(-1),
+    rowA: new Int32Array(count).fill(-1), rowB: new Int32Array(count).fill(-1),
+  });
+  for (let row = 0; row < count; ++row) {
+    demand(kind[row] < json.kinds.length, `event ${row} is of a kind without a name`);
+    demand(Number.isFinite(time[row]), `the time of event ${row} is not a number`);
+    const field = fields[row];
+    if (field & FIELD_REMOVED) recording.rowRemoved[row] = takeEdge(row);
+    if (field & FIELD_ADDED) recording.rowAdded[row] = takeEdge(row);
+    if (field & FIELD_POINT_A) recording.rowA[row] = takePoint(row);
+    if (field & FIELD_POINT_B) recording.rowB[row] = takePoint(row);
+    recording.rowLow[row] = field & FIELD_BELOW ? neighborDouble(time[row], -1) : time[row];
+    recording.rowHigh[row] = field & FIELD_ABOVE ? neighborDouble(time[row], 1) : time[row];
+    demand(row === 0 || (recording.rowLow[row - 1] <= recording.rowLow[row] &&
+                         recording.rowHigh[row - 1] <= recording.rowHigh[row]),
+           `event ${row} is before event ${row - 1}`);
+  }
+  demand(at === id.length, `${id.length - at} ids belong to no event`);
+}
+
+function readMotions(recording, json, ids) {
+  demand(json !== null && typeof json === 'object', 'the trajectories are not there');
+  const {count, degree} = json;
+  demand([1, 2, 3].includes(degree), `the trajectories are of degree ${degree}, not 1, 2 or 3`);
+  const stride = 3 + 2 * degree;
+  const event = decodeNumbers(json.event, 'Uint32', 'the list of events of trajectories');
+  const point = decodeNumbers(json.point, ids, 'the list of points of trajectories');
+  const there = decodeNumbers(json.there, 'Uint8', 'the list of points that are there');
+  const data = decodeNumbers(json.data, 'Float64', 'the list of trajectories');
+  demand(event.length === count && point.length === count && there.length === count &&
+         data.length === stride * count, `it has ${count} trajectories, but ${event.length} ` +
+         `events, ${point.length} points and ${data.length / stride} places of them`);
+  demand(Number.isInteger(json.starting) && json.starting >= 0 && json.starting <= count,
+         'it does not say which trajectories are those of the start');
+  const rowMotion = new Uint32Array(recording.rows + 1).fill(count);
+  const motionRow = new Int32Array(count).fill(-1);
+  const previous = new Int32Array(count).fill(-1), next = new Int32Array(count).fill(-1);
+  const last = new Int32Array(recording.points).fill(-1);
+  for (let i = count - 1; i >= json.starting; --i) {
+    demand(event[i] < recording.rows, `trajectory ${i} begins with an event that is not there`);
+    demand(i + 1 === count || event[i] <= event[i + 1], `trajectory ${i + 1} begins too early`);
+    motionRow[i] = event[i];
+    rowMotion[event[i]] = i;
+  }
+  for (let row = recording.rows - 1; row >= 0; --row) {
+    rowMotion[row] = Math.min(rowMotion[row], rowMotion[row + 1]);
+  }
+  for (let i = 0; i < count; ++i) {
+    demand(point[i] < recording.points, `trajectory ${i} is of point ${point[i]}, but the ids ` +
+           `end with ${recording.points - 1}`);
+    previous[i] = last[point[i]];
+    if (previous[i] >= 0) next[previous[i]] = i;
+    last[point[i]] = i;
+  }
+  demand(data.every(Number.isFinite), 'a trajectory has a place or speed that is no number');
+  Object.assign(recording, {degree, stride, motions: count, starting: json.starting, rowMotion,
+                            motionRow, motionPoint: point, motionThere: there, motionData: data,
+                            motionPrevious: previous, motionNext: next});
+}
+
+/** Whether points turn at times that are left out. */
+function turnsAreLeftOut(recording) {
+  return recording.thinned !== null && recording.motions > recording.starting;
+}
+
+/** Rows of the same time are one step. */
+function findInstants(recording) {
+  const {rows, rowLow, rowHigh} = recording;
+  const begin = new Uint32Array(rows), end = new Uint32Array(rows);
+  recording.instants = 0;
+  for (let row = 0; row < rows; ++row) {
+    const goesOn = row > 0 && rowLow[row] === rowLow[row - 1] && rowHigh[row] === rowHigh[row - 1];
+    begin[row] = goesOn ? begin[row - 1] : row;
+    if (!goesOn) ++recording.instants;
+  }
+  for (let row = rows - 1; row >= 0; --row) {
+    end[row] = row + 1 < rows && begin[row + 1] === begin[row] ? end[row + 1] : row + 1;
+  }
+  recording.instantBegin = begin;
+  recording.instantEnd = end;
+}
+
+/** Each event removes an edge that is there, and adds one that is not. */
+function checkEdges(recording) {
+  const {rows, edgeA, edgeB, rowRemoved, rowAdded} = recording;
+  const isThere = new Uint8Array(edgeA.length);
+  isThere.fill(1, 0, recording.initialEdges);
+  const edgeName = (edge) => `${edgeA[edge]}\u2013${edgeB[edge]}`;
+  for (let row = 0; row < rows; ++row) {
+    const removed = rowRemoved[row], added = rowAdded[row];
+    if (removed >= 0) {
+      demand(isThere[removed] === 1, `event ${row} removes the edge ${edgeName(removed)}, which ` +
+             'is not there then');
+      isThere[removed] = 0;
+    }
+    if (added >= 0) {
+      demand(isThere[added] === 0, `event ${row} adds the edge ${edgeName(added)}, which is there ` +
+             'already');
+      isThere[added] = 1;
+    }
+  }
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The scrub bar, and above it how many events there are when.
+'use strict';
+
+class Timeline {
+  constructor(viewer) {
+    this.viewer = viewer;
+    this.scrub = element('scrub');
+    this.histogram = element('histogram');
+    this.scrub.disabled = viewer.recording.from === viewer.recording.until;
+    this.scrub.addEventListener('input', () => viewer.goTo(this.timeAt(Number(this.scrub.value))));
+  }
+
+  timeAt(share) {
+    const {from, until} = this.viewer.recording;
+    return share >= 1 ? until : from + share * (until - from);
+  }
+
+  update() {
+    const {recording, playback} = this.viewer;
+    const {from, until} = recording;
+    const share = until > from ? (playback.time - from) / (until - from) : 0;
+    this.scrub.value = share;
+    this.scrub.style.setProperty('--done', `${100 * share}%`);
+    this.scrub.setAttribute('aria-valuetext', `time ${shortNumber(playback.time)}, event ` +
+      `${playback.event} of ${recording.rows}`);
+  }
+
+  /** The columns are square roots of numbers of events, so that single ones can be seen. */
+  draw() {
+    const {viewer, histogram} = this;
+    const {recording} = viewer;
+    const width = histogram.clientWidth, height = histogram.clientHeight;
+    const context = sizedContext(histogram, width, height);
+    context.clearRect(0, 0, width, height);
+    const span = recording.until - recording.from;
+    const thumb = 18, columns = Math.floor((width - thumb) / 3);
+    if (!(span > 0) || columns < 1) return;
+    const counts = new Uint32Array(columns);
+    let most = 1;
+    for (let row = 0; row < recording.rows; ++row) {
+      const share = (recording.rowTime[row] - recording.from) / span;
+      const column = Math.min(Math.max(Math.floor(share * columns), 0), columns - 1);
+      most = Math.max(most, ++counts[column]);
+    }
+    context.fillStyle = viewer.colors.edge;
+    for (let column = 0; column < columns; ++column) {
+      if (counts[column] === 0) continue;
+      const size = Math.max(1.5, height * Math.sqrt(counts[column] / most));
+      context.fillRect(thumb / 2 + (width - thumb) * column / columns, height - size, 2, size);
+    }
+  }
+}

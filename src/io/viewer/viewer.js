@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The viewer: what is shown, the loop that plays it, and everything that can be done with it.
+'use strict';
+
+const WHOLE_RUN = 30;           // seconds that playing the run takes, about, at first
+const LONGEST_FRAME = 0.1;      // seconds; a page that slept does not jump
+const HIGHLIGHT = 0.3;          // seconds of playing about an event in which it is marked
+const TRAIL = 6;                // seconds of playing that trails show
+const COLOR_NAMES = ['background', 'edge', 'edgeBehind', 'hull', 'point', 'box', 'disc', 'discFill',
+                     'trail', 'voronoi', 'circle', 'circleFill', 'removed', 'added', 'selected',
+                     'selectedFill', 'waveEdge', 'waveLowEdge', 'text', 'quiet', 'hover'];
+
+/** 1, 2 or 5 times a power of ten: the n-th, 10^0 being the zeroth. */
+function roundSpeed(n) {
+  const step = ((n % 3) + 3) % 3;
+  return [1, 2, 5][step] * 10 ** ((n - step) / 3);
+}
+
+class Viewer {
+  constructor(recording) {
+    this.recording = recording;
+    this.playback = new Playback(recording);
+    this.topology = new Topology(this.playback);
+    this.x = new Float64Array(recording.points);
+    this.y = new Float64Array(recording.points);
+    this.colors = {};
+    this.direction = 0;  // of playing: 1, -1, or 0 for not
+    this.pointer = null;
+    this.hoverPoint = -1;
+    this.selected = -1;      // edge
+    this.certificate = null;  // its certificate, or the last one that it had
+    this.switches = {
+      wave: recording.wave !== null, delaunay: true, hull: true, voronoi: false, circle: false,
+      discs: recording.radius > 0, trails: false, ids: recording.points <= 40,
+    };
+    const span = recording.until - recording.from;
+    this.speedStep = span > 0 ? Math.round(3 * Math.log10(span / WHOLE_RUN)) : 0;
+    this.flatView = new FlatView(this);
+    this.waveView = recording.wave === null ? null : new WaveView(this);
+    this.frameRequested = false;
+    this.lastFrame = 0;
+    this.frame = this.frame.bind(this);
+    writeHeader(recording);
+    this.timeline = new Timeline(this);
+    this.list = new EventList(this);
+    this.panel = new CertificatePanel(this);
+    this.pointerInput = new PointerInput(this);
+    this.controls = new Controls(this);
+    this.followEnvironment();
+  }
+
+  get view() {
+    return this.switches.wave ? this.waveView : this.flatView;
+  }
+
+  pointName(point) {
+    return this.recording.names === null ? String(point) : this.recording.names[point];
+  }
+
+  isPlaying() {
+    return this.direction !== 0;
+  }
+
+  // ---- what can be done ----
+
+  /** Plays in the direction, or pauses if it does so. At the end it begins anew. */
+  togglePlaying(direction) {
+    const {from, until} = this.recording;
+    this.direction = this.direction === direction ? 0 : direction;
+    if (this.direction === 1 && this.playback.time >= until) this.playback.goTo(from);
+    if (this.direction === -1 && this.playback.time <= from) this.playback.goTo(until);
+    if (from === until) this.direction = 0;
+    this.requestFrame();
+  }
+
+  goTo(time) {
+    this.playback.goTo(time);
+    this.requestFrame();
+  }
+
+  goToRow(row) {
+    this.direction = 0;
+    this.playback.goToRow(row);
+    this.requestFrame();
+  }
+
+  goToStart() {
+    this.playback.goToEvent(0);
+    this.playback.time = this.recording.from;
+    this.requestFrame();
+  }
+
+  goToEnd() {
+    this.goTo(this.recording.until);
+    this.playback.goToEvent(this.recording.rows);
+  }
+
+  stepForward() {
+    this.direction = 0;
+    this.requestFrame();
+    return this.playback.stepForward();
+  }
+
+  stepBackward() {
+    this.direction = 0;
+    this.requestFrame();
+    return this.playback.stepBackward();
+  }
+
+  changeSpeed(steps) {
+    this.speedStep = Math.min(Math.max(this.speedStep + steps, -900), 900);
+    this.requestFrame();
+  }
+
+  zoom(factor) {
+    this.view.zoom(factor);
+    this.requestFrame();
+  }
+
+  fit() {
+    this.view.fit();
+    this.requestFrame();
+  }
+
+  toggleSwitch(id) {
+    if (this.switches.wave && !isOfWave(id)) return;
+    this.switches[id] = !this.switches[id];
+    this.requestFrame();
+  }
+
+  /** Shows the certificate of an edge that is there; -1: of none. */
+  select(edge) {
+    this.selected = edge;
+    this.certificate = edge < 0 ? null : certificateOf(this.playback, this.topology, edge);
+    this.requestFrame();
+  }
+
+  selectNextRemoved() {
+    const {rows, rowRemoved} = this.recording;
+    for (let row = this.playback.event; row < rows; ++row) {
+      if (rowRemoved[row] >= 0 && this.playback.where[rowRemoved[row]] >= 0) {
+        this.select(rowRemoved[row]);
+        return;
+      }
+    }
+  }
+
+  toggleList() {
+    element('events').hidden = !element('events').hidden;
+    this.requestFrame();
+  }
+
+  toggleTheme() {
+    this.setTheme(!document.documentElement.classList.contains('dark'));
+  }
+
+  toggleHelp() {
+    const help = element('help');
+    if (help.open) help.close();
+    else help.showModal();
+  }
+
+  // ---- how long things show, in the run's time ----
+
+  speed() {
+    return roundSpeed(this.speedStep);
+  }
+
+  highlightLength() {
+    return this.isPlaying() ? HIGHLIGHT * this.speed() : 0;
+  }
+
+  trailLength() {
+    return TRAIL * this.speed();
+  }
+
+  // ---- the page around the picture ----
+
+  setTheme(isDark) {
+    document.documentElement.classList.toggle('dark', isDark);
+    const style = getComputedStyle(document.documentElement);
+    for (const name of COLOR_NAMES) {
+      const property = name === 'background' ? 'picture' :
+        name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+      this.colors[name] = style.getPropertyValue(`--${property}`).trim();
+    }
+    this.timeline.draw();
+    this.requestFrame();
+  }
+
+  followEnvironment() {
+    const dark = window.matchMedia('(prefers-color-scheme: dark)');
+    this.setTheme(dark.matches);
+    dark.addEventListener('change', () => this.setTheme(dark.matches));
+    if (window.innerWidth <= 820) this.toggleList();
+    const resized = new ResizeObserver(() => this.resize());
+    resized.observe(element('stage'));
+    resized.observe(element('histogram'));
+    resized.observe(element('list'));
+    this.resize();
+  }
+
+  resize() {
+    const {clientWidth, clientHeight} = element('stage');
+    this.width = clientWidth;
+    this.height = clientHeight;
+    this.flatView.resize(clientWidth, clientHeight);
+    this.waveView?.resize(clientWidth, clientHeight);
+    this.list.shownEvent = -1;
+    this.timeline.draw();
+    this.draw();
+  }
+
+  // ---- frames ----
+
+  requestFrame() {
+    if (this.frameRequested) return;
+    this.frameRequested = true;
+    requestAnimationFrame(this.frame);
+  }
+
+  frame(now) {
+    this.frameRequested = false;
+    if (this.isPlaying()) this.advance(now);
+    this.lastFrame = this.isPlaying() ? now : 0;
+    this.draw();
+    if (this.isPlaying()) this.requestFrame();
+  }
+
+  advance(now) {
+    const {from, until} = this.recording;
+    const elapsed = this.lastFrame === 0 ? 0 : Math.min((now - this.lastFrame) / 1000, LONGEST_FRAME);
+    const time = this.playback.time + this.direction * this.speed() * elapsed;
+    this.playback.goTo(time);
+    if (time >= until || time <= from && this.direction < 0) this.direction = 0;
+  }
+
+  draw() {
+    const {playback} = this;
+    const context = sizedContext(element('picture'), this.width, this.height);
+    placePoints(playback, playback.time, this.x, this.y);
+    this.followSelected();
+    context.fillStyle = this.colors.background;
+    context.fillRect(0, 0, this.width, this.height);
+    this.pointerInput.find();
+    this.view.draw(context);
+    this.pointerInput.updateTip();
+    this.timeline.update();
+    this.list.update();
+    this.panel.update();
+    this.showSide();
+    this.controls.update();
+    writePresent(this);
+  }
+
+  /** The certificate of the selected edge is the one that it has now; of an edge that is not there
+   * the last one is kept. */
+  followSelected() {
+    const {certificate, playback, recording} = this;
+    if (this.selected < 0 || playback.where[this.selected] < 0) return;
+    const {begin, end} = certificate;
+    const first = begin.row < 0 ? 0 : recording.instantEnd[begin.row];
+    const last = end.row < 0 ? recording.rows : recording.instantBegin[end.row];
+    if (playback.event >= first && playback.event <= last) return;
+    this.certificate = certificateOf(playback, this.topology, this.selected);
+  }
+
+  /** The column beside the picture is there as long as there is something in it. */
+  showSide() {
+    const isEmpty = element('events').hidden && this.selected < 0;
+    element('side').hidden = isEmpty;
+    element('viewer').classList.toggle('without-side', isEmpty);
+  }
+}

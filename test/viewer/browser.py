@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A headless chromium, driven over its DevTools protocol through a pipe; and pictures from it."""
+import base64
+import json
+import os
+import select
+import shutil
+import struct
+import subprocess
+import tempfile
+import time
+import zlib
+
+FLAGS = [
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    "--remote-debugging-pipe", "--hide-scrollbars", "about:blank",
+]
+SECONDS = 60  # that an answer may take, on a machine that is busy
+
+
+class BrowserError(Exception):
+    pass
+
+
+def executable():
+    """The path of chromium, or None."""
+    return os.environ.get("KINETRI_CHROMIUM") or shutil.which("chromium")
+
+
+class Browser:
+    """One page. `problems` collects console errors, exceptions, and requests that are not for the
+    file itself. Use it as a context manager."""
+
+    def __init__(self, width=1280, height=800, media=()):
+        self.folder = tempfile.TemporaryDirectory(prefix="kinetri-viewer-", ignore_cleanup_errors=True)
+        ours_in, self.output = os.pipe()
+        self.input, ours_out = os.pipe()
+        self.log = open(os.path.join(self.folder.name, "log"), "w+b")
+        self.process = subprocess.Popen(
+            ["sh", "-c", 'exec "$0" "$@" 3<&' + str(ours_in) + " 4>&" + str(ours_out),
+             executable(), f"--user-data-dir={self.folder.name}/profile", *FLAGS],
+            stdin=subprocess.DEVNULL, stdout=self.log, stderr=self.log,
+            pass_fds=(ours_in, ours_out), start_new_session=True)
+        os.close(ours_in)
+        os.close(ours_out)
+        self.buffer = b""
+        self.number = 0
+        self.problems = []
+        self.url = None
+        self.loaded = False
+        self.session = None
+        try:
+            target = self.call("Target.createTarget", url="about:blank")["targetId"]
+            self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+            for domain in ("Page", "Runtime", "Log", "Network"):
+                self.call(f"{domain}.enable")
+            self.resize(width, height)
+            self.media(*media)
+        except Exception:
+            self.close()
+            raise
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        try:
+            self.session = None
+            self.call("Browser.close")
+            self.process.wait(10)
+        except (BrowserError, OSError, subprocess.TimeoutExpired):
+            self.process.kill()
+            self.process.wait()
+        for descriptor in (self.input, self.output):
+            os.close(descriptor)
+        self.log.close()
+        self.folder.cleanup()
+
+    # ---- the protocol: JSON objects, each ended by a zero byte ----
+
+    def call(self, method, **parameters):
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": parameters}
+        if self.session is not None:
+            message["sessionId"] = self.session
+        try:
+            os.write(self.output, json.dumps(message).encode() + b"\0")
+        except BrokenPipeError:
+            raise BrowserError(f"chromium has ended:\n{self.log_text()}") from None
+        deadline = time.monotonic() + SECONDS
+        while True:
+            answer = self.receive(deadline)
+            if answer.get("id") == self.number:
+                if "error" in answer:
+                    raise BrowserError(f"{method}: {answer['error']['message']}")
+                return answer["result"]
+
+    def receive(self, deadline):
+        while b"\0" not in self.buffer:
+            if not select.select([self.input], [], [], max(0, deadline - time.monotonic()))[0]:
+                raise BrowserError(f"chromium did not answer in {SECONDS} s:\n{self.log_text()}")
+            data = os.read(self.input, 1 << 20)
+            if not data:
+                raise BrowserError(f"chromium has ended:\n{self.log_text()}")
+            self.buffer += data
+        text, _, self.buffer = self.buffer.partition(b"\0")
+        message = json.loads(text)
+        self.note(message.get("method"), message.get("params", {}))
+        return message
+
+    def note(self, method, parameters):
+        if method == "Page.loadEventFired":
+            self.loaded = True
+        elif method == "Runtime.exceptionThrown":
+            details = parameters["exceptionDetails"]
+            self.problems.append("exception: " + details.get("exception", {}).get(
+                "description", details["text"]))
+        elif method == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "warning"):
+            self.problems.append(f"console: {parameters['args']}")
+        elif method == "Log.entryAdded" and parameters["entry"]["level"] in ("error", "warning"):
+            self.problems.append("log: " + parameters["entry"]["text"])
+        elif method == "Network.requestWillBeSent":
+            url = parameters["request"]["url"]
+            if url != self.url:
+                self.problems.append(f"request: {url[:200]}")
+
+    def log_text(self):
+        self.log.flush()
+        with open(self.log.name, encoding="utf-8", errors="replace") as log:
+            return log.read()[-4000:]
+
+    # ---- a page ----
+
+    def resize(self, width, height, ratio=1):
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                  deviceScaleFactor=ratio, mobile=False)
+
+    def media(self, *features):
+        """Such as ("prefers-color-scheme", "dark")."""
+        self.call("Emulation.setEmulatedMedia",
+                  features=[{"name": name, "value": value} for name, value in features])
+
+    def open(self, path):
+        """Loads the file and waits for it."""
+        self.url = path.resolve().as_uri()
+        self.loaded = False
+        self.call("Page.navigate", url=self.url)
+        deadline = time.monotonic() + SECONDS
+        while not self.loaded:
+            self.receive(deadline)
+        self.settle()
+
+    def evaluate(self, expression):
+        """The JSON value of the expression; a promise is waited for."""
+        answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True,
+                           awaitPromise=True)
+        if "exceptionDetails" in answer:
+            details = answer["exceptionDetails"]
+            raise BrowserError(f"{expression}: " + details.get("exception", {}).get(
+                "description", details["text"]))
+        return answer["result"].get("value")
+
+    def settle(self):
+        """Waits until what was asked for is drawn."""
+        self.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() =>"
+                      " setTimeout(done, 0)))).then(() => null)")
+
+    def key(self, key, code=None, text=None, modifiers=0):
+        if text is None and len(key) == 1:
+            text = key
+        common = {"key": key, "code": code or key, "modifiers": modifiers,
+                  "windowsVirtualKeyCode": {"Escape": 27}.get(key, 0)}
+        down = {"text": text} if text is not None else {}
+        self.call("Input.dispatchKeyEvent", type="keyDown", **common, **down)
+        self.call("Input.dispatchKeyEvent", type="keyUp", **common)
+        self.settle()
+
+    def mouse(self, kind, x, y, **parameters):
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **parameters)
+
+    def move(self, x, y):
+        self.mouse("mouseMoved", x, y)
+        self.settle()
+
+    def click(self, x, y):
+        self.mouse("mouseMoved", x, y)
+        self.mouse("mousePressed", x, y, button="left", clickCount=1)
+        self.mouse("mouseReleased", x, y, button="left", clickCount=1)
+        self.settle()
+
+    def click_element(self, identifier):
+        x, y = self.evaluate(
+            f"(() => {{ const r = document.getElementById({json.dumps(identifier)})"
+            ".getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()")
+        self.click(x, y)
+
+    def screenshot(self, box=None):
+        """The page, or its part (left, top, right, bottom), as the bytes of a PNG file."""
+        part = {}
+        if box is not None:
+            left, top, right, bottom = box
+            part["clip"] = {"x": left, "y": top, "width": right - left, "height": bottom - top,
+                            "scale": 1}
+        return base64.b64decode(self.call("Page.captureScreenshot", format="png", **part)["data"])
+
+
+def decode_png(data):
+    """(width, height, rows of bytes, bytes a pixel) of a PNG file of 8 bits a channel, RGB or RGBA,
+    not interlaced: what chromium writes."""
+    if data[:8] != b"\x89PNG\r\n\x1a\n":
+        raise ValueError("not a PNG file")
+    position, header, packed = 8, None, b""
+    while position < len(data):
+        length, kind = struct.unpack(">I4s", data[position:position + 8])
+        body = data[position + 8:position + 8 + length]
+        if zlib.crc32(kind + body) != struct.unpack(">I", data[position + 8 + length:position + 12 + length])[0]:
+            raise ValueError("a chunk is damaged")
+        if kind == b"IHDR":
+            header = struct.unpack(">IIBBBBB", body)
+        elif kind == b"IDAT":
+            packed += body
+        position += 12 + length
+    width, height, depth, color, _, _, interlace = header
+    if depth != 8 or color not in (2, 6) or interlace:
+        raise ValueError("a kind of PNG that is not read here")
+    size = 3 if color == 2 else 4
+    raw = zlib.decompress(packed)
+    stride = width * size
+    rows, above = [], bytearray(stride)
+    for y in range(height):
+        start = y * (stride + 1)
+        row = unfilter(raw[start], bytearray(raw[start + 1:start + 1 + stride]), above, size)
+        rows.append(bytes(row))
+        above = row
+    return width, height, rows, size
+
+
+def unfilter(kind, row, above, size):
+    """PNG specification, section 9.2."""
+    if kind == 0:
+        return row
+    for i in range(len(row)):
+        left = row[i - size] if i >= size else 0
+        up = above[i]
+        corner = above[i - size] if i >= size else 0
+        if kind == 1:
+            guess = left
+        elif kind == 2:
+            guess = up
+        elif kind == 3:
+            guess = (left + up) // 2
+        else:
+            estimate = left + up - corner
+            distances = (abs(estimate - left), abs(estimate - up), abs(estimate - corner))
+            guess = (left, up, corner)[distances.index(min(distances))]
+        row[i] = (row[i] + guess) & 255
+    return row
+
+
+class Picture:
+    """A PNG file, to be compared with others: the same pixels make the same bytes."""
+
+    def __init__(self, png):
+        self.png = png
+
+    def __eq__(self, other):
+        return self.png == other.png
+
+    def __repr__(self):
+        return f"<picture of {len(self.counts())} colours, checksum {zlib.crc32(self.png):x}>"
+
+    def counts(self):
+        """How often each colour (r, g, b) occurs."""
+        _, _, rows, size = decode_png(self.png)
+        result = {}
+        for row in rows:
+            for x in range(0, len(row), size):
+                color = row[x:x + 3]
+                result[color] = result.get(color, 0) + 1
+        return result
+
+    def most_frequent(self):
+        counts = self.counts()
+        return max(counts, key=counts.get)

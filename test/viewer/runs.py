@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs of the program whose pages are tested: its commands, and its logs as what must be seen."""
+import csv
+import fractions
+import json
+import math
+import subprocess
+
+HALF_ULP = fractions.Fraction(1, 2**53)
+TRACKS = """t,id,x,y
+0,ada,0,0
+4,ada,5,5
+0,bea,4,0
+5,bea,0,4
+0,cid,2,6
+6,cid,2,0
+1,dan,1,2
+3,dan,3,2
+0,eva,9,9
+4,eva,3,8
+6,eva,-1,7
+2,fay,5,-1
+6,fay,6,7
+"""
+
+
+def accelerated_points():
+    """Balls that are thrown, in exact numbers."""
+    lines = ["x,y,vx,vy,ax,ay,jx,jy"]
+    for i in range(18):
+        x, y = (i * 37) % 53, (i * 23) % 41
+        lines.append(f"{x},{y},{(i * 7) % 11 - 5},{(i * 5) % 13 - 3},{(i % 5 - 2) / 4},-2,"
+                     f"{(i % 3 - 1) / 8},{(i % 4) / 16}")
+    return "\n".join(lines) + "\n"
+
+
+# A point falls through the fourth corner of a square, at exactly t = 1.
+SQUARE = "x,y,vx,vy\n0,0,0,0\n2,0,0,0\n2,2,0,0\n0,3,0,-1\n"
+
+# By name: how the points are generated (or what is in their file), the end, further options.
+RUNS = {
+    "uniform": ("uniform --points 40 --seed 3", 8, ()),
+    "box": ("uniform --points 30 --seed 5 --side 60", 9, ("--box", "0,0,60,60")),
+    "discs": ("lattice-jitter --points 25 --jitter 0.5 --seed 2", 8,
+              ("--box", "-5,-5,45,45", "--collisions", "elastic", "--radius", "2")),
+    "vanishing": ("uniform --points 40 --seed 4", 6, ("--collisions", "remove", "--radius", "1.5")),
+    "accelerated": (accelerated_points(), 5, ()),
+    "lattice": ("lattice --points 16 --movers all", 4, ()),
+    "tracks": (TRACKS, 6, ()),
+    "square": (SQUARE, 1.5, ()),
+    "wave": (None, 12, ("--columns", "6", "--rows", "5")),
+    "thinned": ("uniform --points 130 --seed 6 --side 100", 330, ("--box", "0,0,100,100")),
+}
+
+
+class Event:
+    def __init__(self, row):
+        edge = lambda a, b: (int(row[a]), int(row[b])) if row[a] else None
+        point = lambda name: int(row[name]) if row[name] else None
+        self.number = int(row["event"])
+        self.kind = row["kind"]
+        self.time = tuple(float(row[name]) for name in ("time", "time_lo", "time_hi"))
+        self.removed = edge("removed_a", "removed_b")
+        self.added = edge("added_a", "added_b")
+        self.points = [point("point_a"), point("point_b")]
+
+
+class Run:
+    """A run of the program in a folder: its page, and what its logs say."""
+
+    def __init__(self, program, folder, name):
+        source, self.until, options = RUNS[name]
+        folder.mkdir(parents=True, exist_ok=True)
+        self.page = folder / f"{name}.html"
+        points = folder / f"{name}.csv"
+        files = {option: folder / f"{name}.{option[2:]}.csv"
+                 for option in ("--events", "--initial-edges", "--edges")}
+        for file in (self.page, *files.values()):
+            file.unlink(missing_ok=True)
+        if source is not None and "," in source:
+            points.write_text(source)
+        elif source is not None:
+            execute(program, "generate", *source.split(), "--output", points)
+        command = {"tracks": "tracks", "wave": "wave"}.get(name, "simulate")
+        inputs = [points] if source is not None else []
+        outputs = [word for pair in files.items() for word in pair]
+        execute(program, command, *inputs, "--until", self.until, *options, *outputs,
+                "--html", self.page, "--quiet")
+        self.motions = None
+        if command == "simulate":
+            with open(points, newline="", encoding="utf-8") as file:
+                self.motions = [{key: float(value) for key, value in row.items()}
+                                for row in csv.DictReader(file)]
+        self.initial = read_edges(files["--initial-edges"])
+        self.last = read_edges(files["--edges"])
+        with open(files["--events"], newline="", encoding="utf-8") as file:
+            self.events = [Event(row) for row in csv.DictReader(file)]
+
+    def instants(self):
+        """(time, number of events, edges) just after each time of events; equal times are one."""
+        edges = set(self.initial)
+        result = []
+        for i, event in enumerate(self.events):
+            if event.removed:
+                edges.remove(event.removed)
+            if event.added:
+                edges.add(event.added)
+            if i + 1 == len(self.events) or self.events[i + 1].time != event.time:
+                result.append((event.time, i + 1, sorted(edges)))
+        return result
+
+    def exact_position(self, point, time):
+        """The exact place of a point that never turned, and a bound for its evaluation in binary64:
+        of the eight operations or less each errs by half a unit in the last place of what is at most
+        the sum of the terms' magnitudes."""
+        s = fractions.Fraction(time)
+        motion = self.motions[point]
+        place, bound = [], []
+        for axis in "xy":
+            terms = [fractions.Fraction(motion.get(prefix + axis, 0.0)) * s**k / math.factorial(k)
+                     for k, prefix in enumerate(("", "v", "a", "j"))]
+            place.append(sum(terms))
+            bound.append(8 * HALF_ULP * (1 + 16 * HALF_ULP) * sum(map(abs, terms)))
+        return place, bound
+
+
+def execute(program, *words):
+    command = [str(program), *map(str, words)]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise RuntimeError(f"{' '.join(command)}: exit code {done.returncode}\n{done.stderr}")
+
+
+def read_edges(file):
+    with open(file, newline="", encoding="utf-8") as lines:
+        return [(int(row["a"]), int(row["b"])) for row in csv.DictReader(lines)]
+
+
+def recording_of(page):
+    """The JSON object in a page."""
+    text = page.read_text(encoding="utf-8")
+    start = text.index('id="recording">') + len('id="recording">')
+    return json.loads(text[start:text.index("</script>", start)])
+
+
+def with_recording(page, text, target):
+    """Writes the page with another text in the place of its recording."""
+    old = page.read_text(encoding="utf-8")
+    start = old.index('id="recording">') + len('id="recording">')
+    target.write_text(old[:start] + text + old[old.index("</script>", start):], encoding="utf-8")
