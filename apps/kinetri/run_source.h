@@ -6,6 +6,7 @@
 
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -40,6 +41,9 @@ class Run_source {
   virtual std::size_t number_of_points() const = 0;
   virtual double from() const = 0;
   virtual double until() const = 0;
+
+  /// What pictures of the run have to show, where the source knows that.
+  virtual std::optional<Box_2> extent() const { return std::nullopt; }
 
   /// The name of the response to contacts in `named_responses`.
   virtual std::string response() const = 0;
