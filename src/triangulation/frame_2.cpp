@@ -36,7 +36,7 @@ void add_faces(Frame_2& frame, const Triangulation& triangulation) {
     } else {
       std::array<std::size_t, 3> corners = {positions.of(id(0)), positions.of(id(1)),
                                             positions.of(id(2))};
-      std::ranges::rotate(corners, std::ranges::min_element(corners));
+      std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
       frame.triangles.push_back(corners);
     }
   }
