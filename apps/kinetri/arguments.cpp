@@ -18,6 +18,13 @@ double number_argument(std::string_view option, std::string_view text) {
   return parsed.value;
 }
 
+double positive_argument(std::string_view option, std::string_view text) {
+  const double value = number_argument(option, text);
+  if (value > 0) return value;
+  throw Usage_error(
+      fmt::format("{}: {} cannot be used; expected a number greater than 0", option, text));
+}
+
 double size_argument(std::string_view option, std::string_view text, double lowest, double highest,
                      bool zero_allowed) {
   const double value = number_argument(option, text);

@@ -23,6 +23,9 @@ class Usage_error : public std::runtime_error {
 /// The finite number that `text` is; see parse_number. Throws Usage_error.
 double number_argument(std::string_view option, std::string_view text);
 
+/// As number_argument, greater than 0.
+double positive_argument(std::string_view option, std::string_view text);
+
 /// As number_argument, from `lowest` to `highest`, or 0 if `zero_allowed`.
 double size_argument(std::string_view option, std::string_view text, double lowest, double highest,
                      bool zero_allowed);

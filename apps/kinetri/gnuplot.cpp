@@ -81,6 +81,7 @@ set style line 2 lc rgb '#d55e00' lw 2 pt 5 ps 0.7
 set style line 3 lc rgb '#009e73' lw 2 pt 9 ps 0.9
 set style line 4 lc rgb '#cc79a7' lw 2 pt 11 ps 0.9
 set style line 5 lc rgb '#000000' lw 2 pt 13 ps 0.9
+set style line 6 lc rgb '#e69f00' lw 2 pt 4 ps 0.9
 set pointintervalbox 0
 set border 3 lc rgb '#404040'
 set tics nomirror out
@@ -103,10 +104,14 @@ bool has_gnuplot() {
   return result.ran && result.status == 0;
 }
 
+std::string draw_svg(const std::string& script, int width, int height) {
+  return drawn(fmt::format("svg size {},{} dynamic font 'sans-serif,14' background '#ffffff'",
+                           width, height),
+               script);
+}
+
 Plot draw(const std::string& script, int width, int height) {
-  return {drawn(fmt::format("svg size {},{} dynamic font 'sans-serif,14' background '#ffffff'",
-                            width, height),
-                script),
+  return {draw_svg(script, width, height),
           drawn(fmt::format("pngcairo size {},{} font 'sans,14' background '#ffffff'", 2 * width,
                             2 * height) +
                     " fontscale 1.8 linewidth 2 pointscale 2",

@@ -18,9 +18,12 @@ struct Plot {
 };
 
 /// Draws a plot of `width` x `height` pixels. `script` is gnuplot's input without terminal and
-/// output; colors, lines and grid are set up: `linestyle 1` and so on are colors that color-blind
-/// people can tell apart. Throws Internal_error with what gnuplot said if it fails.
+/// output; colors, lines and grid are set up: `linestyle 1` to 6 are colors that color-blind people
+/// can tell apart. Throws Internal_error with what gnuplot said if it fails.
 Plot draw(const std::string& script, int width, int height);
+
+/// As draw, SVG alone.
+std::string draw_svg(const std::string& script, int width, int height);
 
 }  // namespace kinetri::app
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "exit_code.h"
+#include "kinetri/io/output_directory.h"
 #include "kinetri/io/output_file.h"
 
 namespace kinetri::app {
@@ -27,6 +28,7 @@ static void on_signal(int /*signal*/) {
   constexpr std::string_view message = "\nkinetri: interrupted, nothing written\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
   Output_file::remove_all_temporaries();
+  Output_directory::remove_all_temporaries();
   ::_exit(static_cast<int>(Exit_code::interrupted));
 }
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "arguments.h"
+#include "gnuplot.h"
 
 namespace kinetri::app {
 namespace {
@@ -26,6 +27,13 @@ std::vector<CLI::Option*> Run_options::add_to(CLI::App& command) {
   add("--edges", edges_, "FILE", "Write the edges at the end here");
   add("--stats", stats_, "FILE", "Write counts and times here, as JSON");
   add("--html", html_, "FILE", "Write a page here that plays the run in a browser");
+  add("--frames", frames_, "DIR", "Write pictures of the run into this new directory, as SVG");
+  add("--vtu", vtu_, "DIR", "Write the run into this new directory, as VTU files for ParaView");
+  // Recorded tracks have an option --fps of their own.
+  const bool fps_is_free = command.get_option_no_throw("--fps") == nullptr;
+  add(fps_is_free ? "--fps,--frames-per-time" : "--frames-per-time", frames_per_time_, "N",
+      "Frames of --frames and --vtu in a unit of time (default: 101 frames from start to end)");
+  add("--plot", plot_, "FILE", "Draw events, queues and stages of the run here, as SVG");
   add("--audit", audit_, "none|end|events",
       "Check everything exactly: never (default), at the end, or after every event too (there "
       "without "
@@ -47,6 +55,19 @@ void Run_options::add_checkpoint_to(CLI::App& command) {
       ->type_name("FILE");
 }
 
+Frame_settings Run_options::frame_settings() const {
+  Frame_settings result;
+  result.svg = frames_;
+  result.vtu = vtu_;
+  if (!frames_per_time_) return result;
+  if (!frames_ && !vtu_) {
+    throw Usage_error(
+        "--frames-per-time: no frames are written; expected --frames or --vtu as well");
+  }
+  result.per_time = positive_argument("--frames-per-time", *frames_per_time_);
+  return result;
+}
+
 Run_settings Run_options::settings() const {
   Run_settings result;
   result.events = events_;
@@ -55,6 +76,13 @@ Run_settings Run_options::settings() const {
   result.stats = stats_;
   result.checkpoint = checkpoint_;
   result.html = html_;
+  result.frames = frame_settings();
+  result.plot = plot_;
+  if (plot_ && !has_gnuplot()) {
+    throw Usage_error(
+        "--plot: plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
+        "gnuplot-nox), or no --plot");
+  }
   result.audit = static_cast<Audit_mode>(choice_argument("--audit", audit_, audit_modes));
   if (exact_only_) result.arithmetic = Arithmetic::exact_only;
   result.progress =

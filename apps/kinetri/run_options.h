@@ -13,8 +13,8 @@
 
 namespace kinetri::app {
 
-/// Declares the options of outputs, audits and progress, and holds their values as they stand on
-/// the command line.
+/// Declares the options of outputs, audits and progress, after those of the command itself, and
+/// holds their values as they stand on the command line.
 class Run_options {
  public:
   /// Returns those of outputs and of what is done in the run; not those of progress.
@@ -27,12 +27,18 @@ class Run_options {
   Run_settings settings() const;
 
  private:
+  Frame_settings frame_settings() const;
+
   std::optional<std::string> events_;
   std::optional<std::string> initial_edges_;
   std::optional<std::string> edges_;
   std::optional<std::string> stats_;
   std::optional<std::string> checkpoint_;
   std::optional<std::string> html_;
+  std::optional<std::string> frames_;
+  std::optional<std::string> vtu_;
+  std::optional<std::string> frames_per_time_;
+  std::optional<std::string> plot_;
   std::string audit_ = "none";
   std::string progress_ = "auto";
   bool exact_only_ = false;

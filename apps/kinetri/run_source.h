@@ -44,6 +44,9 @@ class Run_source {
   virtual double from() const = 0;
   virtual double until() const = 0;
 
+  /// What pictures of the run have to show, where the source knows that.
+  virtual std::optional<Box_2> extent() const { return std::nullopt; }
+
   /// The name of the response to contacts in `named_responses`.
   virtual std::string response() const = 0;
 

@@ -88,11 +88,7 @@ Points_settings Simulate_command::settings() const {
   std::ranges::transform(named_responses, responses.begin(), &Named_response::name);
   result.collisions = named_responses[choice_argument("--collisions", collisions_, responses)];
   if (radius_) {
-    result.radius = number_argument("--radius", *radius_);
-    if (!(*result.radius > 0)) {
-      throw Usage_error(
-          fmt::format("--radius: {} cannot be used; expected a number greater than 0", *radius_));
-    }
+    result.radius = positive_argument("--radius", *radius_);
     if (result.collisions.response == nullptr && !rim_) {
       throw Usage_error(
           "--radius: nothing touches a disc; expected --collisions or --rim as well, or no radius");

@@ -16,14 +16,17 @@
 #include <vector>
 
 #include "arguments.h"
+#include "frame_outputs.h"
 #include "interrupt.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
+#include "kinetri/io/output_directory.h"
 #include "kinetri/io/output_file.h"
 #include "kinetri/io/stats_file.h"
 #include "kinetri/simulation/closest_approaches.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "run_plot.h"
 #include "viewer_output.h"
 
 namespace kinetri::app {
@@ -53,11 +56,15 @@ std::uint64_t peak_rss_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
 }
 
-// The output files of a run.
+// The output files and directories of a run.
 class Outputs {
  public:
   Outputs(const Run_settings& settings, const std::string& input_path) {
-    files_.reserve(8);
+    // First, as the temporary of a file would be found in a directory.
+    directories_.reserve(2);
+    frames = open_directory("--frames", settings.frames.svg);
+    vtu = open_directory("--vtu", settings.frames.vtu);
+    files_.reserve(9);
     events = open("--events", settings.events);
     initial_edges = open("--initial-edges", settings.initial_edges);
     edges = open("--edges", settings.edges);
@@ -65,6 +72,7 @@ class Outputs {
     points = open("--ids", settings.points);
     checkpoint = open("--checkpoint", settings.checkpoint);
     html = open("--html", settings.html);
+    plot = open("--plot", settings.plot);
     if (settings.closest > 0) closest = open("--closest", "-");
     std::error_code ignored;
     const std::string input = std::filesystem::canonical(input_path, ignored).string();
@@ -80,6 +88,7 @@ class Outputs {
                                       options_[j], options_[i], files_[i].path()));
       }
     }
+    check_directories();
   }
 
   Output_file* events;
@@ -89,11 +98,15 @@ class Outputs {
   Output_file* points;
   Output_file* checkpoint;
   Output_file* html;
+  Output_file* plot;
   Output_file* closest = nullptr;
+  Output_directory* frames;
+  Output_directory* vtu;
 
   // All are complete before the first takes its place.
   void commit() {
     for (Output_file& file : files_) file.finish();
+    for (Output_directory& directory : directories_) directory.commit();
     for (Output_file& file : files_) file.commit();
   }
 
@@ -102,6 +115,7 @@ class Outputs {
     for (const Output_file& file : files_) {
       result.push_back(file.path() == "-" ? "standard output" : file.path());
     }
+    for (const Output_directory& directory : directories_) result.push_back(directory.path());
     return result;
   }
 
@@ -112,8 +126,33 @@ class Outputs {
     return &files_.emplace_back(*path);
   }
 
+  Output_directory* open_directory(std::string_view option,
+                                   const std::optional<std::string>& path) {
+    if (!path) return nullptr;
+    directory_options_.push_back(option);
+    return &directories_.emplace_back(*path);
+  }
+
+  // Nothing else may be written into a directory, or be it.
+  void check_directories() const {
+    for (std::size_t i = 0; i < directories_.size(); ++i) {
+      const auto check = [&](std::string_view option, const auto& other) {
+        if (!(other.identity() + '/').starts_with(directories_[i].identity() + '/')) return;
+        throw Usage_error(
+            fmt::format("{}: {} is, or is in, the directory of {}, {}; expected a path elsewhere",
+                        option, other.path(), directory_options_[i], directories_[i].path()));
+      };
+      for (std::size_t j = 0; j < files_.size(); ++j) check(options_[j], files_[j]);
+      for (std::size_t j = 0; j < directories_.size(); ++j) {
+        if (j != i) check(directory_options_[j], directories_[j]);
+      }
+    }
+  }
+
   std::vector<Output_file> files_;
   std::vector<std::string_view> options_;  // that named them
+  std::vector<Output_directory> directories_;
+  std::vector<std::string_view> directory_options_;
 };
 
 class Simulation_run {
@@ -122,7 +161,12 @@ class Simulation_run {
       : settings_(settings),
         source_(source),
         outputs_(settings, source.path()),
-        progress_(settings.progress) {}
+        progress_(settings.progress) {
+    if (outputs_.frames != nullptr || outputs_.vtu != nullptr) {
+      frames_.emplace(outputs_.frames, outputs_.vtu, settings.frames.per_time);
+    }
+    if (outputs_.plot != nullptr) sampler_.emplace();
+  }
 
   Exit_code run();
 
@@ -144,6 +188,9 @@ class Simulation_run {
     return with_simulation([](const auto& s) { return s.current_time().to_double(); });
   }
   void advance();
+  bool go_to(double time);
+  std::optional<double> next_stop() const;
+  void stop_at(double time);
   std::size_t step(const Algebraic_number& until);
   void audit(Audit_level level);
   void write_outputs();
@@ -160,6 +207,8 @@ class Simulation_run {
   Any_simulation simulation_;
   std::optional<Viewer_output> viewer_;
   std::optional<Closest_approaches> closest_;
+  std::optional<Frame_outputs> frames_;
+  std::optional<Run_sampler> sampler_;
   std::uint64_t events_before_ = 0;  // of the run that this one takes up
   std::size_t failures_ = 0;
 };
@@ -208,6 +257,8 @@ void Simulation_run::build() {
   if (outputs_.html != nullptr) viewer_.emplace(simulation_, source_);
   // Asked for with recorded tracks only, which are linear.
   if (settings_.closest > 0) closest_.emplace(*std::get<0>(simulation_), settings_.closest);
+  if (frames_) frames_->start(source_, simulation_);
+  if (sampler_) sampler_->start(source_.until(), simulation_);
   statistics_.seconds.write += stopwatch_.lap();
 }
 
@@ -219,22 +270,42 @@ std::size_t Simulation_run::step(const Algebraic_number& until) {
   }
 }
 
+// The next time at which there is something to write or to count, none after the last.
+std::optional<double> Simulation_run::next_stop() const {
+  const auto frame = frames_ ? frames_->next_time() : std::nullopt;
+  const auto sample = sampler_ ? sampler_->next_time() : std::nullopt;
+  if (!frame || !sample) return frame ? frame : sample;
+  return std::min(*frame, *sample);
+}
+
+void Simulation_run::stop_at(double time) {
+  statistics_.seconds.run += stopwatch_.lap();
+  if (frames_ && frames_->next_time() == time) frames_->write(simulation_);
+  if (sampler_ && sampler_->next_time() == time) sampler_->take(simulation_);
+  statistics_.seconds.write += stopwatch_.lap();
+}
+
 // Executes the events, up to the end or an interruption.
 void Simulation_run::advance() {
-  const Algebraic_number until(source_.until());
+  for (auto stop = next_stop(); stop && go_to(*stop); stop = next_stop()) stop_at(*stop);
+  statistics_.interrupted = !go_to(source_.until());
+  statistics_.reached = time();
+  statistics_.seconds.run += stopwatch_.lap();
+}
+
+// Executes the events up to `end`. Whether it got there before an interruption.
+bool Simulation_run::go_to(double end) {
+  const Algebraic_number until(end);
   while (!interrupted() && step(until) > 0) {
     if (outputs_.events != nullptr && !outputs_.events->stream()) outputs_.events->finish();
-    if (progress_.due()) {
-      progress_.show(time(), number_of_events());
-    }
+    if (progress_.due()) progress_.show(time(), number_of_events());
     // Recomputing all certificates exactly is left to the audits at the two ends: it would take
     // nearly all the time of the run.
     if (settings_.audit == Audit_mode::events) audit(Audit_level::reference);
   }
-  statistics_.interrupted = interrupted();
-  if (!statistics_.interrupted) with_simulation([&](auto& s) { s.advance_to(until); });
-  statistics_.reached = time();
-  statistics_.seconds.run += stopwatch_.lap();
+  if (interrupted()) return false;
+  with_simulation([&](auto& s) { s.advance_to(until); });
+  return true;
 }
 
 void Simulation_run::audit(Audit_level level) {
@@ -279,6 +350,7 @@ void Simulation_run::write_outputs() {
   }
   if (viewer_) viewer_->write(outputs_.html->stream());
   if (outputs_.closest != nullptr) write_approaches(outputs_.closest->stream());
+  if (frames_) frames_->finish();
   with_simulation([&](const auto& s) {
     statistics_.triangulation = s.triangulation().counters();
     statistics_.certificates = s.certificate_counters();
@@ -286,6 +358,10 @@ void Simulation_run::write_outputs() {
     statistics_.contacts = s.contact_counters();
   });
   statistics_.seconds.write += stopwatch_.lap();
+  if (sampler_) {
+    sampler_->finish(simulation_);
+    outputs_.plot->stream() << draw_run(sampler_->samples(), statistics_);
+  }
   statistics_.peak_rss_bytes = peak_rss_bytes();
   if (outputs_.stats != nullptr) write_stats(outputs_.stats->stream(), statistics_);
   outputs_.commit();

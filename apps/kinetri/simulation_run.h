@@ -20,6 +20,14 @@ enum class Audit_mode {
   events,  ///< at the start, after each group of simultaneous events, and at the end
 };
 
+/// Which frames are written.
+struct Frame_settings {
+  // Output directories: a path, or none.
+  std::optional<std::string> svg;
+  std::optional<std::string> vtu;
+  std::optional<double> per_time;  ///< how many in a unit of time; without it 101 in all
+};
+
 /// What is done with a run, whatever its source.
 struct Run_settings {
   // Output files: a path, or "-", or none.
@@ -30,6 +38,8 @@ struct Run_settings {
   std::optional<std::string> points;      ///< a table of the source's points
   std::optional<std::string> checkpoint;  ///< the state at the end
   std::optional<std::string> html;        ///< a page that plays the run
+  std::optional<std::string> plot;        ///< a figure of the run; gnuplot is there
+  Frame_settings frames;
   std::size_t closest = 0;  ///< how many closest approaches to print on standard output
   Audit_mode audit = Audit_mode::none;
   Arithmetic arithmetic = Arithmetic::filtered;
@@ -41,8 +51,8 @@ struct Run_settings {
 /// been written: a run that throws changes no file. Failures of audits and a summary go to standard
 /// error.
 ///
-/// Throws Usage_error if two outputs, or an output and the input, are one file; Output_error; and
-/// what the source and Simulation_2 throw.
+/// Throws Usage_error if two outputs, or an output and the input, are one file, or there are too
+/// many frames; Output_error; and what the source and Simulation_2 throw.
 Exit_code run_simulation(const Run_settings& settings, Run_source& source);
 
 }  // namespace kinetri::app

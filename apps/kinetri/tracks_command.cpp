@@ -17,13 +17,6 @@ constexpr std::array<std::string_view, 2> formats = {"rows", "frames"};
 constexpr std::array<std::string_view, 2> collision_modes = {"none", "log"};
 constexpr std::uint64_t most_approaches = 1'000'000;
 
-double positive_argument(std::string_view option, const std::string& text) {
-  const double value = number_argument(option, text);
-  if (value > 0) return value;
-  throw Usage_error(
-      fmt::format("{}: {} cannot be used; expected a number greater than 0", option, text));
-}
-
 }  // namespace
 
 Tracks_command::Tracks_command(CLI::App& program)
@@ -35,7 +28,8 @@ Tracks_command::Tracks_command(CLI::App& program)
   add("TRACKS", tracks_, "FILE", "The observations; - is standard input")->required();
   add("--format", format_, "rows|frames",
       "rows (default): CSV with the columns t,id,x,y; frames: frame id x y, without a header");
-  add("--fps", fps_, "F", "Frames per unit of time, for the format frames (default 1)");
+  add("--fps", fps_, "F",
+      "Frames per unit of time in TRACKS, for the format frames (default 1); not of --frames");
   add("--from", from_, "T", "Start just after this time (default: the first observation)");
   add("--until", until_, "T", "End at this time (default: the last observation)");
   add("--max-gap", longest_gap_, "T",
@@ -77,7 +71,9 @@ Tracks_settings Tracks_command::settings() const {
   result.format = static_cast<Tracks_format>(choice_argument("--format", format_, formats));
   if (fps_) {
     if (result.format != Tracks_format::frames) {
-      throw Usage_error("--fps: rows have times; expected --format frames as well, or no --fps");
+      throw Usage_error(
+          "--fps: rows have times; expected --format frames as well, or no --fps "
+          "(--frames-per-time is the rate of --frames and --vtu)");
     }
     result.fps = positive_argument("--fps", *fps_);
   }

@@ -20,6 +20,10 @@ void Tracks_source::read() {
     observations_.emplace_back();
     for (const Track_observation& seen : track.observations) {
       observations_.back().push_back({seen.time, seen.place});
+      const auto& [x, y] = seen.place;
+      const Box_2 so_far = extent_.value_or(Box_2{x, y, x, y});
+      extent_ = {std::min(so_far.xmin, x), std::min(so_far.ymin, y), std::max(so_far.xmax, x),
+                 std::max(so_far.ymax, y)};
     }
     first = std::min(first, track.observations.front().time);
     last = std::max(last, track.observations.back().time);

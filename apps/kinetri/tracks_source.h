@@ -32,6 +32,8 @@ class Tracks_source final : public Run_source {
   std::size_t number_of_points() const override { return stays_.size(); }
   double from() const override { return from_; }
   double until() const override { return until_; }
+  /// That of all observations, if there are any.
+  std::optional<Box_2> extent() const override { return extent_; }
   std::string response() const override { return settings_.radius ? "log" : "none"; }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
   Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
@@ -49,6 +51,7 @@ class Tracks_source final : public Run_source {
   std::vector<Stay> stays_;                               // by point id
   double from_ = 0;
   double until_ = 0;
+  std::optional<Box_2> extent_;
 };
 
 }  // namespace kinetri::app

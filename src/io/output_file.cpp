@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "output_failure.h"
+
 namespace kinetri {
 namespace {
 
@@ -37,13 +39,6 @@ void forget(const char* temporary) {
     const char* expected = temporary;
     if (entry.compare_exchange_strong(expected, nullptr)) return;
   }
-}
-
-[[noreturn]] void fail(const std::string& path, const std::string& problem, int error,
-                       const std::string& expected) {
-  throw Output_error((path == "-" ? "standard output" : path) + ": " + problem +
-                     (error == 0 ? "" : ": " + std::generic_category().message(error)) +
-                     (expected.empty() ? "" : "; expected " + expected));
 }
 
 // What a chain of symbolic links ends at, whether it exists or not.
@@ -120,15 +115,16 @@ class Output_file::Buffer : public std::streambuf {
 Output_file::Output_file(std::string path) : path_(std::move(path)) {
   struct stat status = {};
   if (path_.empty()) {
-    fail("''", "is no path of an output file", 0, "a path, or - for standard output");
+    fail_output("''", "is no path of an output file", 0, "a path, or - for standard output");
   } else if (path_ == "-") {
     identity_ = path_;
     buffer_ = std::make_unique<Buffer>(STDOUT_FILENO, false);
   } else if (::stat(path_.c_str(), &status) != 0) {
-    if (errno != ENOENT) fail(path_, "cannot be written", errno, "a path that can be reached");
+    if (errno != ENOENT)
+      fail_output(path_, "cannot be written", errno, "a path that can be reached");
     open_temporary(nullptr);
   } else if (S_ISDIR(status.st_mode)) {
-    fail(path_, "is a directory", 0, "the path of a file");
+    fail_output(path_, "is a directory", 0, "the path of a file");
   } else if (S_ISREG(status.st_mode)) {
     open_temporary(&status);
   } else {
@@ -149,7 +145,7 @@ std::ostream& Output_file::stream() noexcept {
 
 void Output_file::open_temporary(const struct stat* existing) {
   if (existing != nullptr && ::access(path_.c_str(), W_OK) != 0) {
-    fail(path_, "exists and cannot be written", errno, "a file that may be replaced");
+    fail_output(path_, "exists and cannot be written", errno, "a file that may be replaced");
   }
   target_ = resolved(path_).string();
   std::error_code ignored;
@@ -166,8 +162,8 @@ void Output_file::open_temporary(const struct stat* existing) {
   if (descriptor < 0) {
     const int error = errno;
     temporary_.reset();
-    fail(path_, "cannot be written", error,
-         "a path in an existing directory in which files can be created");
+    fail_output(path_, "cannot be written", error,
+                "a path in an existing directory in which files can be created");
   }
   remember(temporary_->c_str());
   buffer_ = std::make_unique<Buffer>(descriptor, true);
@@ -181,7 +177,7 @@ void Output_file::open_temporary(const struct stat* existing) {
 
 void Output_file::open_directly(bool character_device) {
   const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(path_, "cannot be written", errno, "a writable file");
+  if (descriptor < 0) fail_output(path_, "cannot be written", errno, "a writable file");
   if (!character_device) {
     std::error_code ignored;
     identity_ = fs::weakly_canonical(path_, ignored).string();
@@ -197,7 +193,7 @@ void Output_file::finish() {
   stream_->setstate(std::ios::badbit);  // what is written from now on is lost
   if (!stream_good || !closed) {
     discard();
-    fail(path_, "writing failed", buffer_->error(), "");
+    fail_output(path_, "writing failed", buffer_->error(), "");
   }
   finished_ = true;
 }
@@ -208,7 +204,7 @@ void Output_file::commit() {
   if (std::rename(temporary_->c_str(), target_.c_str()) != 0) {
     const int error = errno;
     discard();
-    fail(path_, "cannot be replaced by the file written beside it", error, "");
+    fail_output(path_, "cannot be replaced by the file written beside it", error, "");
   }
   forget(temporary_->c_str());
   temporary_.reset();

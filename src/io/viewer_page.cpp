@@ -2,14 +2,12 @@
 #include "kinetri/io/viewer_page.h"
 
 #include <array>
-#include <bit>
-#include <concepts>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <string_view>
-#include <type_traits>
 
+#include "bytes.h"
 #include "kinetri/version.h"
 #include "viewer_assets.h"
 
@@ -17,38 +15,6 @@ namespace kinetri {
 namespace {
 
 using nlohmann::json;
-
-// Numbers as little-endian bytes.
-class Bytes {
- public:
-  template <std::unsigned_integral Number>
-  void add(Number number) {
-    for (std::size_t i = 0; i < sizeof(Number); ++i) {
-      bytes_.push_back(static_cast<std::uint8_t>(std::uint64_t{number} >> (8 * i)));
-    }
-  }
-  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
-
-  // RFC 4648, section 4.
-  std::string base64() const {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes_.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes_.size(); i += 3) {
-      const auto byte = [&](std::size_t j) {
-        return j < bytes_.size() ? std::uint32_t{bytes_[j]} : 0;
-      };
-      const std::uint32_t group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-      for (const int shift : {18, 12, 6, 0}) text.push_back(digits[group >> shift & 63]);
-    }
-    const std::size_t padding = (3 - bytes_.size() % 3) % 3;
-    return text.replace(text.size() - padding, padding, padding, '=');
-  }
-
- private:
-  std::vector<std::uint8_t> bytes_;
-};
 
 // Point ids, each as short as the number of points allows.
 class Id_bytes {

@@ -571,5 +571,15 @@ TEST(Simulation, decides_the_same_without_filters) {
   }
 }
 
+// One point that reaches a wall, one that never does, and a change that is to come.
+TEST(Simulation, tells_the_present_length_of_its_queue) {
+  Simulation simulation({{{5, 5}, {1, 0}, 0}, {{6, 6}, {0, 0}, 0}}, in_box({0, 0, 10, 10}));
+  EXPECT_EQ(simulation.queue_size(), 1u);
+  simulation.schedule_erase(2.0, 0);
+  EXPECT_EQ(simulation.queue_size(), 2u);
+  simulation.advance_to(2.0);
+  EXPECT_EQ(simulation.queue_size(), 0u);
+}
+
 }  // namespace
 }  // namespace kinetri

@@ -360,5 +360,15 @@ TEST(Kinetic_delaunay_triangulation_2, of_far_away_epochs_equals_that_of_epoch_z
   }
 }
 
+// At the start nothing has been popped; in the end there is no edge that could fail.
+TEST(Kinetic_delaunay_triangulation_2, tells_the_present_length_of_its_queue) {
+  Kinetic_delaunay kinetic(test::random_motions(50, 100, 10, 9));
+  EXPECT_GT(kinetic.queue_size(), 10u);
+  EXPECT_EQ(kinetic.queue_size(),
+            kinetic.queue_counters().pushed - kinetic.queue_counters().discarded);
+  for (Point_id id = 0; id < 50; ++id) kinetic.erase(kinetic.vertex(id));
+  EXPECT_EQ(kinetic.queue_size(), 0u);
+}
+
 }  // namespace
 }  // namespace kinetri

@@ -147,6 +147,10 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void remove_observer(Observer& observer) { triangulation_.remove_observer(observer); }
 
   Contact_counters contact_counters() const;
+  /// The present number of entries in the queue of contacts and scheduled changes, which is apart
+  /// from that of the triangulation: contacts, and times up to which there certainly is none; at
+  /// most one for each point, one for each edge, and one for each change. O(1).
+  std::size_t queue_size() const noexcept { return queue_.size(); }
   /// Of topology and contacts together.
   Certificate_counters certificate_counters() const;
 

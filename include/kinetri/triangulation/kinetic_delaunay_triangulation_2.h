@@ -245,6 +245,9 @@ class Kinetic_delaunay_triangulation_2 {
   const Triangulation_counters& counters() const { return counters_; }
   const Construction_seconds& construction_seconds() const { return construction_seconds_; }
   const Queue_counters& queue_counters() const { return queue_.counters(); }
+  /// The present number of entries in the queue: failures, and times up to which a certificate
+  /// certainly holds; at most one for each edge, those to the infinite vertex included. O(1).
+  std::size_t queue_size() const noexcept { return queue_.size(); }
   const Certificate_counters& certificate_counters() const { return certificate_counters_; }
 
   /// Checks the present state up to `level`; see Audit_level. Costs from O(n) link checks to O(n)

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Regular times in a run, each the binary64 number nearest to what it stands for, so that they are
+// the same however they are come by.
+#ifndef KINETRI_APPS_REGULAR_TIMES_H
+#define KINETRI_APPS_REGULAR_TIMES_H
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace kinetri::app {
+
+/// The times from + k / per_time, k = 0, 1, ..., rounded, up to `until`; none if there are more
+/// than `most`. Where several are one number it is there once. Precondition: from <= until are
+/// finite, per_time > 0.
+std::optional<std::vector<double>> regular_times(double from, double until, double per_time,
+                                                 std::size_t most);
+
+/// The ends of `intervals` intervals of equal length from `from` to `until`, rounded, each number
+/// once. Precondition: from <= until are finite, intervals > 0.
+std::vector<double> evenly_spaced_times(double from, double until, std::size_t intervals);
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_REGULAR_TIMES_H

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How failures of outputs are said.
+#ifndef KINETRI_SRC_IO_OUTPUT_FAILURE_H
+#define KINETRI_SRC_IO_OUTPUT_FAILURE_H
+
+#include <string>
+#include <system_error>
+
+#include "kinetri/io/output_file.h"
+
+namespace kinetri {
+
+/// Throws an Output_error about `path`. `error` is an errno, 0 if there is none to tell; `expected`
+/// may be empty.
+[[noreturn]] inline void fail_output(const std::string& path, const std::string& problem, int error,
+                                     const std::string& expected) {
+  throw Output_error((path == "-" ? "standard output" : path) + ": " + problem +
+                     (error == 0 ? "" : ": " + std::generic_category().message(error)) +
+                     (expected.empty() ? "" : "; expected " + expected));
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_IO_OUTPUT_FAILURE_H

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/io/svg_frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <ostream>
+#include <string_view>
+
+namespace kinetri {
+namespace {
+
+// All in pixels.
+constexpr double widest = 912;
+constexpr double highest = 672;
+constexpr double margin = 24;
+constexpr double caption_height = 32;
+constexpr double least_width = 400;  // so that the caption fits
+
+// Where the plane is on the picture.
+class Canvas {
+ public:
+  explicit Canvas(const Svg_view& view) {
+    const auto& [xmin, ymin, xmax, ymax] = view.extent;
+    // Halves, since the difference of two large numbers may be infinite.
+    x_ = xmin / 2 + xmax / 2;
+    y_ = ymin / 2 + ymax / 2;
+    const auto with_discs = [&](double half) {
+      return std::min(half + view.radius, std::numeric_limits<double>::max());
+    };
+    half_width_ = with_discs(xmax / 2 - xmin / 2);
+    double half_height = with_discs(ymax / 2 - ymin / 2);
+    if (half_width_ == 0 && half_height == 0) half_width_ = half_height = 1;
+    // Points on a line have a strip.
+    constexpr double flattest = 0.3;
+    half_width_ = std::max(half_width_, flattest * half_height);
+    half_height = std::max(half_height, flattest * half_width_);
+    const double ratio = half_width_ / half_height;
+    drawn_width_ = std::min(widest, highest * ratio);
+    drawn_height_ = drawn_width_ / ratio;
+    width_ = even(std::max(drawn_width_ + 2 * margin, least_width));
+    height_ = even(drawn_height_ + 2 * margin + caption_height);
+  }
+
+  double width() const { return width_; }
+  double height() const { return height_; }
+  double x(double x) const { return width_ / 2 + (x / 2 - x_ / 2) / half_width_ * drawn_width_; }
+  double y(double y) const {
+    return margin + drawn_height_ / 2 - (y / 2 - y_ / 2) / half_width_ * drawn_width_;
+  }
+  double length(double length) const { return length / half_width_ * drawn_width_ / 2; }
+
+  // The side of the square that one of `points` points has to itself.
+  double spacing(std::size_t points) const {
+    return std::sqrt(drawn_width_ * drawn_height_ /
+                     static_cast<double>(std::max<std::size_t>(points, 1)));
+  }
+
+ private:
+  static double even(double size) { return 2 * std::ceil(size / 2); }
+
+  double x_;
+  double y_;
+  double half_width_;
+  double drawn_width_;
+  double drawn_height_;
+  double width_;
+  double height_;
+};
+
+// A number of pixels, in hundredths; without a sign if it is 0.
+double pixels(double value) {
+  return std::round(100 * value) / 100 + 0.0;
+}
+
+struct Pixel {
+  double x;
+  double y;
+
+  bool is_finite() const { return std::isfinite(x) && std::isfinite(y); }
+};
+
+class Picture {
+ public:
+  Picture(const Frame_2& frame, const Svg_view& view) : frame_(frame), view_(view), canvas_(view) {
+    for (const Vector_2& place : frame.places) {
+      places_.push_back({pixels(canvas_.x(place.x)), pixels(canvas_.y(place.y))});
+    }
+  }
+
+  void write(std::ostream& out) {
+    begin();
+    if (view_.box) add_box(*view_.box);
+    if (view_.radius > 0) {
+      add_circles("discs", "fill=\"#56b4e9\" fill-opacity=\"0.35\" stroke=\"#0072b2\"",
+                  canvas_.length(view_.radius));
+    }
+    std::vector<std::array<std::size_t, 2>> inner;
+    std::ranges::set_difference(frame_.edges, frame_.hull, std::back_inserter(inner));
+    const double spacing = canvas_.spacing(view_.points);
+    const double line = std::clamp(0.03 * spacing, 0.25, 1.2);
+    add_lines("edges", "#6f8fa8", line, inner);
+    add_lines("hull", "#0072b2", std::max(2 * line, 0.8), frame_.hull);
+    add_circles("points", "fill=\"#d55e00\"", std::clamp(0.08 * spacing, 0.5, 3.4));
+    add_caption();
+    add("</svg>\n");
+    out.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+  }
+
+ private:
+  template <class... Arguments>
+  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+  }
+
+  void begin() {
+    add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+        "viewBox=\"0 0 {0} {1}\">\n"
+        "<title>t = {2}</title>\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"#fdfdfb\"/>\n",
+        canvas_.width(), canvas_.height(), frame_.time);
+  }
+
+  void add_box(const Box_2& box) {
+    const Pixel corner = {pixels(canvas_.x(box.xmin)), pixels(canvas_.y(box.ymax))};
+    add("<rect class=\"box\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" "
+        "stroke=\"#404040\" stroke-width=\"1.5\"/>\n",
+        corner.x, corner.y, pixels(canvas_.x(box.xmax) - corner.x),
+        pixels(canvas_.y(box.ymin) - corner.y));
+  }
+
+  void add_lines(std::string_view name, std::string_view color, double width,
+                 const std::vector<std::array<std::size_t, 2>>& edges) {
+    add("<path class=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
+        "stroke-linecap=\"round\" d=\"",
+        name, color, pixels(width));
+    for (const auto& [a, b] : edges) {
+      const Pixel& from = places_[a];
+      const Pixel& to = places_[b];
+      if (!from.is_finite() || !to.is_finite()) continue;
+      add("M{} {}L{} {}", from.x, from.y, to.x, to.y);
+    }
+    add("\"/>\n");
+  }
+
+  void add_circles(std::string_view name, std::string_view style, double radius) {
+    add("<g class=\"{}\" {}>\n", name, style);
+    for (const Pixel& place : places_) {
+      if (!place.is_finite()) continue;
+      add("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", place.x, place.y, pixels(radius));
+    }
+    add("</g>\n");
+  }
+
+  void add_caption() {
+    const auto events =
+        std::accumulate(frame_.events.begin(), frame_.events.end(), std::uint64_t{0});
+    const double baseline = canvas_.height() - 18;
+    add("<g font-family=\"sans-serif\" font-size=\"15\" fill=\"#202020\">\n"
+        "<text x=\"{0}\" y=\"{1}\">t = {2}</text>\n"
+        "<text x=\"{3}\" y=\"{1}\" text-anchor=\"end\" fill=\"#606060\">{4} point{5}, {6} "
+        "event{7}</text>\n"
+        "</g>\n",
+        margin, baseline, frame_.time, canvas_.width() - margin, frame_.ids.size(),
+        frame_.ids.size() == 1 ? "" : "s", events, events == 1 ? "" : "s");
+  }
+
+  const Frame_2& frame_;
+  const Svg_view& view_;
+  Canvas canvas_;
+  std::vector<Pixel> places_;
+  fmt::memory_buffer text_;
+};
+
+}  // namespace
+
+void write_svg_frame(std::ostream& out, const Frame_2& frame, const Svg_view& view) {
+  Picture(frame, view).write(out);
+}
+
+}  // namespace kinetri

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/io/vtu_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numeric>
+#include <ostream>
+#include <string_view>
+#include <vector>
+
+#include "bytes.h"
+
+namespace kinetri {
+namespace {
+
+constexpr std::uint8_t triangle_cell = 5;  // VTK_TRIANGLE
+
+// What VTK calls the type of numbers.
+constexpr std::string_view type_name(double) {
+  return "Float64";
+}
+constexpr std::string_view type_name(std::uint64_t) {
+  return "Int64";  // as VTK's own; none is that large
+}
+constexpr std::string_view type_name(std::uint32_t) {
+  return "UInt32";
+}
+constexpr std::string_view type_name(std::uint8_t) {
+  return "UInt8";
+}
+
+// One array of numbers: in base64 their length in bytes, and they.
+template <class Number>
+void write_array(std::ostream& out, std::string_view name, std::string_view attributes,
+                 std::span<const Number> numbers) {
+  Bytes data;
+  data.add(static_cast<std::uint64_t>(sizeof(Number) * numbers.size()));
+  for (const Number number : numbers) data.add(number);
+  out << fmt::format(
+      "        <DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">{}</DataArray>\n",
+      type_name(Number{}), name, attributes, data.base64());
+}
+
+void write_vectors(std::ostream& out, std::string_view name, const std::vector<Vector_2>& vectors) {
+  std::vector<double> numbers;
+  numbers.reserve(3 * vectors.size());
+  for (const Vector_2& v : vectors) numbers.insert(numbers.end(), {v.x, v.y, 0.0});
+  write_array<double>(out, name, " NumberOfComponents=\"3\"", numbers);
+}
+
+// A field has one tuple, whatever the points.
+template <class Number>
+void write_field(std::ostream& out, const std::string& field, Number value) {
+  write_array<Number>(out, field, " NumberOfTuples=\"1\"", std::array<Number, 1>{value});
+}
+
+void write_fields(std::ostream& out, const Frame_2& frame) {
+  out << "      <FieldData>\n";
+  write_field(out, "TimeValue", frame.time);
+  write_field(out, "events",
+              std::accumulate(frame.events.begin(), frame.events.end(), std::uint64_t{0}));
+  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
+    write_field(out, fmt::format("events_{}", name(static_cast<Event_kind>(kind))),
+                frame.events[kind]);
+  }
+  out << "      </FieldData>\n";
+}
+
+void write_cells(std::ostream& out, const Frame_2& frame) {
+  std::vector<std::uint64_t> corners;
+  std::vector<std::uint64_t> ends;
+  for (const auto& triangle : frame.triangles) {
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+    ends.push_back(corners.size());
+  }
+  const std::vector<std::uint8_t> types(ends.size(), triangle_cell);
+  out << "      <Cells>\n";
+  write_array<std::uint64_t>(out, "connectivity", "", corners);
+  write_array<std::uint64_t>(out, "offsets", "", ends);
+  write_array<std::uint8_t>(out, "types", "", types);
+  out << "      </Cells>\n";
+}
+
+}  // namespace
+
+void write_vtu(std::ostream& out, const Frame_2& frame, double radius) {
+  out << "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+         "header_type=\"UInt64\">\n"
+         "  <UnstructuredGrid>\n";
+  write_fields(out, frame);
+  out << fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", frame.ids.size(),
+                     frame.triangles.size());
+  out << "      <PointData Scalars=\"id\" Vectors=\"velocity\">\n";
+  write_array<std::uint32_t>(out, "id", "", frame.ids);
+  write_vectors(out, "velocity", frame.velocities);
+  if (radius != 0) {
+    const std::vector<double> radii(frame.ids.size(), radius);
+    write_array<double>(out, "radius", "", radii);
+  }
+  out << "      </PointData>\n      <CellData/>\n      <Points>\n";
+  write_vectors(out, "Points", frame.places);
+  out << "      </Points>\n";
+  write_cells(out, frame);
+  out << "    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
+}
+
+void write_pvd(std::ostream& out, std::span<const Vtu_frame> frames) {
+  out << "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+         "  <Collection>\n";
+  for (const Vtu_frame& frame : frames) {
+    out << fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
+                       frame.time, frame.file);
+  }
+  out << "  </Collection>\n</VTKFile>\n";
+}
+
+}  // namespace kinetri

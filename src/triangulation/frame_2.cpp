@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/triangulation/frame_2.h"
+
+#include <algorithm>
+
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+namespace {
+
+// The positions of points, in ascending order of ids.
+class Positions {
+ public:
+  explicit Positions(const std::vector<Point_id>& ids) : ids_(ids) {}
+
+  std::size_t of(Point_id id) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
+  }
+
+  // In the order of the ids, which is that of the positions.
+  std::array<std::size_t, 2> of(const Edge_ids& edge) const { return {of(edge[0]), of(edge[1])}; }
+
+ private:
+  const std::vector<Point_id>& ids_;
+};
+
+template <class Triangulation>
+void add_faces(Frame_2& frame, const Triangulation& triangulation) {
+  const Positions positions(frame.ids);
+  for (const auto face : triangulation.all_face_handles()) {
+    const auto id = [&](int i) { return face->vertex(i)->point().id(); };
+    int infinite = 0;
+    if (face->has_vertex(triangulation.infinite_vertex(), infinite)) {
+      frame.hull.push_back(positions.of(
+          edge_ids(id(Triangulation::ccw(infinite)), id(Triangulation::cw(infinite)))));
+    } else {
+      std::array<std::size_t, 3> corners = {positions.of(id(0)), positions.of(id(1)),
+                                            positions.of(id(2))};
+      std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
+      frame.triangles.push_back(corners);
+    }
+  }
+  std::ranges::sort(frame.hull);
+  std::ranges::sort(frame.triangles);
+}
+
+}  // namespace
+
+template <KineticTraits_2 Traits>
+Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Traits>& kinetic) {
+  Frame_2 frame;
+  frame.time = kinetic.current_time().to_double();
+  frame.events = kinetic.counters().events;
+  const auto& triangulation = kinetic.triangulation();
+  for (const auto v : triangulation.finite_vertex_handles()) frame.ids.push_back(v->point().id());
+  std::ranges::sort(frame.ids);
+  for (const Point_id id : frame.ids) {
+    frame.places.push_back(rounded_place(kinetic.motion(id), frame.time));
+    frame.velocities.push_back(rounded_velocity(kinetic.motion(id), frame.time));
+  }
+  const Positions positions(frame.ids);
+  for (const Edge_ids& edge : kinetic.finite_edge_ids()) {
+    frame.edges.push_back(positions.of(edge));
+  }
+  if (triangulation.dimension() == 2) {
+    add_faces(frame, triangulation);
+  } else {
+    frame.hull = frame.edges;
+  }
+  return frame;
+}
+
+template Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>&);
+template Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>&);
+
+}  // namespace kinetri

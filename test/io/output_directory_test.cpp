@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Output directories are whole or not there, and every failure is reported.
+#include "kinetri/io/output_directory.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/temporary_directory.h"
+
+namespace kinetri {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_file;
+using test::Temporary_directory;
+using test::write_file;
+using Entries = std::vector<std::string>;
+
+class OutputDirectory : public testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return directory_.file(name); }
+  Entries entries() const { return directory_.entries(); }
+  Entries entries(const std::string& name) const {
+    Entries result;
+    for (const auto& entry : fs::directory_iterator(file(name))) {
+      result.push_back(entry.path().filename().string());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+  std::string directory() const { return directory_.path(); }
+
+  static std::string error_of(const std::string& path) {
+    try {
+      const Output_directory output(path);
+      return "no error";
+    } catch (const Output_error& error) {
+      return error.what();
+    }
+  }
+
+ private:
+  Temporary_directory directory_;
+};
+
+constexpr const char* usable = "a directory that is not there yet, or is empty";
+
+TEST_F(OutputDirectory, AppearsWithCommitOnly) {
+  Output_directory output(file("out"));
+  EXPECT_EQ(output.path(), file("out"));
+  EXPECT_EQ(entries(), Entries{});
+  output.write("one", "first");
+  output.write("two", std::string(1'000'000, 'x'));
+  EXPECT_FALSE(fs::exists(file("out")));
+  EXPECT_EQ(entries().size(), 1U);
+  output.commit();
+  output.commit();
+  EXPECT_EQ(entries(), Entries{"out"});
+  EXPECT_EQ(entries("out"), (Entries{"one", "two"}));
+  EXPECT_EQ(read_file(file("out/one")), "first");
+  EXPECT_EQ(read_file(file("out/two")), std::string(1'000'000, 'x'));
+}
+
+TEST_F(OutputDirectory, WithoutCommitNothingIsLeft) {
+  fs::create_directory(file("old"));
+  {
+    Output_directory created(file("new"));
+    Output_directory replaced(file("old"));
+    for (int i = 0; i < 100; ++i) created.write(std::to_string(i), "text");
+    replaced.write("a", "");
+    EXPECT_EQ(entries().size(), 3U);
+  }
+  EXPECT_EQ(entries(), Entries{"old"});
+  EXPECT_EQ(entries("old"), Entries{});
+}
+
+TEST_F(OutputDirectory, WithoutFilesIsEmpty) {
+  Output_directory(file("out")).commit();
+  EXPECT_EQ(entries(), Entries{"out"});
+  EXPECT_EQ(entries("out"), Entries{});
+}
+
+TEST_F(OutputDirectory, TakesThePlaceOfAnEmptyOne) {
+  fs::create_directory(file("out"));
+  fs::permissions(file("out"), fs::perms::owner_all);
+  fs::create_directory_symlink("out", file("link"));
+  Output_directory output(file("link") + "/");
+  output.write("a", "text");
+  output.commit();
+  EXPECT_TRUE(fs::is_symlink(file("link")));
+  EXPECT_EQ(read_file(file("out/a")), "text");
+  EXPECT_EQ(fs::status(file("out")).permissions(), fs::perms::owner_all);
+}
+
+TEST_F(OutputDirectory, HasTheUsualPermissions) {
+  const mode_t old = ::umask(027);
+  Output_directory output(file("out"));
+  output.write("a", "");
+  output.commit();
+  ::umask(old);
+  EXPECT_EQ(static_cast<unsigned>(fs::status(file("out")).permissions()), 0750U);
+  EXPECT_EQ(static_cast<unsigned>(fs::status(file("out/a")).permissions()), 0640U);
+}
+
+TEST_F(OutputDirectory, IdentityTellsWhetherTwoPathsAreOneDirectory) {
+  fs::create_directory(file("a"));
+  fs::create_directory_symlink("a", file("link"));
+  const auto identity = [](const std::string& path) { return Output_directory(path).identity(); };
+  EXPECT_EQ(identity(file("a")), fs::canonical(file("a")).string());
+  EXPECT_EQ(identity(file("a") + "/"), identity(file("link")));
+  EXPECT_EQ(identity(file("link/b")), identity(file("a/./b/")));
+  EXPECT_NE(identity(file("a")), identity(file("b")));
+}
+
+TEST_F(OutputDirectory, UnusablePathsAreErrorsAtOnce) {
+  fs::create_directory(file("full"));
+  write_file(file("full/a"), "kept");
+  EXPECT_EQ(error_of(file("full")), file("full") + ": is not empty; expected " + usable +
+                                        "; remove what is in it, or name another");
+  EXPECT_EQ(error_of(file("full/a")), file("full/a") + ": is no directory; expected " + usable);
+  EXPECT_EQ(error_of(file("missing/out")),
+            file("missing/out") +
+                ": cannot be made: No such file or directory; expected a path in an existing "
+                "directory in which directories can be made");
+  EXPECT_NE(error_of(file("full/a/out")).find("/full/a/out: cannot be made: Not a directory"),
+            std::string::npos);
+  EXPECT_EQ(error_of(""), std::string("'': is no path of a directory; expected ") + usable);
+  EXPECT_EQ(error_of("-"), std::string("'-': is no path of a directory; expected ") + usable);
+  fs::create_symlink("nowhere", file("link"));
+  EXPECT_EQ(error_of(file("link")),
+            file("link") + ": is a symbolic link that leads nowhere; expected " + usable);
+  EXPECT_NE(error_of("/proc").find("/proc: is not empty"), std::string::npos);
+  // Where nobody can make a directory, not even root.
+  EXPECT_NE(error_of("/proc/out").find("/proc/out: cannot be made: "), std::string::npos);
+  EXPECT_EQ(entries(), (Entries{"full", "link"}));
+  EXPECT_EQ(read_file(file("full/a")), "kept");
+}
+
+TEST_F(OutputDirectory, CurrentDirectoryIsRefused) {
+  fs::create_directory(file("here"));
+  const fs::path before = fs::current_path();
+  fs::current_path(file("here"));
+  const std::string error = error_of(".");
+  fs::current_path(before);
+  EXPECT_EQ(error, ".: is the current directory; expected another one");
+}
+
+TEST_F(OutputDirectory, PermissionsAreRespected) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  fs::create_directory(file("closed"));
+  fs::permissions(file("closed"), fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_NE(error_of(file("closed/out")).find("cannot be made: Permission denied"),
+            std::string::npos);
+}
+
+TEST_F(OutputDirectory, FailureToWriteNamesTheFile) {
+  Output_directory output(file("out"));
+  const std::string name(300, 'x');  // longer than a name may be
+  try {
+    output.write(name, "text");
+    FAIL() << "no error";
+  } catch (const Output_error& error) {
+    EXPECT_EQ(error.what(), file("out") + "/" + name + ": writing failed: File name too long");
+  }
+  EXPECT_THROW(output.write("a/b", ""), Precondition_error);
+  EXPECT_THROW(output.write("", ""), Precondition_error);
+}
+
+// As on a full disk, the part that there is room for is written.
+TEST_F(OutputDirectory, PartOfAFileIsAFailure) {
+  rlimit before = {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto signal = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  std::string error = "no error";
+  {
+    Output_directory output(file("out"));
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    try {
+      output.write("a", std::string(5000, 'x'));
+    } catch (const Output_error& thrown) {
+      error = thrown.what();
+    }
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  }
+  std::signal(SIGXFSZ, signal);
+  EXPECT_EQ(error, file("out") + "/a: writing failed: File too large");
+  EXPECT_EQ(entries(), Entries{});
+}
+
+TEST_F(OutputDirectory, TargetThatWasFilledMeanwhileIsReported) {
+  fs::create_directory(file("out"));
+  Output_directory output(file("out"));
+  output.write("a", "text");
+  write_file(file("out/other"), "kept");
+  EXPECT_THROW(output.commit(), Output_error);
+  EXPECT_EQ(entries(), Entries{"out"});
+  EXPECT_EQ(entries("out"), Entries{"other"});
+}
+
+TEST_F(OutputDirectory, SurvivesBeingMoved) {
+  std::vector<Output_directory> outputs;
+  for (const char* name : {"a", "b", "c"}) {
+    outputs.emplace_back(file(name)).write(name, name);
+  }
+  for (Output_directory& output : outputs) output.commit();
+  EXPECT_EQ(entries(), (Entries{"a", "b", "c"}));
+  EXPECT_EQ(read_file(file("c/c")), "c");
+}
+
+TEST_F(OutputDirectory, AllTemporariesCanBeRemovedAtOnce) {
+  std::vector<Output_directory> outputs;
+  for (const char* name : {"a", "b", "c"}) {
+    outputs.emplace_back(file(name)).write("one", "text");
+    outputs.back().write("two", "text");
+  }
+  outputs[2].commit();
+  EXPECT_EQ(entries().size(), 3U);
+  Output_directory::remove_all_temporaries();
+  EXPECT_EQ(entries(), Entries{"c"});
+  EXPECT_EQ(entries("c"), (Entries{"one", "two"}));
+}
+
+}  // namespace
+}  // namespace kinetri
