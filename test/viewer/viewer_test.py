@@ -69,6 +69,17 @@ class Page(unittest.TestCase):
         at = self.evaluate(PICTURE_AT)
         return tuple(round(at[side]) for side in ("left", "top", "right", "bottom"))
 
+    def drag(self, dx, dy):
+        """From the middle of the picture, in four steps."""
+        left, top, right, bottom = self.picture_box()
+        x, y = (left + right) // 2, (top + bottom) // 2 + 40
+        self.browser.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
+        for step in range(1, 5):
+            self.browser.mouse("mouseMoved", x + dx * step / 4, y + dy * step / 4, button="left",
+                               buttons=1)
+        self.browser.mouse("mouseReleased", x + dx, y + dy, button="left", clickCount=1)
+        self.browser.move(5, 5)
+
     def look(self, skipped=0):
         """The colours in the picture, below its first rows, which the switches take."""
         left, top, right, bottom = self.picture_box()
@@ -197,16 +208,14 @@ class Playing(Page):
 
     def check_wave(self):
         """It begins tilted, can be turned, and laid flat and back."""
+        self.browser.resize(1400, 700)  # so that all switches are in one row
+        self.browser.settle()
         wave = self.look(SWITCHES)
-        left, top, right, bottom = self.picture_box()
-        x, y = (left + right) // 2, (top + bottom) // 2
-        self.browser.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
-        self.browser.mouse("mouseMoved", x + 60, y + 30, button="left", buttons=1)
-        self.browser.mouse("mouseReleased", x + 60, y + 30, button="left", clickCount=1)
-        self.browser.move(5, 5)
-        self.assertNotEqual(self.look(SWITCHES), wave, "it does not turn")
-        self.browser.key("f")
-        self.assertEqual(self.look(SWITCHES), wave)
+        for dx, dy in ((60, 0), (0, 40)):
+            self.drag(dx, dy)
+            self.assertNotEqual(self.look(SWITCHES), wave, "it does not turn")
+            self.browser.key("f")
+            self.assertEqual(self.look(SWITCHES), wave)
         self.browser.key("w")
         self.assertNotEqual(self.look(SWITCHES), wave, "it is not laid flat")
         self.browser.key("w")
@@ -289,14 +298,10 @@ class Interface(Page):
 
     def test_wheel_and_drag(self):
         left, top, right, bottom = self.picture_box()
-        x, y = (left + right) // 2, (top + bottom) // 2 + 40
+        x, y = (left + right) // 2, (top + bottom) // 2
         place = "kinetri.screen(0, 0)"
         before = self.evaluate(place)
-        self.browser.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
-        for step in range(1, 5):
-            self.browser.mouse("mouseMoved", x + 20 * step, y + 10 * step, button="left", buttons=1)
-        self.browser.mouse("mouseReleased", x + 80, y + 40, button="left", clickCount=1)
-        self.browser.settle()
+        self.drag(80, 40)
         after = self.evaluate(place)
         self.assertAlmostEqual(after[0] - before[0], 80, 6)
         self.assertAlmostEqual(after[1] - before[1], 40, 6)
