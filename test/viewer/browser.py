@@ -144,14 +144,16 @@ class Browser:
         self.call("Emulation.setEmulatedMedia",
                   features=[{"name": name, "value": value} for name, value in features])
 
-    def open(self, path):
-        """Loads the file and waits for it."""
+    def open(self, path, fragment=""):
+        """Loads the file, with a fragment of the address, and waits for it."""
         self.url = path.resolve().as_uri()
-        self.loaded = False
-        self.call("Page.navigate", url=self.url)
-        deadline = time.monotonic() + SECONDS
-        while not self.loaded:
-            self.receive(deadline)
+        # The page may be there with another fragment, and would not be loaded anew.
+        for address in ("about:blank", self.url + fragment):
+            self.loaded = False
+            self.call("Page.navigate", url=address)
+            deadline = time.monotonic() + SECONDS
+            while not self.loaded:
+                self.receive(deadline)
         self.settle()
 
     def evaluate(self, expression):

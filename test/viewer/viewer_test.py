@@ -354,6 +354,45 @@ class Interface(Page):
         self.browser.move(5, 5)
         self.assertEqual(self.look(SWITCHES), light)
 
+    def test_address(self):
+        """A fragment of the address does what clicks and keys do; what it cannot do it says."""
+        note = "document.getElementById('note')"
+        def follow(fragment):
+            self.evaluate(f"void (location.hash = '{fragment}')")
+            self.browser.settle()
+            return self.evaluate(f"{note}.hidden ? '' : {note}.textContent")
+
+        self.browser.move(5, 5)
+        start = self.look(SWITCHES)
+        a, b = self.evaluate("kinetri.edges()")[7]
+        self.assertEqual(follow(f"t=3&show=voronoi,trails&hide=hull&edge={b}-{a}&theme=dark"), "")
+        self.assertEqual(self.evaluate("kinetri.time"), 3)
+        switch = "document.getElementById('switch-%s').ariaPressed"
+        self.assertEqual([self.evaluate(switch % name) for name in ("voronoi", "trails", "hull")],
+                         ["true", "true", "false"])
+        self.assertEqual(self.evaluate("document.getElementById('certificate-title').textContent"),
+                         f"Edge {a}\u2013{b}")
+        self.assertLess(max(self.look(SWITCHES).most_frequent()), 80)
+        self.browser.click_element("button-close")
+        self.assertEqual(follow("show=hull&hide=voronoi,trails&theme=light"), "")
+        self.browser.move(5, 5)
+        self.assertEqual(self.look(SWITCHES), start)
+        for state in ("off", "on"):
+            self.assertEqual(follow(f"list={state}"), "")
+            self.assertEqual(self.evaluate("document.getElementById('events').hidden"),
+                             state == "off")
+        for number in (5, 0, len(self.run_.events)):
+            self.assertEqual(follow(f"event={number}"), "")
+            self.assertGreaterEqual(self.evaluate("kinetri.event"), number)
+        for wrong in ("t=x", "t=", "event=1000000", "event=-1", "show=wave", "edge=0-0", "edge=x",
+                      "theme=blue", "list=maybe", "speed=1"):
+            self.assertIn(f"'{wrong.split('=')[wrong != 'speed=1']}'", follow(wrong))
+
+    def test_address_of_a_page_that_is_opened(self):
+        self.browser.open(self.run_.page, "#t=2.25&show=trails")
+        self.assertEqual(self.evaluate("kinetri.time"), 2.25)
+        self.assertEqual(self.evaluate("document.getElementById('switch-trails').ariaPressed"), "true")
+
     def test_narrow_screens_have_room_for_everything(self):
         self.browser.resize(360, 640, 2)
         self.browser.settle()

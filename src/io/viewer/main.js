@@ -72,7 +72,17 @@ try {
   const recording = readRecording(source.textContent);
   source.remove();  // it takes memory
   element('viewer').hidden = false;
-  window.kinetri = consoleObject(new Viewer(recording));
+  const viewer = new Viewer(recording);
+  const follow = () => {
+    const problems = followAddress(viewer, window.location.hash);
+    if (problems.length === 0) return;
+    element('note').hidden = false;
+    element('note').textContent = `The page's address asks for what is not there: ` +
+      `${problems.join('; ')}.`;
+  };
+  follow();
+  window.addEventListener('hashchange', follow);
+  window.kinetri = consoleObject(viewer);
 } catch (error) {
   showMessage(error);
   if (!(error instanceof RecordingError)) throw error;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the page's address asks for after its '#': a moment, and what is shown of it, so that both
+// can be linked to, and pictures be made by a browser without a window.
+//
+//   #t=2.5&show=voronoi,ids&hide=hull&edge=4-17&theme=dark&list=off
+//
+// t        the time
+// event    instead: just after so many events
+// show     switches to turn on: wave, delaunay, hull, voronoi, circle, discs, trails, ids
+// hide     switches to turn off
+// edge     the ids of the ends of an edge whose certificate is shown
+// theme    light or dark
+// list     on or off: the list of events
+'use strict';
+
+/** Does what the fragment of an address asks for. Returns what cannot be done, for people. */
+function followAddress(viewer, fragment) {
+  const problems = [];
+  for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, ''))) {
+    const follow = ADDRESS_WORDS[name];
+    if (follow === undefined) problems.push(`'${name}' is unknown`);
+    else if (!follow(viewer, value)) problems.push(`${name}: '${value}' is not possible`);
+  }
+  return problems;
+}
+
+const ADDRESS_WORDS = {
+  t(viewer, value) {
+    const time = value.trim() === '' ? NaN : Number(value);
+    if (Number.isFinite(time)) viewer.goTo(time);
+    return Number.isFinite(time);
+  },
+
+  event(viewer, value) {
+    const event = Number(value);
+    const isThere = /^\d+$/.test(value) && event <= viewer.recording.rows;
+    if (isThere) event === 0 ? viewer.goToStart() : viewer.goToRow(event - 1);
+    return isThere;
+  },
+
+  show: (viewer, value) => setSwitches(viewer, value, true),
+  hide: (viewer, value) => setSwitches(viewer, value, false),
+
+  edge(viewer, value) {
+    const {recording, playback} = viewer;
+    const ends = value.split('-').map(Number).sort((a, b) => a - b);
+    for (let i = 0; i < playback.liveCount; ++i) {
+      const edge = playback.live[i];
+      if (recording.edgeA[edge] !== ends[0] || recording.edgeB[edge] !== ends[1]) continue;
+      viewer.select(edge);
+      return true;
+    }
+    return false;
+  },
+
+  theme(viewer, value) {
+    if (value !== 'light' && value !== 'dark') return false;
+    viewer.setTheme(value === 'dark');
+    return true;
+  },
+
+  list(viewer, value) {
+    if (value !== 'on' && value !== 'off') return false;
+    if (element('events').hidden === (value === 'on')) viewer.toggleList();
+    return true;
+  },
+};
+
+function setSwitches(viewer, value, isOn) {
+  const known = switchesOf(viewer.recording).map(({id}) => id);
+  const ids = value.split(',');
+  for (const id of ids) {
+    if (known.includes(id) && viewer.switches[id] !== isOn) viewer.toggleSwitch(id);
+  }
+  return ids.every((id) => known.includes(id));
+}
