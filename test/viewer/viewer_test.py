@@ -23,6 +23,7 @@ import runs  # noqa: E402
 PROGRAM = FOLDER = TEST = None
 SKIPPED = 77
 SWITCHES = 130  # pixels at the top of the picture that switches and buttons take
+MARGIN = 20
 STEPS = """(() => {
   const seen = [];
   const note = () => seen.push([kinetri.time, kinetri.event, kinetri.edges()]);
@@ -69,10 +70,23 @@ class Page(unittest.TestCase):
         at = self.evaluate(PICTURE_AT)
         return tuple(round(at[side]) for side in ("left", "top", "right", "bottom"))
 
-    def look(self, skipped=0):
-        """The colours in the picture, below its first rows, which the switches take."""
+    def drag(self, dx, dy):
+        """From the middle of the picture, in four steps."""
         left, top, right, bottom = self.picture_box()
-        return browser.Picture(self.browser.screenshot((left, top + skipped, right, bottom)))
+        x, y = (left + right) // 2, (top + bottom) // 2 + 40
+        self.browser.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
+        for step in range(1, 5):
+            self.browser.mouse("mouseMoved", x + dx * step / 4, y + dy * step / 4, button="left",
+                               buttons=1)
+        self.browser.mouse("mouseReleased", x + dx, y + dy, button="left", clickCount=1)
+        self.browser.move(5, 5)
+
+    def look(self, skipped=0):
+        """What is in the picture, but for the rows at the top, and for its edges: the round corners
+        are not drawn alike each time."""
+        left, top, right, bottom = self.picture_box()
+        inside = (left + MARGIN, top + max(skipped, MARGIN), right - MARGIN, bottom - MARGIN)
+        return browser.Picture(self.browser.screenshot(inside))
 
 
 class Playing(Page):
@@ -197,16 +211,14 @@ class Playing(Page):
 
     def check_wave(self):
         """It begins tilted, can be turned, and laid flat and back."""
+        self.browser.resize(1400, 700)  # so that all switches are in one row
+        self.browser.settle()
         wave = self.look(SWITCHES)
-        left, top, right, bottom = self.picture_box()
-        x, y = (left + right) // 2, (top + bottom) // 2
-        self.browser.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
-        self.browser.mouse("mouseMoved", x + 60, y + 30, button="left", buttons=1)
-        self.browser.mouse("mouseReleased", x + 60, y + 30, button="left", clickCount=1)
-        self.browser.move(5, 5)
-        self.assertNotEqual(self.look(SWITCHES), wave, "it does not turn")
-        self.browser.key("f")
-        self.assertEqual(self.look(SWITCHES), wave)
+        for dx, dy in ((60, 0), (0, 40)):
+            self.drag(dx, dy)
+            self.assertNotEqual(self.look(SWITCHES), wave, "it does not turn")
+            self.browser.key("f")
+            self.assertEqual(self.look(SWITCHES), wave)
         self.browser.key("w")
         self.assertNotEqual(self.look(SWITCHES), wave, "it is not laid flat")
         self.browser.key("w")
@@ -241,6 +253,10 @@ class Interface(Page):
                 self.browser.move(*middle)
                 self.assertEqual(self.evaluate(pressed), was)
                 self.assertEqual(self.look(SWITCHES), before)
+
+    def test_voronoi_diagram_is_drawn(self):
+        self.browser.key("v")
+        self.assertGreater(self.look(SWITCHES).counts().get(bytes.fromhex("009e73"), 0), 500)
 
     def test_keys(self):
         state = "[kinetri.time, kinetri.event]"
@@ -289,14 +305,10 @@ class Interface(Page):
 
     def test_wheel_and_drag(self):
         left, top, right, bottom = self.picture_box()
-        x, y = (left + right) // 2, (top + bottom) // 2 + 40
+        x, y = (left + right) // 2, (top + bottom) // 2
         place = "kinetri.screen(0, 0)"
         before = self.evaluate(place)
-        self.browser.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
-        for step in range(1, 5):
-            self.browser.mouse("mouseMoved", x + 20 * step, y + 10 * step, button="left", buttons=1)
-        self.browser.mouse("mouseReleased", x + 80, y + 40, button="left", clickCount=1)
-        self.browser.settle()
+        self.drag(80, 40)
         after = self.evaluate(place)
         self.assertAlmostEqual(after[0] - before[0], 80, 6)
         self.assertAlmostEqual(after[1] - before[1], 40, 6)
@@ -502,6 +514,9 @@ class Certificate(Page):
             ends = set(event.removed)
             changed = self.run_.events[number]
             self.assertTrue(ends & set((changed.removed or ()) + (changed.added or ())))
+            self.go_to(changed.time[2])  # to the next certificate
+            text = self.evaluate("document.getElementById('certificate-facts').innerText")
+            self.assertIn(f"its corners came with {changed.kind.replace('_', ' ')} #{number}", text)
             return
         self.fail("no such edge")
 
@@ -520,7 +535,8 @@ class Certificate(Page):
         box = self.evaluate("document.getElementById('plot').getBoundingClientRect().toJSON()")
         area = tuple(round(box[side]) for side in ("left", "top", "right", "bottom"))
         counts = browser.Picture(self.browser.screenshot(area)).counts()
-        self.assertGreater(len(counts), 20)
+        curve = bytes.fromhex("0072b2")
+        self.assertGreater(counts.get(curve, 0), 100)
 
 
 class Small(Page):

@@ -4,28 +4,51 @@
 // this one, and what ends it.
 'use strict';
 
-/** The opposite corners of the edge ab, left and right, in the topology; -1 for none. */
-function cornersOf(topology, a, b) {
-  topology.update();
-  return [topology.opposite(a, b, 1), topology.opposite(a, b, -1)];
+/** The corners opposite to the edge ab, left and right, or -1 where there is no triangle: of the
+ * neighbors of a, by angle, those next to b, if they are neighbors of b as well. */
+function cornersOf(playback, a, b) {
+  const {recording, live, current} = playback;
+  const {edgeA, edgeB} = recording;
+  const time = playback.settledTime();
+  const x = (point) => motionX(recording, current[point], time);
+  const y = (point) => motionY(recording, current[point], time);
+  const ofA = [], ofB = new Set();
+  for (let i = 0; i < playback.liveCount; ++i) {
+    const p = edgeA[live[i]], q = edgeB[live[i]];
+    if (p === a && q !== b) ofA.push(q);
+    else if (q === a && p !== b) ofA.push(p);
+    if (p === b) ofB.add(q);
+    else if (q === b) ofB.add(p);
+  }
+  const angle = (point) => Math.atan2(y(point) - y(a), x(point) - x(a));
+  const toB = angle(b);
+  let left = -1, right = -1, least = Infinity, greatest = -Infinity;
+  for (const c of ofA) {
+    const turn = (angle(c) - toB + 4 * Math.PI) % (2 * Math.PI);
+    if (turn < least) [left, least] = [c, turn];
+    if (turn > greatest) [right, greatest] = [c, turn];
+  }
+  return [left >= 0 && least < Math.PI && ofB.has(left) ? left : -1,
+          right >= 0 && greatest > Math.PI && ofB.has(right) ? right : -1];
 }
 
 /**
  * The certificate of the edge, which is there. Members: a, b, left, right (corners, -1 for none);
  * kind 'in-circle', 'orientation' or 'none'; begin and end: {row, reason}, row -1 for the ends of
  * the recording, reason 'edge', 'corners', 'motion' or 'recording'; from and until, in binary64;
- * removal: the row that removes the edge, or -1; and, unless there is none, `polynomial` with its
+ * fails: whether the certificate's failure ends it; removal: the row that removes the edge, or -1; and, unless there is none, `polynomial` with its
  * `origin` and `divisor`, and `coefficients`.
  */
-function certificateOf(playback, topology, edge) {
+function certificateOf(playback, edge) {
   const {recording} = playback;
   const a = recording.edgeA[edge], b = recording.edgeB[edge];
-  const [left, right] = cornersOf(topology, a, b);
+  const [left, right] = cornersOf(playback, a, b);
   const result = {edge, a, b, left, right, event: playback.event, kind: 'none'};
   result.begin = endOfLife(playback, edge, left, right, -1);
   result.end = endOfLife(playback, edge, left, right, 1);
   result.from = result.begin.row < 0 ? recording.from : recording.rowTime[result.begin.row];
   result.until = result.end.row < 0 ? recording.until : recording.rowTime[result.end.row];
+  result.fails = result.end.reason === 'edge' && isFailure(recording, result.end.row);
   result.removal = -1;
   for (let row = playback.event; row < recording.rows && result.removal < 0; ++row) {
     if (recording.rowRemoved[row] === edge) result.removal = row;
@@ -49,11 +72,17 @@ function certificateOf(playback, topology, edge) {
   return result;
 }
 
+/** Whether the row is the failure of a certificate: an edge may also go because points come, go or
+ * meet, and what a thinned recording has are differences. */
+function isFailure(recording, row) {
+  return recording.thinned === null &&
+    ['flip', 'hull_insert'].includes(recording.kinds[recording.rowKind[row]]);
+}
+
 /** What ends the edge's life with these corners and motions, forward (direction 1) or back (-1). */
 function endOfLife(playback, edge, left, right, direction) {
   const {recording} = playback;
   const cursor = playback.clone();
-  const topology = new Topology(cursor);
   const a = recording.edgeA[edge], b = recording.edgeB[edge];
   const corners = [a, b, left, right].filter((point) => point >= 0);
   const limit = direction > 0 ? recording.rows : 0;
@@ -67,7 +96,7 @@ function endOfLife(playback, edge, left, right, direction) {
       return {row: rowOfEdge(recording, edge, first, last, direction), reason: 'edge'};
     }
     if (change.motion >= 0) return {row: change.motion, reason: 'motion'};
-    const now = cornersOf(topology, a, b);
+    const now = cornersOf(cursor, a, b);
     if (now[0] !== left || now[1] !== right) return {row: change.edges, reason: 'corners'};
   }
   return {row: -1, reason: 'recording'};

@@ -96,8 +96,8 @@ class CertificatePanel {
     return [isEnd ? 'its corners change before it fails, ' : 'its corners came with ', event, time];
   }
 
-  /** The event that removes the edge: with its isolating interval if this certificate fails there;
-   * else only when, since it is another certificate that does. */
+  /** The event that removes the edge: with its isolating interval if the edge has this certificate
+   * until then; else only when, since it is another certificate that fails. */
   writeFailure(certificate) {
     const {recording} = this.viewer;
     const row = certificate.removal;
@@ -109,10 +109,11 @@ class CertificatePanel {
       return;
     }
     const low = recording.rowLow[row], high = recording.rowHigh[row];
+    const term = certificate.fails ? 'Fails' : 'Goes';
     if (low === high) {
-      this.fact('Fails', 'exactly at', this.digits([String(low)], 'interval'));
+      this.fact(term, 'exactly at', this.digits([String(low)], 'interval'));
     } else {
-      this.fact('Fails', 'between two neighbors in binary64',
+      this.fact(term, 'between two neighbors in binary64',
                 this.digits([`[${low},`, ` ${high}]`], 'interval'));
     }
     if (certificate.kind === 'none') return;
@@ -235,7 +236,7 @@ class CertificatePanel {
 
   drawMarks(context, scale, certificate) {
     const {colors, playback, recording} = this.viewer;
-    if (certificate.end.reason === 'edge' && certificate.end.row >= 0) {
+    if (certificate.fails) {
       const x = scale.x(recording.rowTime[certificate.end.row]), y = scale.y(0);
       context.fillStyle = colors.removed;
       context.beginPath();  // a diamond

@@ -17,13 +17,13 @@ function drawTrails(context, view) {
   const {recording, playback} = viewer;
   const length = viewer.trailLength() / TRAIL_PARTS;
   context.strokeStyle = viewer.colors.trail;
-  context.lineWidth = 1.6;
+  context.lineWidth = 2.2;
   context.lineJoin = 'round';
   for (let part = 0; part < TRAIL_PARTS; ++part) {
     const end = playback.time - part * length;
     if (end <= recording.from) break;
     const begin = Math.max(end - length, recording.from);
-    context.globalAlpha = 0.85 * (1 - part / TRAIL_PARTS);
+    context.globalAlpha = 0.95 * (1 - part / TRAIL_PARTS);
     context.beginPath();
     for (let point = 0; point < recording.points; ++point) {
       traceMotion(context, view, playback.current[point], begin, end);

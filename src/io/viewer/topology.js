@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Who is next to whom: the neighbors of each point in counterclockwise order, and from these the
-// triangles and the corners opposite to an edge. The recording has edges only.
+// triangles. The recording has edges only.
 'use strict';
 
 /** The neighbors and triangles of a playback's present edges. `update` makes them the present. */
@@ -111,20 +111,6 @@ class Topology {
     const {x, y} = this;
     const area = (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
     return area > 0 && this.isEdge(b, c);
-  }
-
-  /**
-   * The corner opposite to the edge ab in the triangle to its left (side 1) or right (-1) as seen
-   * from a to b; -1 if there is none.
-   */
-  opposite(a, b, side) {
-    for (let i = this.start[a]; i < this.start[a + 1]; ++i) {
-      if (this.neighbors[i] !== b) continue;
-      const c = this.next(a, i, side);
-      const isOne = side > 0 ? this.isTriangle(a, b, c) : this.isTriangle(a, c, b);
-      return isOne ? c : -1;
-    }
-    return -1;
   }
 }
 

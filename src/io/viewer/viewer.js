@@ -132,7 +132,7 @@ class Viewer {
   /** Shows the certificate of an edge that is there; -1: of none. */
   select(edge) {
     this.selected = edge;
-    this.certificate = edge < 0 ? null : certificateOf(this.playback, this.topology, edge);
+    this.certificate = edge < 0 ? null : certificateOf(this.playback, edge);
     this.requestFrame();
   }
 
@@ -263,7 +263,7 @@ class Viewer {
     const first = begin.row < 0 ? 0 : recording.instantEnd[begin.row];
     const last = end.row < 0 ? recording.rows : recording.instantBegin[end.row];
     if (playback.event >= first && playback.event <= last) return;
-    this.certificate = certificateOf(playback, this.topology, this.selected);
+    this.certificate = certificateOf(playback, this.selected);
   }
 
   /** The column beside the picture is there as long as there is something in it. */
