@@ -5,10 +5,8 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
@@ -21,11 +19,10 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
-#include "kinetri/io/output_directory.h"
-#include "kinetri/io/output_file.h"
 #include "kinetri/io/stats_file.h"
 #include "kinetri/simulation/closest_approaches.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "run_outputs.h"
 #include "run_plot.h"
 #include "viewer_output.h"
 
@@ -55,105 +52,6 @@ std::uint64_t peak_rss_bytes() {
 #endif
   return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
 }
-
-// The output files and directories of a run.
-class Outputs {
- public:
-  Outputs(const Run_settings& settings, const std::string& input_path) {
-    // First, as the temporary of a file would be found in a directory.
-    directories_.reserve(2);
-    frames = open_directory("--frames", settings.frames.svg);
-    vtu = open_directory("--vtu", settings.frames.vtu);
-    files_.reserve(9);
-    events = open("--events", settings.events);
-    initial_edges = open("--initial-edges", settings.initial_edges);
-    edges = open("--edges", settings.edges);
-    stats = open("--stats", settings.stats);
-    points = open("--ids", settings.points);
-    checkpoint = open("--checkpoint", settings.checkpoint);
-    html = open("--html", settings.html);
-    plot = open("--plot", settings.plot);
-    if (settings.closest > 0) closest = open("--closest", "-");
-    std::error_code ignored;
-    const std::string input = std::filesystem::canonical(input_path, ignored).string();
-    for (std::size_t i = 0; i < files_.size(); ++i) {
-      if (files_[i].identity().empty()) continue;
-      if (files_[i].identity() == input) {
-        throw Usage_error(fmt::format("{}: {} is the input; expected another file", options_[i],
-                                      files_[i].path()));
-      }
-      for (std::size_t j = 0; j < i; ++j) {
-        if (files_[i].identity() != files_[j].identity()) continue;
-        throw Usage_error(fmt::format("{} and {} name the same file, {}; expected different files",
-                                      options_[j], options_[i], files_[i].path()));
-      }
-    }
-    check_directories();
-  }
-
-  Output_file* events;
-  Output_file* initial_edges;
-  Output_file* edges;
-  Output_file* stats;
-  Output_file* points;
-  Output_file* checkpoint;
-  Output_file* html;
-  Output_file* plot;
-  Output_file* closest = nullptr;
-  Output_directory* frames;
-  Output_directory* vtu;
-
-  // All are complete before the first takes its place.
-  void commit() {
-    for (Output_file& file : files_) file.finish();
-    for (Output_directory& directory : directories_) directory.commit();
-    for (Output_file& file : files_) file.commit();
-  }
-
-  std::vector<std::string> paths() const {
-    std::vector<std::string> result;
-    for (const Output_file& file : files_) {
-      result.push_back(file.path() == "-" ? "standard output" : file.path());
-    }
-    for (const Output_directory& directory : directories_) result.push_back(directory.path());
-    return result;
-  }
-
- private:
-  Output_file* open(std::string_view option, const std::optional<std::string>& path) {
-    if (!path) return nullptr;
-    options_.push_back(option);
-    return &files_.emplace_back(*path);
-  }
-
-  Output_directory* open_directory(std::string_view option,
-                                   const std::optional<std::string>& path) {
-    if (!path) return nullptr;
-    directory_options_.push_back(option);
-    return &directories_.emplace_back(*path);
-  }
-
-  // Nothing else may be written into a directory, or be it.
-  void check_directories() const {
-    for (std::size_t i = 0; i < directories_.size(); ++i) {
-      const auto check = [&](std::string_view option, const auto& other) {
-        if (!(other.identity() + '/').starts_with(directories_[i].identity() + '/')) return;
-        throw Usage_error(
-            fmt::format("{}: {} is, or is in, the directory of {}, {}; expected a path elsewhere",
-                        option, other.path(), directory_options_[i], directories_[i].path()));
-      };
-      for (std::size_t j = 0; j < files_.size(); ++j) check(options_[j], files_[j]);
-      for (std::size_t j = 0; j < directories_.size(); ++j) {
-        if (j != i) check(directory_options_[j], directories_[j]);
-      }
-    }
-  }
-
-  std::vector<Output_file> files_;
-  std::vector<std::string_view> options_;  // that named them
-  std::vector<Output_directory> directories_;
-  std::vector<std::string_view> directory_options_;
-};
 
 class Simulation_run {
  public:
@@ -199,7 +97,7 @@ class Simulation_run {
 
   const Run_settings& settings_;
   Run_source& source_;
-  Outputs outputs_;
+  Run_outputs outputs_;
   Progress progress_;
   Stopwatch stopwatch_;
   Run_statistics statistics_;
