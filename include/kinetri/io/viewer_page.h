@@ -26,8 +26,8 @@
 //                 from then on; data: base64 of binary64, each trajectory (0 of points that are
 //                 gone) the epoch e, x, y, vx, vy, and, as far as `degree` (1 to 3) asks for them,
 //                 ax, ay, jx, jy: x + vx s + ax s^2/2 + jx s^3/6 with s = t - e
-//   events        {count, first, kinds, kind, fields, time, ids}: first: the number of the first one in
-//                 the run, 0 if some are left out; kinds are the names of the kinds;
+//   events        {count, first, kinds, kind, fields, time, ids}: first: the number that the
+//                 first one has in the run, 0 if some are left out; kinds: the names of the kinds;
 //                 kind: base64 of uint8, indices in `kinds`; fields: base64 of uint8, the sum of 1
 //                 if an edge is removed, 2 if one is added, 4 if there is a point_a, 8 if there is
 //                 a point_b, and 0, 16 or 32 if the exact time is `time`, or lies between it and
