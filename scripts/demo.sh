@@ -41,9 +41,10 @@ kinetri_say "Simulating $points moving points until t = $until, auditing every e
 "$kinetri" generate uniform --points "$points" --side 100 --speed 5 --seed "$seed" \
   --output points.csv
 "$kinetri" simulate points.csv --until "$until" --audit events --events events.csv \
-  --initial-edges initial-edges.csv --edges edges.csv --stats stats.json
+  --initial-edges initial-edges.csv --edges edges.csv --stats stats.json --html run.html
 
 kinetri_say
 kinetri_say "Files in $out:"
-wc -c points.csv initial-edges.csv edges.csv events.csv stats.json |
+wc -c points.csv initial-edges.csv edges.csv events.csv stats.json run.html |
   awk '$2 != "total" { printf "  %-18s %9d bytes\n", $2, $1 }'
+kinetri_say "To see the run, open $out/run.html in a browser."
