@@ -9,6 +9,7 @@ and backward, and must show the edges of the program's own logs; or `interface`,
 `small`, `damaged`. Exit code 77 where there is no chromium.
 """
 import base64
+import itertools
 import json
 import pathlib
 import random
@@ -500,6 +501,20 @@ class Certificate(Page):
 
     def test_flips(self):
         self.check_removal("flip", 4, 8)
+
+    def test_coefficients(self):
+        for name in ("uniform", "accelerated", "square"):
+            self.open_run(name)
+            for event in itertools.islice(self.removals("flip"), 4):
+                says = self.evaluate("document.getElementById('certificate-says').textContent")
+                corners = [int(id) for id in says.split("in-circle(")[1].split(")")[0].split(",")]
+                self.assertEqual(set(corners[:2]), set(event.removed))
+                self.assertEqual(set(corners[2:]), set(event.added))
+                digits = self.evaluate("[...document.querySelectorAll('#certificate-facts .digits')]"
+                                       ".slice(-2).map((e) => e.textContent)")
+                found = [float(line.split()[1]) for line in digits[1].splitlines()]
+                self.assertEqual(found,
+                                 runs.delaunay_coefficients(self.run_, corners, float(digits[0])))
 
     def test_hull_edges(self):
         self.open_run("box")
