@@ -2,6 +2,7 @@
 """Runs of the program whose pages are tested: its commands, and its logs as what must be seen."""
 import csv
 import fractions
+import itertools
 import json
 import math
 import subprocess
@@ -122,6 +123,47 @@ class Run:
             place.append(sum(terms))
             bound.append(8 * HALF_ULP * (1 + 16 * HALF_ULP) * sum(map(abs, terms)))
         return place, bound
+
+
+def polynomial(run, point, axis, origin):
+    """A coordinate of a point that never turned, in s = t - origin: exact coefficients."""
+    terms = [fractions.Fraction(run.motions[point].get(prefix + axis, 0.0)) / math.factorial(k)
+             for k, prefix in enumerate(("", "v", "a", "j"))]
+    shift = fractions.Fraction(origin)
+    return [sum(c * math.comb(n, k) * shift ** (n - k) for n, c in enumerate(terms) if n >= k)
+            for k in range(len(terms))]
+
+
+def product(*factors):
+    result = [fractions.Fraction(1)]
+    for factor in factors:
+        longer = [fractions.Fraction(0)] * (len(result) + len(factor) - 1)
+        for i, a in enumerate(result):
+            for j, b in enumerate(factor):
+                longer[i + j] += a * b
+        result = longer
+    return result
+
+
+def total(*terms):
+    return [sum(values) for values in itertools.zip_longest(*terms, fillvalue=fractions.Fraction(0))]
+
+
+def delaunay_coefficients(run, corners, origin):
+    """Minus the determinant of the rows (x, y, x^2 + y^2, 1) of four points, in s = t - origin, each
+    coefficient rounded to the nearest binary64 number; without zeros at the end."""
+    rows = []
+    for point in corners:
+        x, y = (polynomial(run, point, axis, origin) for axis in "xy")
+        rows.append((x, y, total(product(x, x), product(y, y)), [fractions.Fraction(1)]))
+    result = []
+    for order in itertools.permutations(range(4)):
+        inversions = sum(order[i] > order[j] for i in range(4) for j in range(i + 1, 4))
+        sign = [fractions.Fraction(-1 if inversions % 2 == 0 else 1)]
+        result = total(result, product(sign, *(rows[i][order[i]] for i in range(4))))
+    while result and result[-1] == 0:
+        result.pop()
+    return [float(value) for value in result]
 
 
 def execute(program, *words):

@@ -9,6 +9,7 @@ and backward, and must show the edges of the program's own logs; or `interface`,
 `small`, `damaged`. Exit code 77 where there is no chromium.
 """
 import base64
+import itertools
 import json
 import pathlib
 import random
@@ -319,6 +320,24 @@ class Interface(Page):
         while self.evaluate(scale) <= was:
             self.assertLess(time.monotonic(), deadline, "the wheel does not zoom")
 
+    def test_pinch(self):
+        left, top, right, bottom = self.picture_box()
+        x, y = (left + right) / 2, (top + bottom) / 2
+        fingers = lambda apart: [{"x": x - apart, "y": y, "id": 1}, {"x": x + apart, "y": y, "id": 2}]
+        scale = "kinetri.screen(1, 0)[0] - kinetri.screen(0, 0)[0]"
+        was = self.evaluate(scale)
+        self.browser.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+        touch = lambda kind, points: self.browser.call("Input.dispatchTouchEvent", type=kind,
+                                                       touchPoints=points)
+        touch("touchStart", fingers(50))
+        for apart in range(55, 101, 5):
+            touch("touchMove", fingers(apart))
+        touch("touchEnd", [])
+        self.browser.settle()
+        # Twice as far apart, but for the first pixels, in which it might be a click.
+        self.assertGreater(self.evaluate(scale), 1.5 * was)
+        self.assertLess(self.evaluate(scale), 2.1 * was)
+
     def test_scrub_bar_and_list(self):
         self.evaluate("(() => { const bar = document.getElementById('scrub'); bar.value = 0.5;"
                       " bar.dispatchEvent(new Event('input')); })()")
@@ -483,6 +502,20 @@ class Certificate(Page):
     def test_flips(self):
         self.check_removal("flip", 4, 8)
 
+    def test_coefficients(self):
+        for name in ("uniform", "accelerated", "square"):
+            self.open_run(name)
+            for event in itertools.islice(self.removals("flip"), 4):
+                says = self.evaluate("document.getElementById('certificate-says').textContent")
+                corners = [int(id) for id in says.split("in-circle(")[1].split(")")[0].split(",")]
+                self.assertEqual(set(corners[:2]), set(event.removed))
+                self.assertEqual(set(corners[2:]), set(event.added))
+                digits = self.evaluate("[...document.querySelectorAll('#certificate-facts .digits')]"
+                                       ".slice(-2).map((e) => e.textContent)")
+                found = [float(line.split()[1]) for line in digits[1].splitlines()]
+                self.assertEqual(found,
+                                 runs.delaunay_coefficients(self.run_, corners, float(digits[0])))
+
     def test_hull_edges(self):
         self.open_run("box")
         self.check_removal("hull_insert", 2, 3)
@@ -552,6 +585,7 @@ class Small(Page):
         self.assertEqual(self.evaluate("kinetri.counts.points"), count)
         for key in "vctdhiofn":
             self.browser.key(key)
+        self.assertTrue(self.evaluate("kinetri.screen(0, 0).every(Number.isFinite)"))
         left, top, right, bottom = self.picture_box()
         self.browser.click((left + right) / 2, (top + bottom) / 2)
         self.browser.key("End")
@@ -599,6 +633,7 @@ class Damaged(Page):
         runs.with_recording(self.page, text, target)
         self.browser.open(target)
         self.assertTrue(self.evaluate("document.getElementById('viewer').hidden"))
+        self.assertFalse(self.evaluate("document.getElementById('message').hidden"))
         message = self.evaluate("document.getElementById('message').innerText")
         self.assertIn("This recording is damaged", message)
         self.assertIn(expected, message)

@@ -81,7 +81,9 @@ class Controls {
     button.textContent = one.label;
     button.title = `${one.label} (${keyName(one.key)})`;
     button.style.setProperty('--mark', `var(${one.mark})`);
-    const run = () => this.viewer.toggleSwitch(one.id);
+    const run = () => {
+      if (!button.hidden) this.viewer.toggleSwitch(one.id);
+    };
     button.addEventListener('click', run);
     this.keys.set(one.key, run);
     element('switches').append(button);

@@ -119,7 +119,7 @@ function drawCircumcircle(context, view) {
   if (pointer === null) return;
   topology.update();
   for (let i = 0; i < 3 * topology.triangles; i += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => topology.corners[i + k]);
+    const a = topology.corners[i], b = topology.corners[i + 1], c = topology.corners[i + 2];
     if (!isInTriangle(sx, sy, a, b, c, pointer.x, pointer.y)) continue;
     context.beginPath();
     context.moveTo(sx[a], sy[a]);
@@ -141,8 +141,12 @@ function drawCircumcircle(context, view) {
 }
 
 function isInTriangle(sx, sy, a, b, c, x, y) {
-  const side = (p, q) => (sx[q] - sx[p]) * (y - sy[p]) - (sy[q] - sy[p]) * (x - sx[p]);
-  return side(a, b) <= 0 && side(b, c) <= 0 && side(c, a) <= 0;  // y is down
+  return isLeft(sx, sy, a, b, x, y) && isLeft(sx, sy, b, c, x, y) && isLeft(sx, sy, c, a, x, y);
+}
+
+/** Whether a place is on the left of an edge, or on it: on the screen, where y is down. */
+function isLeft(sx, sy, p, q, x, y) {
+  return (sx[q] - sx[p]) * (y - sy[p]) - (sy[q] - sy[p]) * (x - sx[p]) <= 0;
 }
 
 /** The edges of the events around the shown time: those removed dashed, those added bold. */

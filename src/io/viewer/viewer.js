@@ -124,7 +124,6 @@ class Viewer {
   }
 
   toggleSwitch(id) {
-    if (this.switches.wave && !isOfWave(id)) return;
     this.switches[id] = !this.switches[id];
     this.requestFrame();
   }
