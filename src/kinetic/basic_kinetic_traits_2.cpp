@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 
+#include <array>
 #include <concepts>
 #include <limits>
 #include <memory>
@@ -93,6 +94,21 @@ Outlook<Time> failure_at_once(const Time& t, Certificate_counters& counters) {
   ++counters.filter_decided;
   ++counters.refined_decided;
   return {Outlook<Time>::Kind::fails, t.interval(), std::make_unique<Time>(t), true};
+}
+
+// What the filter knows of the certificates after a flip, without looking at each of them alone.
+std::array<Filter_verdict, 5> verdicts_after_flip(const Flip_neighborhood<Moving_point_2>& around,
+                                                  const Double_interval& after) {
+  const auto& [a, b, c, d] = around.corners;
+  const auto& [e, f, g, h] = around.beyond;
+  return filter_after_flip({{&a->motion(), &b->motion(), &c->motion(), &d->motion()},
+                            {&e->motion(), &f->motion(), &g->motion(), &h->motion()}},
+                           after);
+}
+std::array<Filter_verdict, 5> verdicts_after_flip(
+    const Flip_neighborhood<Basic_moving_point_2<Polynomial_motion_2>>& /*around*/,
+    const Double_interval& /*after*/) {
+  return {};
 }
 
 Outlook<Time> exact_outlook(std::optional<Time> failure) {
@@ -192,6 +208,24 @@ Outlook<Time> Basic_kinetic_traits_2<Motion>::flatness_outlook(
   if (orientation.is_zero()) return exact_outlook(std::nullopt);
   std::optional<Real_root> root = first_root_after(orientation, t);
   return exact_outlook(root ? std::optional(std::move(root->value)) : std::nullopt);
+}
+
+template <class Motion>
+std::array<Outlook<Time>, 5> Basic_kinetic_traits_2<Motion>::outlooks_after_flip(
+    const Flip_neighborhood<Point_2>& around, const Time& t, Certificate_counters& counters) const {
+  const std::array<Filter_verdict, 5> verdicts = arithmetic_ == Arithmetic::filtered
+                                                     ? verdicts_after_flip(around, t.interval())
+                                                     : std::array<Filter_verdict, 5>();
+  const auto number = [&](std::size_t k) -> Outlook<Time> {
+    if (verdicts[k].kind != Filter_verdict::Kind::unknown) {
+      ++counters.created;
+      return outlook(verdicts[k], counters);
+    }
+    const auto [p, q, r, s] = around.certificate(k);
+    const auto state = k == 4 ? Certificate_state::vanishes : Certificate_state::any;
+    return in_circle_outlook(*p, *q, *r, *s, t, state, counters);
+  };
+  return {number(0), number(1), number(2), number(3), number(4)};
 }
 
 template <class Motion>

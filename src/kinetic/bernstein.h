@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "differences.h"
 #include "kinetri/algebra/number_types.h"
@@ -32,16 +33,20 @@ inline double least(const std::array<double, M>& c) {
   return result;
 }
 
-// The Bernstein coefficients over [0, 1].
-inline Coefficients<4> bernstein(const Coefficients<4>& c) {
-  const double c1 = c[1] * 0.25;
-  const double c2 = c[2] * (1.0 / 6);
-  const double c3 = c[3] * 0.25;
-  const double b1 = c[0] + c1;
-  const double b2 = b1 + c1 + c2;
-  const double b3 = c[0] + 3 * c1 + 3 * c2 + c3;
-  const double b4 = c[0] + c[1] + c[2] + c[3] + c[4];
+// The Bernstein coefficients over [0, 1]; of several polynomials where a Number is several numbers.
+template <class Number>
+std::array<Number, 5> bernstein_of_quartic(const std::array<Number, 5>& c) {
+  const Number c1 = c[1] * 0.25;
+  const Number c2 = c[2] * (1.0 / 6);
+  const Number c3 = c[3] * 0.25;
+  const Number b1 = c[0] + c1;
+  const Number b2 = b1 + c1 + c2;
+  const Number b3 = c[0] + 3 * c1 + 3 * c2 + c3;
+  const Number b4 = c[0] + c[1] + c[2] + c[3] + c[4];
   return {c[0], b1, b2, b3, b4};
+}
+inline Coefficients<4> bernstein(const Coefficients<4>& c) {
+  return bernstein_of_quartic(c);
 }
 inline Coefficients<3> bernstein(const Coefficients<3>& c) {
   const double c1 = c[1] * (1.0 / 3);
@@ -82,11 +87,19 @@ std::array<double, M> bernstein(const std::array<double, M>& c) {
   return result;
 }
 
+// The even and the odd powers apart, which takes half as long as one after the other.
 template <std::size_t M>
 double value(const std::array<double, M>& c, double w) {
-  double result = c[M - 1];
-  for (std::size_t i = M - 1; i-- > 0;) result = result * w + c[i];
-  return result;
+  static_assert(M >= 2);
+  const double w2 = w * w;
+  double with_last = c[M - 1];
+  double other = c[M - 2];
+  for (std::size_t i = M - 2; i-- > 0;) {
+    const double next = with_last * w2 + c[i];
+    with_last = other;
+    other = next;
+  }
+  return other + w * with_last;
 }
 
 template <std::size_t M>
@@ -122,8 +135,10 @@ bool bracket_root(const std::array<double, M>& c, double error, double w, double
     (v > 0 ? low : high) = w;
     double next = w - v / derivative;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (next == w) break;
+    // The error after a step is of the order of its square.
+    const double squared_step = (next - w) * (next - w);
     w = next;
+    if (16 * squared_step * std::abs(derivative) <= error) break;
     derivative = slope(c, w);
   }
   // The values grow linearly beside a simple root: twice the error from there they are certain.
@@ -145,13 +160,18 @@ bool bracket_root(const std::array<double, M>& c, double error, double w, double
 // (i / degree, b[i] - error). Zero if it may be negative at the start.
 template <std::size_t M>
 double positive_share(const std::array<double, M>& b, double error) {
+  constexpr auto reciprocals = [] {
+    std::array<double, M> result = {};
+    for (std::size_t k = 1; k < M; ++k) result[k] = 1 / static_cast<double>(k);
+    return result;
+  }();
   if (least(b) > error) return 1;
   std::size_t i = 0;
   while (b[i] > error) {
     std::size_t next = i + 1;
     double least = b[next] - b[i];
     for (std::size_t k = i + 2; k < M; ++k) {
-      const double rise = (b[k] - b[i]) / static_cast<double>(k - i);
+      const double rise = (b[k] - b[i]) * reciprocals[k - i];
       if (rise < least) {
         least = rise;
         next = k;
@@ -167,23 +187,48 @@ double positive_share(const std::array<double, M>& b, double error) {
   return 0;
 }
 
-// Whether the signs of the coefficients are certain and change just once.
+// Where the signs of the coefficients are certain and change just once, the number of those before
+// the change, else zero.
 template <std::size_t M>
-bool has_one_change(const std::array<double, M>& b, double error) {
+std::size_t before_only_change(const std::array<double, M>& b, double error) {
   std::size_t i = 0;
   while (i < M && b[i] > error) ++i;
-  return i > 0 && i < M &&
-         std::all_of(b.begin() + static_cast<std::ptrdiff_t>(i), b.end(),
-                     [error](double x) { return x < -error; });
+  for (std::size_t k = i; k < M; ++k) {
+    if (!(b[k] < -error)) return 0;
+  }
+  return i < M ? i : 0;
+}
+
+// What the Bernstein coefficients `b` over [lower, lower + width] say about the first failure of
+// the polynomial with coefficients `c` there, of which there is none before; none if they have to
+// be divided. Each value is known up to `error`, and the polynomial is not certainly positive.
+template <std::size_t M>
+std::optional<Filter_verdict> first_failure_in_piece(const std::array<double, M>& c,
+                                                     const std::array<double, M>& b, double lower,
+                                                     double width, double error) {
+  using Kind = Filter_verdict::Kind;
+  const double share = positive_share(b, error);
+  const double until = lower + share * width;
+  if (until >= worthwhile) return Filter_verdict{Kind::holds, {until, until}, width < 1};
+  if (share == 0) return Filter_verdict{};
+  const std::size_t i = before_only_change(b, error);
+  if (i == 0) return std::nullopt;
+  // The root is near that of the control polygon.
+  const double crossing =
+      (static_cast<double>(i - 1) + b[i - 1] / (b[i - 1] - b[i])) / static_cast<double>(M - 1);
+  double upper = lower + width;
+  if (!bracket_root(c, error, lower + crossing * width, lower, upper)) return Filter_verdict{};
+  return Filter_verdict{Kind::fails, {lower, upper}, true};
 }
 
 // How long the polynomial with coefficients `c` and Bernstein coefficients `b`, each value of which
 // over [0, 1] is known up to `error`, is certainly positive; or a bracket of its first root, where
-// that is near.
+// that is near. Precondition: it is not certainly positive throughout.
 template <std::size_t M>
 Filter_verdict first_failure(const std::array<double, M>& c, const std::array<double, M>& b,
                              double error) {
-  using Kind = Filter_verdict::Kind;
+  // Mostly the whole needs not be divided.
+  if (const auto verdict = first_failure_in_piece(c, b, 0, 1, error)) return *verdict;
   struct Piece {
     std::array<double, M> b;
     double lower;
@@ -191,29 +236,26 @@ Filter_verdict first_failure(const std::array<double, M>& c, const std::array<do
     int depth;
   };
   std::array<Piece, max_depth + 1> stack;
-  int size = 1;
   stack[0] = {b, 0, 1, 0};
+  std::size_t size = 1;
   while (size > 0) {
-    Piece piece = stack[static_cast<std::size_t>(--size)];
-    const double share = positive_share(piece.b, error);
-    if (share == 1) continue;
-    const double until = piece.lower + share * piece.width;
-    if (until >= worthwhile) return {Kind::holds, {until, until}, piece.depth > 0};
-    if (share == 0) return {};
-    if (has_one_change(piece.b, error)) {
-      double lower = piece.lower;
-      double upper = piece.lower + piece.width;
-      const double secant = piece.b.front() / (piece.b.front() - piece.b.back());
-      if (!bracket_root(c, error, lower + secant * piece.width, lower, upper)) return {};
-      return {Kind::fails, {lower, upper}, true};
-    }
+    // One that has to be divided.
+    Piece piece = stack[--size];
     if (piece.depth == max_depth) return {};
     const double width = 0.5 * piece.width;
     const std::array<double, M> right = split(piece.b);
-    stack[static_cast<std::size_t>(size++)] = {right, piece.lower + width, width, piece.depth + 1};
-    stack[static_cast<std::size_t>(size++)] = {piece.b, piece.lower, width, piece.depth + 1};
+    stack[size++] = {right, piece.lower + width, width, piece.depth + 1};
+    stack[size++] = {piece.b, piece.lower, width, piece.depth + 1};
+    // Halves, from the left, that need not be divided.
+    for (; size > 0; --size) {
+      const Piece& half = stack[size - 1];
+      if (least(half.b) > error) continue;
+      const auto verdict = first_failure_in_piece(c, half.b, half.lower, half.width, error);
+      if (verdict) return *verdict;
+      break;
+    }
   }
-  return {Kind::holds, {1, 1}, true};
+  return {Filter_verdict::Kind::holds, {1, 1}, true};
 }
 
 // The verdict in time for that in w, rounded to the safe side.

@@ -40,6 +40,10 @@ inline Pair greater(Pair a, Pair b) {
   return a > b ? a : b;
 }
 
+inline Pair lesser(Pair a, Pair b) {
+  return a < b ? a : b;
+}
+
 inline double greatest(Pair a) {
   return std::max(a[0], a[1]);
 }

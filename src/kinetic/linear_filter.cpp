@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The filter works with the polynomial of the certificate in w, where the time is origin + w *
-// window and 0 <= w <= 1. `size` bounds the difference of any two of the points in either
-// coordinate, over the whole window; the errors below are in units of 2^-53 * size^degree and are
-// derived in docs/MATH.md, section 7. An overflow on the way shows in the sizes, which are out of
-// range then, and the verdict is unknown.
+// The filter works with the polynomial of the certificate over a window of time (linear_frame.h).
+// Where sizes are out of range the verdict is unknown.
 #include "kinetri/kinetic/linear_filter.h"
 
 #include <algorithm>
@@ -15,44 +12,10 @@
 #include "bernstein.h"
 #include "coordinate_pair.h"
 #include "differences.h"
+#include "linear_frame.h"
 
 namespace kinetri {
 namespace {
-
-// The window is this share of the time in which the points would pass their distance from one
-// another at their relative speed: long enough that most certificates are replaced before it ends.
-constexpr double window_share = 0.5;
-
-// The window, the sizes that belong to it, and the errors that follow from them.
-struct Frame {
-  double window = 0;
-  double size = 0;
-  double total = 0;
-
-  Frame(const Magnitudes& m, double length) : window(length) {
-    const double terms = sum(m.terms);
-    const double moved = greatest(m.slope) * window;
-    total = terms + moved;
-    // The last term is more than the error of the extent.
-    size = greatest(m.extent) + moved + 0x1p-49 * terms;
-  }
-
-  bool is_in_range() const {
-    return size > least_size && total < greatest_size &&
-           (window == 0 || kinetri::is_in_range(window));
-  }
-  double in_circle_error() const { return 2048 * unit_roundoff * (size * size) * (size * total); }
-  double orientation_error() const { return 256 * unit_roundoff * (size * total); }
-};
-
-// The window for looking ahead. Precondition: the slope is in range.
-double window_ahead(const Magnitudes& m) {
-  return window_share * greatest(m.extent) / greatest(m.slope);
-}
-
-// The sum of the coefficients' magnitudes is at most this many times error.
-constexpr double in_circle_norm = 12 / (2048 * unit_roundoff);
-constexpr double orientation_norm = 4 / (256 * unit_roundoff);
 
 // Minus the in-circle determinant of differences to the fourth point, in powers of w.
 inline Coefficients<4> in_circle_coefficients(const std::array<Difference, 3>& d, double window) {

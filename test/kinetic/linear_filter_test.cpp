@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cfenv>
 #include <limits>
+#include <utility>
 
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
@@ -43,6 +45,54 @@ TEST_P(Linear_filter, never_contradicts_exact_arithmetic) {
   if (GetParam() == 0) {
     EXPECT_GT(decided.all, cases * 99 / 100) << "of the certificates, half hold at the start";
     EXPECT_GT(decided.failures, cases / 30);
+  }
+}
+
+// Of the five certificates after a flip, at the bracket of its time.
+TEST_P(Linear_filter, after_a_flip_never_contradicts_exact_arithmetic) {
+  constexpr unsigned seed = 315;
+  test::Certificates source(seed);
+  int positive = 0;
+  int decided = 0;
+  int flips = 0;
+  const int cases = 1500 * test::multiplier();
+  constexpr std::array<int, 4> modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+  for (int i = 0; i < cases; ++i) {
+    auto m = source.next(GetParam());
+    const auto beyond = source.next(GetParam());
+    SCOPED_TRACE(test::describe({m.begin(), m.end()}) +
+                 test::describe({beyond.begin(), beyond.end()}));
+    const double t = source.time(GetParam());
+    Filter_verdict failure = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
+    if (failure.kind == Filter_verdict::Kind::unknown) {
+      std::swap(m[0], m[1]);
+      failure = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
+    }
+    if (failure.kind != Filter_verdict::Kind::fails) continue;
+    ++flips;
+    // Two corners have changed places, so that what has failed is positive from then on.
+    const Flip_neighborhood<Linear_motion_2> around = {
+        {&m[1], &m[0], &m[2], &m[3]}, {&beyond[0], &beyond[1], &beyond[2], &beyond[3]}};
+    std::fesetround(modes[static_cast<std::size_t>(i) % modes.size()]);
+    const auto verdicts = filter_after_flip(around, failure.bounds);
+    std::fesetround(FE_TONEAREST);
+    for (std::size_t k = 0; k < verdicts.size(); ++k) {
+      const auto [p, q, r, s] = around.certificate(k);
+      const Polynomial certificate = -in_circle_polynomial(Moving_point_2(*p), Moving_point_2(*q),
+                                                           Moving_point_2(*r), Moving_point_2(*s));
+      Algebraic_number after(failure.bounds.lower);
+      if (k == 4) after = first_root_after(certificate, t).value().value;
+      test::expect_true(verdicts[k], certificate, after);
+      if (HasFatalFailure()) return;
+      if (sign_just_after(certificate, after) == CGAL::POSITIVE) {
+        ++positive;
+        decided += verdicts[k].kind != Filter_verdict::Kind::unknown;
+      }
+    }
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(flips, cases / 30);
+    EXPECT_GT(decided, positive * 99 / 100);
   }
 }
 

@@ -58,7 +58,8 @@ concept Bounding_order = requires(const Less& less, const Item& item) {
 /// is not a Bounding_order all items are in the heap.
 ///
 /// `Less` is a strict weak order on `Item`; give it a total one, and the order of pops depends on
-/// the items alone, not on the history of the queue. `Item` is movable; it need not be copyable.
+/// the items alone, not on the history of the queue. `Item` is movable and has a
+/// default; it need not be copyable.
 ///
 /// push, pop, update, erase: constant expected cost where the bounds spread evenly, never more than
 /// O(log n) comparisons; items stay where they are until they leave, and are then released at
@@ -136,7 +137,7 @@ class Indexed_queue {
 
   struct Place {
     Item item;
-    std::uint32_t position;  // in the heap, or far, or nowhere
+    std::uint32_t position = nowhere;  // in the heap, or far, or nowhere
   };
 
   // A cache line of records of far items: a slot is a list of these.
@@ -220,7 +221,7 @@ class Indexed_queue {
 };
 
 template <class Item, class Less>
-Queue_handle Indexed_queue<Item, Less>::push(Item item) {
+inline Queue_handle Indexed_queue<Item, Less>::push(Item item) {
   KINETRI_PRECONDITION(size() < far, "the queue is full");
   const Queue_handle handle = acquire_handle(std::move(item));
   add(handle);
@@ -258,7 +259,7 @@ void Indexed_queue<Item, Less>::update(Queue_handle handle, Item item) {
 }
 
 template <class Item, class Less>
-void Indexed_queue<Item, Less>::erase(Queue_handle handle) {
+inline void Indexed_queue<Item, Less>::erase(Queue_handle handle) {
   KINETRI_PRECONDITION(contains(handle), "the handle names no item of the queue");
   static_cast<void>(take(handle));
   ++counters_.discarded;
@@ -309,22 +310,23 @@ bool Indexed_queue<Item, Less>::is_valid() const {
   });
 }
 
-// Stores the item under a handle that is not in use yet; the last one that became free first.
+// Stores the item under a handle that is not in use yet; the last one that became free first. The
+// item is not passed to anything that is not inlined, so that its parts can stay in registers.
 template <class Item, class Less>
-Queue_handle Indexed_queue<Item, Less>::acquire_handle(Item&& item) {
-  if (!free_.empty()) {
-    const Queue_handle handle = free_.back();
-    free_.pop_back();
-    places_[handle].item = std::move(item);
-    return handle;
+inline Queue_handle Indexed_queue<Item, Less>::acquire_handle(Item&& item) {
+  if (free_.empty()) {
+    free_.push_back(static_cast<Queue_handle>(places_.size()));
+    places_.emplace_back();
   }
-  places_.push_back({std::move(item), nowhere});
-  return static_cast<Queue_handle>(places_.size() - 1);
+  const Queue_handle handle = free_.back();
+  free_.pop_back();
+  places_[handle].item = std::move(item);
+  return handle;
 }
 
 // Removes the item of `handle` and frees the handle. Moving it out releases what it owned.
 template <class Item, class Less>
-Item Indexed_queue<Item, Less>::take(Queue_handle handle) {
+inline Item Indexed_queue<Item, Less>::take(Queue_handle handle) {
   remove(handle);
   free_.push_back(handle);
   return std::move(places_[handle].item);
@@ -332,7 +334,7 @@ Item Indexed_queue<Item, Less>::take(Queue_handle handle) {
 
 // Adds the item of `handle` to the queue.
 template <class Item, class Less>
-void Indexed_queue<Item, Less>::add(Queue_handle handle) {
+inline void Indexed_queue<Item, Less>::add(Queue_handle handle) {
   insert(handle);
   if (has_long_slots()) {
     far_ = size();
@@ -345,7 +347,7 @@ void Indexed_queue<Item, Less>::add(Queue_handle handle) {
 
 // Puts the item of `handle`, which is nowhere, where it belongs.
 template <class Item, class Less>
-void Indexed_queue<Item, Less>::insert(Queue_handle handle) {
+inline void Indexed_queue<Item, Less>::insert(Queue_handle handle) {
   const Node node = {bounds(handle), handle};
   const double s = slot(node.bounds.lower);
   if (!(s >= static_cast<double>(open_slots_))) {
@@ -357,7 +359,7 @@ void Indexed_queue<Item, Less>::insert(Queue_handle handle) {
 }
 
 template <class Item, class Less>
-void Indexed_queue<Item, Less>::record(std::size_t slot, Queue_handle handle) {
+inline void Indexed_queue<Item, Less>::record(std::size_t slot, Queue_handle handle) {
   std::uint32_t chunk = slots_[slot];
   if (chunk == Chunk::none || chunks_[chunk].size == Chunk::capacity) {
     if (free_chunk_ == Chunk::none) {
@@ -382,7 +384,7 @@ void Indexed_queue<Item, Less>::insert_into_heap(const Node& node) {
 // Takes the item of `handle` out of the heap; of a far one only the record stays, until its slot is
 // opened.
 template <class Item, class Less>
-void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
+inline void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
   const std::uint32_t position = std::exchange(places_[handle].position, nowhere);
   if (position == far) {
     --far_;
@@ -396,13 +398,13 @@ void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
 
 // Opens slots until the least item of all is in the heap.
 template <class Item, class Less>
-void Indexed_queue<Item, Less>::settle() {
+inline void Indexed_queue<Item, Less>::settle() {
   while (far_ > 0 && (heap_.empty() || !is_open(heap_.front().bounds.upper))) open_next_slot();
 }
 
 // Whether there are too many items for the slots, or too many records of items that have left.
 template <class Item, class Less>
-bool Indexed_queue<Item, Less>::has_long_slots() const {
+inline bool Indexed_queue<Item, Less>::has_long_slots() const {
   if constexpr (Bounding_order<Less, Item>) {
     constexpr std::size_t least_size = 4 * items_per_slot;
     return size() > 4 * size_at_spread_ + least_size || records_ > 4 * size() + least_size;

@@ -5,6 +5,7 @@
 #ifndef KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -44,6 +45,9 @@ class Basic_kinetic_traits_2 {
   Outlook<Time> flatness_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
                                  const Time& t, Certificate_state state,
                                  Certificate_counters& counters) const;
+  std::array<Outlook<Time>, 5> outlooks_after_flip(const Flip_neighborhood<Point_2>& around,
+                                                   const Time& t,
+                                                   Certificate_counters& counters) const;
   Time in_circle_failure(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s,
                          const Double_interval& bounds) const;
   Time orientation_failure(const Point_2& p, const Point_2& q, const Point_2& r,

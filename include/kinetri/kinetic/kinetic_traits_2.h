@@ -4,12 +4,14 @@
 #ifndef KINETRI_KINETIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_KINETIC_TRAITS_2_H
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
 #include "kinetri/base/ids.h"
+#include "kinetri/kinetic/flip_neighborhood.h"
 #include "kinetri/kinetic/instant.h"
 
 namespace kinetri {
@@ -79,6 +81,9 @@ enum class Certificate_state {
 ///   flatness_outlook(p, q, r, t, state, counters)       likewise, but a time strictly after t at
 ///                                                       which p, q, r are collinear is a failure
 ///                                                       as well
+///   outlooks_after_flip(around, t, counters)            the five in-circle outlooks after a flip,
+///                                                       at t, where that of the flipped edge
+///                                                       vanishes
 ///   coincidence_time(p, q, t, among, counters)          the first time *strictly* after t at which
 ///                                                       p and q are in one place; none if they
 ///                                                       never or always are. There is none
@@ -94,6 +99,7 @@ enum class Certificate_state {
 template <class Traits>
 concept KineticTraits_2 = requires(const Traits traits, const typename Traits::Motion motion,
                                    const typename Traits::Point_2 p, const typename Traits::Time t,
+                                   const Flip_neighborhood<typename Traits::Point_2> around,
                                    const Double_interval bounds, Certificate_state state,
                                    Certificate_counters& counters) {
   typename Traits::Instantaneous_traits;
@@ -114,6 +120,9 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
   {
     traits.flatness_outlook(p, p, p, t, state, counters)
     } -> std::same_as<Outlook<typename Traits::Time>>;
+  {
+    traits.outlooks_after_flip(around, t, counters)
+    } -> std::same_as<std::array<Outlook<typename Traits::Time>, 5>>;
   { traits.in_circle_failure(p, p, p, p, bounds) } -> std::same_as<typename Traits::Time>;
   { traits.orientation_failure(p, p, p, bounds) } -> std::same_as<typename Traits::Time>;
   {

@@ -332,11 +332,21 @@ class Kinetic_delaunay_triangulation_2 {
   std::optional<Prospect> prospect(const Two_sided_edge& edge, const Time& after,
                                    Certificate_state state, const Traits& traits,
                                    Certificate_counters& counters) const;
+  std::optional<Prospect> prospect(const Two_sided_edge& edge, Entry_kind kind, Outlook<Time> next,
+                                   const Time& after, const Traits& traits,
+                                   Certificate_counters& counters) const;
+  std::optional<Prospect> meeting(const Two_sided_edge& edge, const Time& after,
+                                  const Double_interval& among, const Traits& traits,
+                                  Certificate_counters& counters) const;
   Time make_time(const Two_sided_edge& edge, Entry_kind kind, const Double_interval& bounds) const;
   const Time& time(const Entry& entry) const;
+  Time take_time(const Entry& entry) const;
   static Edge_ids ids_of(const Edge& edge);
   void schedule(const Two_sided_edge& edge, const Time& after,
                 Certificate_state state = Certificate_state::any);
+  void schedule_after_flip(const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer);
+  void schedule(const Two_sided_edge& edge, std::optional<Prospect> next);
+  void schedule(const Two_sided_edge& edge, Outlook<Time>& outlook);
   Entry make_entry(const Edge& edge, Prospect prospect);
   void schedule_all();
   void unschedule(const Two_sided_edge& edge);
@@ -345,10 +355,10 @@ class Kinetic_delaunay_triangulation_2 {
 
   // Events.
   Entry pop_entry();
-  bool settle(const std::optional<Time>& until);
+  bool settle(const Time* until);
   bool fails_before(const Entry& entry, const Time& time) const;
   void execute_due_events();
-  std::size_t step_until(const std::optional<Time>& until);
+  std::size_t step_until(const Time* until);
   std::size_t run_instant();
   void execute(const Two_sided_edge& edge, Entry_kind kind);
   const Edge& hull_triangle(const Two_sided_edge& hull_edge) const;

@@ -17,10 +17,10 @@
 namespace kinetri {
 
 /// A face with one queue handle for each edge; edge i is the one opposite vertex i. The two faces
-/// at an edge hold the same handle.
+/// at an edge hold the same handle. All of it is in one cache line.
 template <class InstantaneousTraits,
           class FaceBase = CGAL::Triangulation_face_base_2<InstantaneousTraits>>
-class Kinetic_face_base_2 : public FaceBase {
+class alignas(64) Kinetic_face_base_2 : public FaceBase {
  public:
   using Vertex_handle = typename FaceBase::Vertex_handle;
   using Face_handle = typename FaceBase::Face_handle;

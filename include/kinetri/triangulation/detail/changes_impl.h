@@ -132,7 +132,6 @@ template <KineticTraits_2 Traits>
 template <class Change_points>
 void Kinetic_delaunay_triangulation_2<Traits>::perform(Event<Time> event,
                                                        Change_points change_points) {
-  event.time = current_time_;
   report(std::move(event), [&] {
     rebuilt_edges_.emplace();
     change_points();

@@ -30,11 +30,11 @@ auto Kinetic_delaunay_triangulation_2<Traits>::pop_entry() -> Entry {
 }
 
 // Looks at certificates again until the first entry of the queue is a failure, or is later than
-// `until`. Returns whether it is a failure at or before `until`.
+// `until`, if that is given. Returns whether it is a failure, at or before `until`.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::settle(const std::optional<Time>& until) {
+bool Kinetic_delaunay_triangulation_2<Traits>::settle(const Time* until) {
   const auto is_due = [&](const Entry& entry) {
-    if (!until || entry.bounds.upper < until->interval().lower) return true;
+    if (until == nullptr || entry.bounds.upper < until->interval().lower) return true;
     if (entry.bounds.lower > until->interval().upper) return false;
     return time(entry) <= *until;
   };
@@ -49,7 +49,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::settle(const std::optional<Time>&
 
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() -> std::optional<Time> {
-  if (!settle(std::nullopt)) return std::nullopt;
+  if (!settle(nullptr)) return std::nullopt;
   return time(queue_.top());
 }
 
@@ -86,17 +86,17 @@ bool Kinetic_delaunay_triangulation_2<Traits>::fails_before(const Entry& entry,
 
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::step() {
-  return step_until(std::nullopt);
+  return step_until(nullptr);
 }
 
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::step(const Time& until) {
-  return step_until(until);
+  return step_until(&until);
 }
 
 // Points may meet, and part, without an event.
 template <KineticTraits_2 Traits>
-std::size_t Kinetic_delaunay_triangulation_2<Traits>::step_until(const std::optional<Time>& until) {
+std::size_t Kinetic_delaunay_triangulation_2<Traits>::step_until(const Time* until) {
   while (settle(until)) {
     if (const std::size_t events = run_instant()) return events;
   }
@@ -107,7 +107,7 @@ template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& time) {
   KINETRI_PRECONDITION(time >= current_time_, "time only advances");
   std::size_t events = 0;
-  while (settle(time)) events += run_instant();
+  while (settle(&time)) events += run_instant();
   current_time_ = time;
   triangulation_.geom_traits().set_instant({current_time_, Side::after});
   return events;
@@ -121,9 +121,16 @@ template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
   const std::uint64_t before = counters_.number_of_events();
   hull_is_flat_ = false;
-  current_time_ = time(queue_.top());
-  triangulation_.geom_traits().set_instant({current_time_, Side::after});
-  if (queue_.top().kind == Entry_kind::coincidence) set_coincident_points_aside();
+  if (queue_.top().kind == Entry_kind::coincidence) {
+    current_time_ = time(queue_.top());
+    triangulation_.geom_traits().set_instant({current_time_, Side::after});
+    set_coincident_points_aside();
+  } else {
+    current_time_ = take_time(queue_.top());
+    triangulation_.geom_traits().set_instant({current_time_, Side::after});
+    const Entry first = pop_entry();
+    execute(two_sided(first.edge()), first.kind);
+  }
   execute_due_events();
   put_points_back();
   report_rebuild();
@@ -139,7 +146,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::execute_due_events() {
-  while (settle(current_time_)) {
+  while (settle(&current_time_)) {
     const Entry event = pop_entry();
     execute(two_sided(event.edge()), event.kind);
   }
@@ -222,8 +229,8 @@ bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
       face->vertex(Triangulation::ccw(i))->point());
 }
 
-// Reports `event` to the observers around `change_edges`, which makes it happen. While edges are
-// noted they are only noted.
+// Reports `event`, now, to the observers around `change_edges`, which makes it happen. While edges
+// are noted they are only noted.
 template <KineticTraits_2 Traits>
 template <class Change_edges>
 void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event,
@@ -234,6 +241,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event,
     return change_edges();
   }
   event.number = counters_.number_of_events();
+  if (!observers_.empty()) event.time = current_time_;
   is_in_event_ = true;
   for (Observer* observer : observers_) observer->before_event(event);
   change_edges();
@@ -258,10 +266,11 @@ void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& e
   const int i = edge.here.second;
   const Face_handle neighbor = edge.there.first;
   const int j = edge.there.second;
+  // Counterclockwise from the corner a of the face.
   const std::array<Two_sided_edge, 4> before = {two_sided(Edge(face, Triangulation::cw(i))),
-                                                two_sided(Edge(face, Triangulation::ccw(i))),
+                                                two_sided(Edge(neighbor, Triangulation::ccw(j))),
                                                 two_sided(Edge(neighbor, Triangulation::cw(j))),
-                                                two_sided(Edge(neighbor, Triangulation::ccw(j)))};
+                                                two_sided(Edge(face, Triangulation::ccw(i)))};
   for (const auto& [here, there] : before) {
     detail::prefetch(there.first->vertex(there.second));
     queue_.prefetch(there.first->event(there.second));
@@ -274,18 +283,65 @@ void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& e
 
   Event<Time> event;
   event.kind = kind;
-  event.time = current_time_;
   event.removed =
       finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
   event.added = finite_ids(face->vertex(i), neighbor->vertex(j));
   report(std::move(event), [&] {
     for (const Two_sided_edge& outer : before) unschedule(outer);
     triangulation_.tds().flip(face, i);
-    schedule(two_sided(Edge(face, face->index(neighbor))), current_time_,
-             rebuilt_edges_ ? Certificate_state::any : Certificate_state::vanishes);
-    // From outside, where the flip has changed nothing, they are found again.
-    for (const Two_sided_edge& outer : before) schedule(two_sided(outer.there), current_time_);
+    schedule_after_flip({Edge(face, Triangulation::ccw(i)), Edge(neighbor, Triangulation::ccw(j))},
+                        {{{before[0].there, Edge(face, Triangulation::cw(i))},
+                          {before[1].there, Edge(face, i)},
+                          {before[2].there, Edge(neighbor, Triangulation::cw(j))},
+                          {before[3].there, Edge(neighbor, j)}}});
   });
+}
+
+// Schedules an edge whose four points are finite, with the outlook of its certificate from the
+// present time on.
+template <KineticTraits_2 Traits>
+inline void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Two_sided_edge& edge,
+                                                               Outlook<Time>& outlook) {
+  if (outlook.kind == Outlook<Time>::Kind::holds) {
+    // As most are: without the way through a prospect.
+    const auto index = static_cast<std::uint8_t>(edge.here.second);
+    return set_event(edge, queue_.push({outlook.bounds, edge.here.first, Time_pool::none, index,
+                                        Entry_kind::look_again}));
+  }
+  schedule(edge, prospect(edge, Entry_kind::flip, std::move(outlook), current_time_, traits_,
+                          certificate_counters_));
+}
+
+// Schedules an edge that has just been flipped, and the outer edges of its quadrilateral, seen from
+// outside: counterclockwise, the first two are those of the face at the edge.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_after_flip(
+    const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer) {
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
+  KINETRI_ASSERT(face->neighbor(i) == neighbor && neighbor->neighbor(j) == face,
+                 "CGAL's flip turns the edge in its faces by one index");
+  const std::array<Vertex_handle, 4> corners = {face->vertex(Triangulation::cw(i)), face->vertex(i),
+                                                face->vertex(Triangulation::ccw(i)),
+                                                neighbor->vertex(j)};
+  bool are_finite = true;
+  Flip_neighborhood<Point_2> around;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vertex_handle beyond = outer[k].here.first->vertex(outer[k].here.second);
+    around.corners[k] = &corners[k]->point();
+    around.beyond[k] = &beyond->point();
+    are_finite = are_finite && !triangulation_.is_infinite(corners[k]) &&
+                 !triangulation_.is_infinite(beyond);
+  }
+  if (!are_finite || rebuilt_edges_) {
+    schedule(edge, current_time_,
+             rebuilt_edges_ ? Certificate_state::any : Certificate_state::vanishes);
+    for (const Two_sided_edge& e : outer) schedule(e, current_time_);
+    return;
+  }
+  auto outlooks = traits_.outlooks_after_flip(around, current_time_, certificate_counters_);
+  for (std::size_t k = 0; k < 4; ++k) schedule(outer[k], outlooks[k]);
+  schedule(edge, outlooks[4]);
 }
 
 }  // namespace kinetri

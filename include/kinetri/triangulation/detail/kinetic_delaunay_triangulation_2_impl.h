@@ -91,8 +91,10 @@ std::vector<Edge_ids> Kinetic_delaunay_triangulation_2<Traits>::finite_edge_ids(
 
 // ---- certificates ----
 
+// Handles are passed in memory, so that a call would cost more than what it does.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::two_sided(const Edge& edge) const -> Two_sided_edge {
+[[gnu::always_inline]] inline auto Kinetic_delaunay_triangulation_2<Traits>::two_sided(
+    const Edge& edge) const -> Two_sided_edge {
   if (triangulation_.dimension() < 2) return {edge, edge};
   // Without branches, which nothing could predict.
   const auto& [face, i] = edge;
@@ -164,46 +166,67 @@ auto Kinetic_delaunay_triangulation_2<Traits>::outlook(const Certificate& certif
 }
 
 // The earlier of the edge's two certificates: that it belongs to the triangulation, and that its
-// ends are apart. Points that come together share edges just before, so that watching edges finds
-// every coincidence. While an in-circle or orientation certificate is positive, no two of its
-// points coincide.
+// ends are apart.
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::prospect(const Two_sided_edge& edge,
                                                         const Time& after, Certificate_state state,
                                                         const Traits& traits,
                                                         Certificate_counters& counters) const
     -> std::optional<Prospect> {
+  if (triangulation_.dimension() == 2) {
+    const Certificate topological = certificate(edge);
+    return prospect(edge, topological.kind, outlook(topological, after, state, traits, counters),
+                    after, traits, counters);
+  }
+  if (triangulation_.is_infinite(edge.here)) return std::nullopt;
+  const Double_interval among = {after.interval().lower, std::numeric_limits<double>::infinity()};
+  return meeting(edge, after, among, traits, counters);
+}
+
+// Likewise, where `next` is the outlook of the certificate that the edge belongs to the
+// triangulation, whose failure is of the given kind. Points that come together share edges just
+// before, so that watching edges finds every coincidence. While an in-circle or orientation
+// certificate is positive, no two of its points coincide.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::prospect(const Two_sided_edge& edge, Entry_kind kind,
+                                                        Outlook<Time> next, const Time& after,
+                                                        const Traits& traits,
+                                                        Certificate_counters& counters) const
+    -> std::optional<Prospect> {
+  using Kind = typename Outlook<Time>::Kind;
+  if (next.kind == Kind::holds) return Prospect{Entry_kind::look_again, next.bounds, nullptr};
+  if (next.kind == Kind::holds_for_ever && !next.may_vanish) return std::nullopt;
   std::optional<Prospect> result;
   Double_interval among = {after.interval().lower, std::numeric_limits<double>::infinity()};
-  if (triangulation_.dimension() == 2) {
-    using Kind = typename Outlook<Time>::Kind;
-    const Certificate topological = certificate(edge);
-    Outlook<Time> next = outlook(topological, after, state, traits, counters);
-    if (next.kind == Kind::holds_for_ever) {
-      if (!next.may_vanish) return std::nullopt;
-    } else {
-      if (next.kind == Kind::fails) {
-        among = {next.may_vanish ? among.lower : next.bounds.lower, next.bounds.upper};
-      }
-      result = Prospect{next.kind == Kind::fails ? topological.kind : Entry_kind::look_again,
-                        next.bounds, std::move(next.failure)};
-    }
-    if (next.kind == Kind::holds || topological.kind == Entry_kind::hull_remove) return result;
-  } else if (triangulation_.is_infinite(edge.here)) {
-    return std::nullopt;
+  if (next.kind == Kind::fails) {
+    result = Prospect{kind, next.bounds, std::move(next.failure)};
+    among = {next.may_vanish ? among.lower : next.bounds.lower, next.bounds.upper};
   }
+  if (kind == Entry_kind::hull_remove) return result;
+  std::optional<Prospect> meeting = this->meeting(edge, after, among, traits, counters);
+  if (!meeting) return result;
+  if (result && *meeting->time > (result->time ? *result->time
+                                               : make_time(edge, result->kind, result->bounds))) {
+    return result;
+  }
+  return meeting;
+}
+
+// The first time among those in `among` at which the ends of the edge coincide, if they do.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::meeting(const Two_sided_edge& edge,
+                                                       const Time& after,
+                                                       const Double_interval& among,
+                                                       const Traits& traits,
+                                                       Certificate_counters& counters) const
+    -> std::optional<Prospect> {
   const auto& [face, i] = edge.here;
-  std::optional<Time> meeting =
+  std::optional<Time> time =
       traits.coincidence_time(face->vertex(Triangulation::cw(i))->point(),
                               face->vertex(Triangulation::ccw(i))->point(), after, among, counters);
-  if (!meeting) return result;
-  if (result) {
-    const Time failure =
-        result->time ? *result->time : make_time(edge, result->kind, result->bounds);
-    if (*meeting > failure) return result;
-  }
-  const Double_interval bounds = meeting->interval();
-  return Prospect{Entry_kind::coincidence, bounds, std::make_unique<Time>(std::move(*meeting))};
+  if (!time) return std::nullopt;
+  const Double_interval bounds = time->interval();
+  return Prospect{Entry_kind::coincidence, bounds, std::make_unique<Time>(std::move(*time))};
 }
 
 // The exact time of a look or of a failure of the certificate, within bounds that the traits gave.
@@ -226,6 +249,13 @@ auto Kinetic_delaunay_triangulation_2<Traits>::time(const Entry& entry) const ->
   return times_[entry.time];
 }
 
+// Likewise, for an entry that is taken from the queue before its time is asked for again.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::take_time(const Entry& entry) const -> Time {
+  if (entry.time != Time_pool::none) return times_[entry.time];
+  return make_time(two_sided(entry.edge()), entry.kind, entry.bounds);
+}
+
 // ---- scheduling ----
 
 template <KineticTraits_2 Traits>
@@ -245,8 +275,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Two_sided_edge& e
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::make_entry(const Edge& edge, Prospect prospect)
-    -> Entry {
+inline auto Kinetic_delaunay_triangulation_2<Traits>::make_entry(const Edge& edge,
+                                                                 Prospect prospect) -> Entry {
   const auto time = prospect.time ? times_.keep(std::move(*prospect.time)) : Time_pool::none;
   return {prospect.bounds, edge.first, time, static_cast<std::uint8_t>(edge.second), prospect.kind};
 }
@@ -256,7 +286,12 @@ template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Two_sided_edge& edge,
                                                         const Time& after,
                                                         Certificate_state state) {
-  std::optional<Prospect> next = prospect(edge, after, state, traits_, certificate_counters_);
+  schedule(edge, prospect(edge, after, state, traits_, certificate_counters_));
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Two_sided_edge& edge,
+                                                        std::optional<Prospect> next) {
   set_event(edge, next ? queue_.push(make_entry(edge.here, std::move(*next))) : no_event);
 }
 
@@ -334,7 +369,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
+inline void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
   const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle == no_event) return;
   const Entry& entry = queue_[handle];

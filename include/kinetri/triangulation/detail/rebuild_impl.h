@@ -30,7 +30,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
     while (parents.at(id) != id) id = parents.at(id);
     return id;
   };
-  while (settle(current_time_) && queue_.top().kind == Entry_kind::coincidence) {
+  while (settle(&current_time_) && queue_.top().kind == Entry_kind::coincidence) {
     const Edge edge = pop_entry().edge();
     set_event(two_sided(edge), no_event);
     const auto [a, b] = ids_of(edge);
@@ -161,7 +161,6 @@ void Kinetic_delaunay_triangulation_2<Traits>::report_rebuild() {
   const auto edges = *std::exchange(rebuilt_edges_, std::nullopt);
   Event<Time> event;
   event.kind = Event_kind::rebuild;
-  event.time = current_time_;
   for (const int change : {-1, 1}) {
     for (const auto& [edge, net_change] : edges) {
       if (net_change != change) continue;
