@@ -34,7 +34,7 @@ class Run_source {
   virtual std::string path() const = 0;
 
   /// What it is, for people.
-  virtual std::string title() const { return input_name(path()); }
+  virtual std::string title() const;
 
   /// Reads the input. To be called once, before everything below. Throws Input_error, and
   /// Usage_error where options do not go with what was read.

@@ -6,12 +6,13 @@
 namespace kinetri::app {
 namespace {
 
-// So many events are played as they are; a longer run is thinned. A run of many points takes more
-// to show anything in between, but a page cannot hold any number.
+// So many events are played as they are; a longer run is thinned. Of many points more are kept:
+// merging saves nothing as long as most edges have changed only once. But a page cannot hold any
+// number.
 std::size_t most_rows(std::size_t points) {
   constexpr std::size_t enough = 40'000;
   constexpr std::size_t too_many = 400'000;
-  return std::clamp(4 * points, enough, too_many);
+  return std::clamp(20 * points, enough, too_many);
 }
 
 }  // namespace

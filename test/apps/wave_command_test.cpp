@@ -89,7 +89,7 @@ TEST_F(Wave, SaysWhatIsWrong) {
 
 TEST_F(Wave, ThePageOfARunWithNamesHasThem) {
   write("t.csv", "t,id,x,y\n0,ann,0,0\n0,bob,9,0\n0,<i>,0,9\n10,ann,1,1\n10,bob,9,0\n10,<i>,0,9\n");
-  const Outcome outcome = run({"tracks", "t.csv", "--html", "t.html", "--quiet"});
+  const Outcome outcome = run({"tracks", file("t.csv"), "--html", "t.html", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto data = page("t.html");
   EXPECT_EQ(data["title"], "t.csv");
