@@ -11,8 +11,8 @@
 //
 // One event's way through the code: `settle` looks at certificates again until a failure is first
 // in the queue; `run_instant` takes it out; `execute` looks at its kind; `flip_edge` flips and
-// calls `schedule` for the five edges whose quadrilateral has changed; `schedule` asks `prospect`
-// for the certificate's outlook, which the kinetic traits compute, and pushes the new entry.
+// calls `schedule_after_flip` for the five edges whose quadrilateral has changed; that asks the
+// kinetic traits for the outlooks of their certificates, and pushes the new entries.
 #ifndef KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
 #define KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
 
