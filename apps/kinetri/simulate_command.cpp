@@ -64,6 +64,7 @@ Simulate_command::Simulate_command(CLI::App& program)
       "Example:\n"
       "  kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv --audit end\n"
       "  kinetri simulate points.csv --until 10 --box 0,0,100,100 --collisions elastic --radius 1\n"
+      "  kinetri simulate points.csv --until 10 --html run.html\n"
       "  kinetri simulate points.csv --until 10 --checkpoint run.kinetri");
 }
 
