@@ -13,30 +13,19 @@
 #include <vector>
 
 #include "apps/program_test.h"
+#include "support/text.h"
 
 namespace kinetri {
 namespace {
 
 namespace fs = std::filesystem;
 using test::Arguments;
+using test::between;
+using test::count;
 using test::Entries;
 using test::one_flip;
 using test::Outcome;
 using test::Process;
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t result = 0;
-  for (auto i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++result;
-  return result;
-}
-
-// From `begin` up to `end` behind it.
-std::string between(const std::string& text, const std::string& begin, const std::string& end) {
-  const auto from = text.find(begin);
-  if (from == std::string::npos) return "missing: " + begin;
-  const auto start = from + begin.size();
-  return text.substr(start, text.find(end, start) - start);
-}
 
 bool gnuplot_is_there() {
   return std::system("gnuplot --version >/dev/null 2>&1") == 0;  // NOLINT(cert-env33-c)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/program_test.h"
+#include "support/text.h"
 
 namespace kinetri {
 namespace {
@@ -23,9 +24,7 @@ class Wave : public test::Program_test {
   nlohmann::json page(const std::string& name) const {
     const std::string text = read(name);
     EXPECT_NE(text.find("</html>"), std::string::npos);
-    const std::string begin = "id=\"recording\">";
-    const std::size_t first = text.find(begin) + begin.size();
-    return nlohmann::json::parse(text.substr(first, text.find("</script>", first) - first));
+    return nlohmann::json::parse(test::between(text, "id=\"recording\">", "</script"));
   }
 };
 

@@ -10,27 +10,18 @@
 #include <sstream>
 #include <string>
 
+#include "support/text.h"
+
 namespace kinetri {
 namespace {
+
+using test::between;
+using test::count;
 
 std::string picture(const Frame_2& frame, const Svg_view& view) {
   std::ostringstream out;
   write_svg_frame(out, frame, view);
   return out.str();
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t result = 0;
-  for (auto i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++result;
-  return result;
-}
-
-// From `begin` up to `end` behind it.
-std::string between(const std::string& text, const std::string& begin, const std::string& end) {
-  const auto from = text.find(begin);
-  if (from == std::string::npos) return "missing: " + begin;
-  const auto start = from + begin.size();
-  return text.substr(start, text.find(end, start) - start);
 }
 
 std::string lines(const std::string& text, const std::string& name) {

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include "support/text.h"
+
 namespace kinetri {
 namespace {
 
@@ -22,9 +24,8 @@ std::string page(const Recording& recording, const Viewer_settings& settings) {
 
 // What a browser finds in the element: up to the next "</script".
 json data(const std::string& page) {
-  const std::string begin = "<script type=\"application/json\" id=\"recording\">";
-  const std::size_t first = page.find(begin) + begin.size();
-  return json::parse(page.substr(first, page.find("</script", first) - first));
+  return json::parse(
+      test::between(page, "<script type=\"application/json\" id=\"recording\">", "</script"));
 }
 
 // Three points: one accelerates, one leaves.
