@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks what every file of the project must have: its licence in the first lines, an include guard
-named after its path, no path of anybody's machine, no tab, no space at the end of a line, and a
-newline at the end.
+named after its path, in a source its own header before all others, no path of anybody's machine, no
+tab, no space at the end of a line, and a newline at the end.
 
 usage: check_sources.py [ROOT]
 
@@ -44,7 +44,12 @@ def expected_guard(path):
     return "_".join(re.sub(r"[^A-Za-z0-9]", "_", part) for part in path.parts[1:]).upper()
 
 
-def problems(path, text):
+def header_of(path):
+    """The public header that the source src/LAYER/NAME.cpp defines, if there is one."""
+    return pathlib.PurePath("include", "kinetri", *path.parts[1:]).with_suffix(".h")
+
+
+def problems(path, text, root):
     """(line, what is wrong) for each violation of the file `path`, relative to the root."""
     lines = text.splitlines()
     kind = path.name if path.name.startswith(".") else path.suffix
@@ -54,6 +59,12 @@ def problems(path, text):
         guard = expected_guard(path)
         if f"#ifndef {guard}" not in lines or f"#define {guard}" not in lines:
             yield 1, f"no include guard {guard}"
+    if path.suffix == ".cpp" and path.parts[0] == "src" and (root / header_of(path)).is_file():
+        own = f'#include "{pathlib.PurePath(*header_of(path).parts[1:])}"'
+        first = next((i for i, line in enumerate(lines) if line.startswith("#include")), 0)
+        if lines[first : first + 1] != [own]:
+            # What proves that the header compiles alone (test/headers).
+            yield first + 1, f"expected {own} before all other headers"
     for number, line in enumerate(lines, 1):
         if MACHINE_PATH.search(line):
             yield number, "a path of one machine: " + MACHINE_PATH.search(line).group()
@@ -73,7 +84,7 @@ def check(root):
     for file in files(root):
         count += 1
         path = file.relative_to(root)
-        for line, problem in problems(path, file.read_text(encoding="utf-8")):
+        for line, problem in problems(path, file.read_text(encoding="utf-8"), root):
             violations.append(f"{path}:{line}: {problem}")
     return count, violations
 

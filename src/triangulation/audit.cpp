@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The audits are compiled on their own: their static triangulation is most of the compile time.
+#include "kinetri/triangulation/audit.h"
+
 #include "kinetri/triangulation/detail/audit_impl.h"
 
 namespace kinetri {

@@ -157,6 +157,16 @@ class Sources(Tree):
             found, ["include/kinetri/io/points_file.h:1: no include guard KINETRI_IO_POINTS_FILE_H"]
         )
 
+    def test_a_source_begins_with_its_own_header(self):
+        header = f"{LICENCE}#ifndef KINETRI_IO_A_H\n#define KINETRI_IO_A_H\n#endif\n"
+        own, other = '#include "kinetri/io/a.h"\n', "#include <vector>\n"
+        self.assertEqual(self.problems("src/io/a.cpp", LICENCE + other), [])  # it has none
+        self.write("include/kinetri/io/a.h", header)
+        self.assertEqual(self.problems("src/io/a.cpp", LICENCE + own + other), [])
+        for wrong in (other + own, other, ""):
+            with self.subTest(text=wrong):
+                self.assertEqual(len(self.problems("src/io/a.cpp", LICENCE + wrong)), 1)
+
     def test_a_missing_licence_fails(self):
         for name in ("src/a.cpp", "CMakeLists.txt", "README.md", ".ci/run"):
             with self.subTest(name=name):
