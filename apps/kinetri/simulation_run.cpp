@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <initializer_list>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -63,7 +64,7 @@ class Simulation_run {
     if (outputs_.frames != nullptr || outputs_.vtu != nullptr) {
       frames_.emplace(outputs_.frames, outputs_.vtu, settings.frames.per_time);
     }
-    if (outputs_.plot != nullptr) sampler_.emplace();
+    if (outputs_.plot != nullptr) sampler_ = std::make_unique<Run_sampler>();
   }
 
   Exit_code run();
@@ -106,7 +107,7 @@ class Simulation_run {
   std::optional<Viewer_output> viewer_;
   std::optional<Closest_approaches> closest_;
   std::optional<Frame_outputs> frames_;
-  std::optional<Run_sampler> sampler_;
+  std::unique_ptr<Run_sampler> sampler_;
   std::uint64_t events_before_ = 0;  // of the run that this one takes up
   std::size_t failures_ = 0;
 };
