@@ -47,6 +47,7 @@ class Algebraic_number {
   Algebraic_number();
   /// A binary64 number, taken exactly. Precondition: finite.
   Algebraic_number(double value);  // NOLINT(google-explicit-constructor): times are written 10.0
+  /// A rational number, exactly.
   Algebraic_number(const Rational& value);  // NOLINT(google-explicit-constructor)
 
   /// The only root of `p` between `lower` and `upper`, ends not included.
@@ -68,7 +69,7 @@ class Algebraic_number {
   /// Whether the number is *known* to be rational: constructed as one, or found to be one while it
   /// was refined. False says nothing.
   bool is_known_rational() const;
-  /// Precondition: is_known_rational().
+  /// The number itself. Precondition: is_known_rational().
   const Rational& rational() const;
 
   /// A square-free primitive polynomial of which this number is a root. A later comparison may find
@@ -76,11 +77,13 @@ class Algebraic_number {
   /// good until the number is compared with another or assigned to.
   const Polynomial& polynomial() const;
 
+  /// @{
   /// The present isolating interval: lower == upper where the number is known to be rational, else
   /// lower < number < upper, and polynomial() has opposite signs, not zero, at the two. Zero is
   /// never inside. The references follow the interval as it shrinks.
   const Rational& lower() const;
   const Rational& upper() const;
+  /// @}
 
   /// A binary64 interval that contains the number: the outward rounding of the isolating interval,
   /// or the bracket of a number whose polynomial has not been made.
@@ -115,13 +118,14 @@ class Algebraic_number {
   /// Whether `p` vanishes at the number. Exact, by the gcd of `p` and polynomial().
   bool is_root_of(const Polynomial& p) const;
 
+  /// @{
   /// Exact comparison, a total order of the reals; equal roots of different polynomials are found
   /// equal, by their gcd. First by the binary64 intervals, then by refinement.
   friend Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
   friend Comparison_result compare(const Algebraic_number& a, const Rational& b);
-
   friend std::strong_ordering operator<=>(const Algebraic_number& a, const Algebraic_number& b);
   friend bool operator==(const Algebraic_number& a, const Algebraic_number& b);
+  /// @}
 
   /// Human-readable: the rational, or `root of P in (lower, upper)` with binary64 bounds.
   friend std::ostream& operator<<(std::ostream& out, const Algebraic_number& a);
@@ -140,17 +144,21 @@ class Algebraic_number {
   mutable std::shared_ptr<Root_source> source_;
 };
 
+/// Exact comparison of two numbers, as the operators of Algebraic_number.
 Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
+/// Exact comparison with a rational number, likewise.
 Comparison_result compare(const Algebraic_number& a, const Rational& b);
 
 /// The sign of `p` at the number `t`. Exact.
 Sign sign_at(const Polynomial& p, const Algebraic_number& t);
 
+/// @{
 /// The sign of `p` in a sufficiently small open interval that ends, or begins, at `t`: the sign of
 /// the first derivative that does not vanish at `t`, negated for just before where its order is
 /// odd. Zero for the zero polynomial only.
 Sign sign_just_before(const Polynomial& p, const Algebraic_number& t);
 Sign sign_just_after(const Polynomial& p, const Algebraic_number& t);
+/// @}
 
 /// The same number for every representation of `a` and `b`: the dyadic rational k / 2^e strictly
 /// between them with the least e (e may be negative) and, for that e, the least |k|.

@@ -13,8 +13,10 @@
 
 namespace kinetri {
 
+/// An integer of any size.
 using Integer =
     boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+/// A fraction of two integers.
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
 /// An MPFR number whose precision is chosen per value.
@@ -24,17 +26,19 @@ using Big_float = boost::multiprecision::number<boost::multiprecision::mpfr_floa
 using CGAL::Comparison_result;
 using CGAL::Sign;
 
-/// A closed interval of binary64 numbers; either bound may be infinite.
+/// A closed interval of real numbers between binary64 bounds, either of which may be infinite.
 struct Double_interval {
-  double lower = 0;
-  double upper = 0;
+  double lower = 0;  ///< at most `upper`
+  double upper = 0;  ///< and itself contained, as `lower` is
 
   friend bool operator==(const Double_interval&, const Double_interval&) = default;
 };
 
+/// @{
 /// The sign of `x`.
 Sign sign(const Integer& x);
 Sign sign(const Rational& x);
+/// @}
 
 /// The rational number that the binary64 number `x` is. Exact. Precondition: `x` is finite.
 Rational to_rational(double x);

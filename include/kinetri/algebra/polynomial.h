@@ -26,19 +26,22 @@ class Polynomial {
   /// The zero polynomial.
   Polynomial() = default;
 
+  /// @{
   /// Coefficients by ascending power; zeros at the high end are dropped.
   explicit Polynomial(std::vector<Integer> coefficients);
   Polynomial(std::initializer_list<Integer> coefficients);
+  /// @}
 
   /// The degree; -1 for the zero polynomial.
   int degree() const noexcept { return static_cast<int>(coefficients_.size()) - 1; }
+  /// Whether it is the zero polynomial.
   bool is_zero() const noexcept { return coefficients_.empty(); }
 
   /// The coefficients by ascending power.
   std::span<const Integer> coefficients() const noexcept { return coefficients_; }
   /// The coefficient of t^i. Precondition: 0 <= i <= degree().
   const Integer& operator[](int i) const { return coefficients_[static_cast<std::size_t>(i)]; }
-  /// Precondition: not the zero polynomial.
+  /// The coefficient of the highest power. Precondition: not the zero polynomial.
   const Integer& leading_coefficient() const { return coefficients_.back(); }
 
   /// The value at `t`, exact, by Horner's rule: degree() multiplications and additions.
@@ -50,10 +53,14 @@ class Polynomial {
   /// throughout; as the interval shrinks to a point that is not a root, the answer comes.
   /// Precondition: lower <= upper. Cost: two times that of `sign_at`.
   std::optional<Sign> sign_on(const Rational& lower, const Rational& upper) const;
-  /// The sign for all sufficiently large t, and for all sufficiently small t.
+  /// The sign for all sufficiently large t.
   Sign sign_at_plus_infinity() const;
+  /// The sign for all sufficiently small t: those below every root.
   Sign sign_at_minus_infinity() const;
 
+  /// @{
+  /// Exact sums, differences and products, without scaling. Cost: linear in the degrees; of a
+  /// product of two polynomials as many multiplications as the product of their lengths.
   Polynomial& operator+=(const Polynomial& other);
   Polynomial& operator-=(const Polynomial& other);
   Polynomial& operator*=(const Integer& factor);
@@ -63,6 +70,9 @@ class Polynomial {
   friend Polynomial operator*(Polynomial a, const Integer& factor) { return a *= factor; }
   friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
   friend Polynomial operator-(Polynomial a);
+  /// @}
+
+  /// Equality of the coefficients, and so of the polynomials.
   friend bool operator==(const Polynomial& a, const Polynomial& b) = default;
   /// Human-readable, highest power first: `3*t^2 - t + 5`.
   friend std::ostream& operator<<(std::ostream& out, const Polynomial& p);
@@ -75,10 +85,11 @@ class Polynomial {
   std::vector<Integer> coefficients_;
 };
 
-/// The primitive integer polynomial that is a positive multiple of sum of coefficients[i] t^i.
+/// The primitive integer polynomial that is a positive multiple of sum of coefficients[i] t^i; the
+/// zero polynomial where all are zero.
 Polynomial primitive_polynomial(std::span<const Rational> coefficients);
 
-/// The derivative.
+/// The derivative with respect to t, exact and not scaled.
 Polynomial derivative(const Polynomial& p);
 
 /// The greatest common divisor of the coefficients, positive; 0 for the zero polynomial.
@@ -108,8 +119,8 @@ Polynomial square_free_part(const Polynomial& p);
 
 /// A primitive square-free factor and the multiplicity with which its roots are roots of the whole.
 struct Square_free_factor {
-  Polynomial factor;
-  int multiplicity = 0;
+  Polynomial factor;     ///< its roots are simple
+  int multiplicity = 0;  ///< at least 1
 };
 
 /// The factors f_k of positive degree and positive leading coefficient, by ascending multiplicity,

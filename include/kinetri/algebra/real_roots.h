@@ -17,12 +17,14 @@
 
 namespace kinetri {
 
+/// A real root of a polynomial.
 struct Real_root {
-  Algebraic_number value;
-  int multiplicity = 0;
+  Algebraic_number value;  ///< the root, exact
+  int multiplicity = 0;    ///< as a root of the polynomial; at least 1
 };
 
-/// The distinct real roots of `p` in ascending order. Precondition: `p` is not zero.
+/// The distinct real roots of `p` in ascending order; none if there are none. Precondition: `p` is
+/// not zero.
 std::vector<Real_root> real_roots(const Polynomial& p);
 
 /// The least root of `p` greater than `t`, with its multiplicity; none if there is none.

@@ -19,8 +19,8 @@ namespace kinetri {
 
 /// One end of an interval of the real line, and whether the interval contains it.
 struct Interval_end {
-  Rational value;
-  bool included = false;
+  Rational value;         ///< where the interval ends
+  bool included = false;  ///< whether it contains its end
 };
 
 /// The signed remainder sequence f_1 = f, f_2, f_3 = -rem(f_1, f_2), ... of a polynomial f that is
@@ -46,7 +46,9 @@ class Sturm_sequence {
   /// zeros ignored. Dividing makes the count right also where `t` is a multiple root of f, at which
   /// all the terms vanish together.
   int sign_changes_at(const Rational& t) const;
+  /// V for all sufficiently small t.
   int sign_changes_at_minus_infinity() const;
+  /// V for all sufficiently large t.
   int sign_changes_at_plus_infinity() const;
 
   /// The number of distinct real roots of f (for the sequence of f and f') or the Tarski query (for

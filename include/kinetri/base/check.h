@@ -19,10 +19,12 @@ namespace kinetri::detail {
 
 }  // namespace kinetri::detail
 
+/// Throws Precondition_error, with the condition, the message and the place, where it is false.
 #define KINETRI_PRECONDITION(condition, message) \
   ((condition) ? static_cast<void>(0)            \
                : ::kinetri::detail::precondition_failed(#condition, message, __FILE__, __LINE__))
 
+/// Throws Internal_error likewise.
 #define KINETRI_ASSERT(condition, message) \
   ((condition) ? static_cast<void>(0)      \
                : ::kinetri::detail::assertion_failed(#condition, message, __FILE__, __LINE__))

@@ -35,6 +35,7 @@ class Internal_error : public Error {
 /// the line is left out where it has no meaning (line 0).
 class Input_error : public Error {
  public:
+  /// Puts the parts of that message together. Lines count from 1.
   Input_error(const std::string& file, std::size_t line, const std::string& message)
       : Error(line == 0 ? file + ": " + message
                         : file + ":" + std::to_string(line) + ": " + message) {}
@@ -50,6 +51,7 @@ class Snapshot_error : public Error {
 /// and no triangulation has both as vertices.
 class Coincident_trajectories_error : public Error {
  public:
+  /// Of the points with these ids, which the message names.
   Coincident_trajectories_error(Point_id first, Point_id second)
       : Error("points " + std::to_string(first) + " and " + std::to_string(second) +
               " are at the same place with the same velocity; expected distinct trajectories: "
@@ -57,8 +59,11 @@ class Coincident_trajectories_error : public Error {
         first_(first),
         second_(second) {}
 
+  /// @{
+  /// The ids, as given to the constructor.
   Point_id first() const noexcept { return first_; }
   Point_id second() const noexcept { return second_; }
+  /// @}
 
  private:
   Point_id first_;

@@ -51,13 +51,15 @@ constexpr Edge_ids edge_ids(Point_id a, Point_id b) {
 /// points are present depends on the kind.
 template <class Time>
 struct Event {
-  std::uint64_t number = 0;  ///< 0 for the first event of a run, then one more each
-  Event_kind kind = Event_kind::flip;
-  Time time;
+  std::uint64_t number = 0;            ///< 0 for the first event of a run, then one more each
+  Event_kind kind = Event_kind::flip;  ///< what happened
+  Time time;                           ///< when, exactly
+  /// The edge that goes: of a flip, a hull_insert, and one of a rebuild that removes.
   std::optional<Edge_ids> removed = std::nullopt;
+  /// The edge that comes: of a flip, a hull_remove, and one of a rebuild that adds.
   std::optional<Edge_ids> added = std::nullopt;
-  std::optional<Point_id> point_a = std::nullopt;
-  std::optional<Point_id> point_b = std::nullopt;
+  std::optional<Point_id> point_a = std::nullopt;  ///< of the other kinds
+  std::optional<Point_id> point_b = std::nullopt;  ///< of a collision, the greater id
 };
 
 /// Called before and after each event, in the order in which the observers were added. Derive and
@@ -70,7 +72,9 @@ template <class Time>
 class Event_observer {
  public:
   virtual ~Event_observer() = default;
+  /// Called when `event` is about to happen. Does nothing unless it is overridden.
   virtual void before_event(const Event<Time>& /*event*/) {}
+  /// Called when `event` has happened. Does nothing unless it is overridden.
   virtual void after_event(const Event<Time>& /*event*/) {}
 };
 

@@ -27,13 +27,11 @@ using Queue_handle = std::uint32_t;
 /// The handle of no item.
 inline constexpr Queue_handle no_event = std::numeric_limits<Queue_handle>::max();
 
-/// How the queue was used: `pushed` counts the items that entered, by push or in place of another;
-/// `discarded` those that left without having been popped: erased, replaced, or cleared; `peak` is
-/// the largest size so far. So pushed = popped + discarded + size.
+/// How the queue was used. At any time pushed = popped + discarded + size.
 struct Queue_counters {
-  std::uint64_t pushed = 0;
-  std::uint64_t discarded = 0;
-  std::uint64_t peak = 0;
+  std::uint64_t pushed = 0;     ///< items that entered, by push or in place of another
+  std::uint64_t discarded = 0;  ///< that left without having been popped: erased, replaced, cleared
+  std::uint64_t peak = 0;       ///< the largest size so far
 
   friend bool operator==(const Queue_counters&, const Queue_counters&) = default;
 };
@@ -71,9 +69,12 @@ concept Bounding_order = requires(const Less& less, const Item& item) {
 template <class Item, class Less>
 class Indexed_queue {
  public:
+  /// An empty queue.
   explicit Indexed_queue(Less less = Less()) : less_(std::move(less)) {}
 
+  /// Whether there is no item.
   bool empty() const noexcept { return heap_.empty(); }
+  /// The number of items.
   std::size_t size() const noexcept { return heap_.size() + far_; }
 
   /// Whether `handle` names an item of the queue.
@@ -81,7 +82,7 @@ class Indexed_queue {
     return handle < places_.size() && places_[handle].position != nowhere;
   }
 
-  /// Inserts `item`. Precondition: size() < 2^32 - 2.
+  /// Inserts `item` and returns its handle. Precondition: size() < 2^32 - 2.
   Queue_handle push(Item item);
 
   /// Inserts all of `items`, the first under the handle 0 and so on: faster than one by one. The
@@ -89,11 +90,12 @@ class Indexed_queue {
   /// Precondition: the queue is empty and has had no item since it was made or cleared.
   void assign(std::span<Item> items, std::size_t capacity);
 
-  /// The handle of the least item, and that item. Precondition: not empty.
+  /// The handle of the least item. Precondition: not empty.
   Queue_handle top_handle() const {
     KINETRI_PRECONDITION(!empty(), "top of an empty queue");
     return heap_.front().handle;
   }
+  /// The least item. Precondition: not empty.
   const Item& top() const { return places_[top_handle()].item; }
 
   /// Removes the least item and returns it. Precondition: not empty.
@@ -124,6 +126,7 @@ class Indexed_queue {
   template <class Function>
   void for_each(Function function) const;
 
+  /// Counts since the queue was made; clear() goes on counting.
   const Queue_counters& counters() const noexcept { return counters_; }
 
   /// Whether heap order, slots and index are intact. O(n); for audits.

@@ -19,7 +19,7 @@ namespace kinetri {
 struct Checkpoint {
   std::variant<Simulation_snapshot<Linear_kinetic_traits_2>,
                Simulation_snapshot<Polynomial_kinetic_traits_2>>
-      simulation;
+      simulation;  ///< of the kind of motion that the simulation had
   /// The name of the response to collisions, for whoever restores the simulation and has to give it
   /// one: text in UTF-8. The program has the names of `named_responses`.
   std::string response = "none";

@@ -23,6 +23,7 @@ class Output_directory {
   /// Removes what has been written and not committed.
   ~Output_directory();
 
+  /// Takes the other one's place; that one can only be destroyed.
   Output_directory(Output_directory&&) noexcept;
   Output_directory& operator=(Output_directory&&) = delete;
 

@@ -24,7 +24,7 @@ namespace kinetri {
 
 /// A number read from text, or what is wrong with the text.
 struct Parsed_number {
-  double value = 0;
+  double value = 0;  ///< 0 if there is a problem
   /// Empty if `value` is the number. Else the second half of a message that begins with the text:
   /// "is not a number; expected ...".
   std::string_view problem;
@@ -41,11 +41,12 @@ struct Points_file {
   /// With epoch 0, all of them finite, no two equal. Those of one kind: polynomial if the file has
   /// a column ax or jx, else linear.
   std::vector<Linear_motion_2> motions;
-  std::vector<Polynomial_motion_2> polynomial_motions;
-  bool is_polynomial = false;
+  std::vector<Polynomial_motion_2> polynomial_motions;  ///< likewise
+  bool is_polynomial = false;                           ///< which of the two there are
   std::vector<double> radii;       ///< at least 0; empty if the file has no such column
   std::vector<std::size_t> lines;  ///< where the point stands, counted from 1
 
+  /// The number of points, of either kind.
   std::size_t number_of_points() const { return lines.size(); }
 };
 
@@ -65,6 +66,7 @@ Points_file read_points(std::istream& in, const std::string& name);
 /// without a line if the path is a directory or cannot be opened.
 Points_file read_points_file(const std::string& path);
 
+/// @{
 /// Writes points so that read_points gives the same numbers back: header, then the shortest decimal
 /// numbers that read back exactly. Precondition: all motions are finite and have epoch 0; `radii`
 /// is empty or as long as `motions`. Errors are those of the stream.
@@ -72,6 +74,7 @@ void write_points(std::ostream& out, std::span<const Linear_motion_2> motions,
                   std::span<const double> radii = {});
 void write_points(std::ostream& out, std::span<const Polynomial_motion_2> motions,
                   std::span<const double> radii = {});
+/// @}
 
 }  // namespace kinetri
 

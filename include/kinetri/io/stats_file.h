@@ -21,27 +21,28 @@ struct Run_seconds {
   double build = 0;       ///< the first triangulation
   double initialize = 0;  ///< its first events
   double run = 0;         ///< events, without audits
-  double audit = 0;
-  double write = 0;  ///< edges; the event log is part of `run`
+  double audit = 0;       ///< audits
+  double write = 0;       ///< edges; the event log is part of `run`
 
+  /// The sum.
   double total() const { return read + build + initialize + run + audit + write; }
 };
 
 /// What a run did and what it cost.
 struct Run_statistics {
-  std::size_t points = 0;
-  double from = 0;
-  double until = 0;
+  std::size_t points = 0;    ///< of the input
+  double from = 0;           ///< the time at the start, rounded
+  double until = 0;          ///< the time that it was to reach
   double reached = 0;        ///< the time at the end, rounded; `until` unless interrupted
   bool interrupted = false;  ///< the user stopped the run before `until`
-  Triangulation_counters triangulation;
-  Certificate_counters certificates;
-  Queue_counters queue;       ///< of the triangulation
-  Contact_counters contacts;  ///< of walls and discs
-  Run_seconds seconds;
-  std::uint64_t peak_rss_bytes = 0;  ///< 0 if unknown
-  std::uint64_t audits_run = 0;
-  std::uint64_t audits_failed = 0;
+  Triangulation_counters triangulation;  ///< events
+  Certificate_counters certificates;     ///< of topology and contacts together
+  Queue_counters queue;                  ///< of the triangulation
+  Contact_counters contacts;             ///< of walls and discs
+  Run_seconds seconds;                   ///< of wall time
+  std::uint64_t peak_rss_bytes = 0;      ///< 0 if unknown
+  std::uint64_t audits_run = 0;          ///< how many audits there were
+  std::uint64_t audits_failed = 0;       ///< of these, how many found something wrong
 };
 
 /// Writes the statistics as a JSON object, its keys always in the same order. `events` has one key

@@ -23,12 +23,13 @@
 
 namespace kinetri {
 
+/// A format of such files.
 enum class Tracks_format { rows, frames };
 
 /// Something was seen at a place.
 struct Track_observation {
-  double time = 0;
-  Vector_2 place;
+  double time = 0;       ///< when
+  Vector_2 place;        ///< where
   std::size_t line = 0;  ///< where the observation stands in the file, counted from 1
 };
 

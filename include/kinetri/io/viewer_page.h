@@ -49,17 +49,17 @@ namespace kinetri {
 
 /// The height of the wave that moving points are the crest of.
 struct Wave_shape {
-  double height = 1;
-  double width = 1;  ///< standard deviation of the Gaussian, in the unit of the coordinates
+  double height = 1;  ///< of the crest
+  double width = 1;   ///< standard deviation of the Gaussian, in the unit of the coordinates
 };
 
 /// What the page says and shows besides the recording.
 struct Viewer_settings {
-  std::string title;
-  std::vector<std::string> names;  ///< of the points by id, or none
-  std::optional<Box_2> box = std::nullopt;
-  double radius = 0;
-  std::optional<Wave_shape> wave = std::nullopt;
+  std::string title;                              ///< of the run, for people
+  std::vector<std::string> names;                 ///< of the points by id, or none
+  std::optional<Box_2> box = std::nullopt;        ///< drawn if there is one
+  double radius = 0;                              ///< of the discs, 0 without discs
+  std::optional<Wave_shape> wave = std::nullopt;  ///< the page begins with it if there is one
 };
 
 /// Writes the page. Errors are those of the stream. The same recording gives the same bytes.

@@ -27,7 +27,7 @@ void write_vtu(std::ostream& out, const Frame_2& frame, double radius);
 
 /// A file of a series.
 struct Vtu_frame {
-  double time = 0;
+  double time = 0;   ///< of the frame
   std::string file;  ///< as seen from the PVD file; its name needs no escapes in XML
 };
 

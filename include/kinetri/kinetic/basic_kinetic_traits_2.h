@@ -28,14 +28,21 @@ namespace kinetri {
 template <class MotionType>
 class Basic_kinetic_traits_2 {
  public:
+  /// @{
+  /// A type of the concept.
   using Motion = MotionType;
   using Point_2 = Basic_moving_point_2<Motion>;
   using Time = Algebraic_number;
   using Instantaneous_traits = Basic_instantaneous_traits_2<Motion>;
+  /// @}
 
+  /// Traits with the filter.
   Basic_kinetic_traits_2() = default;
+  /// Traits that decide by the given means; the decisions are the same.
   explicit Basic_kinetic_traits_2(Arithmetic arithmetic) : arithmetic_(arithmetic) {}
 
+  /// @{
+  /// As KineticTraits_2 says.
   Outlook<Time> in_circle_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
                                   const Point_2& s, const Time& t, Certificate_state state,
                                   Certificate_counters& counters) const;
@@ -52,12 +59,15 @@ class Basic_kinetic_traits_2 {
                          const Double_interval& bounds) const;
   Time orientation_failure(const Point_2& p, const Point_2& q, const Point_2& r,
                            const Double_interval& bounds) const;
-  /// The coincidence time of linear motions is rational.
+  /// @}
+
+  /// As KineticTraits_2 says. The coincidence time of linear motions is rational.
   std::optional<Time> coincidence_time(const Point_2& p, const Point_2& q, const Time& t,
                                        const Double_interval& among,
                                        Certificate_counters& counters) const;
 
-  /// Contacts; see ContactKineticTraits_2. Polynomials of degree 2d (discs) and d (walls).
+  /// @{
+  /// As ContactKineticTraits_2 says. Polynomials of degree 2d (discs) and d (walls).
   Outlook<Time> contact_outlook(const Point_2& p, const Point_2& q, double diameter, const Time& t,
                                 Certificate_counters& counters) const;
   Outlook<Time> next_contact_outlook(const Point_2& p, const Point_2& q, double diameter,
@@ -70,6 +80,7 @@ class Basic_kinetic_traits_2 {
   bool do_approach(const Point_2& p, const Point_2& q, const Time& t) const;
   bool do_overlap(const Point_2& p, const Point_2& q, double diameter, const Time& t) const;
   bool is_inside(const Point_2& p, const Wall_2& wall, const Time& t) const;
+  /// @}
 
   /// The predicates at an instant, in the same arithmetic.
   Instantaneous_traits instantaneous_traits(Instant instant) const {
@@ -86,7 +97,9 @@ class Basic_kinetic_traits_2 {
 extern template class Basic_kinetic_traits_2<Linear_motion_2>;
 extern template class Basic_kinetic_traits_2<Polynomial_motion_2>;
 
+/// The traits of points in linear motion.
 using Linear_kinetic_traits_2 = Basic_kinetic_traits_2<Linear_motion_2>;
+/// The traits of points that accelerate; linear ones may be among them, at more cost.
 using Polynomial_kinetic_traits_2 = Basic_kinetic_traits_2<Polynomial_motion_2>;
 
 static_assert(ContactKineticTraits_2<Linear_kinetic_traits_2>);

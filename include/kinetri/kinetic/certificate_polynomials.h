@@ -19,9 +19,11 @@
 
 namespace kinetri {
 
-/// Sign of x(p) - x(q), and of y(p) - y(q).
+/// Sign of x(p) - x(q).
 template <class Point>
 Polynomial x_difference(const Point& p, const Point& q);
+
+/// Sign of y(p) - y(q).
 template <class Point>
 Polynomial y_difference(const Point& p, const Point& q);
 

@@ -18,25 +18,26 @@ namespace kinetri {
 /// a certificate fails at `t` itself if the two touch or overlap at `t` while they approach; then
 /// it makes no difference on which side of a contact the rounding of a response has put them.
 /// A touch without approach (two discs that pass at just the distance of their diameter) is none.
+/// For `...` read `t, counters`:
 ///
-///   contact_outlook(p, q, diameter, t, counters)   discs about p and q; none after the first
-///                                                  contact is of interest
-///   next_contact_outlook(p, q, diameter, t, counters)   likewise, but the first contact after the
-///                                                  two have been apart once, from t on: for those
-///                                                  that a response has left in contact
-///   wall_outlook(p, wall, t, counters)             p and the bound of the wall
-///   contact_failure(p, q, diameter, bounds)        the failure times, made from an outlook's
-///   wall_failure(p, wall, bounds)                  bounds
+/// | Function | Result |
+/// |---|---|
+/// | `contact_outlook(p, q, diameter, ...)` | of discs about p and q |
+/// | `next_contact_outlook(p, q, diameter, ...)` | likewise, once the two have been apart |
+/// | `wall_outlook(p, wall, ...)` | of p and the bound of the wall |
+/// | `contact_failure(p, q, diameter, bounds)` | the failure time, made from an outlook's bounds |
+/// | `wall_failure(p, wall, bounds)` | likewise |
+/// | `do_approach(p, q, t)` | whether their distance decreases at t |
+/// | `do_overlap(p, q, diameter, t)` | whether their distance at t is at most the diameter |
+/// | `is_inside(p, wall, t)` | whether p is on the inner side of the bound at t, or at it |
 ///
-/// Three predicates at the time t:
-///
-///   do_approach(p, q, t)           whether their distance decreases
-///   do_overlap(p, q, diameter, t)  whether their distance is at most the diameter
-///   is_inside(p, wall, t)          whether p is on the inner side of the bound, or at it
+/// Of the contacts of a pair only the first one is of interest. That of `next_contact_outlook` is
+/// the first one after the two have been apart once, from t on: for those that a response has left
+/// in contact.
 ///
 /// And what responses need of a motion, with binary64 numbers (see Linear_motion_2):
-/// rounded_place(motion, t), rounded_velocity(motion, t), turned(motion, velocity, t), and
-/// kept_inside(motion, wall, times).
+/// `rounded_place(motion, t)`, `rounded_velocity(motion, t)`, `turned(motion, velocity, t)`, and
+/// `kept_inside(motion, wall, times)`.
 template <class Traits>
 concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
     requires(const Traits traits, const typename Traits::Motion motion,

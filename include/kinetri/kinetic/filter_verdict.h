@@ -12,15 +12,16 @@ namespace kinetri {
 
 /// What the filter knows about a certificate from some time on.
 struct Filter_verdict {
+  /// What is certain.
   enum class Kind : std::uint8_t {
     unknown,         ///< nothing is known
     holds_for_ever,  ///< the certificate is positive
     holds,           ///< positive up to bounds.upper, which is bounds.lower
     fails,           ///< positive up to bounds.lower; then, up to bounds.upper, one simple root
   };
-  Kind kind = Kind::unknown;
-  Double_interval bounds = {};
-  bool is_refined = false;  ///< had to subdivide, or to narrow a root
+  Kind kind = Kind::unknown;    ///< how much is known
+  Double_interval bounds = {};  ///< of `holds` and `fails`
+  bool is_refined = false;      ///< had to subdivide, or to narrow a root
 };
 
 }  // namespace kinetri

@@ -17,13 +17,13 @@ namespace kinetri {
 /// that of the edge itself.
 template <class Point>
 struct Flip_neighborhood {
-  static constexpr std::size_t certificates = 5;
+  static constexpr std::size_t certificates = 5;  ///< how many are made anew
 
-  std::array<const Point*, 4> corners;
-  std::array<const Point*, 4> beyond;
+  std::array<const Point*, 4> corners;  ///< of the two triangles, counterclockwise
+  std::array<const Point*, 4> beyond;   ///< across the outer edge from corners[k] to the next one
 
   /// The four points of a certificate: the last one must not be inside the circle through the
-  /// others, which are a triangle.
+  /// others, which are a triangle. Precondition: number < certificates.
   std::array<const Point*, 4> certificate(std::size_t number) const {
     const auto& [a, right, b, left] = corners;
     if (number == 4) return {a, right, b, left};

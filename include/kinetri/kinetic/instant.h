@@ -9,11 +9,17 @@
 
 namespace kinetri {
 
-enum class Side { before, at, after };
+/// A side of a time, or the time itself.
+enum class Side {
+  before,  ///< throughout some open interval that ends at the time
+  at,      ///< at the time
+  after,   ///< throughout some open interval that begins at the time
+};
 
+/// A time, and on which side of it.
 struct Instant {
-  Algebraic_number time;
-  Side side = Side::at;
+  Algebraic_number time;  ///< exact
+  Side side = Side::at;   ///< of the time
 };
 
 /// The sign of `p` at the instant. Exact. On one side of a root it is the sign of the first

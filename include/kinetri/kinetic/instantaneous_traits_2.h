@@ -18,44 +18,53 @@ namespace kinetri {
 
 /// Whether decisions are left to floating point where it is certain, or always made exactly. The
 /// decisions are the same.
-enum class Arithmetic { filtered, exact_only };
+enum class Arithmetic {
+  filtered,    ///< exact arithmetic where floating point does not decide
+  exact_only,  ///< exact arithmetic alone: slow, for tests and audits
+};
 
 /// The traits. Copies share the instant, so that a triangulation, which copies its traits, follows
 /// when the instant is set through any copy.
 ///
 /// Predicates are exact at every instant. The constructions give moving points or pairs of them:
 /// circumcenter is a point whose coordinates are rational functions of time; a line is the bisector
-/// of two points; a ray is a source and a line.
+/// of two points; a ray is a source and a line. A predicate is good as long as one
+/// of the copies is there. Cost of a predicate: tens to hundreds of floating-point operations where
+/// the filter decides, else the signs of one polynomial (certificate_polynomials.h) at the instant.
 template <class Motion>
 class Basic_instantaneous_traits_2 {
  public:
-  using Point_2 = Basic_moving_point_2<Motion>;
+  using Point_2 = Basic_moving_point_2<Motion>;  ///< what the predicates are about
+  /// The segment between two moving points.
   struct Segment_2 {
-    Point_2 source;
-    Point_2 target;
+    Point_2 source;  ///< where it begins
+    Point_2 target;  ///< where it ends
   };
+  /// The triangle of three moving points, in the order in which they were given.
   struct Triangle_2 {
-    Point_2 first;
-    Point_2 second;
-    Point_2 third;
+    Point_2 first;   ///< a corner
+    Point_2 second;  ///< the next one
+    Point_2 third;   ///< and the last one
   };
   /// The points as far from `first` as from `second`, directed so that `first` is on its left.
   struct Line_2 {
-    Point_2 first;
-    Point_2 second;
+    Point_2 first;   ///< to the left of the line
+    Point_2 second;  ///< to the right of it
   };
   /// From `source` in the direction of `line`, on which the source lies.
   struct Ray_2 {
-    Point_2 source;
-    Line_2 line;
+    Point_2 source;  ///< where it begins
+    Line_2 line;     ///< where it goes
   };
 
   /// The instant 0, at it.
   Basic_instantaneous_traits_2() : Basic_instantaneous_traits_2(Instant{}) {}
+  /// The given instant; all decisions are made by the given means.
   explicit Basic_instantaneous_traits_2(Instant instant,
                                         Arithmetic arithmetic = Arithmetic::filtered)
       : state_(std::make_shared<State>(State{std::move(instant), arithmetic})) {}
 
+  /// The instant of the predicates.
   const Instant& instant() const { return state_->instant; }
   /// Moves this object and all its copies to another instant. Cost: none. What was built on the
   /// traits stays right only if no certificate failed on the way.
@@ -88,45 +97,61 @@ class Basic_instantaneous_traits_2 {
   };
 
  public:
+  /// Compares x coordinates.
   struct Compare_x_2 : Predicate {
     using Predicate::Predicate;
+    /// How x(p) compares with x(q).
     Comparison_result operator()(const Point_2& p, const Point_2& q) const {
       return this->x_order(p, q);
     }
   };
+  /// Compares y coordinates.
   struct Compare_y_2 : Predicate {
     using Predicate::Predicate;
+    /// How y(p) compares with y(q).
     Comparison_result operator()(const Point_2& p, const Point_2& q) const {
       return this->y_order(p, q);
     }
   };
+  /// Orders points by x.
   struct Less_x_2 : Predicate {
     using Predicate::Predicate;
+    /// Whether x(p) < x(q).
     bool operator()(const Point_2& p, const Point_2& q) const {
       return this->x_order(p, q) == CGAL::NEGATIVE;
     }
   };
+  /// Orders points by y.
   struct Less_y_2 : Predicate {
     using Predicate::Predicate;
+    /// Whether y(p) < y(q).
     bool operator()(const Point_2& p, const Point_2& q) const {
       return this->y_order(p, q) == CGAL::NEGATIVE;
     }
   };
+  /// The turn of three points.
   struct Orientation_2 : Predicate {
     using Predicate::Predicate;
+    /// Whether p, q, r make a left turn, a right turn, or are collinear.
     CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
       return this->orientation(p, q, r);
     }
   };
+  /// The place of a point beside a circle.
   struct Side_of_oriented_circle_2 : Predicate {
     using Predicate::Predicate;
+    /// On which side of the circle through p, q, r the point s is: the positive one is to the left
+    /// of the circle as it goes from p to q to r. On the boundary also where all four are
+    /// collinear.
     CGAL::Oriented_side operator()(const Point_2& p, const Point_2& q, const Point_2& r,
                                    const Point_2& s) const {
       return this->in_circle(p, q, r, s);
     }
   };
+  /// Compares distances from a point.
   struct Compare_distance_2 : Predicate {
     using Predicate::Predicate;
+    /// How the distance from p to q compares with that from p to r.
     Comparison_result operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
       return this->distance_order(p, q, r);
     }
@@ -135,34 +160,50 @@ class Basic_instantaneous_traits_2 {
   /// instant.
   struct Collinear_are_strictly_ordered_along_line_2 : Predicate {
     using Predicate::Predicate;
+    /// Whether the scalar product of the vectors from q to the other two is negative.
     bool operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
       return this->scalar_product(p, q, r) == CGAL::NEGATIVE;
     }
   };
 
+  /// The point itself.
   struct Construct_point_2 {
+    /// p.
     const Point_2& operator()(const Point_2& p) const { return p; }
   };
+  /// Makes a segment.
   struct Construct_segment_2 {
+    /// From p to q.
     Segment_2 operator()(const Point_2& p, const Point_2& q) const { return {p, q}; }
   };
+  /// Makes a triangle.
   struct Construct_triangle_2 {
+    /// With the corners p, q, r.
     Triangle_2 operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
       return {p, q, r};
     }
   };
+  /// Makes the bisector of two points.
   struct Construct_bisector_2 {
+    /// With p on its left. Precondition: the two do not coincide.
     Line_2 operator()(const Point_2& p, const Point_2& q) const { return {p, q}; }
   };
+  /// Makes a ray.
   struct Construct_ray_2 {
+    /// From p in the direction of l. Precondition: p lies on l.
     Ray_2 operator()(const Point_2& p, const Line_2& l) const { return {p, l}; }
   };
+  /// Makes the centre of a circle.
   struct Construct_circumcenter_2 {
+    /// The centre of the circle through p, q, r, at every time at which they are not collinear.
+    /// Precondition: they are not collinear at all times.
     Point_2 operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
       return Point_2(circumcenter_trajectory(p, q, r));
     }
   };
 
+  /// @{
+  /// The function object of the concept, at the instant of this object from then on.
   Compare_x_2 compare_x_2_object() const { return Compare_x_2(*state_); }
   Compare_y_2 compare_y_2_object() const { return Compare_y_2(*state_); }
   Less_x_2 less_x_2_object() const { return Less_x_2(*state_); }
@@ -182,6 +223,7 @@ class Basic_instantaneous_traits_2 {
   Construct_bisector_2 construct_bisector_2_object() const { return {}; }
   Construct_ray_2 construct_ray_2_object() const { return {}; }
   Construct_circumcenter_2 construct_circumcenter_2_object() const { return {}; }
+  /// @}
 
  private:
   std::shared_ptr<State> state_;
@@ -190,6 +232,7 @@ class Basic_instantaneous_traits_2 {
 extern template class Basic_instantaneous_traits_2<Linear_motion_2>;
 extern template class Basic_instantaneous_traits_2<Polynomial_motion_2>;
 
+/// The traits at an instant of points in linear motion.
 using Instantaneous_traits_2 = Basic_instantaneous_traits_2<Linear_motion_2>;
 
 }  // namespace kinetri

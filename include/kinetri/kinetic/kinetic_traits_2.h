@@ -24,6 +24,7 @@ struct Certificate_counters {
   std::uint64_t refined_decided = 0;  ///< of these, where it had to subdivide or to narrow a root
   std::uint64_t exact_decided = 0;    ///< decided by exact arithmetic
 
+  /// Adds the counts of `other`.
   Certificate_counters& operator+=(const Certificate_counters& other);
 
   friend bool operator==(const Certificate_counters&, const Certificate_counters&) = default;
@@ -41,14 +42,15 @@ inline Certificate_counters& Certificate_counters::operator+=(const Certificate_
 /// What is known of a certificate from some time on.
 template <class Time>
 struct Outlook {
+  /// How much is known.
   enum class Kind : std::uint8_t {
     holds_for_ever,  ///< it never fails
     holds,           ///< it certainly holds up to and at the binary64 number bounds.lower, which is
                      ///< bounds.upper, and is to be looked at again then
     fails,           ///< it fails, at a time within `bounds`
   };
-  Kind kind = Kind::holds_for_ever;
-  Double_interval bounds = {};
+  Kind kind = Kind::holds_for_ever;         ///< how much is known
+  Double_interval bounds = {};              ///< of `holds` and `fails`
   std::unique_ptr<Time> failure = nullptr;  ///< the time, where it had to be made already
   /// Else the certificate is certainly positive from just after then on until it fails.
   bool may_vanish = false;
@@ -61,55 +63,64 @@ enum class Certificate_state {
              ///< has just been flipped
 };
 
-/// A model has the types
+/// What the kinetic triangulation asks of a model of motion. It has these types:
 ///
-///   Motion                 a trajectory; mirrored(motion) is the one with -t in place of t
-///   Point_2                a moving point: built from a Motion and a Point_id
-///   Time                   an event time; totally ordered, exactly; made from a binary64 number;
-///                          with its negative, a binary64 interval() around it, and detached(),
-///                          the same time for use in another thread
-///   Instantaneous_traits   a model of CGAL's DelaunayTriangulationTraits_2 on Point_2 at an
-///   instant
+/// | Type | What it is |
+/// |---|---|
+/// | `Motion` | a trajectory, for which there are `is_finite` and `mirrored` |
+/// | `Point_2` | a moving point: made of a Motion and a Point_id, and gives both back |
+/// | `Time` | an event time |
+/// | `Instantaneous_traits` | a model of CGAL's DelaunayTriangulationTraits_2 on `Point_2` |
 ///
-/// and certificates, each given by its outlook from `t` on and counted in `counters`. The
-/// *failure time* is the infimum of the times after `t` at which the certificate is violated: `t`
-/// itself if it is violated just after `t`, and none if it is never violated. An outlook may stop
-/// short of it where that saves work.
+/// `mirrored(motion)` is the one with -t in place of t. A `Time` is totally ordered, exactly, and
+/// made from a binary64 number; it has a negative, a binary64 `interval()` around it, and
+/// `detached()`, the same time for use in another thread. An Instant holds it: so far it is
+/// Algebraic_number. The place of a `Point_2` at a Rational time, by `position`, is for audits.
 ///
-///   in_circle_outlook(p, q, r, s, t, state, counters)   s is not inside the circle through p, q, r
-///   orientation_outlook(p, q, r, t, state, counters)    p, q, r do not make a right turn
-///   flatness_outlook(p, q, r, t, state, counters)       likewise, but a time strictly after t at
-///                                                       which p, q, r are collinear is a failure
-///                                                       as well
-///   outlooks_after_flip(around, t, counters)            the five in-circle outlooks after a flip,
-///                                                       at t, where that of the flipped edge
-///                                                       vanishes
-///   coincidence_time(p, q, t, among, counters)          the first time *strictly* after t at which
-///                                                       p and q are in one place; none if they
-///                                                       never or always are. There is none
-///                                                       before among.lower, and one after
-///                                                       among.upper is of no interest
+/// A certificate is given by its outlook from `t` on, and counted in `counters`. The *failure time*
+/// is the infimum of the times after `t` at which the certificate is violated: `t` itself if it is
+/// violated just after `t`, and none if it is never violated. It is exact. An outlook may stop
+/// short of it where that saves work. For `...` read `t, state, counters`:
 ///
-/// The failure times themselves, which are seldom needed, are made from an outlook's bounds:
+/// | Function | Certificate |
+/// |---|---|
+/// | `in_circle_outlook(p, q, r, s, ...)` | s is not inside the circle through p, q, r |
+/// | `orientation_outlook(p, q, r, ...)` | p, q, r do not make a right turn |
+/// | `flatness_outlook(p, q, r, ...)` | likewise, and strictly after t they are not collinear |
+/// | `outlooks_after_flip(around, t, counters)` | the five in-circle certificates after a flip |
 ///
-///   in_circle_failure(p, q, r, s, bounds)
-///   orientation_failure(p, q, r, bounds)
+/// After a flip at t the certificate of the flipped edge, the last one, vanishes at t.
+///
+/// | Function | Result |
+/// |---|---|
+/// | `in_circle_failure(p, q, r, s, bounds)` | the failure time, made from an outlook's bounds |
+/// | `orientation_failure(p, q, r, bounds)` | likewise, also of flatness; both are seldom needed |
+/// | `coincidence_time(p, q, t, among, counters)` | when p and q are in one place |
+/// | `instantaneous_traits(instant)` | the predicates at an instant, decided by the same means |
+/// | `exact()`, a static function | traits that decide everything exactly, for audits |
+///
+/// `coincidence_time` is the first time *strictly* after t at which p and q are in one place; none
+/// if they never or always are. There is none before among.lower, and one after among.upper is of
+/// no interest.
 ///
 /// A traits object is used from several threads at once.
 template <class Traits>
 concept KineticTraits_2 = requires(const Traits traits, const typename Traits::Motion motion,
                                    const typename Traits::Point_2 p, const typename Traits::Time t,
                                    const Flip_neighborhood<typename Traits::Point_2> around,
-                                   const Double_interval bounds, Certificate_state state,
-                                   Certificate_counters& counters) {
-  typename Traits::Instantaneous_traits;
+                                   const Double_interval bounds, const Instant instant,
+                                   Certificate_state state, Certificate_counters& counters) {
+  { traits.instantaneous_traits(instant) } -> std::same_as<typename Traits::Instantaneous_traits>;
+  { Traits::exact() } -> std::same_as<Traits>;
   requires std::totally_ordered<typename Traits::Time>;
   requires std::constructible_from<typename Traits::Time, double>;
   { t.interval() } -> std::convertible_to<Double_interval>;
   { t.detached() } -> std::same_as<typename Traits::Time>;
   { -t } -> std::same_as<typename Traits::Time>;
   { mirrored(motion) } -> std::same_as<typename Traits::Motion>;
-  typename Traits::Point_2;
+  { is_finite(motion) } -> std::same_as<bool>;
+  { p.id() } -> std::same_as<Point_id>;
+  { p.motion() } -> std::convertible_to<typename Traits::Motion>;
   requires std::constructible_from<typename Traits::Point_2, typename Traits::Motion, Point_id>;
   {
     traits.in_circle_outlook(p, p, p, p, t, state, counters)

@@ -36,8 +36,10 @@ Filter_verdict filter_orientation(const Linear_motion_2& p, const Linear_motion_
 std::array<Filter_verdict, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
                                                 const Double_interval& after);
 
-/// The signs of the polynomials of certificate_polynomials.h throughout the times in `interval`,
-/// where they are certain; zero says that nothing is known.
+/// @{
+/// The sign of a polynomial of certificate_polynomials.h (x_difference, y_difference,
+/// orientation_polynomial, in_circle_polynomial, scalar_product_polynomial, distance_difference)
+/// throughout the times in `interval`, where it is certain; zero says that nothing is known.
 Sign certain_x_order(const Linear_motion_2& p, const Linear_motion_2& q,
                      const Double_interval& interval);
 Sign certain_y_order(const Linear_motion_2& p, const Linear_motion_2& q,
@@ -50,6 +52,7 @@ Sign certain_scalar_product(const Linear_motion_2& p, const Linear_motion_2& q,
                             const Linear_motion_2& r, const Double_interval& interval);
 Sign certain_distance_order(const Linear_motion_2& p, const Linear_motion_2& q,
                             const Linear_motion_2& r, const Double_interval& interval);
+/// @}
 
 /// Whether p and q are certainly not in one place at any time in `interval`. False says nothing.
 /// (What is asked is whether they ever are.)

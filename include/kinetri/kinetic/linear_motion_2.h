@@ -11,8 +11,8 @@ namespace kinetri {
 
 /// Two binary64 components, each taken as exactly that number.
 struct Vector_2 {
-  double x = 0;
-  double y = 0;
+  double x = 0;  ///< to the right
+  double y = 0;  ///< up
 
   friend bool operator==(const Vector_2&, const Vector_2&) = default;
 };
@@ -22,7 +22,7 @@ struct Vector_2 {
 struct Linear_motion_2 {
   Vector_2 position;  ///< the place at the epoch
   Vector_2 velocity;  ///< displacement per unit of time
-  double epoch = 0;
+  double epoch = 0;   ///< the time at which the point is at `position`
 
   /// Equality of the representations; see `same_trajectory` for that of the trajectories.
   friend bool operator==(const Linear_motion_2&, const Linear_motion_2&) = default;
@@ -34,9 +34,11 @@ bool is_finite(const Linear_motion_2& motion);
 /// Whether the two are at the same place at every time, exactly, whatever their epochs.
 bool same_trajectory(const Linear_motion_2& a, const Linear_motion_2& b);
 
-/// The place at time t, and the velocity, rounded: for what is shown, not for what is decided. The
-/// place has an error of a few units in the last place of the largest term of the formula.
+/// The place at time t, rounded: for what is shown, not for what is decided. It has an error of a
+/// few units in the last place of the largest term of the formula.
 Vector_2 rounded_place(const Linear_motion_2& motion, double t);
+
+/// The velocity at time t, which is the same at all times, exactly.
 inline Vector_2 rounded_velocity(const Linear_motion_2& motion, double /*t*/) {
   return motion.velocity;
 }

@@ -21,23 +21,27 @@ namespace kinetri {
 /// A trajectory in homogeneous coordinates: the place at time t is (x(t) / w(t), y(t) / w(t)).
 /// It is undefined where w vanishes.
 struct Trajectory_2 : boost::intrusive_ref_counter<Trajectory_2> {
+  /// Undefined at every time: w is the zero polynomial.
   Trajectory_2() = default;
+  /// The trajectory (x_ / w_, y_ / w_).
   Trajectory_2(Polynomial x_, Polynomial y_, Polynomial w_)
       : x(std::move(x_)), y(std::move(y_)), w(std::move(w_)) {}
 
-  Polynomial x;
-  Polynomial y;
-  Polynomial w;
+  Polynomial x;  ///< w times the x coordinate
+  Polynomial y;  ///< w times the y coordinate
+  Polynomial w;  ///< the common denominator, of either sign
 };
 
 /// A place in the plane, exact.
 struct Exact_position_2 {
-  Rational x;
-  Rational y;
+  Rational x;  ///< to the right
+  Rational y;  ///< up
 };
 
-/// The trajectory of a motion as polynomials in time; w is a positive constant.
+/// The trajectory of a motion as polynomials in time, exactly; w is a positive constant.
+/// Precondition: the numbers of the motion are finite.
 Trajectory_2 trajectory(const Linear_motion_2& motion);
+/// As that of a linear motion.
 Trajectory_2 trajectory(const Polynomial_motion_2& motion);
 
 /// A moving point. A value; equality is not defined, since equal places at an instant are a
@@ -45,7 +49,7 @@ Trajectory_2 trajectory(const Polynomial_motion_2& motion);
 template <class MotionType>
 class Basic_moving_point_2 {
  public:
-  using Motion = MotionType;
+  using Motion = MotionType;  ///< Linear_motion_2 or Polynomial_motion_2
 
   /// A point at rest at the origin.
   Basic_moving_point_2() = default;
@@ -55,11 +59,12 @@ class Basic_moving_point_2 {
   /// A constructed point. Precondition: trajectory.w is not the zero polynomial.
   explicit Basic_moving_point_2(Trajectory_2 trajectory);
 
+  /// The id as given to the constructor; no_point of a query point and of a constructed one.
   Point_id id() const noexcept { return id_; }
 
-  /// Whether the point was made from a motion, and that motion.
+  /// Whether the point was made from a motion.
   bool has_motion() const noexcept { return constructed_ == nullptr; }
-  /// Precondition: has_motion().
+  /// The motion as given to the constructor. Precondition: has_motion().
   const Motion& motion() const noexcept { return motion_; }
 
   /// Its trajectory as polynomials; of a motion w is a positive constant.
@@ -77,6 +82,7 @@ class Basic_moving_point_2 {
 extern template class Basic_moving_point_2<Linear_motion_2>;
 extern template class Basic_moving_point_2<Polynomial_motion_2>;
 
+/// A point in linear motion.
 using Moving_point_2 = Basic_moving_point_2<Linear_motion_2>;
 
 /// The trajectories of several points, each in a form that serves predicates which do not change

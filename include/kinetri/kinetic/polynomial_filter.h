@@ -14,13 +14,18 @@
 
 namespace kinetri {
 
+/// As that of linear motion (linear_filter.h).
 Filter_verdict filter_in_circle(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
                                 const Polynomial_motion_2& r, const Polynomial_motion_2& s,
                                 const Double_interval& after, bool vanishes_at);
+/// As that of linear motion (linear_filter.h).
 Filter_verdict filter_orientation(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
                                   const Polynomial_motion_2& r, const Double_interval& after,
                                   bool vanishes_at);
 
+/// @{
+/// The sign of a polynomial of certificate_polynomials.h throughout the times in `interval`, where
+/// it is certain; zero says that nothing is known.
 Sign certain_x_order(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
                      const Double_interval& interval);
 Sign certain_y_order(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
@@ -34,18 +39,25 @@ Sign certain_scalar_product(const Polynomial_motion_2& p, const Polynomial_motio
                             const Polynomial_motion_2& r, const Double_interval& interval);
 Sign certain_distance_order(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
                             const Polynomial_motion_2& r, const Double_interval& interval);
+/// @}
 
 /// Whether p and q are certainly not in one place at any time in `interval`. False says nothing.
 bool certainly_apart(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
                      const Double_interval& interval);
 
+/// @{
+/// As the functions of the same names for linear motion (contact_filter.h).
 Filter_verdict filter_contact(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
                               double diameter, const Double_interval& after);
 Filter_verdict filter_wall_contact(const Polynomial_motion_2& p, const Wall_2& wall,
                                    const Double_interval& after);
+/// @}
+
 /// Whether p and q certainly do not approach each other at any time in `interval`.
 bool certainly_do_not_approach(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
                                const Double_interval& interval);
+
+/// Whether p is certainly on the inner side of the wall throughout `interval`.
 bool certainly_inside(const Polynomial_motion_2& p, const Wall_2& wall,
                       const Double_interval& interval);
 

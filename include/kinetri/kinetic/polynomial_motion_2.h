@@ -22,7 +22,7 @@ struct Polynomial_motion_2 {
   Vector_2 velocity = {};      ///< its first derivative there
   Vector_2 acceleration = {};  ///< its second derivative there
   Vector_2 jerk = {};          ///< its third derivative
-  double epoch = 0;
+  double epoch = 0;            ///< the time at which the point is at `position`
 
   /// Equality of the representations; see `same_trajectory` for that of the trajectories.
   friend bool operator==(const Polynomial_motion_2&, const Polynomial_motion_2&) = default;
@@ -39,10 +39,12 @@ bool is_finite(const Polynomial_motion_2& motion);
 /// Whether the two are at the same place at every time, exactly, whatever their epochs.
 bool same_trajectory(const Polynomial_motion_2& a, const Polynomial_motion_2& b);
 
+/// @{
 /// The place and the velocity at time t, rounded, with errors of some units in the last place of
-/// the largest term of the formula.
+/// the largest term of the formula: for what is shown, not for what is decided.
 Vector_2 rounded_place(const Polynomial_motion_2& motion, double t);
 Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t);
+/// @}
 
 /// The motion with the epoch `t` and the given velocity that starts from the place of `motion` at
 /// t, with the acceleration that it has there and its jerk; each coordinate of place and

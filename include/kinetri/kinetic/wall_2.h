@@ -13,11 +13,12 @@ namespace kinetri {
 /// left wall, and so on. The exact bound is position + clearance, or position - clearance,
 /// unrounded.
 struct Wall_2 {
+  /// Which side of the plane the wall closes.
   enum class Side : std::uint8_t { left, right, bottom, top };
 
-  Side side = Side::left;
-  double position = 0;   ///< of the line: its x, or its y
-  double clearance = 0;  ///< at least 0: the radius, where the rim of a disc is what touches
+  Side side = Side::left;  ///< where the wall is, as seen from the points
+  double position = 0;     ///< of the line: its x, or its y
+  double clearance = 0;    ///< at least 0: the radius, where the rim of a disc is what touches
 
   /// Whether the wall bounds x.
   constexpr bool is_vertical() const { return side == Side::left || side == Side::right; }

@@ -12,12 +12,12 @@ namespace kinetri {
 
 /// The closed rectangle [xmin, xmax] x [ymin, ymax].
 struct Box_2 {
-  double xmin = 0;
-  double ymin = 0;
-  double xmax = 0;
-  double ymax = 0;
+  double xmin = 0;  ///< of the left wall
+  double ymin = 0;  ///< of the bottom wall
+  double xmax = 0;  ///< of the right wall
+  double ymax = 0;  ///< of the top wall
 
-  /// The four walls, in the order of Wall_2::Side.
+  /// The four walls, each with the given clearance, in the order of Wall_2::Side.
   constexpr std::array<Wall_2, 4> walls(double clearance) const {
     return {
         Wall_2{Wall_2::Side::left, xmin, clearance}, Wall_2{Wall_2::Side::right, xmax, clearance},

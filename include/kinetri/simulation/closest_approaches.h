@@ -14,7 +14,7 @@ namespace kinetri {
 
 /// How near two points came, and when.
 struct Approach {
-  Edge_ids points = {no_point, no_point};
+  Edge_ids points = {no_point, no_point};  ///< the two
   Algebraic_number time;  ///< exact: rational where the distance has its minimum between turns
   double distance = 0;    ///< at that time, rounded
 };

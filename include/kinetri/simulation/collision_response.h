@@ -17,12 +17,12 @@ namespace kinetri {
 
 /// Two discs that touch while they approach each other. The numbers are rounded to binary64.
 struct Contact_2 {
-  double time = 0;
+  double time = 0;              ///< of the contact
   Point_id point_a = no_point;  ///< the smaller id
-  Point_id point_b = no_point;
-  Vector_2 separation;  ///< from the centre of a to that of b; zero if they are that near
-  Vector_2 velocity_a;
-  Vector_2 velocity_b;
+  Point_id point_b = no_point;  ///< the greater one
+  Vector_2 separation;          ///< from the centre of a to that of b; zero if they are that near
+  Vector_2 velocity_a;          ///< just before the contact
+  Vector_2 velocity_b;          ///< likewise
   /// Whether the two would approach each other with these velocities, decided exactly for the
   /// motions that they would give. A response after which they do meets the same contact again.
   std::function<bool(const Vector_2& a, const Vector_2& b)> would_approach;
@@ -31,10 +31,10 @@ struct Contact_2 {
 /// What becomes of the two. Where nothing is said a point keeps its motion; two that both keep it
 /// are left in contact, and make no new one until their discs have parted.
 struct Contact_response_2 {
-  std::optional<Vector_2> velocity_a = std::nullopt;
-  std::optional<Vector_2> velocity_b = std::nullopt;
-  bool erases_a = false;
-  bool erases_b = false;
+  std::optional<Vector_2> velocity_a = std::nullopt;  ///< of the point a from then on; finite
+  std::optional<Vector_2> velocity_b = std::nullopt;  ///< of the point b
+  bool erases_a = false;                              ///< whether the point a goes
+  bool erases_b = false;                              ///< whether the point b goes
 };
 
 /// Called at every contact. It must not change the simulation. Empty: discs do not collide, and
@@ -66,7 +66,7 @@ Contact_response_2 erase_both(const Contact_2& contact);
 
 /// A response by the name that it has in the program.
 struct Named_response {
-  std::string_view name;
+  std::string_view name;                             ///< "swap", for example
   Contact_response_2 (*response)(const Contact_2&);  ///< null for "none"
 };
 

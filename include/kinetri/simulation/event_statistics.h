@@ -23,10 +23,11 @@ using Event_counts = std::array<std::uint64_t, event_kinds>;
 /// The events of an interval of time: after `from`, up to and at `to`, as those that happen between
 /// advance_to(from) and advance_to(to). Those at `from` belong to the first interval, too.
 struct Events_in_interval {
-  double from = 0;
-  double to = 0;
-  Event_counts events = {};
+  double from = 0;           ///< where the interval begins
+  double to = 0;             ///< where it ends; greater than `from`
+  Event_counts events = {};  ///< how many, by kind
 
+  /// The events of all kinds together.
   std::uint64_t number_of_events() const;
   /// Events in a unit of time, rounded.
   double rate() const;
@@ -46,10 +47,14 @@ class Event_statistics : public Event_observer<Time> {
   /// their ends are the same binary64 number.
   Event_statistics(double from, double to, std::size_t intervals);
 
+  /// Counts the event.
   void after_event(const Event<Time>& event) override;
 
+  /// The events of all kinds together, those outside of the intervals included.
   std::uint64_t number_of_events() const;
+  /// The same by kind.
   const Event_counts& events() const { return events_; }
+  /// The intervals, in the order of time; empty if none were asked for.
   const std::vector<Events_in_interval>& intervals() const { return intervals_; }
 
   /// The number of events that concerned the point: as an end of the edge that was removed or of
@@ -59,9 +64,9 @@ class Event_statistics : public Event_observer<Time> {
 
   /// The number of distinct times of events.
   std::uint64_t instants() const { return instants_; }
-  /// The largest number of events at one time, and the first time with so many; none without
-  /// events.
+  /// The largest number of events at one time; 0 without events.
   std::uint64_t largest_instant() const { return largest_instant_; }
+  /// The first time with so many, exactly; none without events.
   const std::optional<Time>& largest_instant_time() const { return largest_instant_time_; }
 
   /// The time from the first event to the last one, divided by the number of steps from event to

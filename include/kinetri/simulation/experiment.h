@@ -17,14 +17,14 @@ namespace kinetri {
 
 /// The setting; the defaults are the paper's.
 struct Experiment_setting {
-  std::size_t points = 100;
+  std::size_t points = 100;  ///< how many there are
   std::size_t movers = 100;  ///< at most `points`; the others rest until something hits them
-  std::uint64_t seed = 1;
-  double side = 100;    ///< of the box [0, side]^2
-  double speed = 5;     ///< velocity components are uniform in [-speed, speed)
-  double diameter = 1;  ///< of the discs; places are random, so that some may overlap
-  double duration = 10;
-  Collision_response response = swap_velocities;
+  std::uint64_t seed = 1;    ///< of places and velocities
+  double side = 100;         ///< of the box [0, side]^2
+  double speed = 5;          ///< velocity components are uniform in [-speed, speed)
+  double diameter = 1;       ///< of the discs; places are random, so that some may overlap
+  double duration = 10;      ///< from the time 0 on
+  Collision_response response = swap_velocities;  ///< what discs do that touch
 };
 
 /// The points of the setting: random places; the first ones move.
@@ -35,10 +35,10 @@ Simulation_options experiment_options(const Experiment_setting& setting);
 
 /// What a run did, and how long it took, construction included.
 struct Experiment_result {
-  Triangulation_counters events;
-  Contact_counters contacts;
-  Certificate_counters certificates;
-  double seconds = 0;
+  Triangulation_counters events;      ///< what happened
+  Contact_counters contacts;          ///< of walls and discs
+  Certificate_counters certificates;  ///< of topology and contacts together
+  double seconds = 0;                 ///< of wall time
 };
 
 /// Runs the experiment once.
@@ -47,11 +47,11 @@ Experiment_result run_experiment(const Experiment_setting& setting);
 /// A run by the discrete approach beside the kinetic run on the same motion. An *edge change* is
 /// one edge removed or added; a flip makes two, an event of the hull one.
 struct Discrete_comparison {
-  double step = 0;
+  double step = 0;             ///< of time
   double seconds = 0;          ///< of removing and inserting, and of the first triangulation
   double kinetic_seconds = 0;  ///< of the kinetic run
-  std::uint64_t topologic_events = 0;
-  std::uint64_t edge_changes = 0;
+  std::uint64_t topologic_events = 0;  ///< flips and events of the hull
+  std::uint64_t edge_changes = 0;      ///< that these and rebuilds make
   /// Of these, those that do not show between one step and the next.
   std::uint64_t edge_changes_missed = 0;
   std::uint64_t contacts = 0;  ///< pairs of discs that come to overlap

@@ -27,24 +27,25 @@ struct Recorded_time {
   friend bool operator==(const Recorded_time&, const Recorded_time&) = default;
 };
 
+/// An event with its time as it is shown.
 using Recorded_event = Event<Recorded_time>;
 
 /// What a point does from an event on.
 struct Recorded_motion {
-  std::optional<std::size_t> event;  ///< its index in the recording; none: from the start
-  Point_id point = no_point;
+  std::optional<std::size_t> event;           ///< its index in the recording; none: from the start
+  Point_id point = no_point;                  ///< which one
   std::optional<Polynomial_motion_2> motion;  ///< none: it is not there any more
 };
 
 /// A recorded run. Playing it: begin with `initial_edges` and the motions without an event; at each
 /// event, in order, remove and add its edges, and take over the motions that name it.
 struct Recording {
-  double from = 0;
+  double from = 0;                       ///< the start, rounded
   double until = 0;                      ///< how far it got
   std::vector<Edge_ids> initial_edges;   ///< just after the start, sorted
   std::vector<Recorded_motion> motions;  ///< in the order of events, those of the start first
   std::vector<Recorded_event> events;    ///< in exact order of time
-  std::uint64_t events_in_all = 0;
+  std::uint64_t events_in_all = 0;       ///< how many the run had, left out ones included
   /// Whether events are left out: those of an interval of time are then replaced by what they come
   /// to, at the time of the last of them: edges by rows of the kind rebuild, new motions by rows of
   /// the kind trajectory, insert and erase. The edges just after each time of a row are still those
@@ -57,8 +58,8 @@ struct Recording {
 template <class Traits = Linear_kinetic_traits_2>
 class Recorder : public Event_observer<typename Traits::Time> {
  public:
-  using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;
-  using Time = typename Traits::Time;
+  using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;  ///< what is observed
+  using Time = typename Traits::Time;                              ///< of the traits
 
   /// Records what happens in `triangulation` from its present on, up to the time `until`. To be
   /// added as its observer, or as one of the simulation that owns it. If there are more than

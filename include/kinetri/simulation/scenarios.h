@@ -22,8 +22,7 @@ enum class Scenario {
   /// Random places in the square [0, side)^2; random velocity components in [-speed, speed).
   uniform,
   /// As `uniform`, but the coordinates are normally distributed about the centre of the square,
-  /// with
-  /// standard deviation side / 4.
+  /// with standard deviation side / 4.
   gaussian,
   /// As `uniform`, but in random directions at one speed: the squared speeds are exactly the same
   /// number, and the speed is within a millionth of `speed`. There are 8748 directions.
@@ -31,16 +30,15 @@ enum class Scenario {
   /// As `constant_speed` for point 0; all others rest.
   one_mover,
   /// A square lattice, ceil(sqrt(points)) wide, at the multiples of `spacing`, row by row. The
-  /// velocity
-  /// components are whole numbers of at most `speed`, so that there are many simultaneous events
-  /// and
-  /// points that meet.
+  /// velocity components are whole numbers of at most `speed`, so that there are many simultaneous
+  /// events and points that meet.
   lattice,
   /// As `lattice`, each coordinate shifted by a random offset in [-jitter, jitter); random velocity
   /// components in [-speed, speed).
   lattice_jitter,
 };
 
+/// Each of them once.
 inline constexpr std::array<Scenario, 6> all_scenarios = {
     Scenario::uniform,   Scenario::gaussian, Scenario::constant_speed,
     Scenario::one_mover, Scenario::lattice,  Scenario::lattice_jitter};
@@ -56,27 +54,30 @@ enum class Lattice_movers {
   all,      ///< each with a random velocity, which may be zero
 };
 
+/// Each of them once.
 inline constexpr std::array<Lattice_movers, 4> all_lattice_movers = {
     Lattice_movers::none, Lattice_movers::one, Lattice_movers::columns, Lattice_movers::all};
 
 /// The name: "none", "one", "columns", "all".
 std::string_view name(Lattice_movers movers);
 
+/// @{
 /// The range of a length or of a speed that is not zero.
 inline constexpr double smallest_scenario_size = 1e-100;
 inline constexpr double largest_scenario_size = 1e100;
+/// @}
 
 /// What a scenario is made from. Fields that a scenario does not mention are ignored.
 struct Scenario_options {
-  std::size_t points = 100;
-  std::uint64_t seed = 1;
+  std::size_t points = 100;  ///< how many there are
+  std::uint64_t seed = 1;    ///< of all that is random
   /// The side of the square; without one, 10 sqrt(points), so that the density is that of 100
   /// points in 100 x 100.
   std::optional<double> side = std::nullopt;
-  double speed = 5;
-  double spacing = 10;
-  double jitter = 0.1;
-  Lattice_movers movers = Lattice_movers::all;
+  double speed = 5;     ///< the bound of velocity components, or that of all points
+  double spacing = 10;  ///< of neighbors in a lattice
+  double jitter = 0.1;  ///< the greatest offset from the lattice, in x and in y
+  Lattice_movers movers = Lattice_movers::all;  ///< of Scenario::lattice
 };
 
 /// The scenario's motions, with epoch 0. Cost: linear, with one allocation.

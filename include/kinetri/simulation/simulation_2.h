@@ -47,7 +47,9 @@ class Endless_contacts_error : public Error {
 /// A point is outside of the box at the start, or when it is inserted or given another motion.
 class Outside_box_error : public Error {
  public:
+  /// About the point, with the message that what() gives.
   Outside_box_error(Point_id point, const std::string& message) : Error(message), point_(point) {}
+  /// The id that the point has, or would have got.
   Point_id point() const noexcept { return point_; }
 
  private:
@@ -65,12 +67,12 @@ class Outside_box_error : public Error {
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Simulation_2 : private Event_observer<typename Traits::Time> {
  public:
-  using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;
-  using Motion = typename Traits::Motion;
-  using Point_2 = typename Traits::Point_2;
-  using Time = typename Traits::Time;
-  using Observer = Event_observer<Time>;
-  using Snapshot = Simulation_snapshot<Traits>;
+  using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;  ///< what a simulation owns
+  using Motion = typename Traits::Motion;                          ///< of the traits
+  using Point_2 = typename Traits::Point_2;                        ///< of the traits
+  using Time = typename Traits::Time;                              ///< of the traits
+  using Observer = Event_observer<Time>;                           ///< what add_observer takes
+  using Snapshot = Simulation_snapshot<Traits>;                    ///< what snapshot() gives
 
   /// Throws Precondition_error where an option has no meaning: a box without area, or not finite;
   /// a radius that is negative or not finite; collisions of discs without a radius; a box that is
@@ -98,7 +100,9 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
 
   /// The triangulation, to look at. Time advances here.
   const Triangulation& triangulation() const { return triangulation_; }
+  /// The time just after which the triangulation is Delaunay now.
   const Time& current_time() const { return triangulation_.current_time(); }
+  /// The box and the discs, as given to the constructor or held by the snapshot.
   const Simulation_options& options() const { return options_; }
 
   /// The whole state but the response and the observers, to be restored later or elsewhere; see
@@ -122,36 +126,45 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
 
   // ---- changing points ----
 
+  /// @{
   /// Now, as the functions of the triangulation. Precondition, where a point is named:
   /// triangulation().contains(id). With a box, the point must be inside of it now (checked).
   Point_id insert(const Motion& motion);
   void set_motion(Point_id id, const Motion& motion);
   void erase(Point_id id);
+  /// @}
 
+  /// @{
   /// The same at `time`: after the triangulation's events and the contacts of that time; there
   /// those that erase first, then new motions, then those that insert, by point id, then in the
   /// order in which they were scheduled. A change of a point that is not there then is dropped. One
   /// that leads out of the box, or to the trajectory of a point that does not make way at that
   /// time, is dropped too, and the call that has reached its time throws as the functions above;
   /// the next call goes on with what else is due. An observer may schedule changes. Precondition:
-  /// time >= current_time(); the motion is finite. Returns the id that the point will have.
+  /// time >= current_time(); the motion is finite; the id has been given or reserved.
+  /// schedule_insert returns the id that the point will have.
   Point_id schedule_insert(const Time& time, const Motion& motion);
   void schedule_motion(const Time& time, Point_id id, const Motion& motion);
   void schedule_erase(const Time& time, Point_id id);
+  /// @}
 
   // ---- watching ----
 
+  /// @{
   /// As those of the triangulation. Contacts are events of the kinds wall and collision; the
   /// motions change between `before_event` and `after_event`.
   void add_observer(Observer& observer) { triangulation_.add_observer(observer); }
   void remove_observer(Observer& observer) { triangulation_.remove_observer(observer); }
+  /// @}
 
+  /// Counts of contacts since the start, those of the snapshot included; of the queue since this
+  /// object was made.
   Contact_counters contact_counters() const;
   /// The present number of entries in the queue of contacts and scheduled changes, which is apart
   /// from that of the triangulation: contacts, and times up to which there certainly is none; at
   /// most one for each point, one for each edge, and one for each change. O(1).
   std::size_t queue_size() const noexcept { return queue_.size(); }
-  /// Of topology and contacts together.
+  /// Counts of certificates, those of topology and of contacts together.
   Certificate_counters certificate_counters() const;
 
   /// Audits the triangulation up to `level`, and from the level `links` on the queue of contacts;

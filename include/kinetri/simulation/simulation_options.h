@@ -32,11 +32,11 @@ struct Simulation_options {
 
 /// Counts of what became of contacts; events count those that happened.
 struct Contact_counters {
-  Queue_counters queue;
+  Queue_counters queue;                    ///< of contacts and scheduled changes
   std::uint64_t discarded_walls = 0;       ///< contacts found that did not happen, as the point
   std::uint64_t discarded_collisions = 0;  ///< or its neighbor turned, or the edge went
   std::uint64_t instants = 0;              ///< times with contacts and without other events
-  std::uint64_t most_at_one_time = 0;
+  std::uint64_t most_at_one_time = 0;      ///< contacts
 };
 
 }  // namespace kinetri

@@ -17,20 +17,20 @@ namespace kinetri {
 /// motions.
 template <KineticTraits_2 Traits>
 struct Simulation_snapshot {
-  using Motion = typename Traits::Motion;
-  using Time = typename Traits::Time;
+  using Motion = typename Traits::Motion;  ///< of the traits
+  using Time = typename Traits::Time;      ///< of the traits
 
   /// A change of a point that was scheduled and has not been made.
   struct Change {
-    Time time;
-    Event_kind kind = Event_kind::trajectory;  ///< insert, erase or trajectory
-    Point_id point = no_point;
+    Time time;                                    ///< when it is to be made
+    Event_kind kind = Event_kind::trajectory;     ///< insert, erase or trajectory
+    Point_id point = no_point;                    ///< of insert, the one that it will have
     std::optional<Motion> motion = std::nullopt;  ///< none for erase
   };
 
-  Triangulation_snapshot<Traits> triangulation;
-  Simulation_options options;         ///< without the response
-  bool has_response = false;          ///< whether there was one
+  Triangulation_snapshot<Traits> triangulation;  ///< of the triangulation that it owns
+  Simulation_options options;                    ///< without the response
+  bool has_response = false;                     ///< whether there was one
   std::vector<Edge_ids> in_contact;   ///< discs that a response has left in contact; sorted
   std::vector<Change> scheduled;      ///< in the order in which they were scheduled
   Contact_counters counters;          ///< but for those of the queue

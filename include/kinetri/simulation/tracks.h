@@ -17,8 +17,8 @@ namespace kinetri {
 
 /// Something was seen at a place.
 struct Observation_2 {
-  double time = 0;
-  Vector_2 place;
+  double time = 0;  ///< when
+  Vector_2 place;   ///< where
 };
 
 /// What is made of the tracks.
@@ -31,7 +31,7 @@ struct Tracks_options {
 
 /// A part of a track during which the thing was there: one point of the simulation.
 struct Stay {
-  std::size_t track = 0;
+  std::size_t track = 0;  ///< its index among the tracks
   std::size_t first = 0;  ///< of the observations, the one at which it appears
   std::size_t last = 0;   ///< and the one at which it leaves; greater than `first`
 

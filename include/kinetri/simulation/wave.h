@@ -17,16 +17,17 @@ namespace kinetri {
 
 /// The lattice and its first row's motion. Lengths are in the unit of the coordinates.
 struct Wave_setting {
-  std::size_t columns = 30;
-  std::size_t rows = 30;
-  double spacing = 10;     ///< of neighbors in the lattice
-  double speed = 10;       ///< of the row that moves
-  double diameter = 0.1;   ///< of the points, which exchange their velocities when they touch
-  double jitter = 0;       ///< the largest offset of a point in y; 0: the lattice is exact
-  std::uint64_t seed = 1;  ///< of the offsets
+  std::size_t columns = 30;  ///< of the lattice
+  std::size_t rows = 30;     ///< of the lattice
+  double spacing = 10;       ///< of neighbors in the lattice
+  double speed = 10;         ///< of the row that moves
+  double diameter = 0.1;     ///< of the points, which exchange their velocities when they touch
+  double jitter = 0;         ///< the largest offset of a point in y; 0: the lattice is exact
+  std::uint64_t seed = 1;    ///< of the offsets
 
-  /// Of the box: half of the spacing beyond the lattice on each side.
+  /// The width of the box: half of the spacing beyond the lattice on each side.
   double width() const { return static_cast<double>(columns) * spacing; }
+  /// The height of the box, likewise.
   double height() const { return static_cast<double>(rows) * spacing; }
 };
 

@@ -24,6 +24,7 @@ struct Audit_report {
   /// One line each, naming the point ids involved. Empty if the audit passed.
   std::vector<std::string> failures;
 
+  /// Whether nothing wrong was found.
   bool passed() const noexcept { return failures.empty(); }
 };
 

@@ -77,6 +77,8 @@ struct Construction_seconds {
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Kinetic_delaunay_triangulation_2 {
  public:
+  /// @{
+  /// A type of the traits, or of CGAL's triangulation of their points.
   using Motion = typename Traits::Motion;
   using Point_2 = typename Traits::Point_2;
   using Time = typename Traits::Time;
@@ -87,12 +89,15 @@ class Kinetic_delaunay_triangulation_2 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Face_handle = typename Triangulation::Face_handle;
   using Edge = typename Triangulation::Edge;
-  using Observer = Event_observer<Time>;
-  using Snapshot = Triangulation_snapshot<Traits>;
+  /// @}
 
-  /// The triangulation of the motions in [first, last), numbered from 0, Delaunay just after
-  /// `start`. The input may be degenerate at `start` and at every other time: any number of points,
-  /// collinear, cocircular, or in one place as long as they part.
+  using Observer = Event_observer<Time>;            ///< what add_observer takes
+  using Snapshot = Triangulation_snapshot<Traits>;  ///< what snapshot() gives
+
+  /// @{
+  /// The triangulation of the motions in [first, last), or of all of them, numbered from 0,
+  /// Delaunay just after `start`. The input may be degenerate at `start` and at every other time:
+  /// any number of points, collinear, cocircular, or in one place as long as they part.
   ///
   /// Throws Coincident_trajectories_error if two motions are the same trajectory, and
   /// Precondition_error if a number is not finite or there are 2^32 - 1 points or more.
@@ -106,6 +111,7 @@ class Kinetic_delaunay_triangulation_2 {
   explicit Kinetic_delaunay_triangulation_2(const std::vector<Motion>& motions,
                                             const Time& start = Time(),
                                             const Traits& traits = Traits());
+  /// @}
 
   /// The triangulation of the snapshot, which goes on as the one that it was taken of would: the
   /// same events, with the same numbers, for the same calls. Counters go on too, but for those of
@@ -134,6 +140,7 @@ class Kinetic_delaunay_triangulation_2 {
   /// What decides about the points: certificates, and the predicates at an instant.
   const Traits& traits() const { return traits_; }
 
+  /// How many points are there now.
   std::size_t number_of_points() const noexcept { return number_of_points_; }
 
   /// The id that is given next: one more than the greatest so far. Ids are not used again when
@@ -215,9 +222,13 @@ class Kinetic_delaunay_triangulation_2 {
   /// Precondition: the motion is finite, and there is an id left.
   Vertex_handle insert(const Motion& motion);
 
-  /// An id for a point that is to be inserted later, and that insertion. Precondition: the id has
-  /// been reserved, and has had no point.
+  /// Gives out the id next_id(), for a point that is to be inserted later, or never. Precondition:
+  /// there is an id left.
   Point_id reserve_id();
+
+  /// Inserts a point with a reserved id: event `insert`. Throws as set_motion. Precondition: the
+  /// motion is finite; the id has been reserved, and has had no point (checked as far as that none
+  /// has it now).
   Vertex_handle insert(const Motion& motion, Point_id id);
 
   /// Erases the point of `v`, whose handle is not valid from then on: event `erase`.
@@ -225,8 +236,8 @@ class Kinetic_delaunay_triangulation_2 {
 
   /// What an event does to a point: gives it another motion or, with none, erases it.
   struct Change {
-    Vertex_handle vertex;
-    std::optional<Motion> motion;
+    Vertex_handle vertex;          ///< of the point
+    std::optional<Motion> motion;  ///< from then on
   };
 
   /// Makes the changes, one after the other, as one event of the given kind that concerns the given
@@ -238,16 +249,21 @@ class Kinetic_delaunay_triangulation_2 {
   // ---- watching ----
 
   /// Calls `observer` before and after each event from now on. It must outlive this object or be
-  /// removed. Costs nothing where there is none.
+  /// removed. Costs nothing where there is none. No observer may call this function or the next.
   void add_observer(Observer& observer) { observers_.push_back(&observer); }
+  /// Calls `observer` no more. Does nothing if it was not called.
   void remove_observer(Observer& observer) { std::erase(observers_, &observer); }
 
+  /// Counts since the start, those of the snapshot included.
   const Triangulation_counters& counters() const { return counters_; }
+  /// How long the constructor took.
   const Construction_seconds& construction_seconds() const { return construction_seconds_; }
+  /// Counts of the queue's entries since this object was made.
   const Queue_counters& queue_counters() const { return queue_.counters(); }
   /// The present number of entries in the queue: failures, and times up to which a certificate
   /// certainly holds; at most one for each edge, those to the infinite vertex included. O(1).
   std::size_t queue_size() const noexcept { return queue_.size(); }
+  /// Counts of certificates since the start, those of the snapshot included.
   const Certificate_counters& certificate_counters() const { return certificate_counters_; }
 
   /// Checks the present state up to `level`; see Audit_level. Costs from O(n) link checks to O(n)

@@ -22,24 +22,32 @@ template <class InstantaneousTraits,
           class FaceBase = CGAL::Triangulation_face_base_2<InstantaneousTraits>>
 class alignas(64) Kinetic_face_base_2 : public FaceBase {
  public:
+  /// @{
+  /// A handle of the data structure.
   using Vertex_handle = typename FaceBase::Vertex_handle;
   using Face_handle = typename FaceBase::Face_handle;
+  /// @}
 
+  /// CGAL's way to tell a base class of its data structure.
   template <class Tds2>
   struct Rebind_TDS {
+    /// The face of the data structure Tds2.
     using Other = Kinetic_face_base_2<InstantaneousTraits,
                                       typename FaceBase::template Rebind_TDS<Tds2>::Other>;
   };
 
   using FaceBase::FaceBase;
 
+  /// The queue's entry for edge i; no_event if there is none. Precondition: 0 <= i < 3.
   Queue_handle event(int i) const { return events_[static_cast<std::size_t>(i)]; }
+  /// Remembers the queue's entry for edge i. Precondition: 0 <= i < 3.
   void set_event(int i, Queue_handle event) { events_[static_cast<std::size_t>(i)] = event; }
 
  private:
   std::array<Queue_handle, 3> events_ = {no_event, no_event, no_event};
 };
 
+/// CGAL's data structure with such faces.
 template <class InstantaneousTraits>
 using Kinetic_triangulation_data_structure_2 =
     CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<InstantaneousTraits>,

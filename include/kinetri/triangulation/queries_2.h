@@ -27,13 +27,14 @@ namespace kinetri {
 
 /// Where a place is.
 struct Location_2 {
+  /// What is at a place.
   enum class Kind : std::uint8_t {
     vertex,               ///< at a point
     edge,                 ///< on an edge, strictly between its ends
     face,                 ///< strictly inside a triangle
     outside_convex_hull,  ///< none of these
   };
-  Kind kind = Kind::outside_convex_hull;
+  Kind kind = Kind::outside_convex_hull;  ///< what is at this one
   /// The point, the smallest of those that coincide there; the ends of the edge in ascending order;
   /// the corners of the triangle counterclockwise, the smallest first; or nothing.
   std::vector<Point_id> points = {};
@@ -59,6 +60,7 @@ struct Voronoi_cell_2 {
   /// infinity. Their lengths are those of the vectors to the neighbors.
   std::optional<std::array<Position, 2>> rays = std::nullopt;
 
+  /// Whether the cell is bounded. That of a point on the boundary of the convex hull is not.
   bool is_bounded() const { return !rays && !neighbors.empty(); }
 };
 
@@ -75,8 +77,8 @@ struct Voronoi_cell_2 {
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Kinetic_queries_2 {
  public:
-  using Time = typename Traits::Time;
-  using Point_2 = typename Traits::Point_2;
+  using Time = typename Traits::Time;        ///< of the traits
+  using Point_2 = typename Traits::Point_2;  ///< of the traits
 
   /// At the present time.
   explicit Kinetic_queries_2(const Kinetic_delaunay_triangulation_2<Traits>& triangulation)
@@ -90,6 +92,7 @@ class Kinetic_queries_2 {
   Kinetic_queries_2(const Kinetic_delaunay_triangulation_2<Traits>& triangulation,
                     const Time& time);
 
+  /// The time of the queries.
   const Time& time() const { return time_; }
 
   /// The point nearest to the place, the smallest id of equally near ones; none if there is no

@@ -25,6 +25,7 @@ struct Triangulation_counters {
   std::uint64_t rebuilds = 0;          ///< reconstructions of the whole, as the hull went flat
   std::uint64_t looks_again = 0;       ///< certificates looked at again, as they held so far
 
+  /// The events of all kinds together.
   std::uint64_t number_of_events() const;
 
   friend bool operator==(const Triangulation_counters&, const Triangulation_counters&) = default;

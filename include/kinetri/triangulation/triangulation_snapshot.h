@@ -23,8 +23,8 @@ namespace kinetri {
 /// found.
 template <KineticTraits_2 Traits>
 struct Triangulation_snapshot {
-  using Motion = typename Traits::Motion;
-  using Time = typename Traits::Time;
+  using Motion = typename Traits::Motion;  ///< of the traits
+  using Time = typename Traits::Time;      ///< of the traits
 
   /// A face of CGAL's data structure. In dimension d it has d + 1 vertices and as many neighbors,
   /// each opposite to the vertex of the same index; below dimension 0 one vertex and no neighbor.
@@ -35,13 +35,13 @@ struct Triangulation_snapshot {
 
   Time time = {};                              ///< the state is the one just after it
   std::vector<std::optional<Motion>> motions;  ///< by point id; none of a point that is not there
-  int dimension = -1;
-  std::vector<Face> faces;
+  int dimension = -1;                          ///< of CGAL's triangulation: -1 without points, to 2
+  std::vector<Face> faces;                     ///< infinite ones too, in CGAL's order
   std::vector<std::size_t> vertex_faces;  ///< by point id: the face at which CGAL begins; 0 of a
                                           ///< point that is not there
-  std::size_t infinite_vertex_face = 0;
-  Triangulation_counters counters;
-  Certificate_counters certificates;
+  std::size_t infinite_vertex_face = 0;   ///< the one at which CGAL begins at the infinite vertex
+  Triangulation_counters counters;        ///< so far
+  Certificate_counters certificates;      ///< so far
 };
 
 }  // namespace kinetri

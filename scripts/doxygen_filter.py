@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What Doxygen reads in place of a file of the project (docs/Doxyfile.in, FILTER_PATTERNS), so that
+headers and documents need no commands of Doxygen. Lines keep their numbers.
+
+usage: doxygen_filter.py FILE
+
+Of a header, the comment at its beginning is that of the file; what is in it belongs to the group
+of its layer (docs/groups.dox); a comparison that is defaulted says what it does; an explicit
+instantiation, which Doxygen takes for a declaration, is not seen; and a block in a
+comment, indented by three blanks or more, is shown as it stands. Of a document, headings get names,
+so that links to them find them; a link to a file that is no page is its text.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+NAMESPACE_BEGIN = "namespace kinetri {"
+NAMESPACE_END = "}  // namespace kinetri"
+DEFAULTED_COMPARISON = re.compile(r"^\s*friend .*operator(==|<=>)\(.*\) = default;$")
+PLAIN_COMMENT = re.compile(r"^//(?!/)")
+# A line of a comment that is set off as a block.
+INDENTED = re.compile(r"^\s*///   ")
+EMPTY = re.compile(r"^\s*///$")
+# The end of a comment that tells of what follows.
+TOLD = re.compile(r"^\s*///(?! @})")
+HEADING = re.compile(r"^#+ (.*\S)\s*$")
+CODE = re.compile(r"`([^`]+)`")
+# [text](target), not that of an image.
+LINK = re.compile(r"(?<!!)\[([^]]+)\]\((?!https?:)([^)#]*)(#[^)]*)?\)")
+
+
+def header(lines, layer):
+    """The lines of a public header of the layer."""
+    is_beginning = True
+    is_instantiation = False
+    for i, line in enumerate(lines):
+        is_beginning = is_beginning and bool(PLAIN_COMMENT.match(line))
+        if is_beginning:
+            lines[i] = "/// \\file" if i == 0 else "/" + line
+        elif line == NAMESPACE_BEGIN:
+            lines[i] += f" /** \\addtogroup {layer} */ /** @{{ */"
+        elif line == NAMESPACE_END:
+            lines[i] = "/** @} */ " + line
+        elif is_instantiation or line.startswith("extern template "):
+            is_instantiation = not line.endswith(";")
+            lines[i] = ""
+        elif DEFAULTED_COMPARISON.match(line) and not TOLD.match(lines[i - 1]):
+            lines[i] += "  ///< Compares all members."
+    is_block = False
+    for i, line in enumerate(lines):
+        is_block = bool(INDENTED.match(line)) and (is_block or bool(EMPTY.match(lines[i - 1])))
+        if is_block:
+            lines[i] = line.replace("///", "///  ", 1)
+    return lines
+
+
+def slug(heading):
+    """The anchor of a heading, as it is where documents are shown with the repository."""
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
+def name(path, anchor):
+    """The name of a heading in Doxygen, which has to be the only one in all documents."""
+    return re.sub(r"\W", "_", path.with_suffix("").as_posix()) + "-" + anchor
+
+
+def document(lines, path, root):
+    """The lines of a Markdown document with the path from the root."""
+
+    def link(match):
+        text, target, anchor = match.groups()
+        file = (root / path.parent / target).resolve() if target else root / path
+        if file.suffix != ".md":
+            return text
+        if anchor:
+            return f"[{text}](@ref {name(file.relative_to(root), anchor[1:])})"
+        return match.group()
+
+    def code(match):
+        # Doxygen takes an apostrophe for the end of a quotation, unless the marks are double.
+        return f"`{match.group()}`" if "'" in match.group(1) else match.group()
+
+    is_code = False
+    for i, line in enumerate(lines):
+        if line.startswith("```"):
+            is_code = not is_code
+        elif not is_code and (heading := HEADING.match(line)):
+            lines[i] = f"{line} {{#{name(path, slug(heading.group(1)))}}}"
+        elif not is_code:
+            lines[i] = CODE.sub(code, LINK.sub(link, line))
+    return lines
+
+
+def filtered(file, root):
+    """The text of the file as Doxygen shall see it."""
+    lines = file.read_text(encoding="utf-8").split("\n")
+    if file.suffix == ".md":
+        lines = document(lines, file.relative_to(root), root)
+    else:
+        # A header beside the folders of the layers belongs to the lowest one.
+        folder = file.parent.name
+        lines = header(lines, "base" if folder == "kinetri" else folder)
+    return "\n".join(lines)
+
+
+def main():
+    if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
+        sys.exit(__doc__)
+    sys.stdout.reconfigure(encoding="utf-8")
+    sys.stdout.write(filtered(pathlib.Path(sys.argv[1]).resolve(), ROOT))
+
+
+if __name__ == "__main__":
+    main()
