@@ -26,7 +26,8 @@ kinetri_packages() {
     printf '%s\n' gnuplot-nox=gnuplot libgtest-dev librapidcheck-dev pkg-config=pkg-config \
       python3=python3
   fi
-  if [[ $1 == browser ]]; then printf '%s\n' chromium=chromium; fi
+  # For the tests that are skipped without them: the viewer page's, and the reference manual's.
+  if [[ $1 == browser ]]; then printf '%s\n' chromium=chromium doxygen=doxygen; fi
   # The sanitizers' and libFuzzer's libraries.
   if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi
 }

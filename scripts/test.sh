@@ -17,8 +17,8 @@ line reads "N passed, N failed"; the exit code is 0 if none failed.
   --compiler CXX  with another compiler, e.g. clang++, in a directory of its own
   --filter REGEX  only the tests whose names match
   --quick         without the tests labelled slow
-  --browser       with chromium, which the tests of the viewer page need; it is installed if missing,
-                  and else these tests run where it is already
+  --browser       with chromium, which the tests of the viewer page need, and Doxygen; they are
+                  installed if missing, and else their tests run where they are already
 
 KINETRI_TEST_MULTIPLIER=N makes the randomized tests N times as long.
 EOF

@@ -29,6 +29,7 @@ class Event_log_writer : public Event_observer<Algebraic_number> {
   /// Writes the header line. `out` must outlive this object.
   explicit Event_log_writer(std::ostream& out);
 
+  /// Writes the line of the event.
   void after_event(const Event<Algebraic_number>& event) override;
 
  private:

@@ -51,8 +51,8 @@ Polynomial in_circle_polynomial(const Point& p, const Point& q, const Point& r, 
 template <class Point>
 Polynomial distance_difference(const Point& p, const Point& q, const Point& r);
 
-/// The scalar product (p-q).(r-q). With p, q, r collinear it is negative exactly where q lies
-/// strictly between p and r.
+/// The scalar product of p - q and r - q. With p, q, r collinear it is negative exactly where q
+/// lies strictly between p and r.
 template <class Point>
 Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point& r);
 

@@ -37,8 +37,11 @@ class Closest_approaches : public Event_observer<Algebraic_number> {
   /// Those until now, nearest first; of equal distances the earlier first, then by ids.
   std::vector<Approach> approaches();
 
+  /// @{
+  /// Follows the edges and the motions.
   void before_event(const Event<Algebraic_number>& event) override;
   void after_event(const Event<Algebraic_number>& event) override;
+  /// @}
 
  private:
   // A pair with an edge, since the last change of it or of a motion of its points.

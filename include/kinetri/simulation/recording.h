@@ -68,6 +68,7 @@ class Recorder : public Event_observer<typename Traits::Time> {
   /// finite; most_rows > 0.
   Recorder(const Triangulation& triangulation, double until, std::size_t most_rows);
 
+  /// Records the event.
   void after_event(const Event<Time>& event) override;
 
   /// The recording up to the present of the triangulation. Not to be called within an event.

@@ -77,27 +77,23 @@ struct Construction_seconds {
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Kinetic_delaunay_triangulation_2 {
  public:
-  /// @{
-  /// A type of the traits, or of CGAL's triangulation of their points.
-  using Motion = typename Traits::Motion;
-  using Point_2 = typename Traits::Point_2;
-  using Time = typename Traits::Time;
-  using Instantaneous_traits = typename Traits::Instantaneous_traits;
+  using Motion = typename Traits::Motion;                              ///< of the traits
+  using Point_2 = typename Traits::Point_2;                            ///< of the traits
+  using Time = typename Traits::Time;                                  ///< of the traits
+  using Instantaneous_traits = typename Traits::Instantaneous_traits;  ///< of the traits
+  /// CGAL's triangulation, whose points move.
   using Triangulation =
       CGAL::Delaunay_triangulation_2<Instantaneous_traits,
                                      Kinetic_triangulation_data_structure_2<Instantaneous_traits>>;
-  using Vertex_handle = typename Triangulation::Vertex_handle;
-  using Face_handle = typename Triangulation::Face_handle;
-  using Edge = typename Triangulation::Edge;
-  /// @}
+  using Vertex_handle = typename Triangulation::Vertex_handle;  ///< good while its point is there
+  using Face_handle = typename Triangulation::Face_handle;      ///< good until the next event
+  using Edge = typename Triangulation::Edge;                    ///< a face and an index, as CGAL's
+  using Observer = Event_observer<Time>;                        ///< what add_observer takes
+  using Snapshot = Triangulation_snapshot<Traits>;              ///< what snapshot() gives
 
-  using Observer = Event_observer<Time>;            ///< what add_observer takes
-  using Snapshot = Triangulation_snapshot<Traits>;  ///< what snapshot() gives
-
-  /// @{
-  /// The triangulation of the motions in [first, last), or of all of them, numbered from 0,
-  /// Delaunay just after `start`. The input may be degenerate at `start` and at every other time:
-  /// any number of points, collinear, cocircular, or in one place as long as they part.
+  /// The triangulation of the motions in [first, last), numbered from 0, Delaunay just after
+  /// `start`. The input may be degenerate at `start` and at every other time: any number of points,
+  /// collinear, cocircular, or in one place as long as they part.
   ///
   /// Throws Coincident_trajectories_error if two motions are the same trajectory, and
   /// Precondition_error if a number is not finite or there are 2^32 - 1 points or more.
@@ -108,10 +104,10 @@ class Kinetic_delaunay_triangulation_2 {
                                    const Time& start = Time(), const Traits& traits = Traits())
       : Kinetic_delaunay_triangulation_2(std::vector<Motion>(first, last), start, traits) {}
 
+  /// The triangulation of all of the motions, likewise.
   explicit Kinetic_delaunay_triangulation_2(const std::vector<Motion>& motions,
                                             const Time& start = Time(),
                                             const Traits& traits = Traits());
-  /// @}
 
   /// The triangulation of the snapshot, which goes on as the one that it was taken of would: the
   /// same events, with the same numbers, for the same calls. Counters go on too, but for those of
