@@ -6,8 +6,8 @@ headers and documents need no commands of Doxygen. Lines keep their numbers.
 usage: doxygen_filter.py FILE
 
 Of a header, the comment at its beginning is that of the file; what is in it belongs to the group
-of its layer (docs/groups.dox); a comparison that is defaulted says what it does; an explicit
-instantiation, which Doxygen takes for a declaration, is not seen; and a block in a
+of its layer (docs/groups.dox); a comparison that is defaulted says what it does; explicit
+instantiations and friends, which Doxygen takes for declarations, are not seen; and a block in a
 comment, indented by three blanks or more, is shown as it stands. Of a document, headings get names,
 so that links to them find them; a link to a file that is no page is its text.
 """
@@ -18,6 +18,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 NAMESPACE_BEGIN = "namespace kinetri {"
 NAMESPACE_END = "}  // namespace kinetri"
+HIDDEN = re.compile(r"^(extern template|\s*friend class) ")
 DEFAULTED_COMPARISON = re.compile(r"^\s*friend .*operator(==|<=>)\(.*\) = default;$")
 PLAIN_COMMENT = re.compile(r"^//(?!/)")
 # A line of a comment that is set off as a block.
@@ -34,7 +35,7 @@ LINK = re.compile(r"(?<!!)\[([^]]+)\]\((?!https?:)([^)#]*)(#[^)]*)?\)")
 def header(lines, layer):
     """The lines of a public header of the layer."""
     is_beginning = True
-    is_instantiation = False
+    is_hidden = False
     for i, line in enumerate(lines):
         is_beginning = is_beginning and bool(PLAIN_COMMENT.match(line))
         if is_beginning:
@@ -43,8 +44,8 @@ def header(lines, layer):
             lines[i] += f" /** \\addtogroup {layer} */ /** @{{ */"
         elif line == NAMESPACE_END:
             lines[i] = "/** @} */ " + line
-        elif is_instantiation or line.startswith("extern template "):
-            is_instantiation = not line.endswith(";")
+        elif is_hidden or HIDDEN.match(line):
+            is_hidden = not line.endswith(";")
             lines[i] = ""
         elif DEFAULTED_COMPARISON.match(line) and not TOLD.match(lines[i - 1]):
             lines[i] += "  ///< Compares all members."

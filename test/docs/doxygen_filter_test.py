@@ -56,7 +56,9 @@ class Filter(Tree):
         self.assert_filtered("io/a.h", f"  /// Says it.\n{comparison}\n",
                              f"  /// Says it.\n{comparison}\n")
 
-    def test_explicit_instantiations_are_not_seen(self):
+    def test_explicit_instantiations_and_friends_are_not_seen(self):
+        self.assert_filtered("io/a.h", "  friend class B<\n      int>;\n  friend bool f(A);\n",
+                             "\n\n  friend bool f(A);\n")
         self.assert_filtered("io/a.h", "extern template class A<int>;\nextern template int f(\n"
                              "    const A<int>&);\nint g();\n", "\n\n\nint g();\n")
 

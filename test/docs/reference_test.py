@@ -148,6 +148,11 @@ class Reference(unittest.TestCase):
                     self.assertTrue(not name or name in names[file])
         self.assertGreater(links, 100)
         for page, text in written.items():
+            prose = re.sub(r"<code>.*?</code>|<pre.*?</pre>|<div class=\"line\">.*?</div>", "", text,
+                           flags=re.DOTALL)
+            with self.subTest(page=page):
+                self.assertNotIn("](", prose)
+        for page, text in written.items():
             for picture in re.findall(r'<(?:img|object)[^>]*(?:src|data)="([^"]*)"', text):
                 with self.subTest(page=page, picture=picture):
                     self.assertTrue((OUTPUT / "html" / picture).is_file())

@@ -24,7 +24,10 @@
 namespace kinetri {
 
 /// A format of such files.
-enum class Tracks_format { rows, frames };
+enum class Tracks_format {
+  rows,    ///< t, id, x, y below a header
+  frames,  ///< frame, id, x, y
+};
 
 /// Something was seen at a place.
 struct Track_observation {

@@ -14,7 +14,12 @@ namespace kinetri {
 /// unrounded.
 struct Wall_2 {
   /// Which side of the plane the wall closes.
-  enum class Side : std::uint8_t { left, right, bottom, top };
+  enum class Side : std::uint8_t {
+    left,    ///< points are at greater x
+    right,   ///< points are at smaller x
+    bottom,  ///< points are at greater y
+    top,     ///< points are at smaller y
+  };
 
   Side side = Side::left;  ///< where the wall is, as seen from the points
   double position = 0;     ///< of the line: its x, or its y
