@@ -15,7 +15,8 @@ import pathlib
 import re
 import sys
 
-from doxygen_filter import slug
+sys.dont_write_bytecode = True
+from doxygen_filter import slug  # noqa: E402
 
 # Documents with names of the code, and the names in them that are not: of CGAL's former package, of
 # the reader's own code, and those that stand for others.

@@ -149,13 +149,14 @@ Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
 /// Exact comparison with a rational number, likewise.
 Comparison_result compare(const Algebraic_number& a, const Rational& b);
 
-/// The sign of `p` at the number `t`. Exact.
+/// The sign of `p` at the number `t`. Exact. Cost: an evaluation on the isolating interval, where
+/// that decides; else refinements of `t`, and a gcd where `p` is, or nearly is, zero there.
 Sign sign_at(const Polynomial& p, const Algebraic_number& t);
 
 /// @{
 /// The sign of `p` in a sufficiently small open interval that ends, or begins, at `t`: the sign of
 /// the first derivative that does not vanish at `t`, negated for just before where its order is
-/// odd. Zero for the zero polynomial only.
+/// odd. Zero for the zero polynomial only. Exact. Cost: a sign_at for each derivative up to that.
 Sign sign_just_before(const Polynomial& p, const Algebraic_number& t);
 Sign sign_just_after(const Polynomial& p, const Algebraic_number& t);
 /// @}

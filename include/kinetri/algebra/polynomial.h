@@ -4,7 +4,8 @@
 // Kinetri, so a polynomial over the rationals is represented by a positive integer multiple of it
 // (`primitive_polynomial`); every function below that scales says by which sign it does so.
 //
-// Costs are given in integer operations; the integers grow as exact arithmetic makes them grow.
+// Costs are given in integer operations, linear in the degree where nothing is said; the integers
+// grow as exact arithmetic makes them grow. All results are exact.
 #ifndef KINETRI_ALGEBRA_POLYNOMIAL_H
 #define KINETRI_ALGEBRA_POLYNOMIAL_H
 
@@ -110,11 +111,11 @@ Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
 
 /// The primitive greatest common divisor with positive leading coefficient. gcd(0, 0) is 0;
 /// gcd(p, 0) is the primitive part of p up to sign. Coprime polynomials, the usual case, are told
-/// by their images modulo a prime, which costs next to nothing.
+/// by their images modulo a prime, which costs next to nothing. Cost otherwise: O(deg a * deg b).
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
 /// The primitive polynomial with the same roots as `p`, each simple, and with the sign of `p`
-/// to the right of the largest root. Precondition: `p` is not zero.
+/// to the right of the largest root. Precondition: `p` is not zero. Cost: a gcd and a division.
 Polynomial square_free_part(const Polynomial& p);
 
 /// A primitive square-free factor and the multiplicity with which its roots are roots of the whole.
@@ -124,13 +125,14 @@ struct Square_free_factor {
 };
 
 /// The factors f_k of positive degree and positive leading coefficient, by ascending multiplicity,
-/// pairwise coprime, with p = constant * product of f_k^k. Precondition: `p` is not zero.
-/// Source: D. Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976.
+/// pairwise coprime, with p = constant * product of f_k^k; none for a constant. Precondition: `p`
+/// is not zero. Cost: a gcd and two divisions for each multiplicity up to the largest. Source: D.
+/// Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976.
 std::vector<Square_free_factor> square_free_decomposition(const Polynomial& p);
 
 /// The square-free polynomial whose roots are the roots of odd multiplicity of `p` (where `p`
 /// changes sign) and whose sign equals that of `p` wherever `p` is not zero.
-/// Precondition: `p` is not zero.
+/// Precondition: `p` is not zero. Cost: a gcd; where that is not constant, a decomposition.
 Polynomial odd_part(const Polynomial& p);
 
 }  // namespace kinetri

@@ -70,7 +70,8 @@ class Basic_moving_point_2 {
   /// Its trajectory as polynomials; of a motion w is a positive constant.
   Trajectory_2 trajectory() const;
 
-  /// Its exact place at time `t`. Precondition: w does not vanish at `t`.
+  /// Its place at time `t`, exactly, in rational arithmetic. Precondition: w does not vanish at
+  /// `t`.
   Exact_position_2 position(const Rational& t) const;
 
  private:

@@ -73,7 +73,9 @@ struct Construction_seconds {
 
 /// The Delaunay triangulation of moving points, exact at every time.
 ///
-/// Copies are not made: handles and observers belong to one object.
+/// A flip costs five certificates and as many changes of the queue, whatever the number of points;
+/// memory is O(points), with one entry of the queue for each edge. Not to be used by two threads at
+/// once, const functions included. Copies are not made: handles and observers belong to one object.
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Kinetic_delaunay_triangulation_2 {
  public:
