@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks that the documentation shows what is there.
+
+- Every relative link in a Markdown file leads to a file, and to a heading of it where it names one.
+- The program in README.md is the one that test/install builds.
+- What stands in a block of a page of docs/guide stands, line by line, in an example that the page
+  links: ```cpp in the program, ```text in what it prints, ```cmake and ```csv in files that are
+  linked. The block may be indented less than there. ```sh is for commands, which are not checked.
+- Every program of examples/ is shown by a page of docs/guide.
+
+usage: check_docs.py [ROOT]
+
+Prints `FILE:LINE: what is wrong` for each violation; exit code 1 if there are any.
+"""
+import collections
+import pathlib
+import re
+import sys
+import textwrap
+import urllib.parse
+
+SKIPPED_FOLDERS = re.compile(r"^(build.*|out|__pycache__|\..*)$")
+README_PROGRAM = pathlib.PurePath("test/install/consumer/main.cpp")
+
+# Where the lines of a block of the guide must stand: the ending of a linked file, which for what is
+# printed is that of the file beside the program.
+ENDINGS = {"cpp": ".cpp", "text": ".txt", "cmake": "CMakeLists.txt", "csv": ".csv"}
+UNCHECKED = {"sh"}
+
+FENCE = re.compile(r"^ {0,3}(```+|~~~+)\s*(\w*)\s*$")
+HEADING = re.compile(r"^ {0,3}#{1,6}\s+(.*?)\s*#*\s*$")
+CODE_SPAN = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)")
+# The text of a link may begin on the line before.
+LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)|^\[[^\]]+\]:\s*<?(\S+?)>?\s*$")
+SCHEME = re.compile(r"^[a-zA-Z][a-zA-Z0-9+.-]*:")
+
+Block = collections.namedtuple("Block", "line language lines")
+
+
+def pages(folder):
+    """The Markdown files below the folder, in order."""
+    for entry in sorted(folder.iterdir()):
+        if entry.is_dir():
+            if not SKIPPED_FOLDERS.match(entry.name):
+                yield from pages(entry)
+        elif entry.suffix == ".md":
+            yield entry
+
+
+def parse(text):
+    """(the fenced blocks, [(line number, line)] of all other lines, without code) of a page."""
+    blocks, prose = [], []
+    fence = None
+    for number, line in enumerate(text.splitlines(), 1):
+        match = FENCE.match(line)
+        if fence:
+            if match and match.group(1).startswith(fence) and not match.group(2):
+                fence = None
+            else:
+                blocks[-1].lines.append(line)
+        elif match:
+            fence = match.group(1)
+            blocks.append(Block(number, match.group(2), []))
+        elif not line.startswith("    "):
+            prose.append((number, line))
+    return blocks, prose
+
+
+def anchors(text):
+    """What the headings of a page are called in links, as GitHub does it."""
+    result = set()
+    counts = collections.Counter()
+    for _, line in parse(text)[1]:
+        match = HEADING.match(line)
+        if match:
+            words = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", match.group(1)).lower()
+            name = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
+            result.add(f"{name}-{counts[name]}" if counts[name] else name)
+            counts[name] += 1
+    return result
+
+
+def links(prose):
+    """(line number, target) of each link that is relative."""
+    for number, line in prose:
+        for match in LINK.finditer(CODE_SPAN.sub("", line)):
+            target = match.group(1) or match.group(2)
+            if not SCHEME.match(target):
+                yield number, target
+
+
+def split_target(page, target):
+    """(the file that a link of the page means, the heading or "")."""
+    path, _, anchor = target.partition("#")
+    path = urllib.parse.unquote(path)
+    return ((page.parent / path).resolve() if path else page), anchor
+
+
+def link_problems(root, page, prose):
+    for number, target in links(prose):
+        file, anchor = split_target(page, target)
+        if not file.is_relative_to(root) or not file.exists():
+            yield number, f"a link to {target}, which is not there"
+        elif anchor and file.suffix == ".md":
+            if anchor not in anchors(file.read_text(encoding="utf-8")):
+                yield number, f"a link to {target}, but no heading there is called that"
+
+
+def occurs(lines, text):
+    """Whether the lines stand in the text one after the other, all indented by as much more."""
+    there = text.splitlines()
+    for start in range(len(there) - len(lines) + 1):
+        part = there[start : start + len(lines)]
+        if part == lines or textwrap.dedent("\n".join(part)).splitlines() == lines:
+            return True
+    return False
+
+
+def block_problems(page, blocks, prose, shown):
+    """What is wrong with the blocks of a page of the guide. Adds the programs that it shows."""
+    linked = [split_target(page, target)[0] for _, target in links(prose)]
+    linked += [file.with_suffix(".txt") for file in linked if file.suffix == ".cpp"]
+    for block in blocks:
+        if block.language in UNCHECKED:
+            continue
+        if block.language not in ENDINGS:
+            known = ", ".join(sorted(UNCHECKED | set(ENDINGS)))
+            yield block.line, f"a block in `{block.language}`; expected one of {known}"
+            continue
+        ending = ENDINGS[block.language]
+        files = [file for file in linked if file.name.endswith(ending) and file.is_file()]
+        found = [f for f in files if occurs(block.lines, f.read_text(encoding="utf-8"))]
+        if not block.lines or not found:
+            names = " or ".join(sorted({file.name for file in files})) or f"a linked *{ending}"
+            yield block.line, f"a {block.language} block that does not stand in {names}"
+        shown.update(found)
+
+
+def readme_problems(root, blocks):
+    program = (root / README_PROGRAM).read_text(encoding="utf-8").splitlines()[1:]  # no licence
+    if program not in [block.lines for block in blocks if block.language == "cpp"]:
+        yield 1, f"no block is the program {README_PROGRAM}"
+
+
+def check(root):
+    """(number of pages looked at, the violations) below `root`."""
+    root = root.resolve()
+    violations = []
+    count = 0
+    shown = set()
+    for page in pages(root):
+        count += 1
+        path = page.relative_to(root)
+        blocks, prose = parse(page.read_text(encoding="utf-8"))
+        problems = list(link_problems(root, page, prose))
+        if path.parts[:2] == ("docs", "guide"):
+            problems += block_problems(page, blocks, prose, shown)
+        if path == pathlib.PurePath("README.md"):
+            problems += readme_problems(root, blocks)
+        violations += [f"{path}:{line}: {problem}" for line, problem in problems]
+    for program in sorted(root.glob("examples/*.cpp")):
+        if program not in shown:
+            violations.append(f"{program.relative_to(root)}:1: no page of docs/guide shows it")
+    return count, violations
+
+
+def main():
+    if len(sys.argv) > 2 or sys.argv[1:2] in (["-h"], ["--help"]):
+        sys.exit(__doc__)
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[1])
+    count, violations = check(root)
+    for violation in violations:
+        print(violation)
+    if count == 0:
+        print(f"{root}: no pages found")
+    elif not violations:
+        print(f"docs: ok ({count} pages)")
+    return 0 if count and not violations else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
