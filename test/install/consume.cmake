@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Configures the project CONSUMER_DIR in WORK_DIR with the options OPTIONS (separated by |), builds and
-# runs its target PROGRAM, and compares what that prints with the file EXPECTED. Where REFUSED is
+# Configures the project CONSUMER_DIR in WORK_DIR with the options OPTIONS (separated by |), builds its
+# target TARGET, runs PROGRAM, and compares what that prints with the file EXPECTED. Where REFUSED is
 # given, configuring must fail instead, with a message that matches it.
 
 # Stops with the message and the text under it, which CMake shows as it is where it is indented.
@@ -29,7 +29,7 @@ if(output MATCHES "CGAL|Boost")
   fail("configuring talks about Kinetri's dependencies:" "${output}")
 endif()
 
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR} --target ${PROGRAM} --parallel 2
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR} --target ${TARGET} --parallel 2
   RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT code EQUAL 0)
   fail("building ended with ${code}:" "${output}")
