@@ -1,145 +1,168 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks the documents: that each link between them leads to a file, and to a heading where it names
-one; and that what the documents about the code call by a name of the code is there.
+"""Checks that the documentation shows what is there.
+
+- Every relative link in a Markdown file leads to a file, and to a heading of it where it names one.
+- The program in README.md is the one that test/install builds.
+- What stands in a block of a page of docs/guide stands, line by line, in an example that the page
+  links: ```cpp in the program, ```text in what it prints, ```cmake and ```csv in files that are
+  linked. The block may be indented less than there. ```sh is for commands, which are not checked.
+- Every program of examples/ is shown by a page of docs/guide.
 
 usage: check_documents.py [ROOT]
 
-Names are those in `code` that consist of letters, digits and underscores, and paths of files. In
-docs/MIGRATION.md they are looked for where it speaks of Kinetri alone: in the last column of tables,
-and in code that begins with `// Kinetri`.
-
 Prints `FILE:LINE: what is wrong` for each violation; exit code 1 if there are any.
 """
+import collections
 import pathlib
 import re
 import sys
+import textwrap
+import urllib.parse
 
-sys.dont_write_bytecode = True
-from doxygen_filter import slug  # noqa: E402
+SKIPPED_FOLDERS = re.compile(r"^(build.*|out|__pycache__|\..*)$")
+README_PROGRAM = pathlib.PurePath("test/install/consumer/main.cpp")
 
-# Documents with names of the code, and the names in them that are not: of CGAL's former package, of
-# the reader's own code, and those that stand for others.
-NAMES_OF_OTHERS = {
-    "CONTRIBUTING.md": {"Upper_snake_case", "_2", "snake_case", "CamelCase", "name_"},
-    "docs/ARCHITECTURE.md": set(),
-    "docs/MATH.md": {"rem"},
-    "docs/MIGRATION.md": {"Flips", "My_traits", "My_triangulation"},
-    "docs/TERMINOLOGY.md": {"Key", "Root", "Simulator", "set_time_to_after", "end_time"},
-}
-LAST_COLUMN_ONLY = {"docs/MIGRATION.md"}
+# Where the lines of a block of the guide must stand: the ending of a linked file, which for what is
+# printed is that of the file beside the program.
+ENDINGS = {"cpp": ".cpp", "text": ".txt", "cmake": "CMakeLists.txt", "csv": ".csv"}
+UNCHECKED = {"sh"}
 
-CODE_FOLDERS = ("include", "src", "apps", "test", "scripts", "bench", "cmake")
-CODE_SUFFIXES = {".h", ".cpp", ".txt", ".cmake", ".py", ".sh", ".js", ".in", ".json", ".html"}
-SKIPPED_FOLDERS = re.compile(r"^(build.*|out|corpus|__pycache__|\..*)$")
-COMMENT = re.compile(r"//.*")
+FENCE = re.compile(r"^ {0,3}(```+|~~~+)\s*(\w*)\s*$")
+HEADING = re.compile(r"^ {0,3}#{1,6}\s+(.*?)\s*#*\s*$")
+CODE_SPAN = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)")
+# The text of a link may begin on the line before.
+LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)|^\[[^\]]+\]:\s*<?(\S+?)>?\s*$")
+SCHEME = re.compile(r"^[a-zA-Z][a-zA-Z0-9+.-]*:")
 
-LINK = re.compile(r"\[[^]]*\]\((?!\w+:)([^)#\s]*)(?:#([^)\s]*))?\)")
-CODE = re.compile(r"`([^`]+)`")
-WORD = re.compile(r"[A-Za-z_]\w*")
-PATH = re.compile(r"[\w.*-]+(?:/[\w.*-]+)+\.(?:h|cpp|md|py|sh|js|txt|cmake|json)\b")
-HEADING = re.compile(r"^#+ (.*\S)\s*$")
+Block = collections.namedtuple("Block", "line language lines")
 
 
-def below(folder):
-    """The files below the folder that are ours, in order."""
+def pages(folder):
+    """The Markdown files below the folder, in order."""
     for entry in sorted(folder.iterdir()):
         if entry.is_dir():
             if not SKIPPED_FOLDERS.match(entry.name):
-                yield from below(entry)
-        else:
+                yield from pages(entry)
+        elif entry.suffix == ".md":
             yield entry
 
 
-def lines_of(text):
-    """(line number, line, the first line of the code block that it is in, or None)."""
-    block = None
+def parse(text):
+    """(the fenced blocks, [(line number, line)] of all other lines, without code) of a page."""
+    blocks, prose = [], []
+    fence = None
     for number, line in enumerate(text.splitlines(), 1):
-        if line.startswith("```"):
-            block = "" if block is None else None
-            continue
-        if block == "":
-            block = line
-        yield number, line, block
+        match = FENCE.match(line)
+        if fence:
+            if match and match.group(1).startswith(fence) and not match.group(2):
+                fence = None
+            else:
+                blocks[-1].lines.append(line)
+        elif match:
+            fence = match.group(1)
+            blocks.append(Block(number, match.group(2), []))
+        elif not line.startswith("    "):
+            prose.append((number, line))
+    return blocks, prose
 
 
-def anchors(file):
-    """The anchors of the headings of a document."""
-    text = file.read_text(encoding="utf-8")
-    headings = (HEADING.match(line) for _, line, block in lines_of(text) if block is None)
-    return {slug(heading.group(1)) for heading in headings if heading}
-
-
-def broken_links(file, root):
-    """(line, what is wrong) for each link of the document that leads nowhere."""
-    for number, line, block in lines_of(file.read_text(encoding="utf-8")):
-        if block is not None:
-            continue
-        for target, anchor in LINK.findall(line):
-            other = (file.parent / target).resolve() if target else file
-            if not other.is_relative_to(root) or not other.exists():
-                yield number, f"a link to {target}, which is not there"
-            elif anchor and anchor not in anchors(other):
-                yield number, f"a link to the heading #{anchor}, which is not in {target or 'here'}"
-
-
-def words_of_code(root):
-    """The words of the code, without its comments."""
+def anchors(text):
+    """What the headings of a page are called in links, as GitHub does it."""
     result = set()
-    for folder in CODE_FOLDERS:
-        for file in below(root / folder) if (root / folder).is_dir() else ():
-            if file.suffix in CODE_SUFFIXES:
-                text = file.read_text(encoding="utf-8")
-                if file.suffix in {".h", ".cpp", ".js"}:
-                    text = COMMENT.sub("", text)
-                result.update(WORD.findall(text))
-                result.update(WORD.findall(file.stem))
-    for file in root.glob("CMake*"):
-        result.update(WORD.findall(file.read_text(encoding="utf-8")))
+    counts = collections.Counter()
+    for _, line in parse(text)[1]:
+        match = HEADING.match(line)
+        if match:
+            words = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", match.group(1)).lower()
+            name = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
+            result.add(f"{name}-{counts[name]}" if counts[name] else name)
+            counts[name] += 1
     return result
 
 
-def code_in(line, block, last_column_only):
-    """The parts of a line that are code of ours."""
-    if block is not None:
-        if block.startswith("// Kinetri"):
-            yield COMMENT.sub("", line)
-        return
-    if last_column_only:
-        if not line.startswith("|"):
-            return
-        line = line.rstrip("| ").rsplit("|", 1)[-1]
-    yield from CODE.findall(line)
+def links(prose):
+    """(line number, target) of each link that is relative."""
+    for number, line in prose:
+        for match in LINK.finditer(CODE_SPAN.sub("", line)):
+            target = match.group(1) or match.group(2)
+            if not SCHEME.match(target):
+                yield number, target
 
 
-def unknown_names(file, root, words):
-    """(line, what is wrong) for each name in the document that is not in the code."""
-    document = file.relative_to(root).as_posix()
-    known = words | NAMES_OF_OTHERS[document]
-    folders = (root, root / "include", root / "include/kinetri", file.parent)
-    for number, line, block in lines_of(file.read_text(encoding="utf-8")):
-        for code in code_in(line, block, document in LAST_COLUMN_ONLY):
-            for path in PATH.findall(code):
-                if not any(any(folder.glob(path)) for folder in folders):
-                    yield number, f"no such file: {path}"
-            for word in WORD.findall(PATH.sub("", code)):
-                if word not in known:
-                    yield number, f"`{word}` is not in the code"
+def split_target(page, target):
+    """(the file that a link of the page means, the heading or "")."""
+    path, _, anchor = target.partition("#")
+    path = urllib.parse.unquote(path)
+    return ((page.parent / path).resolve() if path else page), anchor
+
+
+def link_problems(root, page, prose):
+    for number, target in links(prose):
+        file, anchor = split_target(page, target)
+        if not file.is_relative_to(root) or not file.exists():
+            yield number, f"a link to {target}, which is not there"
+        elif anchor and file.suffix == ".md":
+            if anchor not in anchors(file.read_text(encoding="utf-8")):
+                yield number, f"a link to {target}, but no heading there is called that"
+
+
+def occurs(lines, text):
+    """Whether the lines stand in the text one after the other, all indented by as much more."""
+    there = text.splitlines()
+    for start in range(len(there) - len(lines) + 1):
+        part = there[start : start + len(lines)]
+        if part == lines or textwrap.dedent("\n".join(part)).splitlines() == lines:
+            return True
+    return False
+
+
+def block_problems(page, blocks, prose, shown):
+    """What is wrong with the blocks of a page of the guide. Adds the programs that it shows."""
+    linked = [split_target(page, target)[0] for _, target in links(prose)]
+    linked += [file.with_suffix(".txt") for file in linked if file.suffix == ".cpp"]
+    for block in blocks:
+        if block.language in UNCHECKED:
+            continue
+        if block.language not in ENDINGS:
+            known = ", ".join(sorted(UNCHECKED | set(ENDINGS)))
+            yield block.line, f"a block in `{block.language}`; expected one of {known}"
+            continue
+        ending = ENDINGS[block.language]
+        files = [file for file in linked if file.name.endswith(ending) and file.is_file()]
+        found = [f for f in files if occurs(block.lines, f.read_text(encoding="utf-8"))]
+        if not block.lines or not found:
+            names = " or ".join(sorted({file.name for file in files})) or f"a linked *{ending}"
+            yield block.line, f"a {block.language} block that does not stand in {names}"
+        shown.update(found)
+
+
+def readme_problems(root, blocks):
+    program = (root / README_PROGRAM).read_text(encoding="utf-8").splitlines()[1:]  # no licence
+    if program not in [block.lines for block in blocks if block.language == "cpp"]:
+        yield 1, f"no block is the program {README_PROGRAM}"
 
 
 def check(root):
-    """(number of documents looked at, the violations) below `root`."""
+    """(number of pages looked at, the violations) below `root`."""
     root = root.resolve()
-    words = words_of_code(root)
     violations = []
-    documents = [file for file in below(root) if file.suffix == ".md"]
-    for file in documents:
-        path = file.relative_to(root).as_posix()
-        problems = list(broken_links(file, root))
-        if path in NAMES_OF_OTHERS:
-            problems += unknown_names(file, root, words)
-        violations += [f"{path}:{line}: {problem}" for line, problem in sorted(problems)]
-    return len(documents), violations
+    count = 0
+    shown = set()
+    for page in pages(root):
+        count += 1
+        path = page.relative_to(root)
+        blocks, prose = parse(page.read_text(encoding="utf-8"))
+        problems = list(link_problems(root, page, prose))
+        if path.parts[:2] == ("docs", "guide"):
+            problems += block_problems(page, blocks, prose, shown)
+        if path == pathlib.PurePath("README.md"):
+            problems += readme_problems(root, blocks)
+        violations += [f"{path}:{line}: {problem}" for line, problem in problems]
+    for program in sorted(root.glob("examples/*.cpp")):
+        if program not in shown:
+            violations.append(f"{program.relative_to(root)}:1: no page of docs/guide shows it")
+    return count, violations
 
 
 def main():
@@ -150,9 +173,9 @@ def main():
     for violation in violations:
         print(violation)
     if count == 0:
-        print(f"{root}: no documents found")
+        print(f"{root}: no pages found")
     elif not violations:
-        print(f"documents: ok ({count} files)")
+        print(f"documents: ok ({count} pages)")
     return 0 if count and not violations else 1
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Configures and builds the consumer in WORK_DIR with the options OPTIONS (separated by |), runs it,
-# and compares what it prints with what it should. Where REFUSED is given, configuring must fail
-# instead, with a message that matches it.
+# Configures the project CONSUMER_DIR in WORK_DIR with the options OPTIONS (separated by |), builds its
+# target TARGET, runs PROGRAM, and compares what that prints with the file EXPECTED. Where REFUSED is
+# given, configuring must fail instead, with a message that matches it.
 
 # Stops with the message and the text under it, which CMake shows as it is where it is indented.
 function(fail message text)
@@ -29,14 +29,14 @@ if(output MATCHES "CGAL|Boost")
   fail("configuring talks about Kinetri's dependencies:" "${output}")
 endif()
 
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR} --parallel 2
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR} --target ${TARGET} --parallel 2
   RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT code EQUAL 0)
   fail("building ended with ${code}:" "${output}")
 endif()
 
-execute_process(COMMAND ${WORK_DIR}/consumer OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
-file(READ ${CONSUMER_DIR}/expected.txt expected)
+execute_process(COMMAND ${WORK_DIR}/${PROGRAM} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${CONSUMER_DIR}/${EXPECTED} expected)
 if(NOT output STREQUAL expected)
-  fail("the consumer prints" "${output}expected\n${expected}")
+  fail("${PROGRAM} prints" "${output}expected\n${expected}")
 endif()

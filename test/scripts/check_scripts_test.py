@@ -10,6 +10,7 @@ SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(SCRIPTS))
 
+import check_documents  # noqa: E402
 import check_layers  # noqa: E402
 import check_sources  # noqa: E402
 import summarize_tests  # noqa: E402
@@ -213,11 +214,108 @@ class Summary(Tree):
                 self.assertEqual(self.outcome(test), expected)
 
 
-class Readme(unittest.TestCase):
-    def test_its_program_is_the_one_that_is_tested(self):
-        root = SCRIPTS.parent
-        program = (root / "test/install/consumer/main.cpp").read_text().replace(LICENCE, "", 1)
-        self.assertIn(f"```cpp\n{program}```\n", (root / "README.md").read_text())
+class Documents(Tree):
+    PROGRAM = "int main() {\n  f();\n\n  g();\n}\n"
+    GUIDE = "[p](../../examples/p.cpp) [CMake](../../examples/CMakeLists.txt)\n"
+
+    def setUp(self):
+        super().setUp()
+        self.write("test/install/consumer/main.cpp", LICENCE + self.PROGRAM)
+        self.write("README.md", f"```cpp\n{self.PROGRAM}```\n")
+        self.write("examples/p.cpp", LICENCE + self.PROGRAM)
+        self.write("examples/p.txt", "one\ntwo\nthree\n")
+        self.write("examples/CMakeLists.txt", "find_package(Kinetri)\n")
+        self.write("examples/other.txt", "four\n")
+        self.write("docs/guide/p.md", self.GUIDE + "```cpp\n  f();\n```\n")
+
+    def problems(self, path, text):
+        self.write(path, text)
+        return check_documents.check(self.root)[1]
+
+    def block_problems(self, language, text):
+        page = self.GUIDE + f"```{language}\n{text}```\n```cpp\nint main() {{\n```\n"
+        return self.problems("docs/guide/p.md", page)
+
+    def test_the_program_of_the_readme_is_the_one_that_is_tested(self):
+        self.assertEqual(check_documents.check(self.root), (2, []))
+        for text in ("", "```cpp\nint main() {\n```\n", f"```\n{self.PROGRAM}```\n"):
+            found = self.problems("README.md", text)
+            self.assertEqual(
+                found, ["README.md:1: no block is the program test/install/consumer/main.cpp"]
+            )
+
+    def test_what_stands_there_passes(self):
+        for language, text in (
+            ("cpp", self.PROGRAM),
+            ("cpp", "  f();\n\n  g();\n"),
+            ("cpp", "f();\n\ng();\n"),
+            ("text", "two\nthree\n"),
+            ("cmake", "find_package(Kinetri)\n"),
+            ("sh", "anything\n"),
+        ):
+            with self.subTest(text=text):
+                self.assertEqual(self.block_problems(language, text), [])
+
+    def test_what_stands_elsewhere_or_nowhere_fails(self):
+        for language, text in (
+            ("cpp", "h();\n"),
+            ("cpp", "  f()\n"),
+            ("cpp", "  f();\n  g();\n"),
+            ("cpp", "    f();\n"),
+            ("cpp", "f();\n\n  g();\n"),
+            ("cpp", ""),
+            ("text", "one\nthree\n"),
+            ("text", "tw\n"),
+            ("text", "four\n"),
+            ("csv", "1,2\n"),
+            ("", "one\n"),
+            ("python", "f()\n"),
+        ):
+            with self.subTest(text=text):
+                found = self.block_problems(language, text)
+                self.assertEqual(len(found), 1, found)
+                self.assertTrue(found[0].startswith("docs/guide/p.md:2: "), found[0])
+
+    def test_a_program_that_no_page_shows_fails(self):
+        found = self.problems("examples/q.cpp", LICENCE)
+        self.assertEqual(found, ["examples/q.cpp:1: no page of docs/guide shows it"])
+
+    def test_links_that_lead_somewhere_pass(self):
+        text = """
+# A *name*, with `code()`
+## Twice
+## Twice
+[a](../README.md) ![b](../examples/p.txt) [c](guide/p.md) [d](../examples) [e](#a-name-with-code)
+[f](a.md#twice-1) [g](https://a.org/none.md) `[h](none.md)` [i](../examples/p.txt#L3) [j](<a.md>)
+    [k](none.md)
+```sh
+[l](none.md)
+# no heading
+```
+"""
+        self.assertEqual(self.problems("docs/a.md", text), [])
+
+    def test_links_that_lead_nowhere_fail(self):
+        for link in (
+            "none.md", "README.md", "../none/a.md", "a.md#none", "#twice-2", "a.md#no-heading",
+            "../../outside.md", "../..", "/README.md", "<none.md>", 'none.md "a title"',
+        ):
+            for text in (f"[a]({link})", f"words ![a]({link}), [b](a.md)", f"- [a\\_b]({link})"):
+                with self.subTest(text=text):
+                    page = f"# Twice\n# Twice\n{text}\n```sh\n# no heading\n```\n"
+                    found = self.problems("docs/a.md", page)
+                    self.assertEqual(len(found), 1, found)
+                    self.assertTrue(found[0].startswith("docs/a.md:3: a link to "), found[0])
+
+    def test_links_whose_text_is_broken_are_seen(self):
+        self.assertEqual(len(self.problems("docs/a.md", "a [b\nc](none.md) d\n")), 1)
+
+    def test_links_of_the_other_kind_are_seen(self):
+        self.assertEqual(self.problems("docs/a.md", "[a]: a.md\n"), [])
+        self.assertEqual(len(self.problems("docs/a.md", "[a]: none.md\n")), 1)
+
+    def test_what_is_built_is_not_checked(self):
+        self.assertEqual(self.problems("build/a.md", "[a](none.md)"), [])
 
 
 if __name__ == "__main__":

@@ -73,11 +73,11 @@ struct Tracks_file {
 /// Cost: O(n log n) for n rows, and O(log n) comparisons of an id with others per row, for every
 /// input.
 Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format format,
-                        double fps);
+                        double fps = 0);
 
 /// Reads the file `path`, or standard input if it is "-". Throws as read_tracks, and Input_error
 /// without a line if the path is a directory or cannot be opened.
-Tracks_file read_tracks_file(const std::string& path, Tracks_format format, double fps);
+Tracks_file read_tracks_file(const std::string& path, Tracks_format format, double fps = 0);
 
 }  // namespace kinetri
 

@@ -97,7 +97,7 @@ enum class Certificate_state {
 /// | `orientation_failure(p, q, r, bounds)` | likewise, also of flatness; both are seldom needed |
 /// | `coincidence_time(p, q, t, among, counters)` | when p and q are in one place |
 /// | `instantaneous_traits(instant)` | the predicates at an instant, decided by the same means |
-/// | `exact()`, a static function | traits that decide everything exactly, for audits |
+/// | `exact()` | these traits, but deciding everything exactly; for audits |
 ///
 /// `coincidence_time` is the first time *strictly* after t at which p and q are in one place; none
 /// if they never or always are. There is none before among.lower, and one after among.upper is of
@@ -111,7 +111,7 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
                                    const Double_interval bounds, const Instant instant,
                                    Certificate_state state, Certificate_counters& counters) {
   { traits.instantaneous_traits(instant) } -> std::same_as<typename Traits::Instantaneous_traits>;
-  { Traits::exact() } -> std::same_as<Traits>;
+  { traits.exact() } -> std::same_as<Traits>;
   requires std::totally_ordered<typename Traits::Time>;
   requires std::constructible_from<typename Traits::Time, double>;
   { t.interval() } -> std::convertible_to<Double_interval>;

@@ -61,8 +61,8 @@ Linear_motion_2 motion_after(const std::vector<Observation_2>& track, std::size_
 /// where two things go the same way between two observations.
 std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Observation_2>> tracks,
                                                 std::span<const Stay> stays, double start,
-                                                const Simulation_options& options,
-                                                const Linear_kinetic_traits_2& traits);
+                                                const Simulation_options& options = {},
+                                                const Linear_kinetic_traits_2& traits = {});
 
 }  // namespace kinetri
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lesson 4, recorded tracks: people in a park, each seen now and then. Between two observations
+// each goes straight; who came near whom is found at its exact time, seen or not.
+#include <kinetri/io/tracks_file.h>
+#include <kinetri/simulation/closest_approaches.h>
+#include <kinetri/simulation/tracks.h>
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Time = kinetri::Algebraic_number;
+using Paths = std::vector<std::vector<kinetri::Observation_2>>;
+
+// The observations without what only a reader of the file needs.
+Paths paths_of(const kinetri::Tracks_file& file) {
+  Paths paths;
+  for (const kinetri::Track& track : file.tracks) {
+    auto& path = paths.emplace_back();
+    for (const auto& seen : track.observations) path.push_back({seen.time, seen.place});
+  }
+  return paths;
+}
+
+// Prints who comes, turns and goes.
+struct Log : kinetri::Event_observer<Time> {
+  explicit Log(const std::vector<std::string>& point_names) : names(point_names) {}
+
+  void after_event(const kinetri::Event<Time>& event) override {
+    using Kind = kinetri::Event_kind;
+    if (event.kind != Kind::insert && event.kind != Kind::trajectory && event.kind != Kind::erase) {
+      return;
+    }
+    std::cout << "t = " << event.time.to_double() << ": " << name(event.kind) << ' '
+              << names[*event.point_a] << '\n';
+  }
+
+  const std::vector<std::string>& names;  // by point id
+};
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const char* const file_name = argc > 1 ? argv[1] : "tracks.csv";
+  const auto file = kinetri::read_tracks_file(file_name, kinetri::Tracks_format::rows);
+  const Paths paths = paths_of(file);
+
+  // One that is not seen for more than 10 seconds was away, and comes back as another point.
+  const auto stays = kinetri::stays_of(paths, {.from = 0, .longest_gap = 10});
+  std::vector<std::string> names;
+  for (const kinetri::Stay& stay : stays) names.push_back(file.tracks[stay.track].id);
+
+  const std::unique_ptr<kinetri::Simulation_2<>> park = kinetri::simulate_tracks(paths, stays, 0);
+  Log log(names);
+  park->add_observer(log);
+  kinetri::Closest_approaches approaches(*park, 4);
+  park->advance_to(40);
+
+  std::cout << "closest approaches:\n";
+  for (const auto& [points, time, distance] : approaches.approaches()) {
+    std::cout << "  " << names[points[0]] << " and " << names[points[1]]
+              << " at t = " << time.to_double() << ", distance " << distance << '\n';
+  }
+} catch (const kinetri::Error& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lesson 3, walls and discs: curling stones on a sheet of ice. A simulation is a triangulation with
+// a box around it and discs about its points.
+#include <kinetri/simulation/simulation_2.h>
+
+#include <iostream>
+#include <vector>
+
+namespace {
+
+using Simulation = kinetri::Simulation_2<>;
+using Time = Simulation::Time;
+
+// Prints the contacts, and leaves out the events of the triangulation under them.
+struct Contacts : kinetri::Event_observer<Time> {
+  void after_event(const kinetri::Event<Time>& event) override {
+    const bool is_wall = event.kind == kinetri::Event_kind::wall;
+    if (!is_wall && event.kind != kinetri::Event_kind::collision) return;
+    std::cout << "t = " << event.time.to_double() << ": stone " << *event.point_a << " hits ";
+    if (is_wall) {
+      std::cout << "a wall\n";
+    } else {
+      std::cout << "stone " << *event.point_b << '\n';
+    }
+  }
+};
+
+void print_stones(const Simulation& simulation) {
+  const double t = simulation.current_time().to_double();
+  double energy = 0;
+  for (kinetri::Point_id id = 0; id < simulation.triangulation().number_of_points(); ++id) {
+    const auto& motion = simulation.triangulation().motion(id);
+    const auto& [vx, vy] = motion.velocity;
+    const auto [x, y] = rounded_place(motion, t);
+    std::cout << "  stone " << id << " at (" << x << ", " << y << "), velocity (" << vx << ", "
+              << vy << ")\n";
+    energy += (vx * vx + vy * vy) / 2;
+  }
+  std::cout << "  energy " << energy << '\n';
+}
+
+}  // namespace
+
+int main() {
+  const std::vector<kinetri::Linear_motion_2> stones = {
+      {{2, 4}, {2, 0}},    // runs into
+      {{8, 4}, {0, 0}},    // one that rests, which runs into
+      {{12, 4}, {0, 0}},   // another one
+      {{3, 3}, {-1, -1}},  // this one goes into a corner
+      {{9, 7}, {0, 0}}};   // and this one is in nobody's way
+
+  kinetri::Simulation_options options;
+  options.box = kinetri::Box_2{0, 0, 16, 8};  // xmin, ymin, xmax, ymax
+  options.radius = 0.5;
+  options.rim_touches = true;  // the rims of the stones touch the walls, not their centres
+  options.response = kinetri::collide_elastically;
+
+  Simulation simulation(stones, options);
+  Contacts contacts;
+  simulation.add_observer(contacts);
+  print_stones(simulation);
+  simulation.advance_to(8);
+  print_stones(simulation);
+
+  // The triangulation beneath goes with the stones: who is near whom is known at every time.
+  const auto& kdt = simulation.triangulation();
+  std::cout << "edges at t = 8:";
+  for (const auto [a, b] : kdt.finite_edge_ids()) std::cout << ' ' << a << '-' << b;
+  std::cout << '\n';
+  return simulation.audit(kinetri::Audit_level::certificates).passed() ? 0 : 1;
+}
