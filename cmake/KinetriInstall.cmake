@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the library, its headers, and what find_package and pkg-config need to find it. Nothing that
-# is installed names the place it is installed in: the copy may be moved.
+# Installs the library, its headers, what find_package and pkg-config need to find it, the program
+# with its manual page and completions, and the documents. Nothing that is installed names the place
+# it is installed in: the copy may be moved.
+#
+# Components, of which the packages are made (KinetriPackage.cmake): program, development,
+# documentation.
 option(KINETRI_INSTALL "Install the library" ${PROJECT_IS_TOP_LEVEL})
 if(NOT KINETRI_INSTALL)
   return()
@@ -8,31 +12,50 @@ endif()
 
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Kinetri)
+set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+set(bash_dir ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+set(zsh_dir ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+set(fish_dir ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 set(generated_dir ${PROJECT_BINARY_DIR}/package)
 
+# Before everything else, while what is not ours can be told from what is.
+if(PROJECT_IS_TOP_LEVEL)
+  set(folders ${package_dir} ${pkgconfig_dir} ${bash_dir} ${zsh_dir} ${fish_dir}
+    ${CMAKE_INSTALL_BINDIR} ${CMAKE_INSTALL_INCLUDEDIR} ${CMAKE_INSTALL_MANDIR}/man1
+    ${CMAKE_INSTALL_DOCDIR})
+  install(CODE "set(folders \"${folders}\")
+    set(record \"${PROJECT_BINARY_DIR}/install_folders.txt\")")
+  install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/install_folders.cmake)
+  add_custom_target(uninstall
+    COMMAND ${CMAKE_COMMAND} -D MANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt
+      -D FOLDERS=${PROJECT_BINARY_DIR}/install_folders.txt
+      -P ${PROJECT_SOURCE_DIR}/cmake/uninstall.cmake
+    COMMENT "Removing what was installed" VERBATIM)
+endif()
+
+# The library. A shared one goes with the program, which needs it.
 install(TARGETS kinetri EXPORT KinetriTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT program NAMELINK_COMPONENT development
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.h")
+  COMPONENT development FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/include/kinetri/version.h
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri COMPONENT development)
 
 # find_package(Kinetri).
-install(EXPORT KinetriTargets NAMESPACE Kinetri:: DESTINATION ${package_dir})
+install(EXPORT KinetriTargets NAMESPACE Kinetri:: DESTINATION ${package_dir} COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/KinetriConfig.cmake.in
   ${generated_dir}/KinetriConfig.cmake INSTALL_DESTINATION ${package_dir}
   NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${generated_dir}/KinetriConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${generated_dir}/KinetriConfig.cmake ${generated_dir}/KinetriConfigVersion.cmake
-  ${PROJECT_SOURCE_DIR}/cmake/KinetriDependencies.cmake DESTINATION ${package_dir})
+  ${PROJECT_SOURCE_DIR}/cmake/KinetriDependencies.cmake
+  DESTINATION ${package_dir} COMPONENT development)
 
 # pkg-config. CGAL's headers depend on a definition and an option that its target carries.
-file(RELATIVE_PATH pkgconfig_to_prefix
-  /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+file(RELATIVE_PATH pkgconfig_to_prefix /prefix/${pkgconfig_dir} /prefix)
 string(REGEX REPLACE "/$" "" pkgconfig_to_prefix "${pkgconfig_to_prefix}")
 set(pkgconfig_requires "gmp mpfr tbb")
 set(pkgconfig_cflags "")
@@ -45,17 +68,35 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   string(APPEND pkgconfig_cflags " -frounding-math")
 endif()
 configure_file(${PROJECT_SOURCE_DIR}/cmake/kinetri.pc.in ${generated_dir}/kinetri.pc @ONLY)
-install(FILES ${generated_dir}/kinetri.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${generated_dir}/kinetri.pc DESTINATION ${pkgconfig_dir} COMPONENT development)
 
-# An installed program finds an installed shared library next to it.
-if(TARGET kinetri_program AND BUILD_SHARED_LIBS)
-  file(RELATIVE_PATH bin_to_lib /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR})
-  set_target_properties(kinetri_program PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
+# The program, and what it has written about itself (apps/kinetri/CMakeLists.txt).
+if(TARGET kinetri_program)
+  # It finds an installed shared library next to it.
+  if(BUILD_SHARED_LIBS)
+    file(RELATIVE_PATH bin_to_lib /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(kinetri_program PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
+  endif()
+  install(TARGETS kinetri_program
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  install(FILES ${KINETRI_DOCUMENTS_DIR}/${KINETRI_MANUAL_PAGE}
+    DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+  install(FILES ${KINETRI_DOCUMENTS_DIR}/kinetri.bash DESTINATION ${bash_dir} RENAME kinetri
+    COMPONENT program)
+  install(FILES ${KINETRI_DOCUMENTS_DIR}/_kinetri DESTINATION ${zsh_dir} COMPONENT program)
+  install(FILES ${KINETRI_DOCUMENTS_DIR}/kinetri.fish DESTINATION ${fish_dir} COMPONENT program)
 endif()
 
-if(PROJECT_IS_TOP_LEVEL)
-  add_custom_target(uninstall
-    COMMAND ${CMAKE_COMMAND} -D MANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt
-      -P ${PROJECT_SOURCE_DIR}/cmake/uninstall.cmake
-    COMMENT "Removing what was installed" VERBATIM)
-endif()
+# kinetri_install_documents(DESTINATION OPTION...): README, guides, examples, as they link each other.
+function(kinetri_install_documents destination)
+  install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+    DESTINATION ${destination} ${ARGN})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${destination} ${ARGN}
+    FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")
+  if(EXISTS ${PROJECT_SOURCE_DIR}/examples)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${destination} ${ARGN})
+  endif()
+endfunction()
+kinetri_install_documents(${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  COMPONENT documentation)

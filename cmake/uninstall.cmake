@@ -1,21 +1,31 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Removes the files that the last `cmake --install` wrote, named in MANIFEST, and the project's own
-# folders if they are empty then.
-if(NOT EXISTS ${MANIFEST})
+# Removes the files that the last `cmake --install` wrote, named in MANIFEST; and those of their folders
+# that are empty then and ours: named after the project, or made by an installation, which is what
+# FOLDERS lists.
+cmake_minimum_required(VERSION 3.25)
+if(NOT EXISTS "${MANIFEST}")
   message(FATAL_ERROR "${MANIFEST} does not exist: nothing was installed from this build")
 endif()
-file(STRINGS ${MANIFEST} files)
+file(STRINGS "${MANIFEST}" files)
+set(made)
+if(EXISTS "${FOLDERS}")
+  file(STRINGS "${FOLDERS}" made)
+endif()
 foreach(file IN LISTS files)
   set(path "$ENV{DESTDIR}${file}")
   file(REMOVE "${path}")
+  if(EXISTS "${path}" OR IS_SYMLINK "${path}")
+    message(FATAL_ERROR
+      "${path} cannot be removed; expected the rights of the user who installed it (sudo?)")
+  endif()
   cmake_path(GET path PARENT_PATH folder)
-  while(folder MATCHES "/[Kk]inetri(/|$)")
+  while(IS_DIRECTORY "${folder}" AND (folder MATCHES "/[Kk]inetri(/|$)" OR folder IN_LIST made))
     file(GLOB contents "${folder}/*")
-    if(contents OR NOT IS_DIRECTORY "${folder}")
+    if(contents)
       break()
     endif()
     file(REMOVE_RECURSE "${folder}")
     cmake_path(GET folder PARENT_PATH folder)
   endwhile()
 endforeach()
-file(REMOVE ${MANIFEST})
+file(REMOVE "${MANIFEST}" "${FOLDERS}")

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "completion_command.h"
 #include "exit_code.h"
 #include "experiment_command.h"
 #include "generate_command.h"
@@ -22,6 +23,7 @@
 #include "kinetri/io/output_file.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/version.h"
+#include "manual_command.h"
 #include "resume_command.h"
 #include "simulate_command.h"
 #include "tracks_command.h"
@@ -92,13 +94,17 @@ Exit_code run(int argc, char** argv) {
   Tracks_command tracks(program);
   Wave_command wave(program);
   Experiment_command experiment(program);
+  Completion_command completion(program);
+  Manual_command manual(program);
   try {
     program.parse(argc, argv);
     if (generate.chosen()) return generate.run();
     if (simulate.chosen()) return simulate.run();
     if (resume.chosen()) return resume.run();
     if (tracks.chosen()) return tracks.run();
-    return wave.chosen() ? wave.run() : experiment.run();
+    if (wave.chosen()) return wave.run();
+    if (experiment.chosen()) return experiment.run();
+    return completion.chosen() ? completion.run() : manual.run();
   } catch (const CLI::Success& success) {
     program.exit(success, std::cout, std::cerr);
     return Exit_code::done;

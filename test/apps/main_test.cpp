@@ -29,8 +29,9 @@ TEST_F(Program, PrintsItsVersion) {
 }
 
 TEST_F(Program, EveryHelpHasAnExample) {
-  std::vector<Arguments> commands = {{},           {"simulate"}, {"resume"},
-                                     {"generate"}, {"tracks"},   {"experiment"}};
+  std::vector<Arguments> commands = {{},         {"simulate"}, {"resume"},     {"generate"},
+                                     {"tracks"}, {"wave"},     {"experiment"}, {"completion"},
+                                     {"manual"}};
   for (const char* scenario :
        {"uniform", "gaussian", "constant-speed", "one-mover", "lattice", "lattice-jitter"}) {
     commands.push_back({"generate", scenario});
@@ -53,7 +54,8 @@ TEST_F(Program, WithoutACommandIsAUsageError) {
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(
       outcome.err,
-      "kinetri: nothing to do; expected generate, simulate, resume, tracks, wave or experiment\n"
+      "kinetri: nothing to do; expected generate, simulate, resume, tracks, wave, experiment, "
+      "completion or manual\n"
       "Run 'kinetri --help' for what is possible.\n");
 }
 
@@ -61,8 +63,8 @@ TEST_F(Program, UnknownCommandIsAUsageError) {
   const Outcome outcome = run({"stimulate"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err,
-            "kinetri: 'stimulate' is unknown; expected generate, simulate, resume, tracks, wave or "
-            "experiment\n"
+            "kinetri: 'stimulate' is unknown; expected generate, simulate, resume, tracks, wave, "
+            "experiment, completion or manual\n"
             "Run 'kinetri --help' for what is possible.\n");
 }
 

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Two Debian packages, made by `cpack` in a build directory: kinetri, the program, and libkinetri-dev,
+# the static library with its headers. (A shared library would be a third, with a promise about its
+# binary interface that a version before 1.0 does not give.)
+if(NOT PROJECT_IS_TOP_LEVEL OR NOT KINETRI_INSTALL OR NOT TARGET kinetri_program)
+  return()
+endif()
+if(BUILD_SHARED_LIBS)
+  file(WRITE ${PROJECT_BINARY_DIR}/CPackConfig.cmake
+    "message(FATAL_ERROR \"Packages hold the static library; expected a build with "
+    "BUILD_SHARED_LIBS=OFF\")\n")
+  return()
+endif()
+
+# Whoever passes packages on puts their own name here: -DCPACK_PACKAGE_CONTACT="Name <address>".
+if(NOT CPACK_PACKAGE_CONTACT)
+  set(CPACK_PACKAGE_CONTACT "Kinetri <kinetri@example.org>")
+endif()
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME kinetri)
+set(CPACK_PACKAGE_VENDOR Kinetri)
+set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME kinetri)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION math)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS gnuplot-nox)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
+  "Keeps the Delaunay triangulation of moving points in the plane exactly right
+through time, and logs its events: every decision is the one that exact
+arithmetic makes. Simulates points and colliding discs, recorded tracks, and
+random scenarios; writes event logs, pictures, and pages that play a run.")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkinetri-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "libboost-dev, libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libtbb-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "cmake, pkg-config")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
+  "A C++20 library on top of CGAL's Delaunay_triangulation_2. This package holds
+the static library and its headers, and what CMake and pkg-config need to find
+them.")
+
+# What Debian wants of every package, and the documents where it looks for them.
+set(debian_dir ${PROJECT_SOURCE_DIR}/cmake/debian)
+set(files ${debian_dir}/copyright)
+if(KINETRI_GZIP)
+  set(version ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
+  string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+  configure_file(${debian_dir}/changelog ${generated_dir}/changelog @ONLY)
+  list(APPEND files ${generated_dir}/changelog.Debian.gz)
+  execute_process(COMMAND ${KINETRI_GZIP} -9nc ${generated_dir}/changelog
+    OUTPUT_FILE ${generated_dir}/changelog.Debian.gz COMMAND_ERROR_IS_FATAL ANY)
+endif()
+foreach(component IN ITEMS PROGRAM DEVELOPMENT)
+  string(TOLOWER ${component} name)
+  set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${component}_PACKAGE_NAME})
+  install(FILES ${files} DESTINATION ${folder} COMPONENT ${name} EXCLUDE_FROM_ALL)
+endforeach()
+kinetri_install_documents(${folder} COMPONENT development EXCLUDE_FROM_ALL)
+install(FILES ${debian_dir}/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides
+  RENAME libkinetri-dev COMPONENT development EXCLUDE_FROM_ALL)
+include(CPack)

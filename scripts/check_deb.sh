@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs the Debian packages in a clean root, and uses them there. See --help.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+usage() {
+  cat <<EOF
+usage: scripts/check_deb.sh [DIRECTORY]
+
+Makes a clean root of the Debian that runs here (with mmdebstrap, which installs it from the network
+and removes it at the end), installs the packages kinetri and libkinetri-dev there by apt with what
+they depend on, and in it
+  - runs kinetri generate and kinetri simulate, and looks for the manual page and the completions,
+  - compiles a small program by find_package and by pkg-config, and runs it,
+  - removes the packages, after which nothing of them may be left.
+The packages are those in DIRECTORY; without it they are built, in build/release. Needs root.
+EOF
+}
+
+if [[ ${1:-} == --help || ${1:-} == -h ]]; then usage && exit 0; fi
+(($# <= 1)) || { usage >&2 && exit 2; }
+((EUID == 0)) || kinetri_fail "only root can make a root directory; expected: sudo $0"
+command -v mmdebstrap >/dev/null ||
+  kinetri_fail "mmdebstrap is missing; expected: apt-get install -y mmdebstrap"
+
+folder=${1:-}
+if [[ -z $folder ]]; then
+  kinetri_setup demo
+  kinetri_build "$kinetri_root/build/release" release
+  folder=$kinetri_root/build/release/packages
+  rm -rf "$folder"
+  kinetri_quietly "packaging" "$kinetri_root/build/release/package.log" \
+    cpack --config "$kinetri_root/build/release/CPackConfig.cmake" -B "$folder"
+fi
+shopt -s nullglob
+packages=("$folder"/kinetri_*.deb "$folder"/libkinetri-dev_*.deb)
+((${#packages[@]} == 2)) ||
+  kinetri_fail "$folder holds ${#packages[@]} packages; expected one kinetri_*.deb and one libkinetri-dev_*.deb"
+
+# What is done in the root: in a file, which bash there reads.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cp -r "${packages[@]}" "$kinetri_root/test/install/consumer" "$work"
+cat >"$work/check.sh" <<'EOF'
+set -euxo pipefail
+cd /check
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
+
+# The program alone.
+apt-get install -y --no-install-recommends ./kinetri_*.deb
+cd /tmp
+kinetri --version
+kinetri generate uniform --points 100 --seed 1 |
+  kinetri simulate - --until 5 --events events.csv --audit end
+(($(wc -l <events.csv) > 100))
+zcat /usr/share/man/man1/kinetri.1.gz | grep -q '^\.TH KINETRI'
+test -s /usr/share/bash-completion/completions/kinetri
+test -s /usr/share/doc/kinetri/copyright
+
+# The library, with nothing but what it depends on and the tools.
+cd /check
+apt-get install -y --no-install-recommends ./libkinetri-dev_*.deb g++ cmake make pkg-config
+cmake -S consumer -B by_cmake -DCMAKE_BUILD_TYPE=Release
+cmake --build by_cmake
+by_cmake/consumer | diff consumer/expected.txt -
+# shellcheck disable=SC2046
+g++ -std=c++20 $(pkg-config --cflags kinetri) consumer/main.cpp $(pkg-config --libs kinetri) \
+  -o by_pkg_config
+./by_pkg_config | diff consumer/expected.txt -
+
+files=$(dpkg-query -L kinetri libkinetri-dev | sort -u)
+apt-get purge -y kinetri libkinetri-dev
+for file in $files; do
+  if [[ $file == *inetri* && -e $file ]]; then
+    echo "$file is left" >&2
+    exit 1
+  fi
+done
+EOF
+
+# shellcheck source=/dev/null
+suite=$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")
+kinetri_say "Installing $(basename -a "${packages[@]}" | tr '\n' ' ')in a clean root of $suite ..."
+mkdir -p "$kinetri_root/build"
+kinetri_quietly "the check" "$kinetri_root/build/check_deb.log" mmdebstrap --quiet --variant=apt --format=null \
+  --customize-hook="cp -r '$work' \"\$1/check\"" \
+  --customize-hook="chroot \"\$1\" bash /check/check.sh" \
+  "$suite" /dev/null
+kinetri_say "The packages install, run, are compiled against, and are removed."

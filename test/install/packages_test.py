@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Debian packages that cpack makes: their control fields, their files, and that the program runs
+where they are unpacked. (scripts/check_deb.sh installs them.)
+
+usage: packages_test.py BUILD_DIR SOURCE_DIR VERSION WORK_DIR
+
+Exit code 77 where the tools that make packages are not installed.
+"""
+import gzip
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+SKIPPED = 77
+DEVELOPMENT_NEEDS = ["libboost-dev", "libcgal-dev (>= 5.5)", "libgmp-dev", "libmpfr-dev", "libtbb-dev"]
+
+
+def run(*command, **settings):
+    return subprocess.run([str(word) for word in command], check=True, stdout=subprocess.PIPE,
+                          text=True, **settings).stdout
+
+
+class Packages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(WORK, ignore_errors=True)
+        run("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", WORK,
+            "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip")  # Fast.
+        cls.packages = {file.name.split("_")[0]: file for file in WORK.glob("*.deb")}
+        for name, file in cls.packages.items():
+            run("dpkg-deb", "--extract", file, WORK / name)
+
+    def field(self, name, field):
+        return run("dpkg-deb", "--field", self.packages[name], field).strip()
+
+    def files(self, name):
+        """The files, relative to the root."""
+        root = WORK / name
+        return {str(file.relative_to(root)) for file in root.rglob("*") if not file.is_dir()}
+
+    def test_there_are_two(self):
+        self.assertEqual(sorted(self.packages), ["kinetri", "libkinetri-dev"])
+        for name in self.packages:
+            self.assertEqual(self.field(name, "Version"), VERSION + "-1")
+            self.assertEqual(self.field(name, "Architecture"),
+                             run("dpkg", "--print-architecture").strip())
+            self.assertRegex(self.field(name, "Maintainer"), r"^.+ <.+@.+>$")
+            owners = {line.split()[1] for line in
+                      run("dpkg-deb", "--contents", self.packages[name]).splitlines()}
+            self.assertEqual(owners, {"root/root"})
+
+    def test_the_program_depends_on_the_libraries_that_it_is_linked_with(self):
+        depends = re.sub(r" \([^)]*\)", "", self.field("kinetri", "Depends")).split(", ")
+        for name in ("libc6", "libgmp10", "libmpfr6", "libstdc++6", "libtbb12"):
+            self.assertIn(name, depends)
+        self.assertFalse([name for name in depends if name.endswith("-dev")])
+        self.assertEqual(self.field("kinetri", "Section"), "math")
+
+    def test_the_library_depends_on_what_its_headers_include(self):
+        self.assertEqual(self.field("libkinetri-dev", "Depends").split(", "), DEVELOPMENT_NEEDS)
+        self.assertEqual(self.field("libkinetri-dev", "Section"), "libdevel")
+
+    def test_files_of_the_program(self):
+        self.assertEqual(self.files("kinetri"), {
+            "usr/bin/kinetri",
+            "usr/share/bash-completion/completions/kinetri",
+            "usr/share/doc/kinetri/changelog.Debian.gz",
+            "usr/share/doc/kinetri/copyright",
+            "usr/share/fish/vendor_completions.d/kinetri.fish",
+            "usr/share/man/man1/kinetri.1.gz",
+            "usr/share/zsh/site-functions/_kinetri",
+        })
+        page = gzip.decompress((WORK / "kinetri/usr/share/man/man1/kinetri.1.gz").read_bytes())
+        self.assertIn(b".SH NAME", page)
+
+    def test_files_of_the_library(self):
+        files = self.files("libkinetri-dev")
+        public = {str(file.relative_to(SOURCE)) for file in (SOURCE / "include").rglob("*.h")}
+        self.assertEqual({file[4:] for file in files if file.startswith("usr/include/")},
+                         public | {"include/kinetri/version.h"})
+        documents = "usr/share/doc/libkinetri-dev/"
+        for name in ("copyright", "changelog.Debian.gz", "README.md", "docs/ARCHITECTURE.md"):
+            self.assertIn(documents + name, files)
+        others = {re.sub(r"/lib/[\w-]+-linux-gnu/", "/lib/", file) for file in files
+                  if not file.startswith(("usr/include/", documents))}
+        self.assertLessEqual({"usr/lib/libkinetri.a", "usr/lib/pkgconfig/kinetri.pc",
+                              "usr/lib/cmake/Kinetri/KinetriConfig.cmake",
+                              "usr/lib/cmake/Kinetri/KinetriTargets.cmake"}, others)
+        self.assertFalse([file for file in others
+                          if not file.startswith(("usr/lib/", "usr/share/lintian/"))])
+
+    def test_no_file_names_a_path_of_this_machine(self):
+        for name in self.packages:
+            for file in self.files(name):
+                content = (WORK / name / file).read_bytes()
+                for path in (BUILD, SOURCE):
+                    self.assertNotIn(bytes(path), content, f"{file} names {path}")
+
+    def test_the_unpacked_program_runs(self):
+        program = WORK / "kinetri/usr/bin/kinetri"
+        points = run(program, "generate", "uniform", "--points", "20", "--seed", "1")
+        events = run(program, "simulate", "-", "--until", "2", "--events", "-", "--audit", "end",
+                     "--quiet", input=points)
+        self.assertGreater(len(events.splitlines()), 5)
+
+
+if __name__ == "__main__":
+    BUILD, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    VERSION, WORK = sys.argv[3], pathlib.Path(sys.argv[4]).resolve()
+    missing = [tool for tool in ("cpack", "dpkg-deb", "dpkg-shlibdeps") if not shutil.which(tool)]
+    if missing:
+        print(f"skipped: {', '.join(missing)} not installed (Debian: cmake, dpkg-dev)")
+        sys.exit(SKIPPED)
+    unittest.main(argv=sys.argv[:1])
