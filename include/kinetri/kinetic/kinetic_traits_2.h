@@ -49,9 +49,11 @@ struct Outlook {
                      ///< bounds.upper, and is to be looked at again then
     fails,           ///< it fails, at a time within `bounds`
   };
-  Kind kind = Kind::holds_for_ever;         ///< how much is known
-  Double_interval bounds = {};              ///< of `holds` and `fails`
-  std::unique_ptr<Time> failure = nullptr;  ///< the time, where it had to be made already
+  Kind kind = Kind::holds_for_ever;  ///< how much is known
+  Double_interval bounds = {};       ///< of `holds` and `fails`
+  /// The time of the failure, where it had to be made already. Else the certificate changes its
+  /// sign there, and has no other root within `bounds`.
+  std::unique_ptr<Time> failure = nullptr;
   /// Else the certificate is certainly positive from just after then on until it fails.
   bool may_vanish = false;
 };

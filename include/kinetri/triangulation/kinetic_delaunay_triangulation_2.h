@@ -290,6 +290,7 @@ class Kinetic_delaunay_triangulation_2 {
     mutable typename Time_pool::Index time = Time_pool::none;
     std::uint8_t index = 0;  // the edge is the one opposite this vertex of the face
     Entry_kind kind = Entry_kind::look_again;
+    bool changes_sign = false;  // the certificate does, certainly, when it fails
 
     Edge edge() const { return Edge(face, index); }
   };
@@ -374,7 +375,7 @@ class Kinetic_delaunay_triangulation_2 {
   void execute_due_events();
   std::size_t step_until(const Time* until);
   std::size_t run_instant();
-  void execute(const Two_sided_edge& edge, Entry_kind kind);
+  void execute(const Two_sided_edge& edge, const Entry& event);
   const Edge& hull_triangle(const Two_sided_edge& hull_edge) const;
   bool is_touch(Face_handle face) const;
   bool may_hide_a_turn(const Two_sided_edge& hull_edge) const;

@@ -129,7 +129,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
     current_time_ = take_time(queue_.top());
     triangulation_.geom_traits().set_instant({current_time_, Side::after});
     const Entry first = pop_entry();
-    execute(two_sided(first.edge()), first.kind);
+    execute(two_sided(first.edge()), first);
   }
   execute_due_events();
   put_points_back();
@@ -148,22 +148,24 @@ template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::execute_due_events() {
   while (settle(&current_time_)) {
     const Entry event = pop_entry();
-    execute(two_sided(event.edge()), event.kind);
+    execute(two_sided(event.edge()), event);
   }
 }
 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edge,
-                                                       Entry_kind kind) {
-  KINETRI_ASSERT(kind >= Entry_kind::hull_insert,
+                                                       const Entry& event) {
+  KINETRI_ASSERT(event.kind >= Entry_kind::hull_insert,
                  "an event is a failure, and coincident points have been set aside");
-  if (kind == Entry_kind::hull_insert) {
+  if (event.kind == Entry_kind::hull_insert) {
     if (may_hide_a_turn(edge)) return rebuild();
-    if (is_touch(hull_triangle(edge).first)) return schedule(edge, current_time_);
+    if (!event.changes_sign && is_touch(hull_triangle(edge).first)) {
+      return schedule(edge, current_time_);
+    }
     hull_is_flat_ = true;
     if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
   }
-  flip_edge(edge, event_kind(kind));
+  flip_edge(edge, event_kind(event.kind));
 }
 
 // The finite triangle at a hull edge, seen from that edge.

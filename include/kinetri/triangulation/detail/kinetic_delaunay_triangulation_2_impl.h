@@ -277,8 +277,10 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Two_sided_edge& e
 template <KineticTraits_2 Traits>
 inline auto Kinetic_delaunay_triangulation_2<Traits>::make_entry(const Edge& edge,
                                                                  Prospect prospect) -> Entry {
+  const bool changes_sign = !prospect.time;
   const auto time = prospect.time ? times_.keep(std::move(*prospect.time)) : Time_pool::none;
-  return {prospect.bounds, edge.first, time, static_cast<std::uint8_t>(edge.second), prospect.kind};
+  return {prospect.bounds, edge.first,  time, static_cast<std::uint8_t>(edge.second),
+          prospect.kind,   changes_sign};
 }
 
 // Pushes the entry of the edge's certificate from `after` on. Precondition: the edge has none.
