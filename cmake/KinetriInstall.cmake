@@ -3,8 +3,8 @@
 # with its manual page and completions, and the documents. Nothing that is installed names the place
 # it is installed in: the copy may be moved.
 #
-# Components, of which the packages are made (KinetriPackage.cmake): program, development,
-# documentation.
+# The components program and development become packages, in which the others, documentation and zsh,
+# are where Debian has such files (KinetriPackage.cmake).
 option(KINETRI_INSTALL "Install the library" ${PROJECT_IS_TOP_LEVEL})
 if(NOT KINETRI_INSTALL)
   return()
@@ -83,7 +83,7 @@ if(TARGET kinetri_program)
     DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
   install(FILES ${KINETRI_DOCUMENTS_DIR}/kinetri.bash DESTINATION ${bash_dir} RENAME kinetri
     COMPONENT program)
-  install(FILES ${KINETRI_DOCUMENTS_DIR}/_kinetri DESTINATION ${zsh_dir} COMPONENT program)
+  install(FILES ${KINETRI_DOCUMENTS_DIR}/_kinetri DESTINATION ${zsh_dir} COMPONENT zsh)
   install(FILES ${KINETRI_DOCUMENTS_DIR}/kinetri.fish DESTINATION ${fish_dir} COMPONENT program)
 endif()
 

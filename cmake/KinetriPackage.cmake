@@ -49,7 +49,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 the static library and its headers, and what CMake and pkg-config need to find
 them.")
 
-# What Debian wants of every package, and the documents where it looks for them.
+# What Debian wants of every package, and what it has in other places.
 set(debian_dir ${PROJECT_SOURCE_DIR}/cmake/debian)
 set(files ${debian_dir}/copyright)
 if(KINETRI_GZIP)
@@ -66,6 +66,8 @@ foreach(component IN ITEMS PROGRAM DEVELOPMENT)
   install(FILES ${files} DESTINATION ${folder} COMPONENT ${name} EXCLUDE_FROM_ALL)
 endforeach()
 kinetri_install_documents(${folder} COMPONENT development EXCLUDE_FROM_ALL)
+install(FILES ${KINETRI_DOCUMENTS_DIR}/_kinetri
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program EXCLUDE_FROM_ALL)
 install(FILES ${debian_dir}/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides
   RENAME libkinetri-dev COMPONENT development EXCLUDE_FROM_ALL)
 include(CPack)

@@ -7,6 +7,8 @@ function(kinetri_compile_settings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   # GCC contracts a*b+c by default outside ISO mode; exactness proofs assume that nothing is contracted.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
+  # What __FILE__ says must not depend on where the library was built.
+  target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   if(KINETRI_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
       -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual -Werror)

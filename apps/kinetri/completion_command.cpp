@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "completion_command.h"
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <string_view>
 
 #include "arguments.h"
+#include "command_line.h"
 #include "command_table.h"
 #include "completions.h"
 #include "kinetri/io/output_file.h"
@@ -19,9 +19,9 @@ constexpr std::array<std::string_view, 3> shells = {"bash", "zsh", "fish"};
 
 Completion_command::Completion_command(CLI::App& program)
     : program_(&program),
-      command_(program.add_subcommand("completion",
-                                      "Write what a shell needs to complete command lines")) {
-  command_->add_option("SHELL", shell_, "The shell")->type_name("bash|zsh|fish")->required();
+      command_(add_command(program, "completion",
+                           "Write what a shell needs to complete command lines")) {
+  add_option(*command_, "SHELL", shell_, "bash|zsh|fish", "The shell")->required();
   command_->footer(
       "Where Kinetri was installed as a package, the shells find their files by themselves. Else:\n"
       "bash: put the output into ~/.local/share/bash-completion/completions/kinetri;\n"

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <string_view>
 
 #include "arguments.h"
+#include "command_line.h"
 #include "gnuplot.h"
 #include "kinetri/simulation/scenarios.h"
 
@@ -24,19 +24,19 @@ constexpr std::uint64_t most_seeds = 1000;
 }  // namespace
 
 Experiment_command::Experiment_command(CLI::App& program)
-    : command_(program.add_subcommand(
-          "experiment", "Measure run time and events against the share of points that move")) {
+    : command_(add_command(program, "experiment",
+                           "Measure run time and events against the share of points that move")) {
   const auto add = [this](const char* option, auto& value, const char* type, const char* help) {
-    return command_->add_option(option, value, help)->type_name(type);
+    return add_option(*command_, option, value, type, help);
   };
   const std::initializer_list<CLI::Option*> for_all_runs = {
       add("--output", output_, "DIR",
           "Write tables and plots into this directory, made if need be; needed but for --single"),
       add("--seeds", seeds_, "K", "Repeat with K sets of random points (default 5)"),
-      command_->add_flag("--compare", compare_,
-                         "Compare with the discrete approach too, which removes and reinserts "
-                         "points at time steps"),
-      command_->add_flag("--no-plots", no_plots_, "Only tables, for which gnuplot is not needed")};
+      add_flag(*command_, "--compare", compare_,
+               "Compare with the discrete approach too, which removes and reinserts "
+               "points at time steps"),
+      add_flag(*command_, "--no-plots", no_plots_, "Only tables, for which gnuplot is not needed")};
   add("--points", points_, "N", "Number of points (default 100)");
   add("--until", until_, "T", "Length of each run (default 10)");
   add("--speed", speed_, "V", "Largest velocity component (default 5)");

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <limits>
 #include <string_view>
 #include <vector>
 
 #include "arguments.h"
+#include "command_line.h"
 #include "kinetri/io/output_file.h"
 #include "kinetri/io/points_file.h"
 #include "kinetri/simulation/scenarios.h"
@@ -58,18 +58,18 @@ double length(std::string_view option, const std::string& text, bool zero_allowe
 }  // namespace
 
 Generate_command::Generate_command(CLI::App& program)
-    : command_(program.add_subcommand("generate", "Write moving points to simulate")) {
+    : command_(add_command(program, "generate", "Write moving points to simulate")) {
   command_->require_subcommand(1);
   command_->footer(
       "Each scenario has its own options: see kinetri generate uniform --help.\n\n"
       "Example:\n  kinetri generate uniform --points 100 --seed 1 > points.csv");
   for (const Scenario scenario : all_scenarios) {
     CLI::App& app =
-        *command_->add_subcommand(std::string(name(scenario)), std::string(description(scenario)));
+        *add_command(*command_, std::string(name(scenario)), std::string(description(scenario)));
     app.footer(example(scenario));
     const auto add = [&app](const char* option, auto& value, const char* type,
                             const std::string& help) {
-      return app.add_option(option, value, help)->type_name(type);
+      return add_option(app, option, value, type, help);
     };
     add("--points", points_, "N", fmt::format("Number of points, from 0 to {}", most_points))
         ->required();

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "command_line.h"
 #include "command_table.h"
 #include "kinetri/io/output_file.h"
 #include "kinetri/version.h"
@@ -133,7 +133,7 @@ void write_manual(std::ostream& out, const std::vector<Command_entry>& table) {
 }  // namespace
 
 Manual_command::Manual_command(CLI::App& program)
-    : program_(&program), command_(program.add_subcommand("manual", "Write the manual page")) {
+    : program_(&program), command_(add_command(program, "manual", "Write the manual page")) {
   command_->footer(
       "Where Kinetri is installed, man kinetri shows it.\n\n"
       "Example:\n"

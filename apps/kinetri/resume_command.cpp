@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "resume_command.h"
 
-#include <CLI/CLI.hpp>
-
 #include "arguments.h"
 #include "checkpoint_source.h"
+#include "command_line.h"
 
 namespace kinetri::app {
 
 Resume_command::Resume_command(CLI::App& program)
-    : command_(program.add_subcommand("resume", "Go on with a run from its checkpoint")) {
+    : command_(add_command(program, "resume", "Go on with a run from its checkpoint")) {
   const auto add = [this](const char* option, auto& value, const char* type, const char* help) {
-    return command_->add_option(option, value, help)->type_name(type);
+    return add_option(*command_, option, value, type, help);
   };
   add("CHECKPOINT", checkpoint_, "FILE",
       "What kinetri simulate --checkpoint has written; - is standard input")

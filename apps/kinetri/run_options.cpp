@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_options.h"
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <string_view>
 
 #include "arguments.h"
+#include "command_line.h"
 #include "gnuplot.h"
 
 namespace kinetri::app {
@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 3> progress_modes = {"auto", "always", "n
 std::vector<CLI::Option*> Run_options::add_to(CLI::App& command) {
   std::vector<CLI::Option*> result;
   const auto add = [&](const char* option, auto& value, const char* type, const char* help) {
-    result.push_back(command.add_option(option, value, help)->type_name(type));
+    result.push_back(add_option(command, option, value, type, help));
   };
   add("--events", events_, "FILE", "Write the events here; - is standard output");
   add("--initial-edges", initial_edges_, "FILE", "Write the edges just after the start here");
@@ -38,21 +38,18 @@ std::vector<CLI::Option*> Run_options::add_to(CLI::App& command) {
       "Check everything exactly: never (default), at the end, or after every event too (there "
       "without "
       "recomputing all failure times)");
-  result.push_back(command.add_flag(
-      "--exact-only", exact_only_,
-      "Decide everything by exact arithmetic, without filters: the same events, slower"));
-  command
-      .add_option("--progress", progress_, "Show a progress line; auto (default): on a terminal")
-      ->type_name("auto|always|never");
-  command.add_flag("--quiet", quiet_, "Neither a progress line nor a summary");
+  result.push_back(
+      add_flag(command, "--exact-only", exact_only_,
+               "Decide everything by exact arithmetic, without filters: the same events, slower"));
+  add_option(command, "--progress", progress_, "auto|always|never",
+             "Show a progress line; auto (default): on a terminal");
+  add_flag(command, "--quiet", quiet_, "Neither a progress line nor a summary");
   return result;
 }
 
 void Run_options::add_checkpoint_to(CLI::App& command) {
-  command
-      .add_option("--checkpoint", checkpoint_,
-                  "Write the state at the end here, for kinetri resume; when interrupted, too")
-      ->type_name("FILE");
+  add_option(command, "--checkpoint", checkpoint_, "FILE",
+             "Write the state at the end here, for kinetri resume; when interrupted, too");
 }
 
 Frame_settings Run_options::frame_settings() const {

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "arguments.h"
+#include "command_line.h"
 
 namespace kinetri::app {
 namespace {
@@ -37,17 +37,18 @@ Box_2 box_argument(const std::string& text) {
 }  // namespace
 
 Simulate_command::Simulate_command(CLI::App& program)
-    : command_(program.add_subcommand(
-          "simulate", "Keep the Delaunay triangulation of moving points, and log its events")) {
+    : command_(
+          add_command(program, "simulate",
+                      "Keep the Delaunay triangulation of moving points, and log its events")) {
   const auto add = [this](const char* option, auto& value, const char* type, const char* help) {
-    return command_->add_option(option, value, help)->type_name(type);
+    return add_option(*command_, option, value, type, help);
   };
   add("POINTS", points_, "FILE", "The moving points, at time 0; - is standard input")->required();
   add("--until", until_, "T", "Execute every event at or before this time")->required();
   add("--from", from_, "T", "Start just after this time (default 0)");
   add("--box", box_, "XMIN,YMIN,XMAX,YMAX",
       "Reflect points at the sides of this box, in which all start");
-  command_->add_flag("--rim", rim_, "What touches the box is the rim of a disc, not its centre");
+  add_flag(*command_, "--rim", rim_, "What touches the box is the rim of a disc, not its centre");
   add("--collisions", collisions_, "none|log|swap|elastic|stop|remove",
       "What discs do that touch: nothing (default); be logged; exchange velocities; collide "
       "elastically; stop, both; vanish, both");

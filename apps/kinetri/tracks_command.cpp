@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <string_view>
 
 #include "arguments.h"
+#include "command_line.h"
 
 namespace kinetri::app {
 namespace {
@@ -20,10 +20,11 @@ constexpr std::uint64_t most_approaches = 1'000'000;
 }  // namespace
 
 Tracks_command::Tracks_command(CLI::App& program)
-    : command_(program.add_subcommand(
-          "tracks", "Keep the Delaunay triangulation of recorded tracks: they come, turn and go")) {
+    : command_(add_command(
+          program, "tracks",
+          "Keep the Delaunay triangulation of recorded tracks: they come, turn and go")) {
   const auto add = [this](const char* option, auto& value, const char* type, const char* help) {
-    return command_->add_option(option, value, help)->type_name(type);
+    return add_option(*command_, option, value, type, help);
   };
   add("TRACKS", tracks_, "FILE", "The observations; - is standard input")->required();
   add("--format", format_, "rows|frames",

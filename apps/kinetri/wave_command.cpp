@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <limits>
 #include <string_view>
 
 #include "arguments.h"
+#include "command_line.h"
 #include "kinetri/simulation/scenarios.h"
 
 namespace kinetri::app {
@@ -22,10 +22,10 @@ double size(std::string_view option, const std::string& text, bool zero_allowed 
 }  // namespace
 
 Wave_command::Wave_command(CLI::App& program)
-    : command_(program.add_subcommand(
-          "wave", "Let a row of a lattice run through it, as the crest of a wave")) {
+    : command_(add_command(program, "wave",
+                           "Let a row of a lattice run through it, as the crest of a wave")) {
   const auto add = [this](const char* option, auto& value, const char* type, const char* help) {
-    command_->add_option(option, value, help)->type_name(type);
+    add_option(*command_, option, value, type, help);
   };
   add("--columns", columns_, "N", "Points in a row (default 30)");
   add("--rows", rows_, "N", "Number of rows (default 30)");

@@ -52,9 +52,9 @@ class Command:
         return " ".join(self.words)
 
 
-def run(command, **settings):
-    done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL,
-                          check=False, **settings)
+def run(command, text="", **settings):
+    done = subprocess.run(command, capture_output=True, text=True, input=text, check=False,
+                          **settings)
     if done.returncode != 0 or done.stderr:
         raise AssertionError(f"{command} ended with {done.returncode}: {done.stderr}")
     return done.stdout
@@ -112,7 +112,7 @@ class Documents(unittest.TestCase):
         self.lines = "".join(line + "\n" for line, _ in self.asked)
 
     def check(self, output, word_of=str):
-        """`output`: for each question the words, a line each as word_of understands it, then `.`."""
+        """`output`: for each question the words, a line each, as word_of reads it; then `.`."""
         answers = [set()]
         for line in output.splitlines():
             if line == ".":
@@ -128,7 +128,8 @@ class Documents(unittest.TestCase):
 
 class Manual(Documents):
     def test_every_command_and_option_is_there(self):
-        page = run(["man", "--warnings", "-E", "UTF-8", "-P", "cat", "-l", FOLDER / "kinetri.1"],
+        page = run(["man", "--warnings", "-E", "UTF-8", "-P", "cat", "-l", "-"],
+                   (FOLDER / "kinetri.1").read_text(),
                    env={**os.environ, "MANWIDTH": "200", "LC_ALL": "C.UTF-8"})
         page = re.sub(r".\x08", "", page)
         self.assertRegex(page, r"NAME\n +kinetri - exact kinetic Delaunay")
@@ -143,7 +144,8 @@ class Manual(Documents):
             for name, kind in command.options.items():
                 if name in ("-h", "--help") and len(command.words) > 1:
                     continue
-                entry = rf"^ +(\S+, )*{name}(, \S+)*{'' if kind is None else ' ' + re.escape(kind)}( |$)"
+                value = "" if kind is None else " " + re.escape(kind)
+                entry = rf"^ +(\S+, )*{name}(, \S+)*{value}( |$)"
                 self.assertRegex(section, re.compile(entry, re.MULTILINE))
 
 
@@ -152,7 +154,7 @@ class Bash(Documents):
         # Called as bash calls it, which splits words at `=`; compopt only works in a completion.
         script = """
             source "$1"
-            [[ $(complete -p kinetri) == 'complete -F _kinetri kinetri' ]] || echo "not registered" >&2
+            [[ $(complete -p kinetri) == 'complete -F _kinetri kinetri' ]] || exit 1
             compopt() { [[ $1 == -o ]] && asked=$2; }
             while IFS= read -r line; do
               read -ra COMP_WORDS <<<"${line//=/ = }"

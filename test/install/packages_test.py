@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Debian packages that cpack makes: their control fields, their files, and that the program runs
-where they are unpacked. (scripts/check_deb.sh installs them.)
+"""The Debian packages that cpack makes: their control fields, their files, and that the program
+runs where they are unpacked. (scripts/check_deb.sh installs them.)
 
 usage: packages_test.py BUILD_DIR SOURCE_DIR VERSION WORK_DIR
 
@@ -16,7 +16,8 @@ import sys
 import unittest
 
 SKIPPED = 77
-DEVELOPMENT_NEEDS = ["libboost-dev", "libcgal-dev (>= 5.5)", "libgmp-dev", "libmpfr-dev", "libtbb-dev"]
+DEVELOPMENT_NEEDS = [
+    "libboost-dev", "libcgal-dev (>= 5.5)", "libgmp-dev", "libmpfr-dev", "libtbb-dev"]
 
 
 def run(*command, **settings):
@@ -72,7 +73,7 @@ class Packages(unittest.TestCase):
             "usr/share/doc/kinetri/copyright",
             "usr/share/fish/vendor_completions.d/kinetri.fish",
             "usr/share/man/man1/kinetri.1.gz",
-            "usr/share/zsh/site-functions/_kinetri",
+            "usr/share/zsh/vendor-completions/_kinetri",
         })
         page = gzip.decompress((WORK / "kinetri/usr/share/man/man1/kinetri.1.gz").read_bytes())
         self.assertIn(b".SH NAME", page)
