@@ -2,7 +2,7 @@
 # Removes the files that the last `cmake --install` wrote, named in MANIFEST, and the project's own
 # folders if they are empty then.
 if(NOT EXISTS ${MANIFEST})
-  message(FATAL_ERROR "${MANIFEST} does not exist: nothing was installed from this build")
+  message(FATAL_ERROR "${MANIFEST} does not exist: nothing was installed from this build; expected cmake --install before")
 endif()
 file(STRINGS ${MANIFEST} files)
 foreach(file IN LISTS files)
