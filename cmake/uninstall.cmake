@@ -4,7 +4,7 @@
 # FOLDERS lists.
 cmake_minimum_required(VERSION 3.25)
 if(NOT EXISTS "${MANIFEST}")
-  message(FATAL_ERROR "${MANIFEST} does not exist: nothing was installed from this build")
+  message(FATAL_ERROR "${MANIFEST} does not exist: nothing was installed from this build; expected cmake --install before")
 endif()
 file(STRINGS "${MANIFEST}" files)
 set(made)

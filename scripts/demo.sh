@@ -21,11 +21,11 @@ while (($# > 0)); do
   case $1 in
     --help | -h) usage && exit 0 ;;
     --points | --until | --seed)
-      (($# >= 2)) || { usage >&2 && exit 2; }
+      (($# >= 2)) || kinetri_misused "$1 has no value"
       printf -v "${1#--}" '%s' "$2"
       shift 2
       ;;
-    *) usage >&2 && exit 2 ;;
+    *) kinetri_misused "'$1' is unknown" ;;
   esac
 done
 

@@ -28,12 +28,12 @@ while (($# > 0)); do
   case $1 in
     --help | -h) usage && exit 0 ;;
     --seconds)
-      [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || { usage >&2 && exit 2; }
+      [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || kinetri_misused "--seconds: '${2:-}' is no whole number greater than 0"
       seconds=$2
       shift
       ;;
     *)
-      [[ " ${targets[*]} " == *" $1 "* ]] || { usage >&2 && exit 2; }
+      [[ " ${targets[*]} " == *" $1 "* ]] || kinetri_misused "'$1' is unknown"
       chosen+=("$1")
       ;;
   esac

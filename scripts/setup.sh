@@ -15,6 +15,13 @@ kinetri_fail() {
   exit 1
 }
 
+# kinetri_misused WHAT: says what is wrong with the command line, and what is right (usage). Exits.
+kinetri_misused() {
+  printf 'error: %s\n\n' "$*" >&2
+  usage >&2
+  exit 2
+}
+
 # kinetri_packages demo|test|browser|fuzz: the Debian packages needed, as `package` or, where a
 # program that came from elsewhere will do as well, `package=program`.
 kinetri_packages() {
@@ -65,7 +72,7 @@ kinetri_setup() {
   kinetri_say "Installing them with apt-get ..."
   local options=(-qq -o DPkg::Lock::Timeout=300)
   export DEBIAN_FRONTEND=noninteractive
-  apt-get "${options[@]}" update </dev/null || kinetri_fail "apt-get update failed"
+  apt-get "${options[@]}" update </dev/null || kinetri_fail "apt-get update failed; put right what it says above, then run this again"
   apt-get "${options[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >/dev/null ||
     kinetri_fail "apt-get install failed; try: apt-get install -y ${missing[*]}"
 }

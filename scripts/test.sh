@@ -33,18 +33,18 @@ while (($# > 0)); do
     --browser) packages=browser ;;
     --quick) select+=(--label-exclude slow) ;;
     --compiler | --filter)
-      (($# >= 2)) || { usage >&2 && exit 2; }
+      (($# >= 2)) || kinetri_misused "$1 has no value"
       if [[ $1 == --filter ]]; then
         select+=(--tests-regex "$2")
       else
         compiler=$2
         [[ $compiler != clang ]] || compiler=clang++
-        command -v "$compiler" >/dev/null || kinetri_fail "no such compiler: $compiler"
+        command -v "$compiler" >/dev/null || kinetri_misused "--compiler: there is no program $compiler"
         configure+=("-DCMAKE_CXX_COMPILER=$compiler")
       fi
       shift
       ;;
-    *) usage >&2 && exit 2 ;;
+    *) kinetri_misused "'$1' is unknown" ;;
   esac
   shift
 done
@@ -64,5 +64,5 @@ if [[ -t 1 ]]; then
 else
   "${run[@]}" --quiet </dev/null || true
 fi
-[[ -f $results ]] || kinetri_fail "no test ran"
+[[ -f $results ]] || kinetri_fail "ctest could not be run, or ended early: there is no $results"
 exec python3 "$kinetri_root/scripts/summarize_tests.py" "$results"

@@ -101,11 +101,7 @@ Experiment_plan Experiment_command::plan() const {
   if (result.seeds == 0) throw Usage_error("--seeds: 0 runs show nothing; expected 1 or more");
   result.compares = compare_;
   result.plots = !no_plots_;
-  if (result.plots && !has_gnuplot()) {
-    throw Usage_error(
-        "plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
-        "gnuplot-nox), or --no-plots");
-  }
+  if (result.plots) require_gnuplot("--no-plots");
   const Run_settings run_settings = run_options_.settings();
   result.progress = run_settings.progress;
   result.quiet = run_settings.quiet;

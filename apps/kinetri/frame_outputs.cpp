@@ -45,12 +45,12 @@ void Frame_outputs::start(const Run_source& source, const Any_simulation& simula
   std::visit(
       [&](const auto& s) {
         const double from = s->current_time().tight_interval().upper;
-        auto times = per_time_ ? regular_times(from, until, *per_time_, most_frames)
-                               : evenly_spaced_times(from, until, usual_intervals);
+        auto times = rate_ ? regular_times(from, until, rate_->per_time, most_frames)
+                           : evenly_spaced_times(from, until, usual_intervals);
         if (!times) {
-          throw Usage_error(fmt::format(
-              "--frames-per-time: {} from t = {} to {} are more than {} frames; expected fewer",
-              *per_time_, from, until, most_frames));
+          throw Usage_error(
+              fmt::format("{}: {} from t = {} to {} are more than {} frames; expected fewer",
+                          rate_->option, rate_->per_time, from, until, most_frames));
         }
         times_ = std::move(*times);
         const std::optional<Box_2>& box = s->options().box;

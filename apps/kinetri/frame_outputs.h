@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "kinetri/io/output_directory.h"
@@ -17,12 +19,17 @@ namespace kinetri::app {
 
 /// The frames: frame_000000.svg and so on in one directory, frame_000000.vtu and so on and
 /// frames.pvd in the other.
+struct Frame_rate {
+  double per_time = 0;  ///< how many in a unit of time
+  std::string option;   ///< what asked for it, as messages name it
+};
+
 class Frame_outputs {
  public:
-  /// Each directory may be none; both must outlive this object. Without `per_time` there are 101
+  /// Each directory may be none; both must outlive this object. Without a rate there are 101
   /// frames.
-  Frame_outputs(Output_directory* svg, Output_directory* vtu, std::optional<double> per_time)
-      : svg_(svg), vtu_(vtu), per_time_(per_time) {}
+  Frame_outputs(Output_directory* svg, Output_directory* vtu, std::optional<Frame_rate> rate)
+      : svg_(svg), vtu_(vtu), rate_(std::move(rate)) {}
 
   /// Chooses the times, from the first binary64 number that is not before the start on, and what
   /// the pictures show. Throws Usage_error if there are too many frames.
@@ -41,7 +48,7 @@ class Frame_outputs {
  private:
   Output_directory* svg_;
   Output_directory* vtu_;
-  std::optional<double> per_time_;
+  std::optional<Frame_rate> rate_;
   std::vector<double> times_;
   std::size_t next_ = 0;
   Svg_view view_;

@@ -11,8 +11,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <system_error>
 
-#include "kinetri/base/error.h"
+#include "arguments.h"
+#include "kinetri/io/output_file.h"
 
 extern char** environ;
 
@@ -27,8 +29,11 @@ using File = std::unique_ptr<std::FILE, Closer>;
 // A file without a name, which is gone when it is closed.
 File temporary_file() {
   File file(std::tmpfile());
-  if (!file) throw Error("kinetri: no temporary file can be made; expected a writable TMPDIR");
-  return file;
+  if (file) return file;
+  throw Output_error(fmt::format(
+      "/tmp: no temporary file can be made: {}; expected a directory in which files can "
+      "be created",
+      std::generic_category().message(errno)));
 }
 
 std::string content(std::FILE* file) {
@@ -92,16 +97,23 @@ set key outside right top vertical Left reverse samplen 3
 std::string drawn(const std::string& terminal, const std::string& script) {
   const Result result = run_gnuplot("set terminal " + terminal + "\n" + style + script);
   if (!result.ran || result.status != 0 || result.out.empty()) {
-    throw Internal_error("gnuplot failed: " + result.err);
+    throw Output_error(
+        fmt::format("gnuplot: drawing failed; expected a gnuplot with the terminals svg and "
+                    "pngcairo (Debian: gnuplot-nox); it said: {}",
+                    result.err.substr(0, result.err.find_last_not_of('\n') + 1)));
   }
   return result.out;
 }
 
 }  // namespace
 
-bool has_gnuplot() {
+void require_gnuplot(std::string_view otherwise) {
   const Result result = run_gnuplot("", "--version");
-  return result.ran && result.status == 0;
+  if (result.ran && result.status == 0) return;
+  throw Usage_error(
+      fmt::format("plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
+                  "gnuplot-nox), or {}",
+                  otherwise));
 }
 
 std::string draw_svg(const std::string& script, int width, int height) {

@@ -5,11 +5,13 @@
 #define KINETRI_APPS_GNUPLOT_H
 
 #include <string>
+#include <string_view>
 
 namespace kinetri::app {
 
-/// Whether gnuplot can be run.
-bool has_gnuplot();
+/// Throws Usage_error if gnuplot cannot be run. `otherwise` is what the command line may say so
+/// that it is not needed.
+void require_gnuplot(std::string_view otherwise);
 
 /// What is drawn, in the formats that gnuplot's terminals svg and pngcairo write.
 struct Plot {
@@ -19,7 +21,7 @@ struct Plot {
 
 /// Draws a plot of `width` x `height` pixels. `script` is gnuplot's input without terminal and
 /// output; colors, lines and grid are set up: `linestyle 1` to 6 are colors that color-blind people
-/// can tell apart. Throws Internal_error with what gnuplot said if it fails.
+/// can tell apart. Throws Output_error with what gnuplot said if it fails.
 Plot draw(const std::string& script, int width, int height);
 
 /// As draw, SVG alone.

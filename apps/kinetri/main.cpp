@@ -47,16 +47,54 @@ Command chosen_command(const CLI::App& program) {
   return command;
 }
 
+// The option, or the argument, that `app` cannot do without and does not have.
+std::string missing_problem(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_required() || option->count() > 0) continue;
+    const std::string name = option->get_name();
+    const std::string expected = option->get_positional()
+                                     ? "a path, or - for standard input"
+                                     : fmt::format("{} {}", name, option->get_type_name());
+    return fmt::format("{} is missing; expected {}", name, expected);
+  }
+  return {};
+}
+
+// What is wrong with an option that has not exactly one value. CLI11's message begins with its
+// name.
+std::string mismatch_problem(const CLI::App& app, const std::string& message) {
+  const std::string name = message.substr(0, message.find(':'));
+  const CLI::Option* const option = app.get_option_no_throw(name);
+  const bool is_repeated = option != nullptr && option->count() > 1;
+  return fmt::format("{}: {}; expected it once, with one value", name,
+                     is_repeated ? "is there more than once" : "has no value");
+}
+
 // What is wrong with a command line that CLI11 rejects when it has got to `app`.
-std::string usage_problem(const CLI::App& app, const CLI::ParseError& error) {
+std::string usage_problem(const CLI::App& program, const CLI::ParseError& error) {
+  const CLI::App& app = *chosen_command(program).app;
   const std::vector<std::string> rest = app.remaining();
   const auto commands = app.get_subcommands(nullptr);
   if (commands.empty()) {
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !rest.empty()) {
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+      if (rest.empty()) {
+        return fmt::format("'{}' is before the command; expected it after",
+                           program.remaining(true).front());
+      }
       return fmt::format("'{}' is unknown; expected only what --help lists", rest.front());
     }
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-      return fmt::format("{}; expected each option once, with one value", error.what());
+      return mismatch_problem(app, error.what());
+    }
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing_problem(app);
+    if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) {
+      return fmt::format("{}; expected both", error.what());
+    }
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+      return fmt::format("{}; expected one of them", error.what());
+    }
+    if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
+      return fmt::format("{}; expected it without a value", error.what());
     }
     return error.what();
   }
@@ -109,7 +147,7 @@ Exit_code run(int argc, char** argv) {
     program.exit(success, std::cout, std::cerr);
     return Exit_code::done;
   } catch (const CLI::ParseError& error) {
-    return report_usage(program, usage_problem(*chosen_command(program).app, error));
+    return report_usage(program, usage_problem(program, error));
   } catch (const Usage_error& error) {
     return report_usage(program, error.what());
   }
@@ -127,7 +165,7 @@ Exit_code guarded_run(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return report(Exit_code::bad_input,
                   "kinetri: there is not enough memory; expected fewer points, or more memory");
-  } catch (const Error& error) {
+  } catch (const Internal_error& error) {
     return report(Exit_code::internal_error, fmt::format("kinetri: {}", error.what()));
   } catch (const std::exception& error) {
     return report(Exit_code::internal_error,

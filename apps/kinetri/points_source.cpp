@@ -23,14 +23,6 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
     }
     return std::make_unique<Simulation_2<>>(points_.motions, simulation_options, settings_.from,
                                             Linear_kinetic_traits_2(arithmetic));
-  } catch (const Coincident_trajectories_error& error) {
-    const Point_id first = error.first();  // the lesser of the two
-    const Point_id second = error.second();
-    throw Input_error(
-        input_name(path()), points_.lines[second],
-        fmt::format("the point has the same place and {} as the one in line {}; expected distinct "
-                    "trajectories",
-                    points_.is_polynomial ? "derivatives" : "velocity", points_.lines[first]));
   } catch (const Outside_box_error& error) {
     throw Input_error(input_name(path()), points_.lines[error.point()], error.what());
   }

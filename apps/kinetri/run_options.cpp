@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_options.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <string_view>
 
@@ -33,6 +35,7 @@ std::vector<CLI::Option*> Run_options::add_to(CLI::App& command) {
   const bool fps_is_free = command.get_option_no_throw("--fps") == nullptr;
   add(fps_is_free ? "--fps,--frames-per-time" : "--frames-per-time", frames_per_time_, "N",
       "Frames of --frames and --vtu in a unit of time (default: 101 frames from start to end)");
+  frames_per_time_option_ = result.back();
   add("--plot", plot_, "FILE", "Draw events, queues and stages of the run here, as SVG");
   add("--audit", audit_, "none|end|events",
       "Check everything exactly: never (default), at the end, or after every event too (there "
@@ -57,11 +60,13 @@ Frame_settings Run_options::frame_settings() const {
   result.svg = frames_;
   result.vtu = vtu_;
   if (!frames_per_time_) return result;
+  // With all its names: any of them may be the one that was used.
+  const std::string option = frames_per_time_option_->get_name(false, true);
   if (!frames_ && !vtu_) {
     throw Usage_error(
-        "--frames-per-time: no frames are written; expected --frames or --vtu as well");
+        fmt::format("{}: no frames are written; expected --frames or --vtu as well", option));
   }
-  result.per_time = positive_argument("--frames-per-time", *frames_per_time_);
+  result.rate = Frame_rate{positive_argument(option, *frames_per_time_), option};
   return result;
 }
 
@@ -75,11 +80,7 @@ Run_settings Run_options::settings() const {
   result.html = html_;
   result.frames = frame_settings();
   result.plot = plot_;
-  if (plot_ && !has_gnuplot()) {
-    throw Usage_error(
-        "--plot: plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
-        "gnuplot-nox), or no --plot");
-  }
+  if (plot_) require_gnuplot("no --plot");
   result.audit = static_cast<Audit_mode>(choice_argument("--audit", audit_, audit_modes));
   if (exact_only_) result.arithmetic = Arithmetic::exact_only;
   result.progress =

@@ -29,6 +29,8 @@ class Run_options {
  private:
   Frame_settings frame_settings() const;
 
+  CLI::Option* frames_per_time_option_ = nullptr;
+
   std::optional<std::string> events_;
   std::optional<std::string> initial_edges_;
   std::optional<std::string> edges_;

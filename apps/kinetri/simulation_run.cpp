@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "arguments.h"
-#include "frame_outputs.h"
 #include "interrupt.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
@@ -62,7 +61,7 @@ class Simulation_run {
         outputs_(settings, source.path()),
         progress_(settings.progress) {
     if (outputs_.frames != nullptr || outputs_.vtu != nullptr) {
-      frames_.emplace(outputs_.frames, outputs_.vtu, settings.frames.per_time);
+      frames_.emplace(outputs_.frames, outputs_.vtu, settings.frames.rate);
     }
     if (outputs_.plot != nullptr) sampler_ = std::make_unique<Run_sampler>();
   }
@@ -126,7 +125,13 @@ Exit_code Simulation_run::run() {
   write_outputs();
   progress_.clear();
   if (!settings_.quiet) summarize();
-  if (statistics_.audits_failed > 0) return Exit_code::audit_failed;
+  if (statistics_.audits_failed > 0) {
+    fmt::print(
+        stderr,
+        "kinetri: {} of {} audits failed; please report this with the input that caused it\n",
+        statistics_.audits_failed, statistics_.audits_run);
+    return Exit_code::audit_failed;
+  }
   return statistics_.interrupted ? Exit_code::interrupted : Exit_code::done;
 }
 

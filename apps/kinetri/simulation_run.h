@@ -8,6 +8,7 @@
 #include <string>
 
 #include "exit_code.h"
+#include "frame_outputs.h"
 #include "kinetri/kinetic/instantaneous_traits_2.h"
 #include "progress.h"
 #include "run_source.h"
@@ -25,7 +26,7 @@ struct Frame_settings {
   // Output directories: a path, or none.
   std::optional<std::string> svg;
   std::optional<std::string> vtu;
-  std::optional<double> per_time;  ///< how many in a unit of time; without it 101 in all
+  std::optional<Frame_rate> rate;  ///< without one, 101 in all
 };
 
 /// What is done with a run, whatever its source.

@@ -162,7 +162,7 @@ struct Root_source::Representation {
 
 void Root_source::Representation::isolate(const Polynomial& p, const Rational& first,
                                           const Rational& last) {
-  KINETRI_PRECONDITION(first < last, "the isolating interval is not empty");
+  KINETRI_PRECONDITION(first < last, "the isolating interval is empty");
   KINETRI_PRECONDITION(p.degree() >= 1, "a polynomial without roots has no root to isolate");
   polynomials.push_front(primitive_part(p));
 
@@ -173,10 +173,10 @@ void Root_source::Representation::isolate(const Polynomial& p, const Rational& f
     const auto e = static_cast<long>(std::max(*e_first, *e_last));
     set_ends(scaled_floor(first, e), scaled_floor(last, e), static_cast<unsigned long>(e));
     KINETRI_PRECONDITION(sign(isolation->value_a) * sign(isolation->value_b) == CGAL::NEGATIVE,
-                         "the polynomial changes sign over the isolating interval");
+                         "the polynomial does not change sign over the isolating interval");
   } else {
     KINETRI_PRECONDITION(p.sign_at(first) * p.sign_at(last) == CGAL::NEGATIVE,
-                         "the polynomial changes sign over the isolating interval");
+                         "the polynomial does not change sign over the isolating interval");
     isolate_between_dyadic_ends(first, last);
     if (is_rational()) return;
   }
@@ -447,7 +447,8 @@ bool Algebraic_number::is_known_rational() const {
 }
 
 const Rational& Algebraic_number::rational() const {
-  KINETRI_PRECONDITION(is_known_rational(), "the number is known to be rational");
+  KINETRI_PRECONDITION(is_known_rational(),
+                       "the number is not known to be rational; ask is_known_rational first");
   return representation().lower;
 }
 
@@ -497,7 +498,8 @@ void Algebraic_number::refine_to_bits(unsigned bits) const {
 }
 
 void Algebraic_number::refine_to(const Rational& width) const {
-  KINETRI_PRECONDITION(width.sign() > 0, "an irrational number has no interval of width 0");
+  KINETRI_PRECONDITION(width.sign() > 0,
+                       "an irrational number has no interval of width 0; ask for a greater one");
   Representation& r = representation();
   // 2^exponent <= width
   const long exponent = bit_length(numerator(width)) - bit_length(denominator(width)) - 1;
@@ -590,7 +592,7 @@ double Algebraic_number::to_double() const {
 }
 
 Big_float Algebraic_number::to_big_float(unsigned bits) const {
-  KINETRI_PRECONDITION(bits >= 2, "the precision is at least 2 bits");
+  KINETRI_PRECONDITION(bits >= 2, "the precision is less than 2 bits");
   Representation& r = representation();
   Big_float result;
   mpfr_set_prec(result.backend().data(), static_cast<mpfr_prec_t>(bits));
@@ -798,7 +800,7 @@ Integer scaled_magnitude_floor(const Algebraic_number& x, long e) {
 }  // namespace
 
 Rational simplest_between(const Algebraic_number& a, const Algebraic_number& b) {
-  KINETRI_PRECONDITION(compare(a, b) == CGAL::SMALLER, "the interval is not empty");
+  KINETRI_PRECONDITION(compare(a, b) == CGAL::SMALLER, "the interval is empty");
   const bool positive = compare(a, Rational(0)) != CGAL::SMALLER;
   if (!positive && compare(b, Rational(0)) == CGAL::LARGER) return 0;
   const Algebraic_number& near_zero = positive ? a : b;

@@ -156,7 +156,7 @@ Sign Polynomial::sign_at(const Rational& t) const {
 }
 
 std::optional<Sign> Polynomial::sign_on(const Rational& lower, const Rational& upper) const {
-  KINETRI_PRECONDITION(lower <= upper, "the ends of an interval are in order");
+  KINETRI_PRECONDITION(lower <= upper, "the ends of the interval are not in order");
   if (is_zero()) return CGAL::ZERO;
 
   // Both ends over one denominator, a / d and b / d.
@@ -300,7 +300,7 @@ Polynomial primitive_part(Polynomial p) {
 // --- Division ---------------------------------------------------------------------------------
 
 Polynomial positive_pseudo_remainder(const Polynomial& a, const Polynomial& b) {
-  KINETRI_PRECONDITION(!b.is_zero(), "the divisor is not zero");
+  KINETRI_PRECONDITION(!b.is_zero(), "the divisor is zero");
   const std::size_t n = b.coefficients().size() - 1;
   const Integer multiplier = boost::multiprecision::abs(b.leading_coefficient());
   const bool negate = b.leading_coefficient().sign() < 0;
@@ -324,9 +324,9 @@ Polynomial positive_pseudo_remainder(const Polynomial& a, const Polynomial& b) {
 }
 
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
-  KINETRI_PRECONDITION(!b.is_zero(), "the divisor is not zero");
+  KINETRI_PRECONDITION(!b.is_zero(), "the divisor is zero");
   if (a.is_zero()) return {};
-  KINETRI_PRECONDITION(a.degree() >= b.degree(), "the divisor divides");
+  KINETRI_PRECONDITION(a.degree() >= b.degree(), "the divisor leaves a remainder");
   const std::size_t n = b.coefficients().size() - 1;
 
   std::vector<Integer> r(a.coefficients().begin(), a.coefficients().end());
@@ -339,7 +339,7 @@ Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
   }
   KINETRI_PRECONDITION(
       std::all_of(r.begin(), r.end(), [](const Integer& c) { return c.is_zero(); }),
-      "the divisor divides");
+      "the divisor leaves a remainder");
   return Polynomial(std::move(quotient));
 }
 

@@ -326,7 +326,7 @@ std::optional<Algebraic_number> failure_time(const Polynomial& p, const Algebrai
 // --- The paper's algorithm --------------------------------------------------------------------
 
 std::vector<Real_root> sturm_cubic_roots(const Polynomial& p) {
-  KINETRI_PRECONDITION(p.degree() == 3, "a cubic polynomial");
+  KINETRI_PRECONDITION(p.degree() == 3, "the polynomial is not of degree 3");
   const Sturm_sequence sequence(p);
   const Polynomial& last = sequence.terms().back();
   std::vector<Real_root> result;
@@ -347,7 +347,7 @@ std::vector<Real_root> sturm_cubic_roots(const Polynomial& p) {
 }
 
 std::vector<Real_root> sturm_quartic_roots(const Polynomial& p) {
-  KINETRI_PRECONDITION(p.degree() == 4, "a quartic polynomial");
+  KINETRI_PRECONDITION(p.degree() == 4, "the polynomial is not of degree 4");
   const Sturm_sequence sequence(p);
   const Polynomial& last = sequence.terms().back();
   std::vector<Real_root> result;

@@ -74,7 +74,7 @@ int Sturm_sequence::tarski_contribution_at(const Rational& t) const {
 int Sturm_sequence::count(const std::optional<Interval_end>& lower,
                           const std::optional<Interval_end>& upper) const {
   if (lower && upper) {
-    KINETRI_PRECONDITION(lower->value <= upper->value, "the ends of an interval are in order");
+    KINETRI_PRECONDITION(lower->value <= upper->value, "the ends of the interval are not in order");
     if (lower->value == upper->value) {
       return lower->included && upper->included ? tarski_contribution_at(lower->value) : 0;
     }

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/crc.hpp>
 #include <iostream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -398,7 +398,11 @@ void write_checkpoint_file(const std::string& path, const Checkpoint& checkpoint
 }
 
 Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
-  const std::string file{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string file;
+  std::array<char, 1U << 16U> buffer;
+  while (in.read(buffer.data(), buffer.size()), in.gcount() > 0) {
+    file.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad()) throw Input_error(name, 0, "cannot be read to its end; expected a readable file");
   const std::string_view text = state_text(file, name);
   const Json json = Json::parse(text.begin(), text.end(), nullptr, /*allow_exceptions=*/false);

@@ -156,14 +156,18 @@ void Output_directory::make_temporary() {
 }
 
 void Output_directory::write(std::string_view name, std::string_view content) {
-  KINETRI_PRECONDITION(!committed_, "a file for a directory that is complete");
-  KINETRI_PRECONDITION(!name.empty() && name.find('/') == std::string_view::npos,
-                       "the name of a file in an output directory is no plain name");
+  KINETRI_PRECONDITION(!committed_,
+                       "a file for a directory that is complete; write it before commit");
+  KINETRI_PRECONDITION(
+      !name.empty() && name.find('/') == std::string_view::npos,
+      "the name of a file in an output directory is empty or has a slash; expected a plain name");
   if (!temporary_) make_temporary();
   const int file = ::open(temporary_->add(name), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   int error = file < 0 ? errno : write_all(file, content);
   if (file >= 0 && ::close(file) != 0 && error == 0) error = errno;
-  if (error != 0) fail_output((fs::path(path_) / name).string(), "writing failed", error, "");
+  if (error == 0) return;
+  fail_output((fs::path(path_) / name).string(), "writing failed", error,
+              "a place that takes all of it");
 }
 
 void Output_directory::commit() {
@@ -174,7 +178,8 @@ void Output_directory::commit() {
   if (std::rename(temporary_->path.c_str(), identity_.c_str()) != 0) {
     const int error = errno;
     discard();
-    fail_output(path_, "cannot be replaced by the directory written beside it", error, "");
+    fail_output(path_, "cannot be replaced by the directory written beside it", error,
+                usable_target);
   }
   if (replaces) {
     // Not everyone may give directories away, nor must a result be lost for it.

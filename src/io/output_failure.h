@@ -11,13 +11,12 @@
 
 namespace kinetri {
 
-/// Throws an Output_error about `path`. `error` is an errno, 0 if there is none to tell; `expected`
-/// may be empty.
+/// Throws an Output_error about `path`. `error` is an errno, 0 if there is none to tell.
 [[noreturn]] inline void fail_output(const std::string& path, const std::string& problem, int error,
                                      const std::string& expected) {
   throw Output_error((path == "-" ? "standard output" : path) + ": " + problem +
                      (error == 0 ? "" : ": " + std::generic_category().message(error)) +
-                     (expected.empty() ? "" : "; expected " + expected));
+                     "; expected " + expected);
 }
 
 }  // namespace kinetri

@@ -193,7 +193,7 @@ void Output_file::finish() {
   stream_->setstate(std::ios::badbit);  // what is written from now on is lost
   if (!stream_good || !closed) {
     discard();
-    fail_output(path_, "writing failed", buffer_->error(), "");
+    fail_output(path_, "writing failed", buffer_->error(), "a place that takes all of it");
   }
   finished_ = true;
 }
@@ -204,7 +204,8 @@ void Output_file::commit() {
   if (std::rename(temporary_->c_str(), target_.c_str()) != 0) {
     const int error = errno;
     discard();
-    fail_output(path_, "cannot be replaced by the file written beside it", error, "");
+    fail_output(path_, "cannot be replaced by the file written beside it", error,
+                "a file that may be replaced");
   }
   forget(temporary_->c_str());
   temporary_.reset();

@@ -190,14 +190,15 @@ template <class Motion>
 void write_all_points(std::ostream& out, std::span<const Motion> motions,
                       std::span<const double> radii) {
   KINETRI_PRECONDITION(radii.empty() || radii.size() == motions.size(),
-                       "there is one radius for each point, or none");
+                       "there are not as many radii as points; expected one for each, or none");
   constexpr std::size_t columns = std::tuple_size_v<decltype(numbers(Motion()))>;
   out << fmt::format("{}{}\n", fmt::join(column_names.begin(), column_names.begin() + columns, ","),
                      radii.empty() ? "" : ",radius");
   fmt::memory_buffer row;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    KINETRI_PRECONDITION(is_finite(motions[i]) && motions[i].epoch == 0,
-                         "a file of points holds finite numbers at time 0");
+    KINETRI_PRECONDITION(
+        is_finite(motions[i]) && motions[i].epoch == 0,
+        "a motion has a number that is not finite, or begins at another time than 0");
     row.clear();
     fmt::format_to(std::back_inserter(row), "{}", fmt::join(numbers(motions[i]), ","));
     if (!radii.empty()) fmt::format_to(std::back_inserter(row), ",{}", radii[i]);

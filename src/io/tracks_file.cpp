@@ -193,7 +193,7 @@ class Tracks_reader {
 Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format format,
                         double fps) {
   KINETRI_PRECONDITION(format == Tracks_format::rows || (std::isfinite(fps) && fps > 0),
-                       "the number of frames a second is finite and greater than 0");
+                       "the number of frames a second is not a finite number greater than 0");
   // A stream that has failed before would look like a file without frames.
   if (in.fail()) {
     throw Input_error(name, 1, "reading failed; expected a readable file of tracks");

@@ -157,7 +157,9 @@ Simulation_options experiment_options(const Experiment_setting& setting) {
 }
 
 std::vector<Linear_motion_2> experiment_motions(const Experiment_setting& setting) {
-  KINETRI_PRECONDITION(setting.movers <= setting.points, "more points move than there are");
+  KINETRI_PRECONDITION(
+      setting.movers <= setting.points,
+      "more points move than there are; expected as many movers as points, or fewer");
   Scenario_options scenario;
   scenario.points = setting.points;
   scenario.seed = setting.seed;

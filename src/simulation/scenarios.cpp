@@ -187,14 +187,20 @@ Vector_2 lattice_velocity(std::size_t point, const Lattice& lattice,
 }
 
 void check(Scenario scenario, const Scenario_options& options) {
-  KINETRI_PRECONDITION(options.points < no_point, "a scenario has fewer than 2^32 - 1 points");
-  KINETRI_PRECONDITION(!options.side || is_size(*options.side), "the side is out of range");
-  KINETRI_PRECONDITION(is_size_or_zero(options.speed), "the speed is out of range");
-  KINETRI_PRECONDITION(is_size(options.spacing), "the spacing is out of range");
-  KINETRI_PRECONDITION(is_size_or_zero(options.jitter), "the jitter is out of range");
+  KINETRI_PRECONDITION(options.points < no_point,
+                       "a scenario of too many points; expected fewer than 2^32 - 1");
+  KINETRI_PRECONDITION(!options.side || is_size(*options.side),
+                       "the side is out of range; expected a number from 1e-100 to 1e100");
+  KINETRI_PRECONDITION(is_size_or_zero(options.speed),
+                       "the speed is out of range; expected 0, or a number from 1e-100 to 1e100");
+  KINETRI_PRECONDITION(is_size(options.spacing),
+                       "the spacing is out of range; expected a number from 1e-100 to 1e100");
+  KINETRI_PRECONDITION(is_size_or_zero(options.jitter),
+                       "the jitter is out of range; expected 0, or a number from 1e-100 to 1e100");
   const bool whole = scenario == Scenario::lattice && options.movers != Lattice_movers::none;
-  KINETRI_PRECONDITION(!whole || (options.speed >= 1 && options.speed <= largest_whole_speed),
-                       "the speed of a moving lattice is out of range");
+  KINETRI_PRECONDITION(
+      !whole || (options.speed >= 1 && options.speed <= largest_whole_speed),
+      "the speed of a moving lattice is out of range; expected a number from 1 to 2^53");
 }
 
 // Calls motion(id) for each point.
@@ -298,7 +304,7 @@ std::vector<Linear_motion_2> make_scenario(Scenario scenario, const Scenario_opt
     case Scenario::lattice_jitter:
       return lattice_jitter(options, random);
   }
-  KINETRI_PRECONDITION(false, "no such scenario");
+  KINETRI_PRECONDITION(false, "no such scenario; expected one of all_scenarios");
   return {};
 }
 

@@ -33,7 +33,9 @@ std::vector<Stay> stays_of(std::span<const std::vector<Observation_2>> tracks,
 }
 
 Linear_motion_2 motion_after(const std::vector<Observation_2>& track, std::size_t i) {
-  KINETRI_PRECONDITION(i + 1 < track.size(), "there is no next observation");
+  KINETRI_PRECONDITION(
+      i + 1 < track.size(),
+      "there is no next observation; expected an index less than that of the last one");
   const auto& [time, place] = track[i];
   const auto& [next_time, next_place] = track[i + 1];
   const double elapsed = next_time - time;

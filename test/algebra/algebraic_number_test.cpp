@@ -16,6 +16,7 @@
 #include "../support/random_polynomials.h"
 #include "kinetri/algebra/sturm_sequence.h"
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -129,7 +130,8 @@ TEST(AlgebraicNumber, RootKeepsPrimitivePolynomialAndIsolatingInterval) {
   EXPECT_LE(root.upper(), Rational(3, 2));
   EXPECT_LT(root.lower() * root.lower(), 2);
   EXPECT_GT(root.upper() * root.upper(), 2);
-  EXPECT_THROW(root.rational(), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(root.rational(),
+                            "the number is not known to be rational; ask is_known_rational first");
 }
 
 TEST(AlgebraicNumber, RootVeryNearToAnEndIsIsolatedByDyadicEnds) {
@@ -156,17 +158,26 @@ TEST(AlgebraicNumber, RootAtZeroOrAtAGridPointIsFoundToBeRational) {
 
 TEST(AlgebraicNumber, ConstructionPreconditionsAreChecked) {
   const Polynomial p{-2, 0, 1};
-  EXPECT_THROW(Algebraic_number(p, 2, 1), Precondition_error);
-  EXPECT_THROW(Algebraic_number(p, 1, 1), Precondition_error);
-  EXPECT_THROW(Algebraic_number(p, 2, 3), Precondition_error);
-  EXPECT_THROW(Algebraic_number(p, -2, 2), Precondition_error);
-  EXPECT_THROW(Algebraic_number(Polynomial{-1, 1}, 1, 2), Precondition_error);
-  EXPECT_THROW(Algebraic_number(Polynomial{-1, 1}, 0, 1), Precondition_error);
-  EXPECT_THROW(Algebraic_number(Polynomial{5}, 0, 1), Precondition_error);
-  EXPECT_THROW(Algebraic_number(Polynomial(), 0, 1), Precondition_error);
-  EXPECT_THROW(Algebraic_number{infinity}, Precondition_error);
-  EXPECT_THROW(Algebraic_number(1.0).refine_to(0), Precondition_error);
-  EXPECT_THROW(Algebraic_number(1.0).to_big_float(1), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(Algebraic_number(p, 2, 1), "the isolating interval is empty");
+  EXPECT_PRECONDITION_ERROR(Algebraic_number(p, 1, 1), "the isolating interval is empty");
+  EXPECT_PRECONDITION_ERROR(Algebraic_number(p, 2, 3),
+                            "the polynomial does not change sign over the isolating interval");
+  EXPECT_PRECONDITION_ERROR(Algebraic_number(p, -2, 2),
+                            "the polynomial does not change sign over the isolating interval");
+  EXPECT_PRECONDITION_ERROR(Algebraic_number(Polynomial{-1, 1}, 1, 2),
+                            "the polynomial does not change sign over the isolating interval");
+  EXPECT_PRECONDITION_ERROR(Algebraic_number(Polynomial{-1, 1}, 0, 1),
+                            "the polynomial does not change sign over the isolating interval");
+  EXPECT_PRECONDITION_ERROR(Algebraic_number(Polynomial{5}, 0, 1),
+                            "a polynomial without roots has no root to isolate");
+  EXPECT_PRECONDITION_ERROR(Algebraic_number(Polynomial(), 0, 1),
+                            "a polynomial without roots has no root to isolate");
+  EXPECT_PRECONDITION_ERROR(Algebraic_number{infinity}, "an infinity or a NaN is no number");
+  EXPECT_PRECONDITION_ERROR(
+      Algebraic_number(1.0).refine_to(0),
+      "an irrational number has no interval of width 0; ask for a greater one");
+  EXPECT_PRECONDITION_ERROR(Algebraic_number(1.0).to_big_float(1),
+                            "the precision is less than 2 bits");
 }
 
 TEST(AlgebraicNumber, PrintsTheRationalOrThePolynomialWithAnInterval) {
@@ -651,8 +662,8 @@ TEST(SimplestBetween, OfRandomNumbersIsWhatTrialFindsForEveryRepresentation) {
 }
 
 TEST(SimplestBetween, OfAnEmptyIntervalIsRefused) {
-  EXPECT_THROW(simplest_between(1.0, 1.0), Precondition_error);
-  EXPECT_THROW(simplest_between(2.0, 1.0), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(simplest_between(1.0, 1.0), "the interval is empty");
+  EXPECT_PRECONDITION_ERROR(simplest_between(2.0, 1.0), "the interval is empty");
 }
 
 TEST(AlgebraicNumber, NegativeIsMirroredAtZero) {

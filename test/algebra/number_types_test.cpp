@@ -13,6 +13,7 @@
 
 #include "../support/random_polynomials.h"
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -65,9 +66,10 @@ TEST(NumberTypes, ToRationalOfKnownNumbersIsExact) {
 }
 
 TEST(NumberTypes, ToRationalOfInfinityOrNanIsRefused) {
-  EXPECT_THROW(to_rational(infinity), Precondition_error);
-  EXPECT_THROW(to_rational(-infinity), Precondition_error);
-  EXPECT_THROW(to_rational(std::numeric_limits<double>::quiet_NaN()), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(to_rational(infinity), "only a finite number is a rational number");
+  EXPECT_PRECONDITION_ERROR(to_rational(-infinity), "only a finite number is a rational number");
+  EXPECT_PRECONDITION_ERROR(to_rational(std::numeric_limits<double>::quiet_NaN()),
+                            "only a finite number is a rational number");
 }
 
 TEST(NumberTypes, EveryBinary64NumberSurvivesTheRoundTrip) {

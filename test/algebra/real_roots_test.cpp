@@ -14,6 +14,7 @@
 #include "../support/random_polynomials.h"
 #include "kinetri/algebra/sturm_sequence.h"
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -125,7 +126,8 @@ TEST(RealRoots, AtPowersOfTwoAndOnTheBoundOfTheRootsAreFound) {
 TEST(RealRoots, OfConstantsAreNoneAndOfZeroRefused) {
   EXPECT_TRUE(real_roots(Polynomial{-3}).empty());
   EXPECT_TRUE(real_roots(Polynomial{1, 0, 1}).empty());
-  EXPECT_THROW(real_roots(Polynomial()), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(real_roots(Polynomial()),
+                            "every number is a root of the zero polynomial");
 }
 
 // --- The first root after a time
@@ -225,7 +227,8 @@ TEST(FirstRootAfter, ManyRootsOfAllSizesVisitsThemInTurn) {
 }
 
 TEST(FirstRootAfter, ZeroPolynomialIsRefused) {
-  EXPECT_THROW(first_root_after(Polynomial(), Algebraic_number()), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(first_root_after(Polynomial(), Algebraic_number()),
+                            "every number is a root of the zero polynomial");
 }
 
 // --- Failure times
@@ -433,9 +436,11 @@ TEST(SturmCubicAndQuarticRoots, OfRandomPolynomialsAgreeWithTheGeneralAlgorithm)
 }
 
 TEST(SturmCubicAndQuarticRoots, OfAnotherDegreeAreRefused) {
-  EXPECT_THROW(sturm_cubic_roots(Polynomial{1, 1}), Precondition_error);
-  EXPECT_THROW(sturm_cubic_roots(Polynomial()), Precondition_error);
-  EXPECT_THROW(sturm_quartic_roots(Polynomial{1, 1}), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(sturm_cubic_roots(Polynomial{1, 1}),
+                            "the polynomial is not of degree 3");
+  EXPECT_PRECONDITION_ERROR(sturm_cubic_roots(Polynomial()), "the polynomial is not of degree 3");
+  EXPECT_PRECONDITION_ERROR(sturm_quartic_roots(Polynomial{1, 1}),
+                            "the polynomial is not of degree 4");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -35,8 +36,8 @@ TEST(RoundedQuotient, AtARationalNumberIsThatOfTheValues) {
 TEST(RoundedQuotient, OfAZeroIsZeroAndByAZeroIsRefused) {
   EXPECT_EQ(rounded_quotient(Polynomial{-2, 0, 1}, Polynomial{1, 1}, square_root(2)), 0.0);
   EXPECT_EQ(rounded_quotient(Polynomial(), Polynomial{1}, square_root(2)), 0.0);
-  EXPECT_THROW(rounded_quotient(Polynomial{1}, Polynomial{-2, 0, 1}, square_root(2)),
-               Precondition_error);
+  EXPECT_PRECONDITION_ERROR(rounded_quotient(Polynomial{1}, Polynomial{-2, 0, 1}, square_root(2)),
+                            "a quotient whose denominator vanishes");
 }
 
 // The square root of an integer is rounded correctly by IEEE 754.

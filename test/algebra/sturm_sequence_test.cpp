@@ -14,6 +14,7 @@
 
 #include "../support/random_polynomials.h"
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -162,10 +163,13 @@ TEST(SturmCount, OfPowersOfIrrationalOrComplexPairsCountsDistinctRealRoots) {
 }
 
 TEST(SturmSequence, PreconditionsAreChecked) {
-  EXPECT_THROW(Sturm_sequence{Polynomial()}, Precondition_error);
-  EXPECT_THROW((Sturm_sequence{Polynomial(), Polynomial{1}}), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(Sturm_sequence{Polynomial()},
+                            "the zero polynomial has no Sturm sequence");
+  EXPECT_PRECONDITION_ERROR((Sturm_sequence{Polynomial(), Polynomial{1}}),
+                            "the zero polynomial has no Sturm sequence");
   const Sturm_sequence sequence(Polynomial{-1, 0, 1});
-  EXPECT_THROW(sequence.count(Interval_end{1, true}, Interval_end{0, true}), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(sequence.count(Interval_end{1, true}, Interval_end{0, true}),
+                            "the ends of the interval are not in order");
 }
 
 // --- Terms

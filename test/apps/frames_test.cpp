@@ -215,75 +215,6 @@ TEST_F(Frames, MayTakeThePlaceOfAnEmptyDirectory) {
 
 // ---- what is refused ----
 
-TEST_F(Frames, SayWhatIsWrongWithTheOptions) {
-  struct Case {
-    Arguments arguments;
-    const char* message;
-  };
-  const std::vector<Case> cases = {
-      {{"--fps", "25"},
-       "--frames-per-time: no frames are written; expected --frames or --vtu as well"},
-      {{"--frames", "f", "--fps", "0"},
-       "--frames-per-time: 0 cannot be used; expected a number greater than 0"},
-      {{"--frames", "f", "--fps", "many"},
-       "--frames-per-time: 'many' is not a number; expected a decimal or hexadecimal floating "
-       "point number such as -1.5, 2e-3 or 0x1.8p3"},
-      {{"--vtu", "f", "--fps", "500000"},
-       "--frames-per-time: 500000 from t = 0 to 2 are more than 1000000 frames; expected fewer"},
-      {{"--vtu", "f", "--frames", "./f/"},
-       "--vtu: f is, or is in, the directory of --frames, ./f/; expected a path elsewhere"},
-      {{"--frames", "f", "--edges", "f"},
-       "--edges: f is, or is in, the directory of --frames, f; expected a path elsewhere"},
-      {{"--frames", "empty", "--events", "empty/e.csv"},
-       "--events: empty/e.csv is, or is in, the directory of --frames, empty; expected a path "
-       "elsewhere"},
-      {{"--frames", "empty", "--vtu", "empty/v"},
-       "--vtu: empty/v is, or is in, the directory of --frames, empty; expected a path elsewhere"}};
-  fs::create_directory(file("empty"));
-  for (const Case& c : cases) {
-    Arguments arguments = c.arguments;
-    arguments.insert(arguments.end(), {"--until", "2"});
-    const Outcome outcome = simulate(one_flip, arguments);
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.err, std::string("kinetri simulate: ") + c.message +
-                               "\nRun 'kinetri simulate --help' for what is possible.\n");
-    EXPECT_EQ(entries(), (Entries{"empty", "p.csv"}));
-    EXPECT_EQ(entries_of("empty"), Entries{});
-  }
-}
-
-TEST_F(Frames, OfTracksDoNotTakeTheRateOfTheirInput) {
-  write("t.csv", "t,id,x,y\n0,a,0,0\n1,a,1,0\n");
-  const Outcome outcome = run({"tracks", "t.csv", "--frames", "f", "--fps", "25"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("--fps: rows have times; expected --format frames as well, or no "
-                             "--fps (--frames-per-time is the rate of --frames and --vtu)\n"),
-            std::string::npos)
-      << outcome.err;
-}
-
-TEST_F(Frames, NeedADirectoryThatCanBeMade) {
-  fs::create_directory(file("full"));
-  write("full/a", "kept");
-  for (const char* option : {"--frames", "--vtu"}) {
-    const Outcome full = simulate(one_flip, {"--until", "1", option, "full"});
-    EXPECT_EQ(full.exit_code, 2);
-    EXPECT_EQ(full.err,
-              "full: is not empty; expected a directory that is not there yet, or is empty; remove "
-              "what is in it, or name another\n");
-    const Outcome missing = simulate(one_flip, {"--until", "1", option, "missing/f"});
-    EXPECT_EQ(missing.exit_code, 2);
-    EXPECT_EQ(missing.err.rfind("missing/f: cannot be made: No such file or directory; ", 0), 0U);
-    const Outcome in_proc = simulate(one_flip, {"--until", "1", option, "/proc/f"});
-    EXPECT_EQ(in_proc.exit_code, 2);
-    EXPECT_EQ(in_proc.err.rfind("/proc/f: cannot be made: ", 0), 0U) << in_proc.err;
-    const Outcome standard = simulate(one_flip, {"--until", "1", option, "-"});
-    EXPECT_EQ(standard.exit_code, 2);
-  }
-  EXPECT_EQ(entries(), (Entries{"full", "p.csv"}));
-  EXPECT_EQ(entries_of("full"), Entries{"a"});
-}
-
 TEST_F(Frames, OfARunThatFailsAreNotThere) {
   // From t = 1 on both go the same way.
   write("t.csv", "t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n");
@@ -293,15 +224,6 @@ TEST_F(Frames, OfARunThatFailsAreNotThere) {
   EXPECT_EQ(outcome.err.rfind("t.csv:6: from t = 1 on ids 'a' and 'b' go the same way", 0), 0U);
   EXPECT_EQ(entries(), (Entries{"t.csv", "v"}));
   EXPECT_EQ(entries_of("v"), Entries{});
-}
-
-// The last output that is written fails: none appears.
-TEST_F(Frames, OfARunWithAnotherOutputThatFailsAreNotThere) {
-  const Outcome outcome =
-      simulate(one_flip, {"--until", "1", "--frames", "f", "--stats", "/dev/full"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err, "/dev/full: writing failed: No space left on device\n");
-  EXPECT_EQ(entries(), Entries{"p.csv"});
 }
 
 // ---- interruption ----
@@ -441,19 +363,6 @@ TEST_F(Plot, OfOtherCommandsWorks) {
   EXPECT_NE(read("resumed.svg").find(">flips<"), std::string::npos);
   write("t.csv", "t,id,x,y\n0,a,0,0\n1,a,1,0\n");
   EXPECT_EQ(run({"tracks", "t.csv", "--plot", "-", "--quiet"}).out.rfind("<?xml", 0), 0U);
-}
-
-TEST_F(Frames, PlotNeedsGnuplot) {
-  write("p.csv", one_flip);
-  test::Process_input input;
-  input.environment = {"PATH=/nowhere"};
-  const Outcome outcome = run({"simulate", "p.csv", "--until", "1", "--plot", "plot.svg"}, input);
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("--plot: plots are drawn by gnuplot, which is not there; expected it "
-                             "installed (Debian: gnuplot-nox), or no --plot\n"),
-            std::string::npos)
-      << outcome.err;
-  EXPECT_EQ(entries(), Entries{"p.csv"});
 }
 
 }  // namespace

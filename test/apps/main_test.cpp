@@ -48,26 +48,6 @@ TEST_F(Program, EveryHelpHasAnExample) {
   }
 }
 
-TEST_F(Program, WithoutACommandIsAUsageError) {
-  const Outcome outcome = run({});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(
-      outcome.err,
-      "kinetri: nothing to do; expected generate, simulate, resume, tracks, wave, experiment, "
-      "completion or manual\n"
-      "Run 'kinetri --help' for what is possible.\n");
-}
-
-TEST_F(Program, UnknownCommandIsAUsageError) {
-  const Outcome outcome = run({"stimulate"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err,
-            "kinetri: 'stimulate' is unknown; expected generate, simulate, resume, tracks, wave, "
-            "experiment, completion or manual\n"
-            "Run 'kinetri --help' for what is possible.\n");
-}
-
 // ---- failures inside, which a right library does not have: faults.cpp makes them ----
 
 class FaultyProgram : public test::Program_test {
@@ -95,26 +75,6 @@ TEST_F(FaultyProgram, FailedAuditIsReportedWithItsFindingsAndOutputsAreWritten) 
   EXPECT_NE(outcome.err.find("3 run, 3 failed"), std::string::npos);
   EXPECT_NE(read("edges.csv"), "before");
   EXPECT_EQ(nlohmann::json::parse(read("stats.json"))["audits"]["failed"], 3);
-}
-
-TEST_F(FaultyProgram, FailedInternalCheckChangesNoFile) {
-  for (const char* fault : {"internal", "precondition", "unexpected"}) {
-    const Outcome outcome = run_with(fault);
-    EXPECT_EQ(outcome.exit_code, 3) << fault;
-    EXPECT_EQ(outcome.err.rfind("kinetri: ", 0), 0U) << outcome.err;
-    EXPECT_NE(outcome.err.find("made on purpose"), std::string::npos) << outcome.err;
-    EXPECT_EQ(read("edges.csv"), "before");
-    EXPECT_EQ(entries(), (Entries{"edges.csv", "p.csv"}));
-  }
-  EXPECT_NE(run_with("unexpected").err.find("please report this"), std::string::npos);
-}
-
-TEST_F(FaultyProgram, TooLittleMemoryIsReported) {
-  const Outcome outcome = run_with("memory");
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err,
-            "kinetri: there is not enough memory; expected fewer points, or more memory\n");
-  EXPECT_EQ(entries(), (Entries{"edges.csv", "p.csv"}));
 }
 
 // ---- interruption ----

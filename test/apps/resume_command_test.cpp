@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // `kinetri resume` from outside: a run in two parts is the run in one.
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -12,7 +11,6 @@ namespace kinetri {
 namespace {
 
 using test::Arguments;
-using test::Entries;
 using test::falling_balls;
 using test::one_flip;
 using test::Outcome;
@@ -102,47 +100,6 @@ TEST_F(Resume, ReadsStandardInputAndCountsOn) {
   EXPECT_EQ(stats["from"], 2);
   EXPECT_EQ(stats["until"], 3);
   EXPECT_EQ(stats["events_total"], 1);
-}
-
-TEST_F(Resume, BadInputIsNamedAndChangesNoFile) {
-  write("p.csv", one_flip);
-  write("edges.csv", "before");
-  done({"simulate", "p.csv", "--until", "2", "--checkpoint", "run.kinetri", "--quiet"});
-  const auto refuses = [&](const std::string& name, const std::string& message) {
-    const Outcome outcome = run({"resume", name, "--until", "3", "--edges", "edges.csv"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.err.rfind(message, 0), 0u) << outcome.err;
-    EXPECT_NE(outcome.err.find("expected"), std::string::npos) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_EQ(read("edges.csv"), "before");
-  };
-  refuses("missing", "missing: cannot be opened: No such file or directory;");
-  refuses("p.csv", "p.csv: is no checkpoint: it begins with 'x,y,vx,vy';");
-  std::string text = read("run.kinetri");
-  write("cut", text.substr(0, text.size() / 2));
-  refuses("cut", "cut: is cut short");
-  text[text.size() / 2] ^= 1;
-  write("damaged", text);
-  refuses("damaged", "damaged: is damaged:");
-}
-
-TEST_F(Resume, BadUsageSaysWhatWasExpected) {
-  write("p.csv", one_flip);
-  done({"simulate", "p.csv", "--until", "2", "--checkpoint", "run.kinetri", "--quiet"});
-  const auto refuses = [&](const Arguments& more, const std::string& message) {
-    const Outcome outcome = run(Arguments{"resume", "run.kinetri"} + more);
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.err, "kinetri resume: " + message +
-                               "\nRun 'kinetri resume --help' for what is possible.\n");
-    EXPECT_EQ(entries(), (Entries{"p.csv", "run.kinetri"}));
-  };
-  refuses({}, "--until is required");
-  refuses({"--until", "1.5"},
-          "--until: 1.5 is before the time of run.kinetri; expected at least 2");
-  refuses({"--until", "3", "--box", "0,0,1,1"},
-          "'--box' is unknown; expected only what --help lists");
-  refuses({"--until", "3", "--checkpoint", "run.kinetri"},
-          "--checkpoint: run.kinetri is the input; expected another file");
 }
 
 }  // namespace

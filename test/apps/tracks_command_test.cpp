@@ -13,7 +13,6 @@ namespace kinetri {
 namespace {
 
 using test::Arguments;
-using test::Entries;
 using test::Outcome;
 
 class Tracks : public test::Program_test {
@@ -105,48 +104,6 @@ TEST_F(Tracks, LogContactsOfDiscs) {
              {"--collisions", "log", "--radius", "1", "--events", "-", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("collision,6,6,6,,,,,0,1\n"), std::string::npos) << outcome.out;
-}
-
-TEST_F(Tracks, SayWhatIsWrong) {
-  struct Case {
-    const char* text;
-    Arguments arguments;
-    const char* message;
-  };
-  const std::vector<Case> cases = {
-      {"t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n",
-       {},
-       "t.csv:6: from t = 1 on ids 'a' and 'b' go the same way (see line 3); expected things that "
-       "are apart at one of two observations\n"},
-      {"t,id,x,y\n0,a,-1e308,0\n1,a,1e308,0\n",
-       {},
-       "t.csv:3: id 'a' goes too far too fast since line 2; expected a velocity that is a binary64 "
-       "number\n"},
-      {one_visitor, {"--fps", "25"}, "kinetri tracks: --fps: rows have times; expected --format "},
-      {one_visitor, {"--max-gap", "0"}, "kinetri tracks: --max-gap: 0 cannot be used; expected "},
-      {one_visitor,
-       {"--format", "xml"},
-       "kinetri tracks: --format: 'xml' is unknown; expected rows "},
-      {one_visitor, {"--collisions", "log"}, "kinetri tracks: --collisions: discs have a radius; "},
-      {one_visitor,
-       {"--radius", "1"},
-       "kinetri tracks: --radius: nothing touches a disc; expected "},
-      {one_visitor, {"--closest", "0"}, "kinetri tracks: --closest: 0 approaches show nothing; "},
-      {one_visitor,
-       {"--until", "-1"},
-       "kinetri tracks: --until: -1 is before the start; expected at "
-       "least 0, which is the first observation\n"},
-      {one_visitor,
-       {"--closest", "1", "--edges", "-"},
-       "kinetri tracks: --edges and --closest name the same file, -; expected different files\n"}};
-  for (const Case& c : cases) {
-    Arguments arguments = c.arguments;
-    arguments.insert(arguments.end(), {"--stats", "stats.json"});
-    const Outcome outcome = tracks(c.text, arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_EQ(outcome.err.rfind(c.message, 0), 0u) << outcome.err;
-    EXPECT_EQ(entries(), (Entries{"t.csv"}));
-  }
 }
 
 // ---- real tracks ----

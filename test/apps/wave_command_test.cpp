@@ -61,31 +61,6 @@ TEST_F(Wave, HasJitterWhereItIsAskedFor) {
   EXPECT_NE(edges({"--jitter", "3"}), edges({"--jitter", "3", "--seed", "2"}));
 }
 
-TEST_F(Wave, SaysWhatIsWrong) {
-  const struct {
-    Arguments arguments;
-    const char* message;
-  } cases[] = {{{"--columns", "0"}, "--columns: 0 make no lattice; expected 1 or more"},
-               {{"--rows", "1000000", "--columns", "2"},
-                "--rows: 2 x 1000000 points are too many; expected at most 1000000"},
-               {{"--radius", "5"}, "--radius: 5 makes neighbors overlap; expected less than 5"},
-               {{"--jitter", "5"}, "--jitter: 5 lets neighbors overlap; expected less than 4.92"},
-               {{"--speed", "0"}, "--speed: 0 is out of range"},
-               {{"--until", "x"}, "--until: 'x'"},
-               {{"--html", "nowhere/x.html"}, "nowhere/x.html: "},
-               {{"--html", "x", "--events", "x"}, "--events and --html name the same file"}};
-  for (const auto& c : cases) {
-    const Outcome outcome = run([&] {
-      Arguments all = c.arguments;
-      all.insert(all.begin(), "wave");
-      return all;
-    }());
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_NE(outcome.err.find(c.message), std::string::npos) << outcome.err;
-    EXPECT_EQ(entries(), Entries{});
-  }
-}
-
 TEST_F(Wave, ThePageOfARunWithNamesHasThem) {
   write("t.csv", "t,id,x,y\n0,ann,0,0\n0,bob,9,0\n0,<i>,0,9\n10,ann,1,1\n10,bob,9,0\n10,<i>,0,9\n");
   const Outcome outcome = run({"tracks", file("t.csv"), "--html", "t.html", "--quiet"});

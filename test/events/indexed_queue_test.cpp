@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -357,15 +358,17 @@ TEST(IndexedQueue, ReleasesWhatAnItemOwnsWhenItLeaves) {
 
 TEST(IndexedQueue, MisuseThrows) {
   Indexed_queue<int, std::less<int>> queue;
-  EXPECT_THROW(static_cast<void>(queue.top()), Precondition_error);
-  EXPECT_THROW(static_cast<void>(queue.top_handle()), Precondition_error);
-  EXPECT_THROW(queue.pop(), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(queue.top(), "top of an empty queue");
+  EXPECT_PRECONDITION_ERROR(queue.top_handle(), "top of an empty queue");
+  EXPECT_PRECONDITION_ERROR(queue.pop(), "top of an empty queue");
   const Queue_handle handle = queue.push(1);
   queue.pop();
-  EXPECT_THROW(queue.erase(handle), Precondition_error);
-  EXPECT_THROW(queue.update(handle, 2), Precondition_error);
-  EXPECT_THROW(static_cast<void>(queue[handle]), Precondition_error);
-  EXPECT_THROW(queue.erase(no_event), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(queue.erase(handle), "the handle names no item of the queue");
+  EXPECT_PRECONDITION_ERROR(queue.update(handle, 2), "the handle names no item of the queue");
+  EXPECT_PRECONDITION_ERROR(queue[handle], "the handle names no item of the queue");
+  EXPECT_PRECONDITION_ERROR(queue.erase(no_event), "the handle names no item of the queue");
+  std::vector<int> items = {1, 2};
+  EXPECT_PRECONDITION_ERROR(queue.assign(items, 2), "the queue has been used");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 //
 // Output directories are whole or not there, and every failure is reported.
 #include "kinetri/io/output_directory.h"
+#include "support/precondition_error.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -84,9 +85,12 @@ TEST_F(OutputDirectory, WithoutCommitNothingIsLeft) {
 }
 
 TEST_F(OutputDirectory, WithoutFilesIsEmpty) {
-  Output_directory(file("out")).commit();
+  Output_directory output(file("out"));
+  output.commit();
   EXPECT_EQ(entries(), Entries{"out"});
   EXPECT_EQ(entries("out"), Entries{});
+  EXPECT_PRECONDITION_ERROR(output.write("late", ""),
+                            "a file for a directory that is complete; write it before commit");
 }
 
 TEST_F(OutputDirectory, TakesThePlaceOfAnEmptyOne) {
@@ -169,10 +173,16 @@ TEST_F(OutputDirectory, FailureToWriteNamesTheFile) {
     output.write(name, "text");
     FAIL() << "no error";
   } catch (const Output_error& error) {
-    EXPECT_EQ(error.what(), file("out") + "/" + name + ": writing failed: File name too long");
+    EXPECT_EQ(error.what(),
+              file("out") + "/" + name +
+                  ": writing failed: File name too long; expected a place that takes all of it");
   }
-  EXPECT_THROW(output.write("a/b", ""), Precondition_error);
-  EXPECT_THROW(output.write("", ""), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(
+      output.write("a/b", ""),
+      "the name of a file in an output directory is empty or has a slash; expected a plain name");
+  EXPECT_PRECONDITION_ERROR(
+      output.write("", ""),
+      "the name of a file in an output directory is empty or has a slash; expected a plain name");
 }
 
 // As on a full disk, the part that there is room for is written.
@@ -194,7 +204,8 @@ TEST_F(OutputDirectory, PartOfAFileIsAFailure) {
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   }
   std::signal(SIGXFSZ, signal);
-  EXPECT_EQ(error, file("out") + "/a: writing failed: File too large");
+  EXPECT_EQ(error, file("out") +
+                       "/a: writing failed: File too large; expected a place that takes all of it");
   EXPECT_EQ(entries(), Entries{});
 }
 

@@ -210,7 +210,9 @@ TEST_F(OutputFile, FullDiskIsReported) {
       output.commit();
       FAIL() << "no error";
     } catch (const Output_error& error) {
-      EXPECT_STREQ(error.what(), "/dev/full: writing failed: No space left on device");
+      EXPECT_STREQ(error.what(),
+                   "/dev/full: writing failed: No space left on device; expected a place that "
+                   "takes all of it");
     }
   }
 }

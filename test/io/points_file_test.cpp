@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 #include "support/temporary_directory.h"
 
 namespace kinetri {
@@ -498,12 +499,15 @@ TEST(WritePoints, WritesHigherDerivatives) {
 
 TEST(WritePoints, WhatTheFormatCannotHoldThrows) {
   std::ostringstream out;
-  EXPECT_THROW(write_points(out, std::vector<Linear_motion_2>{{{0, 0}, {0, 0}, 1}}),
-               Precondition_error);
-  EXPECT_THROW(write_points(out, std::vector<Linear_motion_2>{{{INFINITY, 0}, {0, 0}, 0}}),
-               Precondition_error);
-  EXPECT_THROW(write_points(out, std::vector<Linear_motion_2>(2), std::vector<double>(1)),
-               Precondition_error);
+  EXPECT_PRECONDITION_ERROR(
+      write_points(out, std::vector<Linear_motion_2>{{{0, 0}, {0, 0}, 1}}),
+      "a motion has a number that is not finite, or begins at another time than 0");
+  EXPECT_PRECONDITION_ERROR(
+      write_points(out, std::vector<Linear_motion_2>{{{INFINITY, 0}, {0, 0}, 0}}),
+      "a motion has a number that is not finite, or begins at another time than 0");
+  EXPECT_PRECONDITION_ERROR(
+      write_points(out, std::vector<Linear_motion_2>(2), std::vector<double>(1)),
+      "there are not as many radii as points; expected one for each, or none");
 }
 
 }  // namespace

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 #include "support/temporary_directory.h"
 
 namespace kinetri {
@@ -185,7 +186,9 @@ TEST(ReadTracksFrames, EmptyFileMeansNoTracks) {
 TEST(ReadTracksFrames, FramesASecondMustBePositiveAndFinite) {
   for (const double fps : {0.0, -25.0, std::numeric_limits<double>::infinity(),
                            std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_THROW(frames("0 a 1 2\n", fps), Precondition_error) << fps;
+    EXPECT_PRECONDITION_ERROR(frames("0 a 1 2\n", fps),
+                              "the number of frames a second is not a finite number greater than 0")
+        << fps;
   }
   EXPECT_EQ(frames("0 a 1 2\n", std::numeric_limits<double>::denorm_min()).observations, 1U);
 }

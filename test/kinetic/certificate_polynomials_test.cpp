@@ -9,6 +9,7 @@
 #include <random>
 
 #include "support/motions.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -118,6 +119,21 @@ TEST(Certificate_polynomials, of_a_rigid_translation_of_a_square_vanish_identica
   const Moving_point_2 s(Linear_motion_2{{0, 1}, v, 0});
   EXPECT_TRUE(in_circle_polynomial(p, q, r, s).is_zero());
   EXPECT_EQ(orientation_polynomial(p, q, r).degree(), 0);
+}
+
+TEST(Certificate_polynomials, of_points_that_stay_collinear_have_no_circumcenter) {
+  const Vector_2 v = {1, 2};
+  const Moving_point_2 p(Linear_motion_2{{0, 0}, v, 0});
+  const Moving_point_2 q(Linear_motion_2{{1, 1}, v, 0});
+  const Moving_point_2 r(Linear_motion_2{{3, 3}, v, 0});
+  EXPECT_PRECONDITION_ERROR(circumcenter_trajectory(p, q, r),
+                            "three points that stay collinear have no circumcenter");
+  // At t = 2 two of them meet.
+  const Moving_point_2 passing(Linear_motion_2{{0, 2}, {1, 1}, 0});
+  const Moving_point_2 center(circumcenter_trajectory(p, q, passing));
+  EXPECT_PRECONDITION_ERROR(center.position(2), "the point is nowhere at this time");
+  EXPECT_PRECONDITION_ERROR(Moving_point_2(Trajectory_2()),
+                            "a trajectory whose denominator is zero");
 }
 
 TEST(Certificate_polynomials, of_circumcenters_have_the_signs_of_the_static_predicates) {

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests of the checks in scripts/: each finds what it is for, and lets pass what is right."""
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -12,6 +13,7 @@ sys.path.insert(0, str(SCRIPTS))
 
 import check_documents  # noqa: E402
 import check_layers  # noqa: E402
+import check_messages  # noqa: E402
 import check_sources  # noqa: E402
 import summarize_tests  # noqa: E402
 
@@ -191,6 +193,76 @@ class Sources(Tree):
     def test_what_is_built_is_not_checked(self):
         self.assertEqual(self.problems("build/test/a.cpp", "x"), [])
         self.assertEqual(check_sources.check(self.root)[0], 0)
+
+
+class Messages(Tree):
+    """A tree with one listed message, which a source has, and what a test adds."""
+
+    def setUp(self):
+        super().setUp()
+        self.rows = ["| `<file>:<line>: the row has <n> fields; expected <m>` | 2 | a comma too many | |"]
+        self.write("src/io/a.cpp", 'fail(fmt::format("the row has {} fields; "\n  "expected {}", n, m));\n')
+
+    def violations(self):
+        self.write("docs/ERRORS.md", "\n".join(["| Message |", "|---|", *self.rows]) + "\n")
+        return check_messages.check(self.root)[1]
+
+    def assert_violations(self, *begins):
+        found = self.violations()
+        self.assertEqual(len(found), len(begins), found)
+        for violation, begin in zip(found, begins):
+            self.assertTrue(violation.startswith(begin), violation)
+
+    def test_a_listed_message_passes(self):
+        self.assert_violations()
+
+    def test_a_message_without_a_row_fails(self):
+        self.write("src/io/b.cpp", '\nthrow Input_error(file, 0, "the moon is full");\n')
+        self.write("apps/kinetri/c.cpp", '  throw Usage_error(too_long ? "--a: too long" : "--a: too short");\n')
+        self.write("include/kinetri/io/d.h", 'inline const char* problem() { return "no cheese left"; }\n')
+        self.write("src/io/viewer/e.js", "demand(a, `it has ${a} ` +\n  'of these');\n")
+        self.write("scripts/f.sh", 'kinetri_fail "the sky fell: $sky"\n')
+        self.assert_violations('include/kinetri/io/d.h:1: "no cheese left"',
+                               'src/io/b.cpp:2: "the moon is full"',
+                               'src/io/viewer/e.js:1: "it has ${a} of these"',
+                               'apps/kinetri/c.cpp:1: "--a: too long"',
+                               'apps/kinetri/c.cpp:1: "--a: too short"',
+                               'scripts/f.sh:1: "the sky fell: $sky"')
+
+    def test_what_is_no_message_passes(self):
+        self.write("apps/kinetri/c.cpp", 'add("--a", a_, "What a is"); // throw Usage_error("so it is")\n')
+        self.write("src/io/b.cpp", 'KINETRI_ASSERT(a, "a is not b"); f("key", R"(a b c)", \'"\');\n')
+        self.assert_violations()
+
+    def test_a_changed_message_and_a_row_without_a_message_fail(self):
+        self.rows.append("| `the sea is <color>` | Input_error | | |")
+        self.write("src/io/b.cpp", 'fail("the sea was " + color);\n')
+        self.assert_violations('src/io/b.cpp:1: "the sea was"',
+                               'docs/ERRORS.md:4: no source says "the sea is <color>"')
+
+    def test_a_precondition_without_a_test_fails(self):
+        self.rows.append("| `the queue is empty` | Precondition_error | | |")
+        self.write("src/events/b.cpp", 'KINETRI_PRECONDITION(!empty(), "the queue is empty");\n')
+        self.assert_violations('src/events/b.cpp:1: "the queue is empty" is in no test')
+        self.write("test/events/b_test.cpp", 'EXPECT_PRECONDITION_ERROR(top(), "the queue "\n"is empty");\n')
+        self.assert_violations()
+
+
+class Misuse(unittest.TestCase):
+    def test_a_wrong_command_line_is_named_before_the_usage(self):
+        for script, arguments, problem in (
+                ("demo.sh", ["--points"], "--points has no value"),
+                ("demo.sh", ["now"], "'now' is unknown"),
+                ("test.sh", ["--filter"], "--filter has no value"),
+                ("test.sh", ["--fast"], "'--fast' is unknown"),
+                ("test.sh", ["--compiler", "no-c++"], "--compiler: there is no program no-c++"),
+                ("fuzz.sh", ["--seconds", "x"], "--seconds: 'x' is no whole number greater than 0"),
+                ("fuzz.sh", ["bugs"], "'bugs' is unknown")):
+            with self.subTest(script, arguments=arguments):
+                run = subprocess.run([SCRIPTS / script, *arguments], capture_output=True, text=True,
+                                     check=False)
+                self.assertEqual((run.returncode, run.stdout), (2, ""))
+                self.assertTrue(run.stderr.startswith(f"error: {problem}\n\nusage: "), run.stderr)
 
 
 class Summary(Tree):

@@ -15,6 +15,7 @@
 #include "kinetri/base/error.h"
 #include "support/disc_runs.h"
 #include "support/motions.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -198,12 +199,23 @@ TEST(EventStatistics, IsSummedUpForPeople) {
 
 TEST(EventStatistics, RefusesIntervalsThatAreNone) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(Statistics(1, 1, 1), Precondition_error);
-  EXPECT_THROW(Statistics(2, 1, 1), Precondition_error);
-  EXPECT_THROW(Statistics(0, infinity, 1), Precondition_error);
-  EXPECT_THROW(Statistics(std::numeric_limits<double>::quiet_NaN(), 1, 1), Precondition_error);
-  EXPECT_THROW(Statistics(0, 1, 0), Precondition_error);
-  EXPECT_THROW(Statistics(1, 1.0000000000000002, 2), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(
+      Statistics(1, 1, 1),
+      "the intervals of event statistics need two finite ends, the first one less");
+  EXPECT_PRECONDITION_ERROR(
+      Statistics(2, 1, 1),
+      "the intervals of event statistics need two finite ends, the first one less");
+  EXPECT_PRECONDITION_ERROR(
+      Statistics(0, infinity, 1),
+      "the intervals of event statistics need two finite ends, the first one less");
+  EXPECT_PRECONDITION_ERROR(
+      Statistics(std::numeric_limits<double>::quiet_NaN(), 1, 1),
+      "the intervals of event statistics need two finite ends, the first one less");
+  EXPECT_PRECONDITION_ERROR(Statistics(0, 1, 0),
+                            "event statistics over no interval; take one or more");
+  EXPECT_PRECONDITION_ERROR(
+      Statistics(1, 1.0000000000000002, 2),
+      "the intervals are too short to tell their ends apart; take fewer of them");
   const double largest = std::numeric_limits<double>::max();
   const Statistics wide(-largest, largest, 2);
   EXPECT_EQ(wide.intervals()[0].to, 0.0);

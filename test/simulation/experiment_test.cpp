@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -35,7 +36,9 @@ TEST(Experiment, moves_as_many_points_as_asked_for) {
     }
   }
   setting.movers = 41;
-  EXPECT_THROW(experiment_motions(setting), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(
+      experiment_motions(setting),
+      "more points move than there are; expected as many movers as points, or fewer");
 }
 
 TEST(Experiment, has_no_events_where_nothing_moves) {
@@ -71,7 +74,8 @@ TEST(Discrete_steps, miss_nothing_when_tiny_and_much_when_wide) {
   EXPECT_LT(comparisons[1].edge_changes_missed, comparisons[0].edge_changes_missed);
   EXPECT_LE(comparisons[2].edge_changes_missed, comparisons[2].edge_changes / 50);
   EXPECT_EQ(comparisons[2].contacts_missed, 0u);
-  EXPECT_THROW(compare_with_discrete_steps(small_setting(), {0.0}), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(compare_with_discrete_steps(small_setting(), {0.0}),
+                            "a time step is not greater than 0");
 }
 
 }  // namespace

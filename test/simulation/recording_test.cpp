@@ -17,6 +17,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/simulation/tracks.h"
 #include "support/motions.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -250,8 +251,9 @@ TEST(Recording, of_nothing_is_empty) {
   EXPECT_TRUE(run.recording.motions.empty());
   EXPECT_EQ(run.recording.from, 2);
   EXPECT_EQ(run.recording.until, 2);
-  EXPECT_THROW(Recorder<>(simulation.triangulation(), 3, 0), Precondition_error);
-  EXPECT_THROW(Recorder<>(simulation.triangulation(), 1.0 / 0.0, 1), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(Recorder<>(simulation.triangulation(), 3, 0), "a recording of no rows");
+  EXPECT_PRECONDITION_ERROR(Recorder<>(simulation.triangulation(), 1.0 / 0.0, 1),
+                            "the end of a recording is not finite");
 }
 
 TEST(Recording, says_how_far_it_got) {

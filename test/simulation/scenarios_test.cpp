@@ -16,6 +16,7 @@
 
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/base/error.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -203,22 +204,31 @@ TEST(LatticeJitterScenario, OffsetsAreSmallAndRandom) {
 }
 
 TEST(Scenario, OptionsOutOfRangeThrow) {
-  const auto rejects = [](Scenario scenario, const Scenario_options& options) {
-    EXPECT_THROW(make_scenario(scenario, options), Precondition_error);
+  const auto rejects = [](Scenario scenario, const Scenario_options& options, const char* message) {
+    EXPECT_PRECONDITION_ERROR(make_scenario(scenario, options), message);
   };
+  const char* const bad_side = "the side is out of range; expected a number from 1e-100 to 1e100";
+  const char* const bad_spacing =
+      "the spacing is out of range; expected a number from 1e-100 to 1e100";
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {-1.0, nan, infinity, 1e101, 1e-101}) {
-    rejects(Scenario::uniform, {.side = bad});
-    rejects(Scenario::uniform, {.speed = bad});
-    rejects(Scenario::lattice, {.spacing = bad});
-    rejects(Scenario::lattice_jitter, {.jitter = bad});
+    rejects(Scenario::uniform, {.side = bad}, bad_side);
+    rejects(Scenario::uniform, {.speed = bad},
+            "the speed is out of range; expected 0, or a number from 1e-100 to 1e100");
+    rejects(Scenario::lattice, {.spacing = bad}, bad_spacing);
+    rejects(Scenario::lattice_jitter, {.jitter = bad},
+            "the jitter is out of range; expected 0, or a number from 1e-100 to 1e100");
   }
-  rejects(Scenario::uniform, {.side = 0});
-  rejects(Scenario::lattice, {.spacing = 0});
-  rejects(Scenario::lattice, {.speed = 0.5});
-  rejects(Scenario::lattice, {.speed = 1e16});
-  rejects(Scenario::uniform, {.points = std::size_t{1} << 32U});
+  rejects(Scenario::uniform, {.side = 0}, bad_side);
+  rejects(Scenario::lattice, {.spacing = 0}, bad_spacing);
+  for (const double bad : {0.5, 1e16}) {
+    rejects(Scenario::lattice, {.speed = bad},
+            "the speed of a moving lattice is out of range; expected a number from 1 to 2^53");
+  }
+  rejects(Scenario::uniform, {.points = std::size_t{1} << 32U},
+          "a scenario of too many points; expected fewer than 2^32 - 1");
+  rejects(static_cast<Scenario>(6), {}, "no such scenario; expected one of all_scenarios");
   EXPECT_NO_THROW(make_scenario(Scenario::lattice, {.speed = 0, .movers = Lattice_movers::none}));
 }
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "support/disc_runs.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -148,8 +149,17 @@ TEST(Scheduled_changes, that_have_no_meaning_are_refused) {
   options.box = Box_2{-100, -100, 100, 100};
   Simulation simulation(triangle(), options);
   simulation.advance_to(1.0);
-  EXPECT_THROW(simulation.schedule_erase(Algebraic_number(0.5), 0), Precondition_error);
-  EXPECT_THROW(simulation.schedule_erase(Algebraic_number(2.0), 3), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(simulation.schedule_erase(Algebraic_number(0.5), 0),
+                            "a change in the past; take the present time or a later one");
+  EXPECT_PRECONDITION_ERROR(simulation.schedule_erase(Algebraic_number(2.0), 3),
+                            "no point has the id 3; take one that insert or schedule_insert gave");
+  EXPECT_PRECONDITION_ERROR(
+      simulation.advance_to(0.5),
+      "the time to advance to is in the past; take the present one or a later one");
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_PRECONDITION_ERROR(
+      simulation.schedule_motion(Algebraic_number(2.0), 1, {{0, 0}, {0, infinity}, 0}),
+      "the motion of point 1 has a number that is not finite");
   EXPECT_THROW(simulation.insert({{101, 0}, {0, 0}, 0}), Outside_box_error);
   EXPECT_THROW(simulation.set_motion(0, {{0, 99}, {0, 2}, 0}), Outside_box_error);
   simulation.schedule_insert(Algebraic_number(2.0), {{0, 99}, {0, 1}, 0});

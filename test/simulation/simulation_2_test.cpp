@@ -10,6 +10,7 @@
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/disc_runs.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -510,20 +511,20 @@ TEST(Conservation, of_energy_and_momentum_over_a_million_collisions) {
 TEST(Simulation_options, that_have_no_meaning_are_refused) {
   const std::vector<Linear_motion_2> motions = {{{1, 1}, {1, 0}, 0}};
   const double infinity = std::numeric_limits<double>::infinity();
-  const auto refuses = [&](const Simulation_options& options) {
-    EXPECT_THROW(Simulation(motions, options), Precondition_error);
+  const auto refuses = [&](const Simulation_options& options, const char* message) {
+    EXPECT_PRECONDITION_ERROR(Simulation(motions, options), message);
   };
-  refuses(in_box({0, 0, 0, 10}));
-  refuses(in_box({0, 10, 10, 0}));
-  refuses(in_box({0, 0, infinity, 10}));
-  refuses(in_box({0, 0, std::nan(""), 10}));
-  refuses(discs(-1, log_contact));
-  refuses(discs(infinity, log_contact));
-  refuses(discs(0, log_contact));
+  for (const Box_2& box : {Box_2{0, 0, 0, 10}, Box_2{0, 10, 10, 0}, Box_2{0, 0, infinity, 10},
+                           Box_2{0, 0, std::nan(""), 10}}) {
+    refuses(in_box(box), "the box has no area or is not finite");
+  }
+  refuses(discs(-1, log_contact), "the radius is negative or not finite");
+  refuses(discs(infinity, log_contact), "the radius is negative or not finite");
+  refuses(discs(0, log_contact), "the radius is 0, and discs without one never touch");
   Simulation_options rim = in_box({0, 0, 2, 10});
   rim.radius = 1;
   rim.rim_touches = true;
-  refuses(rim);
+  refuses(rim, "the box is not wider and higher than a disc whose rim touches it");
 }
 
 TEST(Simulation_options, name_a_point_outside_of_the_box) {

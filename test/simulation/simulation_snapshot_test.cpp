@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/disc_runs.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -89,7 +90,9 @@ TEST(Simulation_snapshot, is_not_taken_within_an_instant) {
   int calls = 0;
   const auto take = [&](const Contact_2&) -> Contact_response_2 {
     ++calls;
-    EXPECT_THROW(taken->snapshot(), Precondition_error);
+    EXPECT_PRECONDITION_ERROR(
+        taken->snapshot(),
+        "a snapshot within an instant; take it when advance_to or step has returned");
     return {};
   };
   Simulation simulation(two_and_two(), discs(take));
@@ -99,7 +102,9 @@ TEST(Simulation_snapshot, is_not_taken_within_an_instant) {
   EXPECT_NO_THROW(simulation.snapshot());
   simulation.schedule_motion(Algebraic_number(4.0), 2, simulation.triangulation().motion(3));
   EXPECT_THROW(simulation.advance_to(5.0), Coincident_trajectories_error);
-  EXPECT_THROW(simulation.snapshot(), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(
+      simulation.snapshot(),
+      "a snapshot within an instant; take it when advance_to or step has returned");
 }
 
 TEST(Simulation_snapshot, that_is_no_state_is_refused) {
@@ -122,12 +127,12 @@ TEST(Simulation_snapshot, that_is_no_state_is_refused) {
   forged.options.radius = -1;
   expect("the radius is negative");
   forged.options.radius = 0;
-  expect("discs without a radius never touch");
+  expect("discs without one never touch");
   forged.options.box->xmax = -10;
   expect("the box has no area");
   forged.options.rim_touches = true;
   forged.options.radius = 10;
-  expect("the box is not wider than a disc");
+  expect("the box is not wider and higher than a disc");
   forged.options.box->ymax = 49;
   expect("point 2 of the snapshot: the point is outside of the box");
   forged.in_contact = {{1, 0}};
@@ -155,7 +160,9 @@ TEST(Simulation_snapshot, that_is_no_state_is_refused) {
   expect(no_change);
   forged.scheduled[0].motion->epoch = std::numeric_limits<double>::quiet_NaN();
   expect(no_change);
-  EXPECT_THROW(Simulation(whole, nullptr), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(Simulation(whole, nullptr),
+                            "a response where the snapshot's simulation had none, or none where it "
+                            "had one; pass one if and only if has_response is set");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "kinetri/simulation/closest_approaches.h"
 #include "support/disc_runs.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -118,6 +119,14 @@ TEST(Track_simulation, is_right_at_every_instant) {
   }
 }
 
+TEST(Tracks, go_nowhere_after_their_last_observation) {
+  const std::vector<Observation_2> track = {{0, {0, 0}}, {1, {2, 0}}};
+  EXPECT_EQ(motion_after(track, 0).velocity, (Vector_2{2, 0}));
+  EXPECT_PRECONDITION_ERROR(
+      motion_after(track, 1),
+      "there is no next observation; expected an index less than that of the last one");
+}
+
 // ---- closest approaches ----
 
 TEST(Closest_approaches, of_two_points_is_where_the_slope_vanishes) {
@@ -129,6 +138,7 @@ TEST(Closest_approaches, of_two_points_is_where_the_slope_vanishes) {
   EXPECT_EQ(found[0].points, (Edge_ids{0, 1}));
   EXPECT_EQ(found[0].time, Algebraic_number(Rational(10, 3)));
   EXPECT_EQ(found[0].distance, 3);
+  EXPECT_PRECONDITION_ERROR(Closest_approaches(simulation, 0), "no approach is asked for");
 }
 
 // The closest approach of all, by looking at all pairs between all turns.

@@ -7,6 +7,7 @@
 
 #include "kinetri/base/error.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -84,20 +85,28 @@ TEST(Wave, with_jitter_moves_one_point_of_each_column) {
 }
 
 TEST(Wave, refuses_what_is_no_lattice) {
-  const auto refused = [](auto change) {
+  const auto refused = [](const char* message, auto change) {
     Wave_setting setting;
     change(setting);
-    EXPECT_THROW(wave_motions(setting), Precondition_error);
-    EXPECT_THROW(wave_options(setting), Precondition_error);
+    EXPECT_PRECONDITION_ERROR(wave_motions(setting), message);
+    EXPECT_PRECONDITION_ERROR(wave_options(setting), message);
   };
-  refused([](Wave_setting& s) { s.columns = 0; });
-  refused([](Wave_setting& s) { s.rows = 0; });
-  refused([](Wave_setting& s) { s.columns = s.rows = std::size_t{1} << 33; });
-  refused([](Wave_setting& s) { s.spacing = 0; });
-  refused([](Wave_setting& s) { s.speed = 1e200; });
-  refused([](Wave_setting& s) { s.diameter = s.spacing; });
-  refused([](Wave_setting& s) { s.jitter = -1; });
-  refused([](Wave_setting& s) { s.jitter = 5; });
+  const char* const none = "a wave without points; expected 1 row and 1 column or more";
+  refused(none, [](Wave_setting& s) { s.columns = 0; });
+  refused(none, [](Wave_setting& s) { s.rows = 0; });
+  refused("a wave of too many points; expected fewer than 2^32 - 1",
+          [](Wave_setting& s) { s.columns = s.rows = std::size_t{1} << 33; });
+  const char* const size =
+      "spacing, speed or diameter of a wave out of range; expected numbers from 1e-100 to 1e100, "
+      "and a diameter less than the spacing";
+  refused(size, [](Wave_setting& s) { s.spacing = 0; });
+  refused(size, [](Wave_setting& s) { s.speed = 1e200; });
+  refused(size, [](Wave_setting& s) { s.diameter = s.spacing; });
+  const char* const jitter =
+      "the jitter of a wave is out of range; expected 0, or a number from 1e-100 on and less than "
+      "half of the room between neighbors";
+  refused(jitter, [](Wave_setting& s) { s.jitter = -1; });
+  refused(jitter, [](Wave_setting& s) { s.jitter = 5; });
 }
 
 }  // namespace

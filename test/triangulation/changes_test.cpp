@@ -9,6 +9,7 @@
 #include <random>
 
 #include "support/kinetic_runs.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -244,7 +245,7 @@ TEST(Changes, of_the_last_points_leave_a_triangulation_that_goes_on) {
   kinetic.erase(kinetic.vertex(0));
   EXPECT_EQ(kinetic.number_of_points(), 0u);
   EXPECT_FALSE(kinetic.contains(0));
-  EXPECT_THROW(kinetic.vertex(0), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(kinetic.vertex(0), "no point has the id 0; ask contains(id) first");
   EXPECT_EQ(kinetic.next_event_time(), std::nullopt);
   for (const double x : {0.0, 1.0, 2.0}) kinetic.insert({{x, 0}, {0, x - 1}, 0});
   EXPECT_EQ(kinetic.next_id(), 4u);
@@ -273,10 +274,12 @@ TEST(Changes, cost_what_the_degree_asks_for) {
 TEST(Changes, refuse_what_is_no_motion) {
   Kinetic_delaunay kinetic(test::random_motions(5, 10, 5, 1));
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(kinetic.insert({{infinity, 0}, {0, 0}, 0}), Precondition_error);
-  EXPECT_THROW(kinetic.set_motion(kinetic.vertex(0), {{0, 0}, {infinity, 0}, 0}),
-               Precondition_error);
-  EXPECT_THROW(kinetic.erase(kinetic.triangulation().infinite_vertex()), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(kinetic.insert({{infinity, 0}, {0, 0}, 0}),
+                            "the motion of point 5 has a number that is not finite");
+  EXPECT_PRECONDITION_ERROR(kinetic.set_motion(kinetic.vertex(0), {{0, 0}, {infinity, 0}, 0}),
+                            "the motion of point 0 has a number that is not finite");
+  EXPECT_PRECONDITION_ERROR(kinetic.erase(kinetic.triangulation().infinite_vertex()),
+                            "no point has this vertex; take one that vertex(id) gives");
   EXPECT_EQ(kinetic.counters().number_of_events(), 0u);
 }
 
@@ -320,8 +323,12 @@ TEST(Changes, may_insert_under_an_id_that_was_reserved) {
   const auto v = kinetic.insert({{2, 1}, {0, 0}, 0}, later);
   EXPECT_EQ(kinetic.vertex(later), v);
   EXPECT_EQ(kinetic.number_of_points(), 7u);
-  EXPECT_THROW(kinetic.insert({{5, 5}, {0, 0}, 0}, later), Precondition_error);
-  EXPECT_THROW(kinetic.insert({{5, 5}, {0, 0}, 0}, later + 2), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(
+      kinetic.insert({{5, 5}, {0, 0}, 0}, later),
+      "the id 5 is not one that waits for its point; take one that reserve_id gives");
+  EXPECT_PRECONDITION_ERROR(
+      kinetic.insert({{5, 5}, {0, 0}, 0}, later + 2),
+      "the id 7 is not one that waits for its point; take one that reserve_id gives");
 }
 
 TEST(Changes, are_events_with_their_points) {

@@ -14,6 +14,7 @@
 
 #include "support/kinetic_runs.h"
 #include "support/motions.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
@@ -216,10 +217,14 @@ TEST(Triangulation_snapshot, is_not_taken_within_an_event) {
   struct Taker : Kinetic_delaunay::Observer {
     explicit Taker(const Kinetic_delaunay& k) : kinetic(k) {}
     void before_event(const Kinetic_event&) override {
-      EXPECT_THROW(kinetic.snapshot(), Precondition_error);
+      EXPECT_PRECONDITION_ERROR(
+          kinetic.snapshot(),
+          "a snapshot within an event; take it when advance_to or step has returned");
     }
     void after_event(const Kinetic_event&) override {
-      EXPECT_THROW(kinetic.snapshot(), Precondition_error);
+      EXPECT_PRECONDITION_ERROR(
+          kinetic.snapshot(),
+          "a snapshot within an event; take it when advance_to or step has returned");
       ++events;
     }
     const Kinetic_delaunay& kinetic;

@@ -148,6 +148,13 @@ class Playing(Page):
         shown = self.evaluate("kinetri.counts.instants")
         self.assertIn(f"{len(run.events):,} events", note)
         self.assertIn(f"{shown:,} instants", note)
+        # A note about the address does not take its place.
+        self.evaluate("void (location.hash = 'speed=1')")
+        self.browser.settle()
+        both = self.evaluate("['note', 'address-note'].map((id) => document.getElementById(id))"
+                             ".map((e) => e.checkVisibility() && e.textContent)")
+        self.assertEqual(both[0], note)
+        self.assertIn("'speed' is unknown", both[1])
         count = self.evaluate("kinetri.counts.rows")
         self.assertLess(count, len(run.events))
         instants = run.instants()
@@ -375,7 +382,8 @@ class Interface(Page):
 
     def test_address(self):
         """A fragment of the address does what clicks and keys do; what it cannot do it says."""
-        note = "document.getElementById('note')"
+        note = "document.getElementById('address-note')"
+
         def follow(fragment):
             self.evaluate(f"void (location.hash = '{fragment}')")
             self.browser.settle()
@@ -403,9 +411,26 @@ class Interface(Page):
         for number in (5, 0, len(self.run_.events)):
             self.assertEqual(follow(f"event={number}"), "")
             self.assertGreaterEqual(self.evaluate("kinetri.event"), number)
-        for wrong in ("t=x", "t=", "event=1000000", "event=-1", "show=wave", "edge=0-0", "edge=x",
-                      "theme=blue", "list=maybe", "speed=1"):
-            self.assertIn(f"'{wrong.split('=')[wrong != 'speed=1']}'", follow(wrong))
+        count = self.evaluate("kinetri.counts.rows")
+        switches = "of delaunay, hull, voronoi, circle, discs, trails, ids"
+        edge = "the ids of two points that an edge joins at that time, as in 4-17"
+        problems = {
+            "t=x": "t: 'x' is not possible; expected a number",
+            "t=": "t: '' is not possible; expected a number",
+            "event=1000000":
+                f"event: '1000000' is not possible; expected a whole number from 0 to {count}",
+            "event=-1": f"event: '-1' is not possible; expected a whole number from 0 to {count}",
+            "show=wave": f"show: 'wave' is not possible; expected {switches}",
+            "hide=wave": f"hide: 'wave' is not possible; expected {switches}",
+            "edge=0-0": f"edge: '0-0' is not possible; expected {edge}",
+            "edge=x": f"edge: 'x' is not possible; expected {edge}",
+            "theme=blue&list=maybe": "theme: 'blue' is not possible; expected light or dark, and "
+                                     "list: 'maybe' is not possible; expected on or off",
+            "speed=1": "'speed' is unknown; expected t, event, show, hide, edge, theme, list"}
+        for wrong, problem in problems.items():
+            self.assertEqual(follow(wrong),
+                             f"The page's address asks for what is not there: {problem}.")
+        self.assertEqual(follow("t=1"), "")
 
     def test_address_of_a_page_that_is_opened(self):
         self.browser.open(self.run_.page, "#t=2.25&show=trails")

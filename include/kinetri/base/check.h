@@ -6,14 +6,23 @@
 //   KINETRI_PRECONDITION(condition, message)  the caller's duty; always on; Precondition_error
 //   KINETRI_ASSERT(condition, message)        our own invariant;  always on; Internal_error
 //
+// The message says what is wrong and, where that is not plain, what to do instead; it may be a
+// std::string, which is made only when it is needed.
+//
 // Both are for conditions whose cost is nothing beside the work they guard.
 #ifndef KINETRI_BASE_CHECK_H
 #define KINETRI_BASE_CHECK_H
+
+#include <string>
 
 namespace kinetri::detail {
 
 [[noreturn]] void precondition_failed(const char* condition, const char* message, const char* file,
                                       int line);
+[[noreturn]] inline void precondition_failed(const char* condition, const std::string& message,
+                                             const char* file, int line) {
+  precondition_failed(condition, message.c_str(), file, line);
+}
 [[noreturn]] void assertion_failed(const char* condition, const char* message, const char* file,
                                    int line);
 

@@ -31,7 +31,7 @@ class Internal_error : public Error {
   using Error::Error;
 };
 
-/// Input data that cannot be used. `what()` reads `FILE:LINE: what is wrong, what was expected`;
+/// Input data that cannot be used. `what()` reads `FILE:LINE: what is wrong; what was expected`;
 /// the line is left out where it has no meaning (line 0).
 class Input_error : public Error {
  public:

@@ -19,8 +19,12 @@ function followAddress(viewer, fragment) {
   const problems = [];
   for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, ''))) {
     const follow = ADDRESS_WORDS[name];
-    if (follow === undefined) problems.push(`'${name}' is unknown`);
-    else if (!follow(viewer, value)) problems.push(`${name}: '${value}' is not possible`);
+    if (follow === undefined) {
+      problems.push(`'${name}' is unknown; expected ${Object.keys(ADDRESS_WORDS).join(', ')}`);
+    } else if (!follow(viewer, value)) {
+      problems.push(`${name}: '${value}' is not possible; expected ` +
+        EXPECTED_VALUES[name](viewer.recording));
+    }
   }
   return problems;
 }
@@ -67,8 +71,20 @@ const ADDRESS_WORDS = {
   },
 };
 
+const EXPECTED_VALUES = {
+  t: () => 'a number',
+  event: ({rows}) => `a whole number from 0 to ${rows}`,
+  show: (recording) => `of ${switchIds(recording).join(', ')}`,
+  hide: (recording) => `of ${switchIds(recording).join(', ')}`,
+  edge: () => 'the ids of two points that an edge joins at that time, as in 4-17',
+  theme: () => 'light or dark',
+  list: () => 'on or off',
+};
+
+const switchIds = (recording) => switchesOf(recording).map(({id}) => id);
+
 function setSwitches(viewer, value, isOn) {
-  const known = switchesOf(viewer.recording).map(({id}) => id);
+  const known = switchIds(viewer.recording);
   const ids = value.split(',');
   for (const id of ids) {
     if (known.includes(id) && viewer.switches[id] !== isOn) viewer.toggleSwitch(id);

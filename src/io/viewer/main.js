@@ -75,10 +75,9 @@ try {
   const viewer = new Viewer(recording);
   const follow = () => {
     const problems = followAddress(viewer, window.location.hash);
-    if (problems.length === 0) return;
-    element('note').hidden = false;
-    element('note').textContent = `The page's address asks for what is not there: ` +
-      `${problems.join('; ')}.`;
+    element('address-note').hidden = problems.length === 0;
+    element('address-note').textContent = `The page's address asks for what is not there: ` +
+      `${problems.join(', and ')}.`;
   };
   follow();
   window.addEventListener('hashchange', follow);

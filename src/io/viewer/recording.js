@@ -95,7 +95,7 @@ function readRecording(text) {
   demand(json.format === 1, `its format is ${json.format}, but this page plays format 1`);
   const {from, until, points} = json;
   demand(Number.isFinite(from) && Number.isFinite(until) && from <= until,
-         'its times `from` and `until` are not two numbers in order');
+         'its times from and until are not two numbers in order');
   demand(Number.isInteger(points) && points >= 0, 'its number of points is not a whole number');
   const recording = {
     from, until, points,

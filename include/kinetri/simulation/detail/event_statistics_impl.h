@@ -23,12 +23,13 @@ Event_statistics<Time>::Event_statistics(double from, double to, std::size_t int
   KINETRI_PRECONDITION(
       std::isfinite(from) && std::isfinite(to) && from < to,
       "the intervals of event statistics need two finite ends, the first one less");
-  KINETRI_PRECONDITION(intervals > 0, "event statistics over no interval");
+  KINETRI_PRECONDITION(intervals > 0, "event statistics over no interval; take one or more");
   double lower = from;
   for (std::size_t i = 1; i <= intervals; ++i) {
     const double upper =
         std::lerp(from, to, static_cast<double>(i) / static_cast<double>(intervals));
-    KINETRI_PRECONDITION(lower < upper, "the intervals are too short to tell their ends apart");
+    KINETRI_PRECONDITION(
+        lower < upper, "the intervals are too short to tell their ends apart; take fewer of them");
     intervals_.push_back({lower, upper, {}});
     lower = upper;
   }

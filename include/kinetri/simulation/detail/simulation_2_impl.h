@@ -13,6 +13,7 @@
 
 #include "kinetri/base/check.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "kinetri/triangulation/detail/point_problems.h"
 
 namespace kinetri {
 
@@ -52,7 +53,8 @@ const char* Simulation_2<Traits>::options_problem() const {
   if (!std::isfinite(diameter_) || !(options_.radius >= 0)) {
     return "the radius is negative or not finite";
   }
-  if (options_.response && options_.radius == 0) return "discs without a radius never touch";
+  if (options_.response && options_.radius == 0)
+    return "the radius is 0, and discs without one never touch";
   if (!options_.box) return nullptr;
   const auto& [xmin, ymin, xmax, ymax] = *options_.box;
   if (!std::isfinite(xmin) || !std::isfinite(ymin) || !std::isfinite(xmax) ||
@@ -62,7 +64,7 @@ const char* Simulation_2<Traits>::options_problem() const {
   const Rational diameter = to_rational(diameter_);
   if (options_.rim_touches && (to_rational(xmax) - to_rational(xmin) <= diameter ||
                                to_rational(ymax) - to_rational(ymin) <= diameter)) {
-    return "the box is not wider than a disc";
+    return "the box is not wider and higher than a disc whose rim touches it";
   }
   return nullptr;
 }
@@ -264,7 +266,9 @@ void Simulation_2<Traits>::unschedule_contacts(Point_id id) {
 
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::advance_to(const Time& time) {
-  KINETRI_PRECONDITION(time >= current_time(), "time only advances");
+  KINETRI_PRECONDITION(
+      time >= current_time(),
+      "the time to advance to is in the past; take the present one or a later one");
   std::size_t events = 0;
   while (const std::size_t more = step(&time)) events += more;
   triangulation_.advance_to(time);
@@ -382,9 +386,12 @@ void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t contact
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule(const Time& time, Entry_kind kind, Point_id id,
                                     const std::optional<Motion>& motion) {
-  KINETRI_PRECONDITION(time >= current_time(), "a change is scheduled in the past");
-  KINETRI_PRECONDITION(id < triangulation_.next_id(), "no point has this id");
-  KINETRI_PRECONDITION(!motion || is_finite(*motion), "a motion has a number that is not finite");
+  KINETRI_PRECONDITION(time >= current_time(),
+                       "a change in the past; take the present time or a later one");
+  KINETRI_PRECONDITION(id < triangulation_.next_id(),
+                       "no point has the id " + std::to_string(id) +
+                           "; take one that insert or schedule_insert gave");
+  KINETRI_PRECONDITION(!motion || is_finite(*motion), detail::not_finite_problem(id));
   Entry entry;
   entry.point_a = id;
   entry.point_b = scheduled_++;

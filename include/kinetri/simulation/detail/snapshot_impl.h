@@ -16,7 +16,9 @@ namespace kinetri {
 
 template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::snapshot() const -> Snapshot {
-  KINETRI_PRECONDITION(!is_within_instant_, "a snapshot is taken between instants");
+  KINETRI_PRECONDITION(
+      !is_within_instant_,
+      "a snapshot within an instant; take it when advance_to or step has returned");
   Snapshot result;
   result.triangulation = triangulation_.snapshot();
   result.options = options_;
@@ -57,8 +59,10 @@ Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& sna
       triangulation_(snapshot.triangulation, traits),
       certificate_counters_(snapshot.certificates),
       counters_(snapshot.counters) {
-  KINETRI_PRECONDITION(!snapshot.has_response == !response,
-                       "there is a response if the snapshot's simulation had one");
+  KINETRI_PRECONDITION(
+      !snapshot.has_response == !response,
+      "a response where the snapshot's simulation had none, or none where it had one; pass one "
+      "if and only if has_response is set");
   options_.response = std::move(response);
   if (const char* const problem = options_problem()) {
     throw Snapshot_error(std::string("the snapshot's options cannot be used: ") + problem);

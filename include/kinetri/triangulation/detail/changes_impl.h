@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/point_problems.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
@@ -38,8 +40,9 @@ void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
                                                      std::span<const Change> changes) {
   for (const auto& [vertex, motion] : changes) {
     KINETRI_PRECONDITION(vertex != Vertex_handle() && !triangulation_.is_infinite(vertex),
-                         "no point has this vertex");
-    KINETRI_PRECONDITION(!motion || is_finite(*motion), "a motion has a number that is not finite");
+                         "no point has this vertex; take one that vertex(id) gives");
+    KINETRI_PRECONDITION(!motion || is_finite(*motion),
+                         detail::not_finite_problem(vertex->point().id()));
   }
   // What is refused is refused before anything is reported.
   const bool first_stays = !changes.empty() && stays_in_place(changes.front());
@@ -81,7 +84,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
 
 template <KineticTraits_2 Traits>
 Point_id Kinetic_delaunay_triangulation_2<Traits>::reserve_id() {
-  KINETRI_PRECONDITION(vertices_.size() + 1 < no_point, "too many points");
+  KINETRI_PRECONDITION(vertices_.size() + 1 < no_point, detail::too_many_points);
   vertices_.emplace_back();
   return static_cast<Point_id>(vertices_.size() - 1);
 }
@@ -100,8 +103,10 @@ auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion) -> V
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion, Point_id id)
     -> Vertex_handle {
-  KINETRI_PRECONDITION(id < vertices_.size() && !contains(id), "the id is not a reserved one");
-  KINETRI_PRECONDITION(is_finite(motion), "a motion has a number that is not finite");
+  KINETRI_PRECONDITION(id < vertices_.size() && !contains(id),
+                       "the id " + std::to_string(id) +
+                           " is not one that waits for its point; take one that reserve_id gives");
+  KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(id));
   const Point_2 point(motion, id);
   std::optional<Location> location;
   if (triangulation_.dimension() == 2) {

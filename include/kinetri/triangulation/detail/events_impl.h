@@ -105,7 +105,10 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::step_until(const Time* unt
 
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& time) {
-  KINETRI_PRECONDITION(time >= current_time_, "time only advances");
+  KINETRI_PRECONDITION(
+      time >= current_time_,
+      "the time to advance to is in the past; take the present one or a later one, "
+      "or call reverse first");
   std::size_t events = 0;
   while (settle(&time)) events += run_instant();
   current_time_ = time;

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/point_problems.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
@@ -25,11 +26,11 @@ template <KineticTraits_2 Traits>
 Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
     const std::vector<Motion>& motions, const Time& start, const Traits& traits)
     : traits_(traits), current_time_(start) {
-  KINETRI_PRECONDITION(motions.size() < no_point, "too many points");
+  KINETRI_PRECONDITION(motions.size() < no_point, detail::too_many_points);
   std::vector<Point_2> points;
   points.reserve(motions.size());
   for (const Motion& motion : motions) {
-    KINETRI_PRECONDITION(is_finite(motion), "a motion has a number that is not finite");
+    KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(points.size()));
     points.emplace_back(motion, static_cast<Point_id>(points.size()));
   }
   vertices_.resize(points.size());
@@ -58,7 +59,8 @@ auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> po
       throw Coincident_trajectories_error(std::min(kept, point.id()), std::max(kept, point.id()));
     }
   }
-  throw Internal_error("a vertex is missing, but every point has one");
+  KINETRI_ASSERT(false, "every point has a vertex");
+  return result;
 }
 
 template <KineticTraits_2 Traits>
@@ -72,7 +74,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::index_vertices() {
 
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::vertex(Point_id id) const -> Vertex_handle {
-  KINETRI_PRECONDITION(contains(id), "no point has this id");
+  KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
   return vertices_[id];
 }
 

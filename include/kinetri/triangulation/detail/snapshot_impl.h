@@ -19,7 +19,7 @@ namespace kinetri {
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::snapshot() const -> Snapshot {
   KINETRI_PRECONDITION(!is_in_event_ && !rebuilt_edges_ && points_set_aside_.empty(),
-                       "a snapshot is taken between events");
+                       "a snapshot within an event; take it when advance_to or step has returned");
   Snapshot result;
   result.time = current_time_.detached();
   result.dimension = triangulation_.dimension();

@@ -14,6 +14,7 @@
 
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
+#include "kinetri/triangulation/detail/point_problems.h"
 
 namespace kinetri::detail {
 
@@ -67,7 +68,7 @@ class Snapshot_links {
 
   void check_points() {
     const std::size_t ids = snapshot_.motions.size();
-    if (ids >= no_point) fail("the snapshot has too many points");
+    if (ids >= no_point) fail(std::string("the snapshot has ") + too_many_points);
     if (snapshot_.vertex_faces.size() != ids) {
       fail("the snapshot has " + std::to_string(ids) + " points, but faces of " +
            std::to_string(snapshot_.vertex_faces.size()) + "; expected one of each");
@@ -76,7 +77,7 @@ class Snapshot_links {
       if (!snapshot_.motions[id]) continue;
       ++points_;
       if (!is_finite(*snapshot_.motions[id])) {
-        fail("the motion of point " + std::to_string(id) + " has a number that is not finite");
+        fail(not_finite_problem(id));
       }
     }
   }
