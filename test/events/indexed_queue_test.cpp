@@ -366,6 +366,8 @@ TEST(IndexedQueue, MisuseThrows) {
   EXPECT_THROW(queue.update(handle, 2), Precondition_error);
   EXPECT_THROW(static_cast<void>(queue[handle]), Precondition_error);
   EXPECT_THROW(queue.erase(no_event), Precondition_error);
+  std::vector<int> items = {1};
+  EXPECT_THROW(queue.assign(items, items.size()), Precondition_error);
 }
 
 }  // namespace
