@@ -1,7 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What every target of the project is compiled with.
 
-# kinetri_compile_settings(TARGET): C++20 without extensions, strict warnings, sanitizers on request.
+if(KINETRI_SANITIZE AND NOT KINETRI_SANITIZE MATCHES "^(address,undefined|thread)$")
+  message(FATAL_ERROR "KINETRI_SANITIZE is '${KINETRI_SANITIZE}'; expected 'address,undefined', 'thread' or nothing")
+endif()
+if(KINETRI_COVERAGE AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  message(FATAL_ERROR "KINETRI_COVERAGE needs g++; the compiler is ${CMAKE_CXX_COMPILER}")
+endif()
+
+# kinetri_compile_settings(TARGET): C++20 without extensions, strict warnings, sanitizers or counters
+# of coverage on request.
 function(kinetri_compile_settings target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -14,8 +22,14 @@ function(kinetri_compile_settings target)
       -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
   endif()
   if(KINETRI_SANITIZE)
-    target_compile_options(${target} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=all
+    target_compile_options(${target} PUBLIC -fsanitize=${KINETRI_SANITIZE} -fno-sanitize-recover=all
       -fno-omit-frame-pointer)
-    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+    target_link_options(${target} PUBLIC -fsanitize=${KINETRI_SANITIZE})
+  endif()
+  if(KINETRI_COVERAGE)
+    # Not in the code of CGAL and the tests, which only makes it slow. Test programs run at once.
+    target_compile_options(${target} PRIVATE --coverage -fprofile-update=atomic
+      "-fprofile-filter-files=${PROJECT_SOURCE_DIR}/(include|src|apps)/.*")
+    target_link_options(${target} PUBLIC --coverage)
   endif()
 endfunction()

@@ -21,7 +21,7 @@ EOF
 }
 
 if [[ ${1:-} == --help || ${1:-} == -h ]]; then usage && exit 0; fi
-(($# <= 1)) || { usage >&2 && exit 2; }
+(($# <= 1)) || kinetri_misused "expected at most one argument, the directory of the packages"
 ((EUID == 0)) || kinetri_fail "only root can make a root directory; expected: sudo $0"
 command -v mmdebstrap >/dev/null ||
   kinetri_fail "mmdebstrap is missing; expected: apt-get install -y mmdebstrap"

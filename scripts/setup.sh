@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# What scripts/demo.sh, scripts/test.sh and scripts/fuzz.sh have in common: the packages they need,
-# and the calls of CMake. Source it for its functions, or run it to install what is missing:
+# What scripts/demo.sh, test.sh, coverage.sh, lint.sh and fuzz.sh have in common: the packages they
+# need, and the calls of CMake. Source it for its functions, or run it to install what is missing:
 #
-#   scripts/setup.sh demo|test|browser|fuzz
+#   scripts/setup.sh demo|test|browser|coverage|lint|fuzz
 
 kinetri_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -22,8 +22,8 @@ kinetri_misused() {
   exit 2
 }
 
-# kinetri_packages demo|test|browser|fuzz: the Debian packages needed, as `package` or, where a
-# program that came from elsewhere will do as well, `package=program`.
+# kinetri_packages PURPOSE: the Debian packages needed, as `package` or, where a program
+# that came from elsewhere will do as well, `package=program`.
 kinetri_packages() {
   printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libfmt-dev libgmp-dev \
     libmpfr-dev libtbb-dev nlohmann-json3-dev
@@ -35,11 +35,17 @@ kinetri_packages() {
   fi
   # For the tests that are skipped without them: the viewer page's, and the reference manual's.
   if [[ $1 == browser ]]; then printf '%s\n' chromium=chromium doxygen=doxygen; fi
+  if [[ $1 == coverage ]]; then printf '%s\n' g++ gcovr=gcovr; fi
+  if [[ $1 == lint ]]; then
+    # The viewer's scripts are checked where there is node, which nothing else needs.
+    printf '%s\n' clang=clang++ clang-format-14 clang-tidy-14 pyflakes3=pyflakes3 \
+      shellcheck=shellcheck
+  fi
   # The sanitizers' and libFuzzer's libraries.
   if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi
 }
 
-# kinetri_missing demo|test|browser|fuzz: those of them that are not there, one a line.
+# kinetri_missing PURPOSE: those of them that are not there, one a line.
 kinetri_missing() {
   local entry package program
   while IFS= read -r entry; do
@@ -53,7 +59,7 @@ kinetri_missing() {
   done < <(kinetri_packages "$1")
 }
 
-# kinetri_setup demo|test|browser|fuzz: installs the missing packages. Silent if there are none.
+# kinetri_setup PURPOSE: installs the missing packages. Silent if there are none.
 kinetri_setup() {
   local missing
   if ! command -v dpkg-query >/dev/null; then
@@ -103,9 +109,8 @@ kinetri_quietly() {
   fi
 }
 
-# kinetri_build DIR PRESET [CMAKE_OPTION...]: configures DIR by the preset and builds everything.
-# Shows Ninja's status line on a terminal, nothing else unless it fails.
-kinetri_build() {
+# kinetri_configure DIR PRESET [CMAKE_OPTION...]: configures DIR by the preset.
+kinetri_configure() {
   local dir=$1 preset=$2 configure=() launcher=
   shift 2
   mkdir -p "$dir"
@@ -120,8 +125,21 @@ kinetri_build() {
   # Presets are looked for in the current directory.
   (cd "$kinetri_root" && kinetri_quietly "configuring" "$dir/configure.log" "${configure[@]}") ||
     exit 1
+}
+
+# kinetri_build DIR PRESET [CMAKE_OPTION...] [-- TARGET...]: configures DIR by the preset and builds
+# the targets, or everything. Shows Ninja's status line on a terminal, nothing else unless it fails.
+kinetri_build() {
+  local dir=$1 preset=$2 options=() targets=()
+  shift 2
+  while (($# > 0)) && [[ $1 != -- ]]; do
+    options+=("$1")
+    shift
+  done
+  if (($# > 1)); then targets=(--target "${@:2}"); fi
+  kinetri_configure "$dir" "$preset" "${options[@]}"
   kinetri_say "Building in $dir ..."
-  local build=(cmake --build "$dir" --parallel "$(kinetri_jobs)")
+  local build=(cmake --build "$dir" --parallel "$(kinetri_jobs)" "${targets[@]}")
   if [[ -t 1 && -f $dir/build.ninja ]]; then
     "${build[@]}" || kinetri_fail "building failed"
   else
@@ -131,8 +149,9 @@ kinetri_build() {
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
   set -euo pipefail
-  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|fuzz)$ ]]; then
-    printf 'usage: %s demo|test|browser|fuzz\nInstalls the Debian packages that are missing.\n' "$0" >&2
+  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|coverage|lint|fuzz)$ ]]; then
+    printf 'usage: %s demo|test|browser|coverage|lint|fuzz\n%s\n' "$0" \
+      'Installs the Debian packages that are missing.' >&2
     exit 2
   fi
   kinetri_setup "$1"

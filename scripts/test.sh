@@ -8,12 +8,14 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 usage() {
   cat <<EOF
-usage: scripts/test.sh [--sanitize] [--compiler CXX] [--filter REGEX] [--quick] [--browser]
+usage: scripts/test.sh [--sanitize[=thread]] [--compiler CXX] [--filter REGEX] [--quick] [--browser]
 
 Installs what is missing (with apt-get, as root), builds everything, and runs every test. The last
 line reads "N passed, N failed"; the exit code is 0 if none failed.
 
   --sanitize      with AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan
+  --sanitize=thread
+                  the tests of what several threads do, with ThreadSanitizer, in build/tsan
   --compiler CXX  with another compiler, e.g. clang++, in a directory of its own
   --filter REGEX  only the tests whose names match
   --quick         without the tests labelled slow
@@ -25,11 +27,15 @@ EOF
 }
 
 preset=test dir=build/test packages=test
-configure=() select=()
+configure=() targets=() select=()
 while (($# > 0)); do
   case $1 in
     --help | -h) usage && exit 0 ;;
     --sanitize) preset=asan-ubsan dir=build/asan ;;
+    --sanitize=thread)
+      preset=tsan dir=build/tsan
+      targets=(kinetri_threads_test) select+=(--label-regex '^threads$')
+      ;;
     --browser) packages=browser ;;
     --quick) select+=(--label-exclude slow) ;;
     --compiler | --filter)
@@ -52,7 +58,7 @@ if [[ -n ${compiler:-} ]]; then dir+="-${compiler##*/}"; fi
 
 kinetri_setup "$packages"
 build_dir="$kinetri_root/$dir"
-kinetri_build "$build_dir" "$preset" "${configure[@]}"
+kinetri_build "$build_dir" "$preset" "${configure[@]}" -- "${targets[@]}"
 
 kinetri_say "Testing ..."
 results="$build_dir/test-results.xml"

@@ -218,7 +218,8 @@ Polynomial& Polynomial::operator*=(const Integer& factor) {
     coefficients_.clear();
     return *this;
   }
-  const Integer copy = factor;  // which may be one of the coefficients
+  // The factor may be one of the coefficients.
+  const Integer copy = factor;  // NOLINT(performance-unnecessary-copy-initialization)
   for (Integer& c : coefficients_) c *= copy;
   return *this;
 }

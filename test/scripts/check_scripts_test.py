@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests of the checks in scripts/: each finds what it is for, and lets pass what is right."""
+import contextlib
+import io
+import json
 import pathlib
 import subprocess
 import sys
@@ -15,6 +18,8 @@ import check_documents  # noqa: E402
 import check_layers  # noqa: E402
 import check_messages  # noqa: E402
 import check_sources  # noqa: E402
+import run_clang_tidy  # noqa: E402
+import summarize_coverage  # noqa: E402
 import summarize_tests  # noqa: E402
 
 LICENCE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
@@ -388,6 +393,157 @@ class Documents(Tree):
 
     def test_what_is_built_is_not_checked(self):
         self.assertEqual(self.problems("build/a.md", "[a](none.md)"), [])
+
+
+class Lint(Tree):
+    def run_check(self, check, name, text):
+        self.write(name, text)
+        command = [str(SCRIPTS / "lint.sh"), "--only", check, str(self.root / name)]
+        result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if result.returncode == 77:
+            self.skipTest(result.stdout.strip())
+        return result
+
+    def test_each_check_finds_what_it_is_for(self):
+        for check, name, good, bad in (
+            ("shell", "a.sh", '#!/bin/bash\necho "$1"\n', "#!/bin/bash\necho $1\n"),
+            ("python", "a.py", "print(1)\n", "import os\n"),
+            ("javascript", "a.js", "let x = 1;\n", "let x = ;\n"),
+        ):
+            with self.subTest(check=check):
+                self.assertEqual(self.run_check(check, name, good).returncode, 0)
+                result = self.run_check(check, name, bad)
+                self.assertEqual(result.returncode, 1, result.stdout)
+                self.assertIn(name, result.stdout)
+                self.assertNotIn("lint: ok", result.stdout)
+
+    def test_what_is_not_known_is_refused(self):
+        for arguments in (["--only", "spelling"], ["--only"], ["--chnged"], ["no_such_file.sh"]):
+            with self.subTest(arguments=arguments):
+                result = subprocess.run([str(SCRIPTS / "lint.sh"), *arguments], text=True,
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                self.assertIn(result.returncode, (1, 2))
+                self.assertRegex(result.stderr, "usage|no such file")
+
+
+class Clang_tidy(Tree):
+    """Which sources clang-tidy looks at, and what is made of its output."""
+
+    def setUp(self):
+        super().setUp()
+        root = run_clang_tidy.ROOT
+        self.addCleanup(setattr, run_clang_tidy, "ROOT", root)
+        run_clang_tidy.ROOT = self.root.resolve()
+        self.write("include/kinetri/io/a.h", "")
+        self.write("include/kinetri/io/b.h", '#include "kinetri/io/a.h"\n')
+        self.write("include/kinetri/io/lonely.h", "")
+        self.write("src/io/a.cpp", '#include "kinetri/io/a.h"\n')
+        self.write("src/io/0.cpp", '#include "kinetri/io/b.h"\n')
+        self.sources = {"src/io/0.cpp", "src/io/a.cpp"}
+
+    def test_a_header_is_seen_through_a_source_that_includes_it(self):
+        for files, expected in (
+            (["src/io/0.cpp"], ["src/io/0.cpp"]),
+            (["include/kinetri/io/a.h"], ["src/io/a.cpp"]),
+            (["include/kinetri/io/b.h"], ["src/io/0.cpp"]),
+            (["include/kinetri/io/a.h", "src/io/0.cpp"], ["src/io/0.cpp"]),
+        ):
+            with self.subTest(files=files):
+                self.assertEqual(run_clang_tidy.sources_for(files, self.sources), (expected, []))
+
+    def test_a_header_that_is_not_included_is_named(self):
+        header = "include/kinetri/io/lonely.h"
+        self.assertEqual(run_clang_tidy.sources_for([header], self.sources), ([], [header]))
+
+    def test_each_source_counts_as_it_is_compiled_first(self):
+        build = self.root / "build"
+        entries = [{"directory": str(build), "file": file, "command": command} for file, command in (
+            ("../src/io/a.cpp", "first"), ("../src/io/a.cpp", "second"), ("made.cpp", "made"),
+            ("/usr/x.cpp", "other"))]
+        self.write("build/compile_commands.json", json.dumps(entries))
+        found = run_clang_tidy.compilations(build.resolve())
+        self.assertEqual({k: v["command"] for k, v in found.items()}, {"src/io/a.cpp": "first"})
+
+    def test_findings_are_told_from_each_other(self):
+        root = run_clang_tidy.ROOT
+        text = f"{root}/a.cpp:1:2: warning: w [x]\n  code\n{root}/a.h:3:4: error: e [y]\n"
+        self.assertEqual(list(run_clang_tidy.findings("noise\n" + text)), [
+            ("a.cpp:1:2: warning: w [x]", "a.cpp:1:2: warning: w [x]\n  code"),
+            ("a.h:3:4: error: e [y]", "a.h:3:4: error: e [y]"),
+        ])
+
+
+class Coverage(Tree):
+    def summary(self, files):
+        self.write("coverage.json", json.dumps({"files": files}))
+        text, arguments = io.StringIO(), sys.argv
+        try:
+            sys.argv = ["summarize_coverage.py", str(self.root / "coverage.json")]
+            with contextlib.redirect_stdout(text):
+                code = summarize_coverage.main()
+        finally:
+            sys.argv = arguments
+        return code, text.getvalue()
+
+    def test_layers(self):
+        for path, layer in (
+            ("include/kinetri/algebra/a.h", "algebra"),
+            ("include/kinetri/triangulation/detail/a_impl.h", "triangulation"),
+            ("src/io/a.cpp", "io"),
+            ("apps/kinetri/a.cpp", "apps"),
+            ("include/kinetri/kinetri.h", None),
+            ("test/io/a.cpp", None),
+            ("bench/a.cpp", None),
+        ):
+            with self.subTest(path=path):
+                self.assertEqual(summarize_coverage.layer_of(path), layer)
+
+    def test_names_are_short(self):
+        for name, expected in (
+            ("kinetri::f(int, std::vector<int> const&)", "f"),
+            ("kinetri::(anonymous namespace)::f()", "f"),
+            ("kinetri::A<kinetri::B<int> >::f(int) const", "A::f"),
+            ("void kinetri::detail::f<int (*)(int)>(int)", "detail::f"),
+            ("kinetri::f(int)::{lambda(auto:1)#1}::operator()(int) const", "f"),
+        ):
+            with self.subTest(name=name):
+                self.assertEqual(summarize_coverage.short_name(name), expected)
+
+    def test_what_is_covered_and_what_is_not(self):
+        def line(number, count, *branches):
+            return {"line_number": number, "count": count,
+                    "branches": [{"count": count} for count in branches]}
+
+        code, text = self.summary([{
+            "file": "src/io/a.cpp",
+            "lines": [line(1, 2), line(2, 1, 1, 0), line(3, 0), line(4, 0, 0, 0), line(6, 0),
+                      line(7, 1, 1, 1), dict(line(8, 0), **{"gcovr/noncode": True})],
+            # The third and the fourth are instances of one template.
+            "functions": [
+                {"name": "kinetri::f()", "lineno": 1, "execution_count": 2},
+                {"name": "kinetri::g(int)", "lineno": 3, "execution_count": 0},
+                {"name": "void kinetri::h<int>()", "lineno": 5, "execution_count": 1},
+                {"name": "void kinetri::h<char>()", "lineno": 5, "execution_count": 0},
+            ],
+        }, {"file": "test/io/a_test.cpp", "lines": [line(1, 0)]}])
+        self.assertEqual(code, 0)
+        self.assertIn("""src/io/a.cpp
+  never called: g (3)
+  never run: 3-4, 6
+  a branch never taken: 2
+""", text)
+        self.assertNotIn("a_test", text)
+        rows = {row.split()[0]: row.split()[1:] for row in text.splitlines() if " of " in row}
+        expected = "2 of 3 66.6 % 3 of 6 50.0 % 3 of 6 50.0 %".split()
+        self.assertEqual(rows["io"], expected)
+        self.assertEqual(rows["all"], expected)
+        self.assertEqual(rows["base"], "0 of 0 - 0 of 0 - 0 of 0 -".split())
+
+    def test_nearly_all_is_not_all(self):
+        self.assertEqual(summarize_coverage.share(9999, 10000), "99.9 %")
+
+    def test_a_report_without_sources_is_no_success(self):
+        self.assertEqual(self.summary([])[0], 1)
 
 
 if __name__ == "__main__":

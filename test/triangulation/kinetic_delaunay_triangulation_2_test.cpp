@@ -2,7 +2,6 @@
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <numeric>
@@ -290,19 +289,6 @@ TEST(Kinetic_delaunay_triangulation_2, counters_add_up) {
   EXPECT_GT(kinetic.counters().looks_again, 0u);
   EXPECT_EQ(queue.pushed, queue.discarded + kinetic.counters().looks_again +
                               kinetic.counters().number_of_events());
-}
-
-TEST(Kinetic_delaunay_triangulation_2, is_the_same_for_any_number_of_threads) {
-  const auto motions = test::random_motions(5000, 700, 5, 8);
-  const auto start = Algebraic_number(Polynomial{-2, 0, 1}, Rational(1), Rational(2));
-  Kinetic_delaunay of_many(motions, start);
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  Kinetic_delaunay of_one(motions, start);
-  for (Kinetic_delaunay* kinetic : {&of_one, &of_many}) kinetic->advance_to(1.5);
-  EXPECT_EQ(of_one.certificate_counters(), of_many.certificate_counters());
-  EXPECT_EQ(of_one.queue_counters(), of_many.queue_counters());
-  EXPECT_EQ(of_one.next_event_time(), of_many.next_event_time());
-  EXPECT_EQ(of_one.finite_edge_ids(), of_many.finite_edge_ids());
 }
 
 // At t = 1 all points are on one line; before and after, the edges are the same.

@@ -589,7 +589,7 @@ class Certificate(Page):
         self.assertTrue(self.evaluate("document.getElementById('certificate').hidden"))
 
     def test_the_plot_is_drawn(self):
-        event = next(self.removals("flip"))
+        next(self.removals("flip"))  # clicks its edge
         box = self.evaluate("document.getElementById('plot').getBoundingClientRect().toJSON()")
         area = tuple(round(box[side]) for side in ("left", "top", "right", "bottom"))
         counts = browser.Picture(self.browser.screenshot(area)).counts()

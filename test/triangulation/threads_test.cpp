@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is done by several threads. These tests are a program of their own, which is what runs with
+// ThreadSanitizer: scripts/test.sh --sanitize=thread.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <array>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "support/motions.h"
+
+namespace kinetri {
+namespace {
+
+// The result of `make` where oneTBB has `count` threads, on any number of processors.
+template <class Make>
+auto with_threads(int count, Make make) {
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(count));
+  return tbb::task_arena(count).execute(make);
+}
+
+template <class Kinetic>
+void expect_same(Kinetic& one, Kinetic& other) {
+  EXPECT_EQ(one.certificate_counters(), other.certificate_counters());
+  EXPECT_EQ(one.queue_counters(), other.queue_counters());
+  EXPECT_EQ(one.next_event_time(), other.next_event_time());
+  EXPECT_EQ(one.finite_edge_ids(), other.finite_edge_ids());
+}
+
+template <class Traits>
+using Kinetic_pair = std::array<std::unique_ptr<Kinetic_delaunay_triangulation_2<Traits>>, 2>;
+
+// The triangulation of `given`, motions or a snapshot, made by one thread and by `count`, which
+// must be the same. (Edges are handed out by the thousand: there must be more.)
+template <class Traits, class... Given>
+Kinetic_pair<Traits> made_by_one_and_by(int count, const Given&... given) {
+  const auto make = [&] {
+    return std::make_unique<Kinetic_delaunay_triangulation_2<Traits>>(given...);
+  };
+  Kinetic_pair<Traits> made = {with_threads(1, make), with_threads(count, make)};
+  EXPECT_GT(made[0]->finite_edge_ids().size(), 4096u);
+  EXPECT_GT(made[0]->certificate_counters().created, 4096u);
+  expect_same(*made[0], *made[1]);
+  return made;
+}
+
+// Both go on until `until`.
+template <class Traits>
+void expect_same_future(const Kinetic_pair<Traits>& pair, double until) {
+  for (const auto& kinetic : pair) kinetic->advance_to(until);
+  EXPECT_GT(pair[0]->counters().number_of_events(), 0u);
+  expect_same(*pair[0], *pair[1]);
+}
+
+const Algebraic_number& square_root_of_two() {
+  static const Algebraic_number number(Polynomial{-2, 0, 1}, Rational(1), Rational(2));
+  return number;
+}
+
+// So many edges that the threads are given some twice.
+TEST(Threads, start_a_triangulation_as_one_does) {
+  const auto pair = made_by_one_and_by<Linear_kinetic_traits_2>(
+      2, test::random_motions(5600, 740, 5, 8), square_root_of_two());
+  expect_same_future<Linear_kinetic_traits_2>(pair, 1.45);
+}
+
+TEST(Threads, restore_a_triangulation_as_one_does) {
+  const Kinetic_delaunay_triangulation_2<> original(test::random_motions(1500, 400, 5, 7),
+                                                    square_root_of_two());
+  const auto pair = made_by_one_and_by<Linear_kinetic_traits_2>(4, original.snapshot());
+  expect_same_future<Linear_kinetic_traits_2>(pair, 1.45);
+}
+
+// Exact numbers are made by every thread, and refined at a time that all threads ask for.
+TEST(Threads, start_an_exact_triangulation_as_one_does) {
+  made_by_one_and_by<Linear_kinetic_traits_2>(4, test::random_motions(1450, 400, 5, 9),
+                                              square_root_of_two(),
+                                              Linear_kinetic_traits_2::exact());
+}
+
+TEST(Threads, start_a_triangulation_of_accelerated_points_as_one_does) {
+  const auto pair = made_by_one_and_by<Polynomial_kinetic_traits_2>(
+      4, test::random_polynomial_motions(1500, 400, 5, 10), square_root_of_two());
+  expect_same_future<Polynomial_kinetic_traits_2>(pair, 1.45);
+}
+
+// The filter decides little where everything is cocircular.
+TEST(Threads, start_a_triangulation_of_a_lattice_as_one_does) {
+  std::vector<Linear_motion_2> motions;
+  for (int x = 0; x < 38; ++x) {
+    for (int y = 0; y < 38; ++y) {
+      motions.push_back({{double(x), double(y)}, {double(x % 3 == 0), double(y % 5 == 0)}, 0});
+    }
+  }
+  made_by_one_and_by<Linear_kinetic_traits_2>(4, motions);
+}
+
+// Two triangulations have nothing in common.
+TEST(Threads, run_a_triangulation_each) {
+  const auto motions = test::random_motions(100, 100, 5, 11);
+  Kinetic_delaunay_triangulation_2<> expected(motions);
+  expected.advance_to(2.0);
+  EXPECT_GT(expected.counters().number_of_events(), 100u);
+  std::vector<std::vector<Edge_ids>> edges(2);
+  {
+    std::vector<std::jthread> threads;
+    for (auto& result : edges) {
+      threads.emplace_back([&motions, &result] {
+        Kinetic_delaunay_triangulation_2<> kinetic(motions);
+        kinetic.advance_to(2.0);
+        result = kinetic.finite_edge_ids();
+      });
+    }
+  }
+  EXPECT_EQ(edges[0], expected.finite_edge_ids());
+  EXPECT_EQ(edges[1], expected.finite_edge_ids());
+}
+
+}  // namespace
+}  // namespace kinetri
