@@ -11,6 +11,7 @@
 #include <array>
 #include <cfenv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <random>
 #include <vector>
@@ -225,6 +226,25 @@ TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
 
 INSTANTIATE_TEST_SUITE_P(Flavors, Polynomial_filter, testing::Range(0, test::Certificates::flavors),
                          test::flavor_name);
+
+// x = t + t^2 reaches 6 at t = 2.
+TEST(Polynomial_filter, knows_where_points_are_apart) {
+  const Polynomial_motion_2 moving = {
+      .position = {0, 0}, .velocity = {1, 0}, .acceleration = {2, 0}, .jerk = {0, 0}, .epoch = 0};
+  const auto resting = [](double x, double y) {
+    Polynomial_motion_2 m;
+    m.position = {x, y};
+    return m;
+  };
+  EXPECT_TRUE(certainly_apart(moving, resting(6, 0), {1, 1}));
+  EXPECT_TRUE(certainly_apart(moving, resting(6, 1), {2, 2}));
+  EXPECT_TRUE(certainly_apart(resting(0, 0), resting(0, 1), {2, 2}));
+  EXPECT_FALSE(certainly_apart(moving, resting(6, 0), {2, 2}));
+  EXPECT_FALSE(
+      certainly_apart(moving, resting(6, 0), {std::nextafter(2, 1), std::nextafter(2, 3)}));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(certainly_apart(moving, resting(6, 0), {1, infinity}));
+}
 
 TEST(Polynomial_filter, rounds_failures_as_exact_arithmetic_does) {
   std::mt19937_64 random(99);
