@@ -20,6 +20,9 @@ import sys
 import textwrap
 import urllib.parse
 
+sys.dont_write_bytecode = True
+import check_tree  # noqa: E402
+
 SKIPPED_FOLDERS = re.compile(r"^(build.*|out|__pycache__|\..*)$")
 README_PROGRAM = pathlib.PurePath("test/install/consumer/main.cpp")
 
@@ -165,19 +168,5 @@ def check(root):
     return count, violations
 
 
-def main():
-    if len(sys.argv) > 2 or sys.argv[1:2] in (["-h"], ["--help"]):
-        sys.exit(__doc__)
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[1])
-    count, violations = check(root)
-    for violation in violations:
-        print(violation)
-    if count == 0:
-        print(f"{root}: no pages found")
-    elif not violations:
-        print(f"documents: ok ({count} pages)")
-    return 0 if count and not violations else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    check_tree.run(check, "documents", "pages", __doc__)

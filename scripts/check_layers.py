@@ -7,9 +7,11 @@ usage: check_layers.py [ROOT]
 
 Prints `FILE:LINE: what is wrong` for each violation; exit code 1 if there are any.
 """
-import pathlib
 import re
 import sys
+
+sys.dont_write_bytecode = True
+import check_tree  # noqa: E402
 
 # A layer may include itself and every folder with a smaller number, and so neither of two folders
 # with the same number may include the other. A test may, and may use test/support and any library.
@@ -151,19 +153,5 @@ def check(root):
     return count, violations
 
 
-def main():
-    if len(sys.argv) > 2 or sys.argv[1:2] in (["-h"], ["--help"]):
-        sys.exit(__doc__)
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[1])
-    count, violations = check(root)
-    for violation in violations:
-        print(violation)
-    if count == 0:
-        print(f"{root}: no source files found")
-    elif not violations:
-        print(f"layers: ok ({count} files)")
-    return 0 if count and not violations else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    check_tree.run(check, "layers", "files", __doc__)

@@ -7,9 +7,11 @@ usage: check_messages.py [ROOT]
 
 Prints `FILE:LINE: what is wrong` for each violation; exit code 1 if there are any.
 """
-import pathlib
 import re
 import sys
+
+sys.dont_write_bytecode = True
+import check_tree  # noqa: E402
 
 LIST = "docs/ERRORS.md"
 
@@ -175,19 +177,5 @@ def check(root):
     return count, violations
 
 
-def main():
-    if len(sys.argv) > 2 or sys.argv[1:2] in (["-h"], ["--help"]):
-        sys.exit(__doc__)
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[1])
-    count, violations = check(root)
-    for violation in violations:
-        print(violation)
-    if count == 0:
-        print(f"{root}: no messages found")
-    elif not violations:
-        print(f"messages: ok ({count})")
-    return 0 if count and not violations else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    check_tree.run(check, "messages", "messages", __doc__)

@@ -10,9 +10,11 @@ and in code that begins with `// Kinetri`.
 
 Prints `FILE:LINE: what is wrong` for each violation; exit code 1 if there are any.
 """
-import pathlib
 import re
 import sys
+
+sys.dont_write_bytecode = True
+import check_tree  # noqa: E402
 
 # Documents with names of the code, and the names in them that are not: of CGAL's former package, of
 # the reader's own code, and those that stand for others.
@@ -114,19 +116,5 @@ def check(root):
     return len(documents), violations
 
 
-def main():
-    if len(sys.argv) > 2 or sys.argv[1:2] in (["-h"], ["--help"]):
-        sys.exit(__doc__)
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[1])
-    count, violations = check(root)
-    for violation in violations:
-        print(violation)
-    if count == 0:
-        print(f"{root}: no documents found")
-    elif not violations:
-        print(f"names: ok ({count} documents)")
-    return 0 if count and not violations else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    check_tree.run(check, "names", "documents", __doc__)

@@ -12,6 +12,9 @@ import pathlib
 import re
 import sys
 
+sys.dont_write_bytecode = True
+import check_tree  # noqa: E402
+
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 LICENCE_LINES = 3
 
@@ -89,19 +92,5 @@ def check(root):
     return count, violations
 
 
-def main():
-    if len(sys.argv) > 2 or sys.argv[1:2] in (["-h"], ["--help"]):
-        sys.exit(__doc__)
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[1])
-    count, violations = check(root)
-    for violation in violations:
-        print(violation)
-    if count == 0:
-        print(f"{root}: no source files found")
-    elif not violations:
-        print(f"sources: ok ({count} files)")
-    return 0 if count and not violations else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    check_tree.run(check, "sources", "files", __doc__)
