@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The manual page and the completions agree with what --help says.
 
-usage: documents_test.py manual|bash|zsh|fish PROGRAM FOLDER
+usage: manual_test.py page|bash|zsh|fish PROGRAM FOLDER
 
 FOLDER holds kinetri.1, kinetri.bash, _kinetri and kinetri.fish. Exit code 77 where there is no such
 shell, or no man.
@@ -245,7 +245,7 @@ class Zsh(Documents):
                    lambda word: "one folder/" if word == r"one\ folder" else word)
 
 
-TESTS = {"manual": (Manual, "man"), "bash": (Bash, "bash"), "zsh": (Zsh, "zsh"),
+TESTS = {"page": (Manual, "man"), "bash": (Bash, "bash"), "zsh": (Zsh, "zsh"),
          "fish": (Fish, "fish")}
 
 if __name__ == "__main__":
