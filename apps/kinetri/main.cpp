@@ -52,9 +52,10 @@ std::string missing_problem(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
     const std::string name = option->get_name();
-    const std::string expected = option->get_positional()
-                                     ? "a path, or - for standard input"
-                                     : fmt::format("{} {}", name, option->get_type_name());
+    const std::string type = option->get_type_name();
+    const std::string expected = !option->get_positional() ? fmt::format("{} {}", name, type)
+                                 : type == "FILE"          ? "a path, or - for standard input"
+                                                           : type;
     return fmt::format("{} is missing; expected {}", name, expected);
   }
   return {};

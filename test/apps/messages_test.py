@@ -44,7 +44,7 @@ DISCS = "x,y,vx,vy,radius\n0,0,1,0,1\n5,0,0,0,1\n0,9,0,0,1\n"
 TRACKS = "t,id,x,y\n0,a,0,0\n0,b,9,0\n5,a,1,1\n5,b,9,1\n"
 FILES = {"p.csv": ONE_FLIP, "d.csv": DISCS, "t.csv": TRACKS, "old.csv": "before"}
 
-COMMANDS = "generate, simulate, resume, tracks, wave or experiment"
+COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion or manual"
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice or lattice-jitter"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"
 TRACKS_COLUMNS = "t,id,x,y, in any order"
@@ -107,6 +107,9 @@ def usage_cases():
     yield case("generate uniform", option="--points", value="N")
     for command, argument in (("simulate", "POINTS"), ("resume", "CHECKPOINT"), ("tracks", "TRACKS")):
         yield case(command, argument=argument)
+    yield case("completion", argument="SHELL", choices="bash|zsh|fish")
+    yield case("completion tcsh", option="SHELL", text="tcsh", choices="bash, zsh or fish")
+    yield case("manual page", word="page")
     yield case("simulate p.csv --until", option="--until")
     yield case("simulate p.csv --until=", option="--until")
     yield simulate("--fps", option="--fps")
