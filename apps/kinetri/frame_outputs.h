@@ -17,13 +17,14 @@
 
 namespace kinetri::app {
 
-/// The frames: frame_000000.svg and so on in one directory, frame_000000.vtu and so on and
-/// frames.pvd in the other.
+/// How many frames there are.
 struct Frame_rate {
   double per_time = 0;  ///< how many in a unit of time
   std::string option;   ///< what asked for it, as messages name it
 };
 
+/// The frames: frame_000000.svg and so on in one directory, frame_000000.vtu and so on and
+/// frames.pvd in the other.
 class Frame_outputs {
  public:
   /// Each directory may be none; both must outlive this object. Without a rate there are 101
