@@ -176,9 +176,9 @@ json measure_lattice_row(const Setup& setup) {
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(setup.options.points)));
   std::vector<Linear_motion_2> lattice;
   for (std::size_t i = 0; i < side * side; ++i) {
-    const double speed = i / side == side / 2 ? 1 : 0;
-    lattice.push_back(
-        {{static_cast<double>(i % side), static_cast<double>(i / side)}, {speed, 0}, 0});
+    const std::size_t row = i / side;
+    const double speed = row == side / 2 ? 1 : 0;
+    lattice.push_back({{static_cast<double>(i % side), static_cast<double>(row)}, {speed, 0}, 0});
   }
   const auto seconds_per_event = [](const std::vector<Linear_motion_2>& motions) {
     Kinetic exact(motions);

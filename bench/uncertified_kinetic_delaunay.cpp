@@ -209,7 +209,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> Uncertified_kinetic_delauna
   for (const auto& [face, i] : edges_) {
     const Vertex_handle a = face->vertex(cw(i));
     const Vertex_handle b = face->vertex(ccw(i));
-    if (a != infinite_ && b != infinite_) result.push_back(std::minmax(a->id, b->id));
+    if (a == infinite_ || b == infinite_) continue;
+    result.emplace_back(std::min(a->id, b->id), std::max(a->id, b->id));
   }
   std::sort(result.begin(), result.end());
   return result;

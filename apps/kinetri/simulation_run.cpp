@@ -86,7 +86,7 @@ class Simulation_run {
     return with_simulation([](const auto& s) { return s.current_time().to_double(); });
   }
   void advance();
-  bool go_to(double time);
+  bool go_to(double end);
   std::optional<double> next_stop() const;
   void stop_at(double time);
   std::size_t step(const Algebraic_number& until);

@@ -225,7 +225,7 @@ TEST(AlgebraicNumber, RefinementShrinksTheIntervalAroundTheNumberAsFarAsAsked) {
 
 TEST(AlgebraicNumber, CopiesShareTheirRefinement) {
   const Algebraic_number number(Polynomial{-2, 0, 1}, 1, 2);
-  const Algebraic_number copy = number;
+  const Algebraic_number copy(number);  // NOLINT(performance-unnecessary-copy-initialization)
   copy.refine_to(two_to(-100));
   EXPECT_LE(number.upper() - number.lower(), two_to(-100));
   EXPECT_EQ(number, copy);

@@ -111,7 +111,7 @@ TEST(Instantaneous_traits_2, points_that_pass_through_one_another_are_one_vertex
 
 TEST(Instantaneous_traits_2, copies_share_the_instant) {
   const Instantaneous_traits_2 traits(Instant{Algebraic_number(1.0), Side::before});
-  const Instantaneous_traits_2 copy = traits;
+  const Instantaneous_traits_2 copy(traits);  // NOLINT(performance-unnecessary-copy-initialization)
   traits.set_instant({Algebraic_number(2.0), Side::after});
   EXPECT_EQ(copy.instant().time, Algebraic_number(2.0));
   EXPECT_EQ(copy.instant().side, Side::after);

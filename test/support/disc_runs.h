@@ -28,8 +28,9 @@ inline std::vector<Linear_motion_2> discs_in_a_box(std::size_t n, double jitter,
   std::uniform_real_distribution<double> velocity(-5, 5);
   std::vector<Linear_motion_2> motions(n);
   for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t row = i / side;
     const double x = 10.0 * static_cast<double>(i % side) + shift(random);
-    const double y = 10.0 * static_cast<double>(i / side) + shift(random);
+    const double y = 10.0 * static_cast<double>(row) + shift(random);
     const double vx = velocity(random);
     motions[i] = {{x, y}, {vx, velocity(random)}, 0};
   }

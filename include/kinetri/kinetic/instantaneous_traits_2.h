@@ -68,6 +68,7 @@ class Basic_instantaneous_traits_2 {
   const Instant& instant() const { return state_->instant; }
   /// Moves this object and all its copies to another instant. Cost: none. What was built on the
   /// traits stays right only if no certificate failed on the way.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved
   void set_instant(Instant instant) const { state_->instant = std::move(instant); }
 
  private:

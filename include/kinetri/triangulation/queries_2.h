@@ -104,11 +104,11 @@ class Kinetic_queries_2 {
   /// hull edge whose line contains the place, the number of hull edges.
   Location_2 locate(const Vector_2& place) const;
 
-  /// The points with an edge to the point `id`, counterclockwise: of an inner point the smallest id
+  /// The points with an edge to `point`, counterclockwise: of an inner point the smallest id
   /// first, of a hull point from one hull neighbor to the other. Where all points are collinear for
   /// ever, in ascending order. These are the edges of the triangulation, which at a degenerate time
   /// are not the only ones possible; for those that are, see voronoi_cell. Cost: the degree.
-  std::vector<Point_id> neighbors(Point_id id) const;
+  std::vector<Point_id> neighbors(Point_id point) const;
 
   /// The Voronoi cell of the point `id`. Exact; a precondition is that the time is a binary64
   /// number, or known to be rational (Algebraic_number::is_known_rational). Cost, with the degree
