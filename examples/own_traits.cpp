@@ -22,6 +22,7 @@ using Base = kinetri::Linear_kinetic_traits_2;
 class Closing_traits : public Base {
  public:
   using P = Point_2;
+  using Four = kinetri::Quadruple<P>;
   using State = kinetri::Certificate_state;
   using Counters = kinetri::Certificate_counters;
   using Interval = kinetri::Double_interval;
@@ -34,8 +35,7 @@ class Closing_traits : public Base {
 
   Outlook in_circle_outlook(const P& p, const P& q, const P& r, const P& s, const Time& t,
                             State state, Counters& counters) const {
-    return cut(Base::in_circle_outlook(p, q, r, s, t, state, counters),
-               [&](const Interval& bounds) { return in_circle_failure(p, q, r, s, bounds); });
+    return cut({&p, &q, &r, &s}, Base::in_circle_outlook(p, q, r, s, t, state, counters));
   }
   Outlook orientation_outlook(const P& p, const P& q, const P& r, const Time& t, State state,
                               Counters& counters) const {
@@ -47,14 +47,17 @@ class Closing_traits : public Base {
     return cut(Base::flatness_outlook(p, q, r, t, state, counters),
                [&](const Interval& bounds) { return orientation_failure(p, q, r, bounds); });
   }
+  std::array<Outlook, 2> in_circle_outlooks(const std::array<Four, 2>& certificates, const Time& t,
+                                            Counters& counters) const {
+    auto outlooks = Base::in_circle_outlooks(certificates, t, counters);
+    return {cut(certificates[0], std::move(outlooks[0])),
+            cut(certificates[1], std::move(outlooks[1]))};
+  }
   std::array<Outlook, 5> outlooks_after_flip(const kinetri::Flip_neighborhood<P>& around,
                                              const Time& t, Counters& counters) const {
     auto outlooks = Base::outlooks_after_flip(around, t, counters);
     for (std::size_t i = 0; i < outlooks.size(); ++i) {
-      const auto c = around.certificate(i);
-      outlooks[i] = cut(std::move(outlooks[i]), [&](const Interval& bounds) {
-        return in_circle_failure(*c[0], *c[1], *c[2], *c[3], bounds);
-      });
+      outlooks[i] = cut(around.certificate(i), std::move(outlooks[i]));
     }
     return outlooks;
   }
@@ -73,6 +76,12 @@ class Closing_traits : public Base {
       outlook = {.may_vanish = outlook.may_vanish};  // holds for ever
     }
     return outlook;
+  }
+
+  Outlook cut(const Four& points, Outlook outlook) const {
+    return cut(std::move(outlook), [&](const Interval& bounds) {
+      return in_circle_failure(*points[0], *points[1], *points[2], *points[3], bounds);
+    });
   }
 
   double closing_;

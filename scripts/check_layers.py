@@ -45,7 +45,7 @@ LIBRARIES = {
     "algebra": NUMBER_TYPES,
     "kinetic": NUMBER_TYPES + ("CGAL/", "boost/smart_ptr/"),
     "events": (),
-    "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/"),
+    "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/", "sanitizer/"),
     "simulation": ("CGAL/",),
     "io": ("nlohmann/", "fmt/", "boost/crc.hpp"),
     "apps": ("CLI/", "nlohmann/", "fmt/"),

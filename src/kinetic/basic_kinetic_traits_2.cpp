@@ -96,6 +96,35 @@ Outlook<Time> failure_at_once(const Time& t, Certificate_counters& counters) {
   return {Outlook<Time>::Kind::fails, t.interval(), std::make_unique<Time>(t), true};
 }
 
+// The outlook of an in-circle certificate of which the filter has said something, be it "unknown".
+template <class Motion>
+Outlook<Time> in_circle_outlook(const Basic_kinetic_traits_2<Motion>& traits,
+                                const Filter_verdict& verdict,
+                                const Quadruple<Basic_moving_point_2<Motion>>& points,
+                                const Time& t, Certificate_state state,
+                                Certificate_counters& counters) {
+  if (verdict.kind != Filter_verdict::Kind::unknown) {
+    ++counters.created;
+    return outlook(verdict, counters);
+  }
+  const auto& [p, q, r, s] = points;
+  return traits.in_circle_outlook(*p, *q, *r, *s, t, state, counters);
+}
+
+// What the filter knows of two in-circle certificates, without looking at each of them alone.
+std::array<Filter_verdict, 2> verdicts(const std::array<Quadruple<Moving_point_2>, 2>& certificates,
+                                       const Double_interval& after) {
+  const auto& [a, b] = certificates;
+  return filter_in_circles({{{&a[0]->motion(), &a[1]->motion(), &a[2]->motion(), &a[3]->motion()},
+                             {&b[0]->motion(), &b[1]->motion(), &b[2]->motion(), &b[3]->motion()}}},
+                           after);
+}
+std::array<Filter_verdict, 2> verdicts(
+    const std::array<Quadruple<Basic_moving_point_2<Polynomial_motion_2>>, 2>& /*certificates*/,
+    const Double_interval& /*after*/) {
+  return {};
+}
+
 // What the filter knows of the certificates after a flip, without looking at each of them alone.
 std::array<Filter_verdict, 5> verdicts_after_flip(const Flip_neighborhood<Moving_point_2>& around,
                                                   const Double_interval& after) {
@@ -211,19 +240,24 @@ Outlook<Time> Basic_kinetic_traits_2<Motion>::flatness_outlook(
 }
 
 template <class Motion>
+std::array<Outlook<Time>, 2> Basic_kinetic_traits_2<Motion>::in_circle_outlooks(
+    const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t,
+    Certificate_counters& counters) const {
+  const auto known = arithmetic_ == Arithmetic::filtered ? verdicts(certificates, t.interval())
+                                                         : std::array<Filter_verdict, 2>();
+  constexpr auto any = Certificate_state::any;
+  return {kinetri::in_circle_outlook(*this, known[0], certificates[0], t, any, counters),
+          kinetri::in_circle_outlook(*this, known[1], certificates[1], t, any, counters)};
+}
+
+template <class Motion>
 std::array<Outlook<Time>, 5> Basic_kinetic_traits_2<Motion>::outlooks_after_flip(
     const Flip_neighborhood<Point_2>& around, const Time& t, Certificate_counters& counters) const {
-  const std::array<Filter_verdict, 5> verdicts = arithmetic_ == Arithmetic::filtered
-                                                     ? verdicts_after_flip(around, t.interval())
-                                                     : std::array<Filter_verdict, 5>();
-  const auto number = [&](std::size_t k) -> Outlook<Time> {
-    if (verdicts[k].kind != Filter_verdict::Kind::unknown) {
-      ++counters.created;
-      return outlook(verdicts[k], counters);
-    }
-    const auto [p, q, r, s] = around.certificate(k);
+  const auto known = arithmetic_ == Arithmetic::filtered ? verdicts_after_flip(around, t.interval())
+                                                         : std::array<Filter_verdict, 5>();
+  const auto number = [&](std::size_t k) {
     const auto state = k == 4 ? Certificate_state::vanishes : Certificate_state::any;
-    return in_circle_outlook(*p, *q, *r, *s, t, state, counters);
+    return kinetri::in_circle_outlook(*this, known[k], around.certificate(k), t, state, counters);
   };
   return {number(0), number(1), number(2), number(3), number(4)};
 }

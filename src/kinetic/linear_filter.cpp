@@ -12,28 +12,16 @@
 #include "bernstein.h"
 #include "coordinate_pair.h"
 #include "differences.h"
+#include "in_circle_coefficients.h"
 #include "linear_frame.h"
 
 namespace kinetri {
 namespace {
 
 // Minus the in-circle determinant of differences to the fourth point, in powers of w.
-inline Coefficients<4> in_circle_coefficients(const std::array<Difference, 3>& d, double window) {
-  Pair c01 = {};
-  Pair c12 = {};
-  Pair c23 = {};
-  double c4 = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Product l = squared_length(d[i]);
-    const Product m = vector_product(d[(i + 1) % 3], d[(i + 2) % 3]);
-    c01 -= l.low[0] * m.low;
-    c12 -= l.low[1] * m.low;
-    c23 -= l.high * m.low + m.high * l.low;
-    c4 -= l.high * m.high;
-  }
-  const double window_2 = window * window;
-  return {c01[0], (c01[1] + c12[0]) * window, (c12[1] + c23[0]) * window_2,
-          c23[1] * (window_2 * window), c4 * (window_2 * window_2)};
+inline Coefficients<4> in_circle_coefficients(std::array<Difference, 3> d, double window) {
+  for (Difference& difference : d) difference.slope *= window;
+  return in_circle_coefficients(Triangle<double>{lifted(d[1]), lifted(d[0])}, lifted(d[2]));
 }
 
 Coefficients<2> coefficients(const Product& p, double window) {

@@ -225,6 +225,14 @@ struct By_value {
   void prefetch_more(const Bounded_item& /*item*/) const {}
 };
 
+// Assigns the items, each under its index, the last one first.
+template <class Queue, class Item>
+void assign(Queue& queue, const std::vector<Item>& items) {
+  queue.assign(items.size(), [&](const auto& put) {
+    for (std::size_t i = items.size(); i-- > 0;) put(static_cast<Queue_handle>(i), items[i]);
+  });
+}
+
 // The bounds of the first item reach beyond the near ones, which matters when another one comes
 // that is not near.
 TEST(IndexedQueue, AnItemOfWideBoundsIsComparedWithLaterOnes) {
@@ -232,7 +240,7 @@ TEST(IndexedQueue, AnItemOfWideBoundsIsComparedWithLaterOnes) {
     Indexed_queue<Bounded_item, By_value> queue;
     std::vector<Bounded_item> items;
     for (int i = 0; i < 40; ++i) items.push_back({i + 1.0, i + 1.0, i + 1.0});
-    queue.assign(items, items.size());
+    assign(queue, items);
     // Nothing is left, and the slots of the later items have not been opened.
     for (int i = 0; i < 10; ++i) queue.pop();
     for (Queue_handle handle = 40; handle-- > 10;) queue.erase(handle);
@@ -257,7 +265,7 @@ TEST(IndexedQueue, AssignedItemsAreLikePushedOnes) {
   for (int i = 0; i < 3000; ++i) items.emplace_back(static_cast<int>(random() % 100'000), i);
   Indexed_queue<Item, Bounding_less> assigned;
   Indexed_queue<Item, Bounding_less> pushed;
-  assigned.assign(items, items.size());
+  assign(assigned, items);
   for (const Item& item : items) pushed.push(item);
   EXPECT_TRUE(assigned.is_valid());
   EXPECT_EQ(assigned.counters(), pushed.counters());
@@ -270,6 +278,29 @@ TEST(IndexedQueue, AssignedItemsAreLikePushedOnes) {
   }
   while (!pushed.empty()) ASSERT_EQ(assigned.pop(), pushed.pop());
   EXPECT_TRUE(assigned.empty());
+}
+
+// Handles that are left out when others are assigned are the first ones that are given later.
+TEST(IndexedQueue, HandlesThatWereNotAssignedAreFree) {
+  Indexed_queue<Item, Bounding_less> queue;
+  queue.assign(100, [](const auto& put) {
+    for (int i = 0; i < 100; ++i) {
+      if (i != 7 && i != 60) put(static_cast<Queue_handle>(i), Item{i, i});
+    }
+  });
+  EXPECT_TRUE(queue.is_valid());
+  EXPECT_EQ(queue.size(), 98u);
+  EXPECT_EQ(queue.counters().pushed, 98u);
+  EXPECT_FALSE(queue.contains(7));
+  EXPECT_EQ(queue.push({-1, 0}), 7u);
+  EXPECT_EQ(queue.push({-2, 0}), 60u);
+  EXPECT_EQ(queue.push({-3, 0}), 100u);
+  EXPECT_EQ(queue.pop(), (Item{-3, 0}));
+
+  Indexed_queue<Item, Bounding_less> empty;
+  empty.assign(3, [](const auto& /*put*/) {});
+  EXPECT_TRUE(empty.empty());
+  EXPECT_TRUE(empty.is_valid());
 }
 
 TEST(IndexedQueue, ErasingAnItemMayMoveItsReplacementUp) {
@@ -367,8 +398,7 @@ TEST(IndexedQueue, MisuseThrows) {
   EXPECT_PRECONDITION_ERROR(queue.update(handle, 2), "the handle names no item of the queue");
   EXPECT_PRECONDITION_ERROR(queue[handle], "the handle names no item of the queue");
   EXPECT_PRECONDITION_ERROR(queue.erase(no_event), "the handle names no item of the queue");
-  std::vector<int> items = {1, 2};
-  EXPECT_PRECONDITION_ERROR(queue.assign(items, 2), "the queue has been used");
+  EXPECT_PRECONDITION_ERROR(queue.assign(2, [](const auto& /*put*/) {}), "the queue has been used");
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
@@ -53,6 +55,28 @@ std::optional<Algebraic_number> in_circle_failure_time(const Linear_kinetic_trai
       },
       [&](const Double_interval& bounds) { return traits.in_circle_failure(p, q, r, s, bounds); },
       t);
+}
+
+template <class Point>
+void expect_outlooks_of_two_as_of_each(const Basic_kinetic_traits_2<typename Point::Motion>& traits,
+                                       const std::array<Quadruple<Point>, 2>& both, double t) {
+  Certificate_counters counters_of_two;
+  Certificate_counters counters;
+  const auto outlooks = traits.in_circle_outlooks(both, t, counters_of_two);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& [p, q, r, s] = both[k];
+    const auto alone =
+        traits.in_circle_outlook(*p, *q, *r, *s, t, Certificate_state::any, counters);
+    EXPECT_EQ(outlooks[k].kind, alone.kind);
+    EXPECT_EQ(outlooks[k].bounds.lower, alone.bounds.lower);
+    EXPECT_EQ(outlooks[k].bounds.upper, alone.bounds.upper);
+    EXPECT_EQ(outlooks[k].may_vanish, alone.may_vanish);
+    ASSERT_EQ(outlooks[k].failure == nullptr, alone.failure == nullptr);
+    if (alone.failure) {
+      EXPECT_EQ(*outlooks[k].failure, *alone.failure);
+    }
+  }
+  EXPECT_EQ(counters_of_two, counters);
 }
 
 class Linear_kinetic_traits_2_test : public testing::TestWithParam<Arithmetic> {
@@ -155,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(Arithmetics, Linear_kinetic_traits_2_test,
 // Which stage decides chosen cases.
 class Deciding_stage : public testing::Test {
  protected:
-  void expect_stage(std::uint64_t filtered, std::uint64_t exact, std::uint64_t solved) {
+  void expect_stage(std::uint64_t filtered, std::uint64_t exact, std::uint64_t solved) const {
     EXPECT_EQ(counters.created, filtered + exact);
     EXPECT_EQ(counters.filter_decided, filtered);
     EXPECT_EQ(counters.exact_decided, exact);
@@ -333,6 +357,34 @@ TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicat
     }
   }
   EXPECT_GT(failures, 100);
+}
+
+// To the last bit: which two are looked at together makes no difference.
+TEST_P(Linear_kinetic_traits_2_test, two_outlooks_at_once_are_those_of_each) {
+  test::Certificates source(97);
+  for (int i = 0; i < 700 * test::multiplier(); ++i) {
+    const int flavor = i % test::Certificates::flavors;
+    std::vector<Moving_point_2> points;
+    for (const auto& motions : {source.next(flavor), source.next(flavor)}) {
+      for (const Linear_motion_2& motion : motions) points.emplace_back(motion);
+    }
+    expect_outlooks_of_two_as_of_each<Moving_point_2>(
+        Linear_kinetic_traits_2(GetParam()),
+        {{{&points[0], &points[1], &points[2], &points[3]},
+          {&points[4], &points[5], &points[6], &points[7]}}},
+        source.time(flavor));
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST_P(Linear_kinetic_traits_2_test, two_outlooks_of_accelerated_points_are_those_of_each) {
+  using Point = Polynomial_kinetic_traits_2::Point_2;
+  const Point a(Polynomial_motion_2{{0, 0}, {1, 0}, {0, 1}});
+  const Point b(Polynomial_motion_2{{4, 0}, {0, 1}, {1, 0}});
+  const Point c(Polynomial_motion_2{{4, 4}, {-1, 0}, {0, 0}});
+  const Point d(Polynomial_motion_2{{0, 5}, {0, -1}, {0, 0}});
+  expect_outlooks_of_two_as_of_each<Point>(Polynomial_kinetic_traits_2(GetParam()),
+                                           {{{&a, &b, &c, &d}, {&b, &d, &a, &c}}}, 0);
 }
 
 }  // namespace

@@ -48,6 +48,37 @@ TEST_P(Linear_filter, never_contradicts_exact_arithmetic) {
   }
 }
 
+// Of two certificates at once, at any time.
+TEST_P(Linear_filter, two_at_once_never_contradict_exact_arithmetic) {
+  constexpr unsigned seed = 316;
+  test::Certificates source(seed);
+  int decided = 0;
+  const int cases = 1500 * test::multiplier();
+  constexpr std::array<int, 4> modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+  for (int i = 0; i < cases; ++i) {
+    const auto m = source.next(GetParam());
+    const auto n = source.next(GetParam());
+    SCOPED_TRACE(test::describe({m.begin(), m.end()}) + test::describe({n.begin(), n.end()}));
+    const double t = source.time(GetParam());
+    const std::array<Quadruple<Linear_motion_2>, 2> both = {
+        {{&m[0], &m[1], &m[2], &m[3]}, {&n[0], &n[1], &n[2], &n[3]}}};
+    std::fesetround(modes[static_cast<std::size_t>(i) % modes.size()]);
+    const auto verdicts = filter_in_circles(both, {t, t});
+    std::fesetround(FE_TONEAREST);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto [p, q, r, s] = both[k];
+      const Polynomial certificate = -in_circle_polynomial(Moving_point_2(*p), Moving_point_2(*q),
+                                                           Moving_point_2(*r), Moving_point_2(*s));
+      test::expect_true(verdicts[k], certificate, t);
+      if (HasFatalFailure()) return;
+      decided += verdicts[k].kind != Filter_verdict::Kind::unknown;
+    }
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(decided, cases * 99 / 100) << "of the certificates, half hold at the start";
+  }
+}
+
 // Of the five certificates after a flip, at the bracket of its time.
 TEST_P(Linear_filter, after_a_flip_never_contradicts_exact_arithmetic) {
   constexpr unsigned seed = 315;

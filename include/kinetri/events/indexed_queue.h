@@ -85,10 +85,12 @@ class Indexed_queue {
   /// Inserts `item` and returns its handle. Precondition: size() < 2^32 - 2.
   Queue_handle push(Item item);
 
-  /// Inserts all of `items`, the first under the handle 0 and so on: faster than one by one. The
-  /// queue will hardly ever hold more than `capacity` items.
+  /// Inserts items under handles less than `size`, faster than one by one. Calls `fill` with a
+  /// function put(handle, item), which is to be called at most once for each handle, in any order,
+  /// by several threads if that helps.
   /// Precondition: the queue is empty and has had no item since it was made or cleared.
-  void assign(std::span<Item> items, std::size_t capacity);
+  template <class Fill>
+  void assign(std::size_t size, Fill fill);
 
   /// The handle of the least item. Precondition: not empty.
   Queue_handle top_handle() const {
@@ -170,9 +172,9 @@ class Indexed_queue {
 
   // Alone, since the two bounds were written one by one: the processor waits where it reads both at
   // once soon after.
-  double lower_bound(Queue_handle handle) const {
+  double lower_bound(const Item& item) const {
     if constexpr (Bounding_order<Less, Item>) {
-      return less_.bounds(places_[handle].item).lower;
+      return less_.bounds(item).lower;
     } else {
       return -std::numeric_limits<double>::infinity();
     }
@@ -244,16 +246,23 @@ inline Queue_handle Indexed_queue<Item, Less>::push(Item item) {
 }
 
 template <class Item, class Less>
-void Indexed_queue<Item, Less>::assign(std::span<Item> items, std::size_t capacity) {
+template <class Fill>
+void Indexed_queue<Item, Less>::assign(std::size_t size, Fill fill) {
   KINETRI_PRECONDITION(places_.empty(), "the queue has been used");
-  KINETRI_PRECONDITION(items.size() < far, "too many items");
-  places_.reserve(std::max(capacity, items.size()));
-  for (Item& item : items) places_.push_back({std::move(item), far});
-  far_ = places_.size();
+  KINETRI_PRECONDITION(size < far, "too many items");
+  places_.resize(size);
+  fill([this](Queue_handle handle, Item item) {
+    places_[handle].item = std::move(item);
+    places_[handle].position = far;
+  });
+  for (std::size_t h = size; h-- > 0;) {
+    if (places_[h].position == nowhere) free_.push_back(static_cast<Queue_handle>(h));
+  }
+  far_ = size - free_.size();
   spread();
   settle();
-  counters_.pushed += size();
-  counters_.peak = std::max<std::uint64_t>(counters_.peak, size());
+  counters_.pushed += this->size();
+  counters_.peak = std::max<std::uint64_t>(counters_.peak, this->size());
 }
 
 template <class Item, class Less>
@@ -361,7 +370,7 @@ inline void Indexed_queue<Item, Less>::add(Queue_handle handle) {
 // Puts the item of `handle`, which is nowhere, where it belongs.
 template <class Item, class Less>
 inline void Indexed_queue<Item, Less>::insert(Queue_handle handle) {
-  const double s = slot(lower_bound(handle));
+  const double s = slot(lower_bound(places_[handle].item));
   if (!(s >= static_cast<double>(open_slots_))) return insert_into_heap({bounds(handle), handle});
   places_[handle].position = far;
   ++far_;
@@ -479,15 +488,15 @@ template <class Item, class Less>
 bool Indexed_queue<Item, Less>::choose_slots() {
   if constexpr (!Bounding_order<Less, Item>) return false;
   if (far_ <= items_per_slot) return false;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Place& place : places_) {
+    if (place.position == far) least = std::min(least, lower_bound(place.item));
+  }
   constexpr std::size_t sample_size = 256;
   const std::size_t stride = places_.size() / sample_size + 1;
   std::vector<double> sample;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t h = 0; h < places_.size(); ++h) {
-    if (places_[h].position != far) continue;
-    const double lower = bounds(static_cast<Queue_handle>(h)).lower;
-    least = std::min(least, lower);
-    if (h % stride == 0) sample.push_back(lower);
+  for (std::size_t h = 0; h < places_.size(); h += stride) {
+    if (places_[h].position == far) sample.push_back(lower_bound(places_[h].item));
   }
   std::sort(sample.begin(), sample.end());
   for (std::size_t rest = sample.size() / 4; rest > 0; rest /= 2) {
@@ -500,6 +509,7 @@ bool Indexed_queue<Item, Less>::choose_slots() {
     slots_per_unit_ = static_cast<double>(count - 1) / (sample[nearer] - least);
     if (!std::isfinite(least) || !std::isnormal(slots_per_unit_)) return false;
     slots_.assign(count, Chunk::none);
+    chunks_.reserve(count + count / 4);
     return true;
   }
   return false;

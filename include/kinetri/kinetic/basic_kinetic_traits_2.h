@@ -52,6 +52,9 @@ class Basic_kinetic_traits_2 {
   Outlook<Time> flatness_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
                                  const Time& t, Certificate_state state,
                                  Certificate_counters& counters) const;
+  std::array<Outlook<Time>, 2> in_circle_outlooks(
+      const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t,
+      Certificate_counters& counters) const;
   std::array<Outlook<Time>, 5> outlooks_after_flip(const Flip_neighborhood<Point_2>& around,
                                                    const Time& t,
                                                    Certificate_counters& counters) const;

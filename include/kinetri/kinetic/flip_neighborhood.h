@@ -9,6 +9,11 @@
 
 namespace kinetri {
 
+/// The points of an in-circle certificate: the last one must not be inside the circle through the
+/// others, which are a triangle.
+template <class Point>
+using Quadruple = std::array<const Point*, 4>;
+
 /// The points around an edge that has just been flipped, all of them there: the corners of its two
 /// triangles, counterclockwise from one of its ends, so that the triangles are the corners 0, 1, 2
 /// and 0, 2, 3; and of each outer edge, from the corner k to the next one, the point beyond it.
@@ -22,9 +27,8 @@ struct Flip_neighborhood {
   std::array<const Point*, 4> corners;  ///< of the two triangles, counterclockwise
   std::array<const Point*, 4> beyond;   ///< across the outer edge from corners[k] to the next one
 
-  /// The four points of a certificate: the last one must not be inside the circle through the
-  /// others, which are a triangle. Precondition: number < certificates.
-  std::array<const Point*, 4> certificate(std::size_t number) const {
+  /// The points of a certificate. Precondition: number < certificates.
+  Quadruple<Point> certificate(std::size_t number) const {
     const auto& [a, right, b, left] = corners;
     if (number == 4) return {a, right, b, left};
     if (number < 2) return {a, right, b, beyond[number]};

@@ -89,7 +89,8 @@ enum class Certificate_state {
 /// | `in_circle_outlook(p, q, r, s, ...)` | s is not inside the circle through p, q, r |
 /// | `orientation_outlook(p, q, r, ...)` | p, q, r do not make a right turn |
 /// | `flatness_outlook(p, q, r, ...)` | likewise, and strictly after t they are not collinear |
-/// | `outlooks_after_flip(around, t, counters)` | the five in-circle certificates after a flip |
+/// | `in_circle_outlooks(two, t, counters)` | two in-circle certificates of which nothing is known
+/// | | `outlooks_after_flip(around, t, counters)` | the five in-circle certificates after a flip |
 ///
 /// After a flip at t the certificate of the flipped edge, the last one, vanishes at t.
 ///
@@ -109,6 +110,7 @@ enum class Certificate_state {
 template <class Traits>
 concept KineticTraits_2 = requires(const Traits traits, const typename Traits::Motion motion,
                                    const typename Traits::Point_2 p, const typename Traits::Time t,
+                                   const std::array<Quadruple<typename Traits::Point_2>, 2> two,
                                    const Flip_neighborhood<typename Traits::Point_2> around,
                                    const Double_interval bounds, const Instant instant,
                                    Certificate_state state, Certificate_counters& counters) {
@@ -133,6 +135,9 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
   {
     traits.flatness_outlook(p, p, p, t, state, counters)
     } -> std::same_as<Outlook<typename Traits::Time>>;
+  {
+    traits.in_circle_outlooks(two, t, counters)
+    } -> std::same_as<std::array<Outlook<typename Traits::Time>, 2>>;
   {
     traits.outlooks_after_flip(around, t, counters)
     } -> std::same_as<std::array<Outlook<typename Traits::Time>, 5>>;

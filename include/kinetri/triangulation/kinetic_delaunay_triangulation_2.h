@@ -319,6 +319,16 @@ class Kinetic_delaunay_triangulation_2 {
     std::unique_ptr<Time> time;
   };
 
+  /// Edges that one thread schedules.
+  struct Block {
+    std::span<const Face_handle> faces;  // the edges are their own
+    Queue_handle next_handle = 0;        // for the next edge
+    Time after;                          // exact numbers are not shared by threads
+    /// What is left to one thread for all, since times are kept in one place.
+    std::vector<std::pair<Edge, Prospect>> timed;
+    Certificate_counters counters;
+  };
+
   /// What says that an edge belongs to the triangulation, and the event of its failure: points for
   /// the kinetic traits, four for in-circle, three for orientation.
   struct Certificate {
@@ -338,6 +348,10 @@ class Kinetic_delaunay_triangulation_2 {
   void check_restored_chain() const;
 
   // Certificates.
+  std::vector<Face_handle> faces() const;
+  template <class Function>
+  void for_each_own_edge(Face_handle face, Function function) const;
+  static Two_sided_edge chosen_side(const Two_sided_edge& edge);
   std::vector<Edge> edges() const;
   Two_sided_edge two_sided(const Edge& edge) const;
   Certificate certificate(const Two_sided_edge& edge) const;
@@ -362,8 +376,11 @@ class Kinetic_delaunay_triangulation_2 {
   void schedule_after_flip(const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer);
   void schedule(const Two_sided_edge& edge, std::optional<Prospect> next);
   void schedule(const Two_sided_edge& edge, Outlook<Time>& outlook);
+  static Entry make_untimed_entry(const Edge& edge, const Prospect& prospect);
   Entry make_entry(const Edge& edge, Prospect prospect);
   void schedule_all();
+  template <class Put>
+  void schedule_block(Block& block, const Put& put) const;
   void unschedule(const Two_sided_edge& edge);
   static Event_kind event_kind(Entry_kind failure);
   static void set_event(const Two_sided_edge& edge, Queue_handle handle);

@@ -6,30 +6,17 @@
 #ifndef KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
 
-#include <tbb/parallel_for_each.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <limits>
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/detail/point_problems.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
-
-namespace detail {
-
-// oneTBB has a task begin after it is made, and what follows begin after the tasks. These say it
-// once more to ThreadSanitizer, which does not see into oneTBB's library. They are global, since a
-// task may read nothing before.
-inline std::atomic<unsigned> tasks_made = 0;
-inline std::atomic<unsigned> tasks_done = 0;
-
-}  // namespace detail
 
 // ---- construction ----
 
@@ -104,10 +91,9 @@ std::vector<Edge_ids> Kinetic_delaunay_triangulation_2<Traits>::finite_edge_ids(
 
 // ---- certificates ----
 
-// Handles are passed in memory, so that a call would cost more than what it does.
 template <KineticTraits_2 Traits>
-[[gnu::always_inline]] inline auto Kinetic_delaunay_triangulation_2<Traits>::two_sided(
-    const Edge& edge) const -> Two_sided_edge {
+inline auto Kinetic_delaunay_triangulation_2<Traits>::two_sided(const Edge& edge) const
+    -> Two_sided_edge {
   if (triangulation_.dimension() < 2) return {edge, edge};
   // Without branches, which nothing could predict.
   const auto& [face, i] = edge;
@@ -288,12 +274,20 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Two_sided_edge& e
 }
 
 template <KineticTraits_2 Traits>
+inline auto Kinetic_delaunay_triangulation_2<Traits>::make_untimed_entry(const Edge& edge,
+                                                                         const Prospect& prospect)
+    -> Entry {
+  const bool changes_sign = !prospect.time;
+  return {prospect.bounds, edge.first,  Time_pool::none, static_cast<std::uint8_t>(edge.second),
+          prospect.kind,   changes_sign};
+}
+
+template <KineticTraits_2 Traits>
 inline auto Kinetic_delaunay_triangulation_2<Traits>::make_entry(const Edge& edge,
                                                                  Prospect prospect) -> Entry {
-  const bool changes_sign = !prospect.time;
-  const auto time = prospect.time ? times_.keep(std::move(*prospect.time)) : Time_pool::none;
-  return {prospect.bounds, edge.first,  time, static_cast<std::uint8_t>(edge.second),
-          prospect.kind,   changes_sign};
+  Entry entry = make_untimed_entry(edge, prospect);
+  if (prospect.time) entry.time = times_.keep(std::move(*prospect.time));
+  return entry;
 }
 
 // Pushes the entry of the edge's certificate from `after` on. Precondition: the edge has none.
@@ -310,84 +304,128 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Two_sided_edge& ed
   set_event(edge, next ? queue_.push(make_entry(edge.here, std::move(*next))) : no_event);
 }
 
-// All edges, infinite ones too, each from the side that its ids choose. CGAL's iterator chooses by
-// address, which is another one in each run, and certificates are rounded otherwise from the other
-// side.
+// Faces that have all edges, infinite ones too: in dimension 1, a face for each edge.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::faces() const -> std::vector<Face_handle> {
+  std::vector<Face_handle> result;
+  if (triangulation_.dimension() < 1) return result;
+  if (triangulation_.dimension() == 1) {
+    for (const Edge& edge : triangulation_.all_edges()) result.push_back(edge.first);
+    return result;
+  }
+  result.reserve(2 * number_of_points_);
+  for (const Face_handle face : triangulation_.all_face_handles()) result.push_back(face);
+  return result;
+}
+
+// Calls `function` with each edge that is the face's own: every edge is that of one of its faces.
+template <KineticTraits_2 Traits>
+template <class Function>
+void Kinetic_delaunay_triangulation_2<Traits>::for_each_own_edge(Face_handle face,
+                                                                 Function function) const {
+  if (triangulation_.dimension() == 1) return function(Edge(face, 2));
+  for (int i = 0; i < 3; ++i) {
+    if (face < face->neighbor(i)) function(Edge(face, i));
+  }
+}
+
+// The same edge, from the side that its ids choose: which face has it as its own is another one in
+// each run, and certificates are rounded otherwise from the other side.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::chosen_side(const Two_sided_edge& edge)
+    -> Two_sided_edge {
+  const auto& [face, i] = edge.here;
+  const bool is_here = face->vertex(Triangulation::cw(i))->point().id() <
+                       face->vertex(Triangulation::ccw(i))->point().id();
+  return is_here ? edge : Two_sided_edge{edge.there, edge.here};
+}
+
+// All edges, infinite ones too.
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge> {
   std::vector<Edge> result;
-  if (triangulation_.dimension() < 1) return result;
-  if (triangulation_.dimension() == 1) {
-    for (const Edge& edge : triangulation_.all_edges()) result.push_back(edge);
-    return result;
-  }
-  result.reserve(3 * (number_of_points_ + 1));
-  for (const Face_handle face : triangulation_.all_face_handles()) {
-    for (int i = 0; i < 3; ++i) {
-      if (face->vertex(Triangulation::cw(i))->point().id() <
-          face->vertex(Triangulation::ccw(i))->point().id()) {
-        result.emplace_back(face, i);
-      }
-    }
+  for (const Face_handle face : faces()) {
+    for_each_own_edge(face, [&](const Edge& edge) { result.push_back(edge); });
   }
   return result;
 }
 
-// Schedules every edge; the queue is empty. The prospects of a block of
-// edges are found by several threads; only the queue is filled by one.
+// Schedules every edge; the queue is empty. Several threads do so, each for a block of faces, whose
+// edges have the handles that follow those of the block before.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
-  constexpr std::size_t edges_per_task = 4096;
-  struct Task {
-    std::span<const Edge> edges;
-    Time after;  // exact numbers are not shared by threads
-    std::vector<std::optional<Prospect>> prospects;
-    Certificate_counters counters;
-  };
-  const std::vector<Edge> all = edges();
-  std::vector<Entry> entries;
-  entries.reserve(all.size());
-  std::vector<Task> tasks(2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
-  for (std::size_t first = 0; first < all.size();) {
-    for (Task& task : tasks) {
-      task.edges = std::span(all).subspan(first, std::min(edges_per_task, all.size() - first));
-      task.after = current_time_.detached();
-      first += task.edges.size();
-    }
-    const auto work = [this](Task& task) {
-      for (std::size_t i = 0; i < task.edges.size(); ++i) {
-        if (i + 12 < task.edges.size()) detail::prefetch(task.edges[i + 12].first);
-        if (i + 6 < task.edges.size()) detail::prefetch_around(task.edges[i + 6].first);
-        task.prospects.push_back(prospect(two_sided(task.edges[i]), task.after,
-                                          Certificate_state::any, traits_, task.counters));
-      }
-    };
-    if (all.size() <= edges_per_task) {
-      work(tasks.front());
-    } else {
-      const auto ordered_work = [&work](Task& task) {
-        detail::tasks_made.load(std::memory_order_acquire);
-        work(task);
-        detail::tasks_done.fetch_add(1, std::memory_order_release);
-      };
-      detail::tasks_made.fetch_add(1, std::memory_order_release);
-      tbb::parallel_for_each(tasks, ordered_work);
-      detail::tasks_done.load(std::memory_order_acquire);
-    }
-    for (Task& task : tasks) {
-      for (std::size_t i = 0; i < task.edges.size(); ++i) {
-        Queue_handle event = no_event;
-        if (task.prospects[i]) {
-          event = static_cast<Queue_handle>(entries.size());
-          entries.push_back(make_entry(task.edges[i], std::move(*task.prospects[i])));
-        }
-        set_event(two_sided(task.edges[i]), event);
-      }
-      task.prospects.clear();
-      certificate_counters_ += std::exchange(task.counters, {});
+  constexpr std::size_t faces_per_block = 2048;
+  const std::vector<Face_handle> all = faces();
+  std::vector<Block> blocks;
+  Queue_handle size = 0;
+  for (std::size_t first = 0; first < all.size(); first += faces_per_block) {
+    const std::size_t count = std::min(faces_per_block, all.size() - first);
+    Block& block = blocks.emplace_back();
+    block.faces = std::span(all).subspan(first, count);
+    block.after = current_time_.detached();
+    block.next_handle = size;
+    for (const Face_handle face : block.faces) {
+      for_each_own_edge(face, [&](const Edge&) { ++size; });
     }
   }
-  queue_.assign(entries, all.size());
+  queue_.assign(size, [&](const auto& put) {
+    detail::for_each_in_parallel(blocks, [&](Block& block) { schedule_block(block, put); });
+    for (Block& block : blocks) {
+      for (auto& [edge, prospect] : block.timed) {
+        put(edge.first->event(edge.second), make_entry(edge, std::move(prospect)));
+      }
+      certificate_counters_ += block.counters;
+    }
+  });
+}
+
+// Puts the entries of the block's edges into the queue; in-circle certificates go two by two.
+template <KineticTraits_2 Traits>
+template <class Put>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_block(Block& block, const Put& put) const {
+  const auto finish = [&](const Two_sided_edge& edge, std::optional<Prospect> next) {
+    const Queue_handle handle = next ? block.next_handle : no_event;
+    ++block.next_handle;
+    set_event(edge, handle);
+    if (!next) return;
+    if (next->time) {
+      block.timed.emplace_back(edge.here, std::move(*next));
+    } else {
+      put(handle, make_untimed_entry(edge.here, *next));
+    }
+  };
+  const auto finish_flip = [&](const Two_sided_edge& edge, Outlook<Time> outlook) {
+    finish(edge, prospect(edge, Entry_kind::flip, std::move(outlook), block.after, traits_,
+                          block.counters));
+  };
+  std::optional<std::pair<Two_sided_edge, Certificate>> waiting;
+  for (std::size_t k = 0; k < block.faces.size(); ++k) {
+    if (k + 6 < block.faces.size()) detail::prefetch(block.faces[k + 6]);
+    if (k + 3 < block.faces.size()) detail::prefetch_around(block.faces[k + 3]);
+    for_each_own_edge(block.faces[k], [&](const Edge& own) {
+      const Two_sided_edge edge = chosen_side(two_sided(own));
+      if (triangulation_.dimension() == 2) {
+        const Certificate certificate = this->certificate(edge);
+        if (certificate.kind == Entry_kind::flip) {
+          if (!waiting) {
+            waiting.emplace(edge, certificate);
+            return;
+          }
+          auto outlooks = traits_.in_circle_outlooks({waiting->second.points, certificate.points},
+                                                     block.after, block.counters);
+          finish_flip(waiting->first, std::move(outlooks[0]));
+          finish_flip(edge, std::move(outlooks[1]));
+          waiting.reset();
+          return;
+        }
+      }
+      finish(edge, prospect(edge, block.after, Certificate_state::any, traits_, block.counters));
+    });
+  }
+  if (waiting) {
+    const Two_sided_edge& edge = waiting->first;
+    finish(edge, prospect(edge, block.after, Certificate_state::any, traits_, block.counters));
+  }
 }
 
 template <KineticTraits_2 Traits>
