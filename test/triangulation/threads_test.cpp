@@ -11,19 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "support/motions.h"
-
-#ifdef KINETRI_THREAD_SANITIZER
-// ThreadSanitizer does not see into oneTBB's library. What is done there, and in its own functions
-// that are compiled into ours, to its own memory is not to be reported.
-extern "C" const char* __tsan_default_suppressions() {
-  return "called_from_lib:libtbb.so\n"
-         "race_top:tbb::detail::\n"
-         "race_top:^_ZN3tbb\n";
-}
-#endif
 
 namespace kinetri {
 namespace {
