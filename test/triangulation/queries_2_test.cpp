@@ -216,7 +216,7 @@ void expect_same_cell(const Voronoi_cell_2<Exact_position_2>& cell, const Oracle
       expected, [](const auto& entry) { return entry.second.source && entry.second.target; });
   ASSERT_EQ(cell.is_bounded(), is_bounded);
   ASSERT_EQ(cell.rays.has_value(), !is_bounded);
-  const Static_point here = oracle.place(id);
+  const Static_point& here = oracle.place(id);
   if (is_bounded) {
     ASSERT_EQ(cell.vertices.size(), n);
     for (std::size_t i = 0; i < n; ++i) {

@@ -323,7 +323,8 @@ TEST_F(Forged_snapshot, whose_hull_is_dented_is_refused) {
 
 TEST_F(Forged_snapshot, with_an_edge_flipped_is_refused) {
   // At rest, so that the snapshot of what is flipped by hand stays otherwise right.
-  const Kinetic_delaunay kinetic(test::random_motions(20, 40, 0, 1));
+  Kinetic_delaunay kinetic(test::random_motions(20, 40, 0, 1));
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): what nobody else may do
   auto& triangulation = const_cast<Kinetic_delaunay::Triangulation&>(kinetic.triangulation());
   int flipped = 0;
   for (const auto& edge :
@@ -346,8 +347,10 @@ TEST_F(Forged_snapshot, with_an_edge_flipped_is_refused) {
 TEST(Forged_snapshots, that_go_around_twice_are_refused) {
   Snapshot star;
   const std::array<Vector_2, 5> corners = {{{100, 0}, {-81, 59}, {31, -95}, {31, 95}, {-81, -59}}};
-  for (const Vector_2& corner : corners) star.motions.push_back(Linear_motion_2{corner, {0, 0}, 0});
-  star.motions.push_back(Linear_motion_2{{0, 0}, {0, 0}, 0});
+  for (const Vector_2& corner : corners) {
+    star.motions.emplace_back(Linear_motion_2{corner, {0, 0}, 0});
+  }
+  star.motions.emplace_back(Linear_motion_2{{0, 0}, {0, 0}, 0});
   star.dimension = 2;
   for (std::size_t k = 0; k < 5; ++k) {
     const std::size_t next = (k + 1) % 5;
