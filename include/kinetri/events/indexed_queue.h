@@ -87,7 +87,7 @@ class Indexed_queue {
 
   /// Inserts items under handles less than `size`, faster than one by one. Calls `fill` with a
   /// function put(handle, item), which is to be called at most once for each handle, in any order,
-  /// by several threads if that helps.
+  /// by several threads if that helps; handles that are left out stay free. Linear in `size`.
   /// Precondition: the queue is empty and has had no item since it was made or cleared.
   template <class Fill>
   void assign(std::size_t size, Fill fill);

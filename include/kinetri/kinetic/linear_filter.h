@@ -25,16 +25,16 @@ Filter_verdict filter_in_circle(const Linear_motion_2& p, const Linear_motion_2&
                                 const Linear_motion_2& r, const Linear_motion_2& s,
                                 const Double_interval& after, bool vanishes_at);
 
-/// Two in-circle certificates, each as filter_in_circle does it where nothing is known of its value
-/// at the time, at two thirds of the cost of two calls; but both verdicts may be unknown where that
-/// of one alone is.
-std::array<Filter_verdict, 2> filter_in_circles(
-    const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after);
-
 /// The orientation certificate (p, q, r make a left turn), likewise.
 Filter_verdict filter_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
                                   const Linear_motion_2& r, const Double_interval& after,
                                   bool vanishes_at);
+
+/// Two in-circle certificates, each as filter_in_circle does it where nothing is known of its value
+/// at the time, at less cost than two calls; but both verdicts may be unknown where that
+/// of one alone is.
+std::array<Filter_verdict, 2> filter_in_circles(
+    const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after);
 
 /// The five certificates after a flip at a time in `after`, at which that of the edge itself, the
 /// last one, vanishes. As five calls of filter_in_circle, at less than half of their cost; but
