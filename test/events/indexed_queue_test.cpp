@@ -308,7 +308,7 @@ TEST(IndexedQueue, ErasingAnItemMayMoveItsReplacementUp) {
   Indexed_queue<int, std::less<int>> queue;
   std::vector<Queue_handle> handles;
   for (const int item : {0, 9, 1, 1, 1, 10, 10, 10, 10, 2}) handles.push_back(queue.push(item));
-  queue.erase(handles[5]);
+  EXPECT_EQ(queue.erase(handles[5]), 10);
   EXPECT_TRUE(queue.is_valid());
   std::vector<int> popped;
   while (!queue.empty()) popped.push_back(queue.pop());

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,7 +43,8 @@ struct Queue_counters {
 ///
 /// It has two functions more, which may ask for the memory that an item will need: `prefetch` is
 /// called for each of several items whose turn comes near, then, for each of them, `prefetch_more`,
-/// which may use what the former has asked for.
+/// which may use what the former has asked for. Let them be inlined by force: GCC drops calls of a
+/// function that only asks for memory, as having no effect.
 template <class Less, class Item>
 concept Bounding_order = requires(const Less& less, const Item& item) {
   { less.bounds(item) } -> std::same_as<Double_interval>;
@@ -75,7 +77,7 @@ class Indexed_queue {
   /// Whether there is no item.
   bool empty() const noexcept { return heap_.empty(); }
   /// The number of items.
-  std::size_t size() const noexcept { return heap_.size() + far_; }
+  std::size_t size() const noexcept { return size_; }
 
   /// Whether `handle` names an item of the queue.
   bool contains(Queue_handle handle) const noexcept {
@@ -83,7 +85,12 @@ class Indexed_queue {
   }
 
   /// Inserts `item` and returns its handle. Precondition: size() < 2^32 - 2.
-  Queue_handle push(Item item);
+  Queue_handle push(Item item) { return emplace(std::move(item)); }
+
+  /// Likewise an item that is made from `parts`, which refer to no item of the queue, where it will
+  /// stay.
+  template <class... Parts>
+  Queue_handle emplace(Parts&&... parts);
 
   /// Inserts items under handles less than `size`, faster than one by one. Calls `fill` with a
   /// function put(handle, item), which is to be called at most once for each handle, in any order,
@@ -110,15 +117,15 @@ class Indexed_queue {
   }
 
   /// Asks for the memory of the item of `handle`, if that names one, which is wanted soon.
-  void prefetch(Queue_handle handle) const {
-    if (handle < places_.size()) __builtin_prefetch(&places_[handle]);
+  [[gnu::always_inline]] void prefetch(Queue_handle handle) const {
+    if (handle != no_event) __builtin_prefetch(&places_[handle]);
   }
 
   /// Replaces the item of `handle`. Precondition: contains(handle).
   void update(Queue_handle handle, Item item);
 
-  /// Removes the item of `handle`. Precondition: contains(handle).
-  void erase(Queue_handle handle);
+  /// Removes the item of `handle` and returns it. Precondition: contains(handle).
+  Item erase(Queue_handle handle);
 
   /// Removes all items.
   void clear();
@@ -136,7 +143,8 @@ class Indexed_queue {
 
  private:
   static constexpr std::size_t arity = 4;
-  static constexpr std::size_t items_per_slot = 8;
+  static constexpr std::size_t least_per_slot = 4;
+  static constexpr std::size_t most_per_slot = 16;
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::uint32_t far = nowhere - 1;
 
@@ -189,22 +197,25 @@ class Indexed_queue {
   // The number of the slot of a bound, before truncation: monotone in the bound, even as rounded.
   double slot(double bound) const { return (bound - origin_) * slots_per_unit_; }
   // Whether the slot of a bound has been opened. So is what has no slot (0 times infinity).
-  bool is_open(double bound) const { return !(slot(bound) >= static_cast<double>(open_slots_)); }
+  bool is_open(double bound) const { return !(slot(bound) >= open_slots_); }
+  // Whether there is a slot of that number.
+  bool has_slot(double number) const { return number < static_cast<double>(std::ssize(slots_)); }
 
   void place(std::size_t position, const Node& node) {
     heap_[position] = node;
     places_[node.handle].position = static_cast<std::uint32_t>(position);
   }
 
-  Queue_handle acquire_handle(Item&& item);
+  Queue_handle acquire_handle();
   Item take(Queue_handle handle);
   void add(Queue_handle handle);
-  void insert(Queue_handle handle);
+  bool insert(Queue_handle handle);
+  void keep_in_order();
   void insert_into_heap(const Node& node);
   void remove(Queue_handle handle);
   void settle();
   bool has_long_slots() const;
-  void record(std::size_t slot, Queue_handle handle);
+  bool record(std::size_t slot, Queue_handle handle);
   void open_next_slot();
   void spread();
   bool choose_slots();
@@ -225,9 +236,10 @@ class Indexed_queue {
   std::vector<std::uint32_t> slots_;  // the first chunk of each
   std::vector<Chunk> chunks_;
   std::uint32_t free_chunk_ = Chunk::none;  // the first of a list
-  std::size_t open_slots_ = 1;
+  double open_slots_ = 1;                   // the number of these
   double origin_ = 0;
   double slots_per_unit_ = 0;
+  std::size_t size_ = 0;            // the number of items
   std::size_t far_ = 0;             // the number of far items
   std::size_t records_ = 0;         // in all slots
   std::size_t size_at_spread_ = 0;  // when the slots were chosen
@@ -236,12 +248,16 @@ class Indexed_queue {
 };
 
 template <class Item, class Less>
-inline Queue_handle Indexed_queue<Item, Less>::push(Item item) {
-  KINETRI_PRECONDITION(size() < far, "the queue is full");
-  const Queue_handle handle = acquire_handle(std::move(item));
+template <class... Parts>
+inline Queue_handle Indexed_queue<Item, Less>::emplace(Parts&&... parts) {
+  KINETRI_PRECONDITION(size_ < far, "the queue is full");
+  const Queue_handle handle = acquire_handle();
+  Item* const item = &places_[handle].item;
+  std::destroy_at(item);
+  std::construct_at(item, std::forward<Parts>(parts)...);
   add(handle);
   ++counters_.pushed;
-  counters_.peak = std::max<std::uint64_t>(counters_.peak, size());
+  counters_.peak = std::max<std::uint64_t>(counters_.peak, size_);
   return handle;
 }
 
@@ -258,11 +274,11 @@ void Indexed_queue<Item, Less>::assign(std::size_t size, Fill fill) {
   for (std::size_t h = size; h-- > 0;) {
     if (places_[h].position == nowhere) free_.push_back(static_cast<Queue_handle>(h));
   }
-  far_ = size - free_.size();
+  size_ = far_ = size - free_.size();
   spread();
   settle();
-  counters_.pushed += this->size();
-  counters_.peak = std::max<std::uint64_t>(counters_.peak, this->size());
+  counters_.pushed += size_;
+  counters_.peak = std::max<std::uint64_t>(counters_.peak, size_);
 }
 
 template <class Item, class Less>
@@ -281,10 +297,10 @@ void Indexed_queue<Item, Less>::update(Queue_handle handle, Item item) {
 }
 
 template <class Item, class Less>
-inline void Indexed_queue<Item, Less>::erase(Queue_handle handle) {
+inline Item Indexed_queue<Item, Less>::erase(Queue_handle handle) {
   KINETRI_PRECONDITION(contains(handle), "the handle names no item of the queue");
-  static_cast<void>(take(handle));
   ++counters_.discarded;
+  return take(handle);
 }
 
 template <class Item, class Less>
@@ -305,7 +321,7 @@ void Indexed_queue<Item, Less>::for_each(Function function) const {
 
 template <class Item, class Less>
 bool Indexed_queue<Item, Less>::is_valid() const {
-  if (size() + free_.size() != places_.size()) return false;
+  if (size_ != heap_.size() + far_ || size_ + free_.size() != places_.size()) return false;
   for (std::size_t i = 0; i < heap_.size(); ++i) {
     if (heap_[i].handle >= places_.size() || places_[heap_[i].handle].position != i) return false;
     if (i > 0 && less(heap_[i], heap_[(i - 1) / arity])) return false;
@@ -316,8 +332,8 @@ bool Indexed_queue<Item, Less>::is_valid() const {
     if (places_[h].position != far) continue;
     const auto handle = static_cast<Queue_handle>(h);
     const double s = slot(bounds(handle).lower);
-    if (!(s >= static_cast<double>(open_slots_))) return false;
-    if (!(s < static_cast<double>(slots_.size()))) continue;
+    if (!(s >= open_slots_)) return false;
+    if (!has_slot(s)) continue;
     bool is_recorded = false;
     for (std::uint32_t c = slots_[static_cast<std::size_t>(s)]; c != Chunk::none;
          c = chunks_[c].next) {
@@ -332,17 +348,15 @@ bool Indexed_queue<Item, Less>::is_valid() const {
   });
 }
 
-// Stores the item under a handle that is not in use yet; the last one that became free first. The
-// item is not passed to anything that is not inlined, so that its parts can stay in registers.
+// A handle that is not in use yet; the last one that became free first.
 template <class Item, class Less>
-inline Queue_handle Indexed_queue<Item, Less>::acquire_handle(Item&& item) {
+inline Queue_handle Indexed_queue<Item, Less>::acquire_handle() {
   if (free_.empty()) {
     free_.push_back(static_cast<Queue_handle>(places_.size()));
     places_.emplace_back();
   }
   const Queue_handle handle = free_.back();
   free_.pop_back();
-  places_[handle].item = std::move(item);
   return handle;
 }
 
@@ -357,9 +371,33 @@ inline Item Indexed_queue<Item, Less>::take(Queue_handle handle) {
 // Adds the item of `handle` to the queue.
 template <class Item, class Less>
 inline void Indexed_queue<Item, Less>::add(Queue_handle handle) {
-  insert(handle);
+  ++size_;
+  if (insert(handle)) keep_in_order();
+}
+
+// Puts the item of `handle`, which is nowhere, where it belongs. Returns false if the least item is
+// first in the heap as it was before, and no slot has become long.
+template <class Item, class Less>
+inline bool Indexed_queue<Item, Less>::insert(Queue_handle handle) {
+  const double s = slot(lower_bound(places_[handle].item));
+  if (!(s >= open_slots_)) {
+    insert_into_heap({bounds(handle), handle});
+    return true;
+  }
+  places_[handle].position = far;
+  ++far_;
+  const bool is_longer = has_slot(s) && record(static_cast<std::size_t>(s), handle);
+  // Where there was no far item the heap may be empty, or its first item have bounds that reach
+  // beyond the open slots.
+  return is_longer || far_ == 1;
+}
+
+// Spreads all items over slots anew where these have become too long, and opens slots until the
+// least item of all is in the heap.
+template <class Item, class Less>
+void Indexed_queue<Item, Less>::keep_in_order() {
   if (has_long_slots()) {
-    far_ = size();
+    far_ = size_;
     for (const Node& node : heap_) places_[node.handle].position = far;
     heap_.clear();
     spread();
@@ -367,20 +405,12 @@ inline void Indexed_queue<Item, Less>::add(Queue_handle handle) {
   settle();
 }
 
-// Puts the item of `handle`, which is nowhere, where it belongs.
+// Returns whether the slot got another chunk for this record.
 template <class Item, class Less>
-inline void Indexed_queue<Item, Less>::insert(Queue_handle handle) {
-  const double s = slot(lower_bound(places_[handle].item));
-  if (!(s >= static_cast<double>(open_slots_))) return insert_into_heap({bounds(handle), handle});
-  places_[handle].position = far;
-  ++far_;
-  if (s < static_cast<double>(slots_.size())) record(static_cast<std::size_t>(s), handle);
-}
-
-template <class Item, class Less>
-inline void Indexed_queue<Item, Less>::record(std::size_t slot, Queue_handle handle) {
+inline bool Indexed_queue<Item, Less>::record(std::size_t slot, Queue_handle handle) {
   std::uint32_t chunk = slots_[slot];
-  if (chunk == Chunk::none || chunks_[chunk].size == Chunk::capacity) {
+  const bool is_full = chunk == Chunk::none || chunks_[chunk].size == Chunk::capacity;
+  if (is_full) {
     if (free_chunk_ == Chunk::none) {
       free_chunk_ = static_cast<std::uint32_t>(chunks_.size());
       chunks_.emplace_back();
@@ -392,6 +422,7 @@ inline void Indexed_queue<Item, Less>::record(std::size_t slot, Queue_handle han
   }
   chunks_[chunk].handles[chunks_[chunk].size++] = handle;
   ++records_;
+  return is_full;
 }
 
 template <class Item, class Less>
@@ -404,6 +435,7 @@ void Indexed_queue<Item, Less>::insert_into_heap(const Node& node) {
 // opened.
 template <class Item, class Less>
 inline void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
+  --size_;
   const std::uint32_t position = std::exchange(places_[handle].position, nowhere);
   if (position == far) {
     --far_;
@@ -411,8 +443,12 @@ inline void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
   }
   const Node last = heap_.back();
   heap_.pop_back();
-  if (last.handle != handle) restore_order(position, last);
-  if (position == 0) settle();
+  if (position == 0) {
+    if (!heap_.empty()) sift_down(0, last);
+    settle();
+  } else if (last.handle != handle) {
+    restore_order(position, last);
+  }
 }
 
 // Opens slots until the least item of all is in the heap.
@@ -425,32 +461,39 @@ inline void Indexed_queue<Item, Less>::settle() {
 template <class Item, class Less>
 inline bool Indexed_queue<Item, Less>::has_long_slots() const {
   if constexpr (Bounding_order<Less, Item>) {
-    constexpr std::size_t least_size = 4 * items_per_slot;
-    return size() > 4 * size_at_spread_ + least_size || records_ > 4 * size() + least_size;
+    constexpr std::size_t least_size = 32;
+    return size_ > 4 * size_at_spread_ + least_size || records_ > 4 * size_ + least_size;
   }
   return false;
 }
 
 template <class Item, class Less>
 void Indexed_queue<Item, Less>::open_next_slot() {
-  if (open_slots_ >= slots_.size()) return spread();
-  std::uint32_t chunk = slots_[open_slots_];
+  if (!has_slot(open_slots_)) return spread();
+  std::uint32_t chunk = slots_[static_cast<std::size_t>(open_slots_)];
   ++open_slots_;
   while (chunk != Chunk::none) {
     Chunk& records = chunks_[chunk];
     const std::span<const Queue_handle> handles(records.handles.data(), records.size);
     for (const Queue_handle handle : handles) __builtin_prefetch(&places_[handle]);
+    // Which are due is chosen without branches, which nothing could predict.
+    std::array<Queue_handle, Chunk::capacity> due;
+    std::size_t number_due = 0;
     for (const Queue_handle handle : handles) {
-      if (places_[handle].position != far) continue;
-      const Node node = {bounds(handle), handle};
-      if (!is_open(node.bounds.lower)) continue;
+      const Place& place = places_[handle];
+      due[number_due] = handle;
+      number_due += static_cast<std::size_t>(place.position == far) &
+                    static_cast<std::size_t>(is_open(lower_bound(place.item)));
+    }
+    for (const Queue_handle handle : std::span(due.data(), number_due)) {
+      if (places_[handle].position != far) continue;  // recorded twice
       --far_;
       if constexpr (Bounding_order<Less, Item>) less_.prefetch(places_[handle].item);
-      insert_into_heap(node);
+      insert_into_heap({bounds(handle), handle});
     }
     if constexpr (Bounding_order<Less, Item>) {
-      for (const Queue_handle handle : handles) {
-        if (places_[handle].position < far) less_.prefetch_more(places_[handle].item);
+      for (const Queue_handle handle : std::span(due.data(), number_due)) {
+        less_.prefetch_more(places_[handle].item);
       }
     }
     records_ -= records.size;
@@ -468,7 +511,7 @@ void Indexed_queue<Item, Less>::spread() {
   chunks_.clear();
   free_chunk_ = Chunk::none;
   records_ = 0;
-  size_at_spread_ = size();
+  size_at_spread_ = size_;
   if (!choose_slots()) {
     slots_.clear();
     origin_ = 0;
@@ -487,11 +530,13 @@ void Indexed_queue<Item, Less>::spread() {
 template <class Item, class Less>
 bool Indexed_queue<Item, Less>::choose_slots() {
   if constexpr (!Bounding_order<Less, Item>) return false;
-  if (far_ <= items_per_slot) return false;
+  if (far_ <= 2 * least_per_slot) return false;
   double least = std::numeric_limits<double>::infinity();
   for (const Place& place : places_) {
     if (place.position == far) least = std::min(least, lower_bound(place.item));
   }
+  // Few items in a slot make a small heap, few slots can stay in the processor's cache.
+  const std::size_t per_slot = std::clamp(far_ / 4096, least_per_slot, most_per_slot);
   constexpr std::size_t sample_size = 256;
   const std::size_t stride = places_.size() / sample_size + 1;
   std::vector<double> sample;
@@ -503,8 +548,7 @@ bool Indexed_queue<Item, Less>::choose_slots() {
     const std::size_t nearer = sample.size() - rest;
     if (!(sample[nearer] > least)) continue;
     const double share = static_cast<double>(nearer) / static_cast<double>(sample.size());
-    const auto count =
-        static_cast<std::size_t>(share * static_cast<double>(far_)) / items_per_slot + 2;
+    const auto count = static_cast<std::size_t>(share * static_cast<double>(far_)) / per_slot + 2;
     origin_ = least;
     slots_per_unit_ = static_cast<double>(count - 1) / (sample[nearer] - least);
     if (!std::isfinite(least) || !std::isnormal(slots_per_unit_)) return false;
