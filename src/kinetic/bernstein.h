@@ -128,21 +128,21 @@ bool bracket_root(const std::array<double, M>& c, double error, double w, double
                   double& upper) {
   double low = lower;
   double high = upper;
-  double derivative = slope(c, w);
+  double per_slope = 1 / slope(c, w);
   for (int i = 0; i < 12; ++i) {
     const double v = value(c, w);
     if (std::abs(v) <= error) break;
     (v > 0 ? low : high) = w;
-    double next = w - v / derivative;
+    double next = w - v * per_slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     // The error after a step is of the order of its square.
     const double squared_step = (next - w) * (next - w);
     w = next;
-    if (16 * squared_step * std::abs(derivative) <= error) break;
-    derivative = slope(c, w);
+    if (16 * squared_step <= error * std::abs(per_slope)) break;
+    per_slope = 1 / slope(c, w);
   }
   // The values grow linearly beside a simple root: twice the error from there they are certain.
-  double distance = std::max(3 * error / std::abs(derivative), 4 * unit_roundoff * w);
+  double distance = std::max(3 * error * std::abs(per_slope), 4 * unit_roundoff * w);
   for (int i = 0; i < 6; ++i, distance *= 4) {
     const double left = std::max(w - distance, lower);
     const double right = std::min(w + distance, upper);
@@ -213,11 +213,16 @@ std::optional<Filter_verdict> first_failure_in_piece(const std::array<double, M>
   if (share == 0) return Filter_verdict{};
   const std::size_t i = before_only_change(b, error);
   if (i == 0) return std::nullopt;
-  // The root is near that of the control polygon.
-  const double crossing =
-      (static_cast<double>(i - 1) + b[i - 1] / (b[i - 1] - b[i])) / static_cast<double>(M - 1);
   double upper = lower + width;
-  if (!bracket_root(c, error, lower + crossing * width, lower, upper)) return Filter_verdict{};
+  // Most roots are near zero, and near where a step of Halley's method leads from there.
+  double start = c[0] * c[1] / (c[0] * c[2] - c[1] * c[1]);
+  if (!(start > lower && start < upper)) {
+    // Else near that of the control polygon.
+    const double crossing =
+        (static_cast<double>(i - 1) + b[i - 1] / (b[i - 1] - b[i])) / static_cast<double>(M - 1);
+    start = lower + crossing * width;
+  }
+  if (!bracket_root(c, error, start, lower, upper)) return Filter_verdict{};
   return Filter_verdict{Kind::fails, {lower, upper}, true};
 }
 
