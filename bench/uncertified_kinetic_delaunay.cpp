@@ -377,9 +377,18 @@ void Uncertified_kinetic_delaunay::advance_to(double time) {
   while (!queue_.empty() && queue_.top().time <= time) {
     const auto [when, edge] = queue_.top();
     now_ = std::max(now_, when);
-    // Large inputs wait for memory: ask for the faces that are probably next.
+    // Large inputs wait for memory: ask for the faces that are probably next, and for what is
+    // around the next one.
     for (const Time_heap::Entry& next : queue_.after_top()) {
       __builtin_prefetch(&*edges_[next.id].face);
+    }
+    if (const auto after = queue_.after_top(); !after.empty()) {
+      const auto next = std::ranges::min_element(after, {}, &Time_heap::Entry::time);
+      const Face_handle face = edges_[next->id].face;
+      for (int i = 0; i < 3; ++i) {
+        __builtin_prefetch(&*face->vertex(i));
+        __builtin_prefetch(&*face->neighbor(i));
+      }
     }
     // The entry stays first until schedule() replaces it, and is not counted as discarded there.
     --counters_.discarded;
