@@ -54,8 +54,8 @@ class Closing_traits : public Base {
             cut(certificates[1], std::move(outlooks[1]))};
   }
   std::array<Outlook, 5> outlooks_after_flip(const kinetri::Flip_neighborhood<P>& around,
-                                             const Time& t, Counters& counters) const {
-    auto outlooks = Base::outlooks_after_flip(around, t, counters);
+                                             const Interval& now, Counters& counters) const {
+    auto outlooks = Base::outlooks_after_flip(around, now, counters);
     for (std::size_t i = 0; i < outlooks.size(); ++i) {
       outlooks[i] = cut(around.certificate(i), std::move(outlooks[i]));
     }

@@ -407,14 +407,6 @@ double Root_source::certain_value_at(double /*high*/, double /*low*/) const {
   return 0;
 }
 
-Algebraic_number::Algebraic_number() = default;
-
-Algebraic_number::Algebraic_number(double value) {
-  KINETRI_PRECONDITION(std::isfinite(value), "an infinity or a NaN is no number");
-  const double bound = value == 0 ? 0 : value;  // the one zero
-  interval_ = {bound, bound};
-}
-
 Algebraic_number::Algebraic_number(const Rational& value)
     : interval_(everything), source_(std::make_shared<Known_root>()) {
   source_->representation_ = std::make_unique<Representation>(value);

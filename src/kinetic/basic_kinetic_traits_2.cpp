@@ -77,7 +77,7 @@ struct Wall_root : Root_source {  // of polynomial motion; else the root is rati
 Outlook<Time> outlook(const Filter_verdict& verdict, Certificate_counters& counters) {
   using Kind = Outlook<Time>::Kind;
   ++counters.filter_decided;
-  if (verdict.is_refined) ++counters.refined_decided;
+  counters.refined_decided += verdict.is_refined ? 1 : 0;
   switch (verdict.kind) {
     case Filter_verdict::Kind::fails:
       ++counters.root_solves;
@@ -252,12 +252,14 @@ std::array<Outlook<Time>, 2> Basic_kinetic_traits_2<Motion>::in_circle_outlooks(
 
 template <class Motion>
 std::array<Outlook<Time>, 5> Basic_kinetic_traits_2<Motion>::outlooks_after_flip(
-    const Flip_neighborhood<Point_2>& around, const Time& t, Certificate_counters& counters) const {
-  const auto known = arithmetic_ == Arithmetic::filtered ? verdicts_after_flip(around, t.interval())
+    const Flip_neighborhood<Point_2>& around, const Double_interval& now,
+    Certificate_counters& counters) const {
+  const auto known = arithmetic_ == Arithmetic::filtered ? verdicts_after_flip(around, now)
                                                          : std::array<Filter_verdict, 5>();
-  const auto number = [&](std::size_t k) {
-    const auto state = k == 4 ? Certificate_state::vanishes : Certificate_state::any;
-    return kinetri::in_circle_outlook(*this, known[k], around.certificate(k), t, state, counters);
+  const auto number = [&](std::size_t k) -> Outlook<Time> {
+    if (known[k].kind == Filter_verdict::Kind::unknown) return {Outlook<Time>::Kind::unknown};
+    ++counters.created;
+    return outlook(known[k], counters);
   };
   return {number(0), number(1), number(2), number(3), number(4)};
 }

@@ -377,6 +377,23 @@ TEST_P(Linear_kinetic_traits_2_test, two_outlooks_at_once_are_those_of_each) {
   }
 }
 
+// The diagonal from south to north has just come, as the four points were cocircular.
+TEST_P(Linear_kinetic_traits_2_test, after_a_flip_says_what_floating_point_knows) {
+  const Moving_point_2 north = moving(0, 1, 0, -1);
+  const std::array beyond = {resting(4, -4), resting(4, 4), resting(-4, 4), resting(-4, -4)};
+  const Flip_neighborhood<Moving_point_2> around = {
+      {&south, &east, &north, &west}, {&beyond[0], &beyond[1], &beyond[2], &beyond[3]}};
+  const auto outlooks = traits.outlooks_after_flip(around, {0, 0}, counters);
+  if (GetParam() == Arithmetic::exact_only) {
+    for (const auto& outlook : outlooks) EXPECT_EQ(outlook.kind, Kind::unknown);
+    EXPECT_EQ(counters, Certificate_counters());
+    return;
+  }
+  for (const auto& outlook : outlooks) EXPECT_NE(outlook.kind, Kind::unknown);
+  EXPECT_EQ(counters.created, 5u);
+  EXPECT_EQ(counters.filter_decided, 5u);
+}
+
 TEST_P(Linear_kinetic_traits_2_test, two_outlooks_of_accelerated_points_are_those_of_each) {
   using Point = Polynomial_kinetic_traits_2::Point_2;
   const Point a(Polynomial_motion_2{{0, 0}, {1, 0}, {0, 1}});

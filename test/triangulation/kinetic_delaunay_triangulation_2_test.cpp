@@ -21,6 +21,7 @@ class Recorder : public Kinetic_delaunay::Observer {
 
   void before_event(const Event<Algebraic_number>& event) override {
     EXPECT_EQ(event.number, events.size());
+    EXPECT_EQ(event.time, kinetic_.triangulation().geom_traits().instant().time);
     if (event.removed) {
       EXPECT_TRUE(has_edge(*event.removed));
     }
@@ -272,6 +273,36 @@ TEST(Kinetic_delaunay_triangulation_2, an_observer_that_was_removed_hears_nothin
   EXPECT_TRUE(removed.events.empty());
   EXPECT_FALSE(kept.events.empty());
   EXPECT_EQ(kept.events.size(), kinetic.counters().number_of_events());
+}
+
+// Nothing asks for the time of an event where nobody looks on, so that it may be made late, or
+// never.
+TEST(Kinetic_delaunay_triangulation_2, stands_at_the_same_exact_times_with_observers_and_without) {
+  const auto motions = test::random_motions(40, 60, 5, 22);
+  Kinetic_delaunay alone(motions);
+  Kinetic_delaunay observed(motions);
+  Recorder recorder(observed);
+  observed.add_observer(recorder);
+  std::size_t seen = 0;
+  while (alone.next_event_time() && *alone.next_event_time() < Algebraic_number(3.0)) {
+    const Algebraic_number expected = *alone.next_event_time();
+    EXPECT_EQ(alone.step(), observed.step());
+    for (const Kinetic_delaunay* kinetic : {&alone, &observed}) {
+      EXPECT_EQ(kinetic->current_time(), expected);
+      const Instant& instant = kinetic->triangulation().geom_traits().instant();
+      EXPECT_EQ(instant.time, expected);
+      EXPECT_EQ(instant.side, Side::after);
+    }
+    for (; seen < recorder.events.size(); ++seen) EXPECT_EQ(recorder.events[seen].time, expected);
+  }
+  EXPECT_GT(seen, 0u);
+  EXPECT_EQ(alone.finite_edge_ids(), observed.finite_edge_ids());
+  EXPECT_EQ(alone.counters(), observed.counters());
+  for (Kinetic_delaunay* kinetic : {&alone, &observed}) {
+    kinetic->advance_to(5.0);
+    EXPECT_EQ(kinetic->current_time(), Algebraic_number(5.0));
+    EXPECT_EQ(kinetic->triangulation().geom_traits().instant().time, Algebraic_number(5.0));
+  }
 }
 
 TEST(Kinetic_delaunay_triangulation_2, counters_add_up) {

@@ -7,11 +7,13 @@
 #ifndef KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 #define KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 
+#include <cmath>
 #include <compare>
 #include <iosfwd>
 #include <memory>
 
 #include "kinetri/algebra/polynomial.h"
+#include "kinetri/base/check.h"
 
 namespace kinetri {
 
@@ -44,9 +46,14 @@ class Root_source {
 class Algebraic_number {
  public:
   /// Zero.
-  Algebraic_number();
+  Algebraic_number() = default;
   /// A binary64 number, taken exactly. Precondition: finite.
-  Algebraic_number(double value);  // NOLINT(google-explicit-constructor): times are written 10.0
+  // NOLINTNEXTLINE(google-explicit-constructor): times are written 10.0
+  Algebraic_number(double value) {
+    KINETRI_PRECONDITION(std::isfinite(value), "an infinity or a NaN is no number");
+    const double bound = value == 0 ? 0 : value;  // the one zero
+    interval_ = {bound, bound};
+  }
   /// A rational number, exactly.
   Algebraic_number(const Rational& value);  // NOLINT(google-explicit-constructor)
 

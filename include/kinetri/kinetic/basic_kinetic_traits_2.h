@@ -56,7 +56,7 @@ class Basic_kinetic_traits_2 {
       const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t,
       Certificate_counters& counters) const;
   std::array<Outlook<Time>, 5> outlooks_after_flip(const Flip_neighborhood<Point_2>& around,
-                                                   const Time& t,
+                                                   const Double_interval& now,
                                                    Certificate_counters& counters) const;
   Time in_circle_failure(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s,
                          const Double_interval& bounds) const;

@@ -48,6 +48,7 @@ struct Outlook {
     holds,           ///< it certainly holds up to and at the binary64 number bounds.lower, which is
                      ///< bounds.upper, and is to be looked at again then
     fails,           ///< it fails, at a time within `bounds`
+    unknown,         ///< floating point does not decide; only of outlooks_after_flip
   };
   Kind kind = Kind::holds_for_ever;  ///< how much is known
   Double_interval bounds = {};       ///< of `holds` and `fails`
@@ -90,9 +91,11 @@ enum class Certificate_state {
 /// | `orientation_outlook(p, q, r, ...)` | p, q, r do not make a right turn |
 /// | `flatness_outlook(p, q, r, ...)` | likewise, and strictly after t they are not collinear |
 /// | `in_circle_outlooks(two, t, counters)` | two in-circle certificates of which nothing is known
-/// | | `outlooks_after_flip(around, t, counters)` | the five in-circle certificates after a flip |
+/// | | `outlooks_after_flip(around, now, counters)` | the five in-circle certificates after a flip
+/// |
 ///
-/// After a flip at t the certificate of the flipped edge, the last one, vanishes at t.
+/// After a flip the certificate of the flipped edge, the last one, vanishes at that time, of which
+/// only an interval `now` is given: an outlook that asks for more is unknown, and not counted.
 ///
 /// | Function | Result |
 /// |---|---|
@@ -139,7 +142,7 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
     traits.in_circle_outlooks(two, t, counters)
     } -> std::same_as<std::array<Outlook<typename Traits::Time>, 2>>;
   {
-    traits.outlooks_after_flip(around, t, counters)
+    traits.outlooks_after_flip(around, bounds, counters)
     } -> std::same_as<std::array<Outlook<typename Traits::Time>, 5>>;
   { traits.in_circle_failure(p, p, p, p, bounds) } -> std::same_as<typename Traits::Time>;
   { traits.orientation_failure(p, p, p, bounds) } -> std::same_as<typename Traits::Time>;

@@ -45,18 +45,16 @@ namespace detail {
 template <class KineticTriangulation>
 class Auditor;
 
-/// Asks for the vertex or face of a handle, if there is one; it may lie in two cache lines.
+/// Asks for the vertex or face of a handle, if there is one. Inlined by force, as Bounding_order
+/// says.
 template <class Handle>
-void prefetch(Handle handle) {
-  if (handle == Handle()) return;
-  const auto* first = reinterpret_cast<const char*>(&*handle);
-  __builtin_prefetch(first);
-  __builtin_prefetch(first + sizeof(*handle) - 1);
+[[gnu::always_inline]] inline void prefetch(Handle handle) {
+  __builtin_prefetch(handle.operator->());
 }
 
-/// Asks for the vertices and the neighbors of a face.
+/// Asks for the vertices and the neighbors of a face, likewise.
 template <class Face_handle>
-void prefetch_around(Face_handle face) {
+[[gnu::always_inline]] inline void prefetch_around(Face_handle face) {
   for (int i = 0; i < 3; ++i) {
     prefetch(face->vertex(i));
     prefetch(face->neighbor(i));
@@ -128,7 +126,7 @@ class Kinetic_delaunay_triangulation_2 {
   // ---- the present ----
 
   /// The time just after which the triangulation is Delaunay now.
-  const Time& current_time() const { return current_time_; }
+  const Time& current_time() const;
 
   /// The triangulation. Its predicates are those of the instant just after current_time(), so that
   /// CGAL's queries (locate, nearest_vertex, dual, ...) are about the points as they stand then. It
@@ -292,6 +290,15 @@ class Kinetic_delaunay_triangulation_2 {
     Entry_kind kind = Entry_kind::look_again;
     bool changes_sign = false;  // the certificate does, certainly, when it fails
 
+    Entry() = default;
+    Entry(const Edge& edge, Entry_kind entry_kind, const Double_interval& time_bounds,
+          bool certificate_changes_sign = false)
+        : bounds(time_bounds),
+          face(edge.first),
+          index(static_cast<std::uint8_t>(edge.second)),
+          kind(entry_kind),
+          changes_sign(certificate_changes_sign) {}
+
     Edge edge() const { return Edge(face, index); }
   };
 
@@ -301,8 +308,12 @@ class Kinetic_delaunay_triangulation_2 {
 
     bool operator()(const Entry& a, const Entry& b) const;
     Double_interval bounds(const Entry& entry) const { return entry.bounds; }
-    static void prefetch(const Entry& entry) { detail::prefetch(entry.face); }
-    static void prefetch_more(const Entry& entry) { detail::prefetch_around(entry.face); }
+    [[gnu::always_inline]] static void prefetch(const Entry& entry) {
+      detail::prefetch(entry.face);
+    }
+    [[gnu::always_inline]] static void prefetch_more(const Entry& entry) {
+      detail::prefetch_around(entry.face);
+    }
   };
 
   /// An edge as its two faces see it. In dimension 1, where edges have no two sides, `there` is the
@@ -361,21 +372,25 @@ class Kinetic_delaunay_triangulation_2 {
   std::optional<Prospect> prospect(const Two_sided_edge& edge, const Time& after,
                                    Certificate_state state, const Traits& traits,
                                    Certificate_counters& counters) const;
-  std::optional<Prospect> prospect(const Two_sided_edge& edge, Entry_kind kind, Outlook<Time> next,
-                                   const Time& after, const Traits& traits,
+  std::optional<Prospect> prospect(const Two_sided_edge& edge, Entry_kind kind,
+                                   Outlook<Time>&& next, const Time& after, const Traits& traits,
                                    Certificate_counters& counters) const;
-  std::optional<Prospect> meeting(const Two_sided_edge& edge, const Time& after,
-                                  const Double_interval& among, const Traits& traits,
-                                  Certificate_counters& counters) const;
+  std::optional<Time> meeting_time(const Two_sided_edge& edge, const Time& after,
+                                   const Double_interval& among, const Traits& traits,
+                                   Certificate_counters& counters) const;
+  static Prospect coincidence(Time time);
+  Prospect earlier(const Two_sided_edge& edge, std::optional<Prospect> failure, Time meeting) const;
   Time make_time(const Two_sided_edge& edge, Entry_kind kind, const Double_interval& bounds) const;
+  Time make_time(const Certificate& failed, const Double_interval& bounds) const;
   const Time& time(const Entry& entry) const;
-  Time take_time(const Entry& entry) const;
   static Edge_ids ids_of(const Edge& edge);
   void schedule(const Two_sided_edge& edge, const Time& after,
                 Certificate_state state = Certificate_state::any);
   void schedule_after_flip(const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer);
   void schedule(const Two_sided_edge& edge, std::optional<Prospect> next);
-  void schedule(const Two_sided_edge& edge, Outlook<Time>& outlook);
+  void schedule(const Two_sided_edge& edge, Entry_kind kind, Outlook<Time>&& next,
+                const Time& after);
+  bool schedule_at_once(const Two_sided_edge& edge, Entry_kind kind, const Outlook<Time>& next);
   static Entry make_untimed_entry(const Edge& edge, const Prospect& prospect);
   Entry make_entry(const Edge& edge, Prospect prospect);
   void schedule_all();
@@ -387,18 +402,29 @@ class Kinetic_delaunay_triangulation_2 {
 
   // Events.
   Entry pop_entry();
+  Double_interval current_bounds() const;
+  void set_current_time(Time time);
+  void set_current_time(const Two_sided_edge& edge, const Entry& entry);
   bool settle(const Time* until);
+  bool settle_now();
+  template <class Is_due>
+  bool settle_while(const Is_due& is_due);
+  void look_again(const Entry& entry);
+  void look_again(const Entry& first, const Entry& second);
   bool fails_before(const Entry& entry, const Time& time) const;
   void execute_due_events();
   std::size_t step_until(const Time* until);
   std::size_t run_instant();
+  void show_current_time() const;
   void execute(const Two_sided_edge& edge, const Entry& event);
+  void count_event(Event_kind kind);
   const Edge& hull_triangle(const Two_sided_edge& hull_edge) const;
   bool is_touch(Face_handle face) const;
   bool may_hide_a_turn(const Two_sided_edge& hull_edge) const;
   bool are_all_collinear(const Two_sided_edge& hull_edge) const;
   bool can_insert_into_hull(const Two_sided_edge& hull_edge) const;
   void flip_edge(const Two_sided_edge& edge, Event_kind kind);
+  static Event<Time> flip_event(const Two_sided_edge& edge, Event_kind kind);
 
   // Instants that flips alone do not pass.
   void set_coincident_points_aside();
@@ -442,7 +468,10 @@ class Kinetic_delaunay_triangulation_2 {
   };
 
   Traits traits_;
-  Time current_time_;
+  mutable Time current_time_;
+  /// Where the present time has not been made yet: the certificate that failed then, and bounds of
+  /// the time. The points must stay what they are until it is made or another time comes.
+  mutable std::optional<std::pair<Certificate, Double_interval>> unmade_time_;
   Triangulation triangulation_;
   std::vector<Vertex_handle> vertices_;  // by point id; none where the point has been erased
   std::size_t number_of_points_ = 0;
@@ -453,8 +482,9 @@ class Kinetic_delaunay_triangulation_2 {
   std::vector<Point_set_aside> points_set_aside_;
   /// By edge, +1 if it has been added, -1 if removed; present while that is noted, not reported.
   std::optional<std::map<Edge_ids, int>> rebuilt_edges_;
-  bool hull_is_flat_ = false;  // at the present time
-  bool is_in_event_ = false;   // observers are being called
+  std::uint64_t events_in_instant_ = 0;  // of the last run_instant
+  bool hull_is_flat_ = false;            // at the present time
+  bool is_in_event_ = false;             // observers are being called
   Triangulation_counters counters_;
   Construction_seconds construction_seconds_;
 };

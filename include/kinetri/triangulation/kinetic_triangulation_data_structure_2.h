@@ -47,10 +47,26 @@ class alignas(64) Kinetic_face_base_2 : public FaceBase {
   std::array<Queue_handle, 3> events_ = {no_event, no_event, no_event};
 };
 
+/// A vertex that is in one cache line, where the point leaves room for that.
+template <class InstantaneousTraits,
+          class VertexBase = CGAL::Triangulation_vertex_base_2<InstantaneousTraits>>
+class alignas(64) Kinetic_vertex_base_2 : public VertexBase {
+ public:
+  /// CGAL's way to tell a base class of its data structure.
+  template <class Tds2>
+  struct Rebind_TDS {
+    /// The vertex of the data structure Tds2.
+    using Other = Kinetic_vertex_base_2<InstantaneousTraits,
+                                        typename VertexBase::template Rebind_TDS<Tds2>::Other>;
+  };
+
+  using VertexBase::VertexBase;
+};
+
 /// CGAL's data structure with such faces.
 template <class InstantaneousTraits>
 using Kinetic_triangulation_data_structure_2 =
-    CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<InstantaneousTraits>,
+    CGAL::Triangulation_data_structure_2<Kinetic_vertex_base_2<InstantaneousTraits>,
                                          Kinetic_face_base_2<InstantaneousTraits>>;
 
 }  // namespace kinetri

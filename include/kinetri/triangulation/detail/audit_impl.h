@@ -97,7 +97,7 @@ Audit_report Auditor<KineticTriangulation>::run(Audit_level level) {
 // Such a time is no place to look, so another one is taken, nearer to now.
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::place_points() {
-  const Time& now = audited_.current_time_;
+  const Time& now = audited_.current_time();
   Time end = queue_.empty() ? Time(Rational(now.upper() + 1)) : audited_.time(queue_.top());
   do {
     const Rational time = simplest_between(now, end);
@@ -141,7 +141,7 @@ void Auditor<KineticTriangulation>::check_links() {
     }
   }
   if (!queue_.is_valid()) fail("the queue is out of order");
-  if (!queue_.empty() && audited_.time(queue_.top()) <= audited_.current_time_) {
+  if (!queue_.empty() && audited_.time(queue_.top()) <= audited_.current_time()) {
     fail("the event of " + name(queue_.top().edge()) + " is not in the future");
   }
   if (triangulation_.dimension() < 1) return;
@@ -270,7 +270,7 @@ auto Auditor<KineticTriangulation>::next_failure(const Edge& edge, const Traits&
   const auto next = [&](const Time& after) {
     return audited_.prospect(sides, after, Certificate_state::any, traits, unused);
   };
-  auto prospect = next(audited_.current_time_);
+  auto prospect = next(audited_.current_time());
   while (prospect && prospect->kind == KineticTriangulation::Entry_kind::look_again) {
     prospect = next(Time(prospect->bounds.lower));
   }

@@ -353,7 +353,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_around(Vertex_handle v) 
   const auto first = face;
   do {
     for (int i = 0; i < 3; ++i) {
-      if (face->event(i) == no_event) schedule(two_sided(Edge(face, i)), current_time_);
+      if (face->event(i) == no_event) schedule(two_sided(Edge(face, i)), current_time());
     }
   } while (++face != first);
 }

@@ -33,18 +33,64 @@ auto Kinetic_delaunay_triangulation_2<Traits>::pop_entry() -> Entry {
 // `until`, if that is given. Returns whether it is a failure, at or before `until`.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::settle(const Time* until) {
-  const auto is_due = [&](const Entry& entry) {
-    if (until == nullptr || entry.bounds.upper < until->interval().lower) return true;
+  if (until == nullptr) return settle_while([](const Entry& /*entry*/) { return true; });
+  return settle_while([&](const Entry& entry) {
+    if (entry.bounds.upper < until->interval().lower) return true;
     if (entry.bounds.lower > until->interval().upper) return false;
     return time(entry) <= *until;
-  };
+  });
+}
+
+// Likewise, until the present time.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::settle_now() {
+  return settle_while([&](const Entry& entry) {
+    const Double_interval until = current_bounds();
+    if (entry.bounds.upper < until.lower) return true;
+    if (entry.bounds.lower > until.upper) return false;
+    return time(entry) <= current_time();
+  });
+}
+
+template <KineticTraits_2 Traits>
+template <class Is_due>
+inline bool Kinetic_delaunay_triangulation_2<Traits>::settle_while(const Is_due& is_due) {
   while (!queue_.empty() && is_due(queue_.top())) {
     if (queue_.top().kind != Entry_kind::look_again) return true;
-    const Entry entry = pop_entry();
-    ++counters_.looks_again;
-    schedule(two_sided(entry.edge()), Time(entry.bounds.lower));
+    const Entry first = pop_entry();
+    if (!queue_.empty() && queue_.top().kind == Entry_kind::look_again && is_due(queue_.top())) {
+      look_again(first, pop_entry());
+    } else {
+      look_again(first);
+    }
   }
   return false;
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::look_again(const Entry& entry) {
+  ++counters_.looks_again;
+  schedule(two_sided(entry.edge()), Time(entry.bounds.lower));
+}
+
+// Looks at two certificates together, from the time of the first one on, at which the second one
+// holds as well: that costs less than one by one.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::look_again(const Entry& first, const Entry& second) {
+  if (triangulation_.dimension() == 2) {
+    const std::array edges = {two_sided(first.edge()), two_sided(second.edge())};
+    const std::array certificates = {certificate(edges[0]), certificate(edges[1])};
+    if (certificates[0].kind == Entry_kind::flip && certificates[1].kind == Entry_kind::flip) {
+      counters_.looks_again += 2;
+      const Time after(first.bounds.lower);
+      auto outlooks = traits_.in_circle_outlooks({certificates[0].points, certificates[1].points},
+                                                 after, certificate_counters_);
+      schedule(edges[0], Entry_kind::flip, std::move(outlooks[0]), after);
+      return schedule(edges[1], Entry_kind::flip, std::move(outlooks[1]), after);
+    }
+  }
+  look_again(first);
+  look_again(second);
 }
 
 template <KineticTraits_2 Traits>
@@ -97,23 +143,32 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::step(const Time& until) {
 // Points may meet, and part, without an event.
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::step_until(const Time* until) {
-  while (settle(until)) {
-    if (const std::size_t events = run_instant()) return events;
+  std::size_t events = 0;
+  while (events == 0 && settle(until)) {
+    events = run_instant();
+    show_current_time();
   }
-  return 0;
+  return events;
 }
 
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& time) {
   KINETRI_PRECONDITION(
-      time >= current_time_,
+      time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one, "
       "or call reverse first");
   std::size_t events = 0;
   while (settle(&time)) events += run_instant();
-  current_time_ = time;
-  triangulation_.geom_traits().set_instant({current_time_, Side::after});
+  set_current_time(time);
+  show_current_time();
   return events;
+}
+
+// Sets the instant of the predicates that the triangulation gives out. Events do so where somebody
+// looks on or a predicate is needed: it costs a copy of the time.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::show_current_time() const {
+  triangulation_.geom_traits().set_instant({current_time(), Side::after});
 }
 
 // Executes every event of the time t that is first in the queue. Each flip makes the triangulation
@@ -122,34 +177,33 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& tim
 // has the argument, and why it ends.
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
-  const std::uint64_t before = counters_.number_of_events();
+  events_in_instant_ = 0;
   hull_is_flat_ = false;
   if (queue_.top().kind == Entry_kind::coincidence) {
-    current_time_ = time(queue_.top());
-    triangulation_.geom_traits().set_instant({current_time_, Side::after});
+    set_current_time(time(queue_.top()));
+    show_current_time();
     set_coincident_points_aside();
   } else {
-    current_time_ = take_time(queue_.top());
-    triangulation_.geom_traits().set_instant({current_time_, Side::after});
-    const Entry first = pop_entry();
-    execute(two_sided(first.edge()), first);
+    const Two_sided_edge edge = two_sided(queue_.top().edge());
+    set_current_time(edge, queue_.top());
+    if (!observers_.empty()) show_current_time();
+    execute(edge, pop_entry());
   }
   execute_due_events();
   put_points_back();
   report_rebuild();
-  const std::uint64_t executed = counters_.number_of_events() - before;
   ++counters_.instants;
-  if (executed > 1) ++counters_.batches;
+  if (events_in_instant_ > 1) ++counters_.batches;
   if (hull_is_flat_) ++counters_.flat_hulls;
-  counters_.largest_instant = std::max(counters_.largest_instant, executed);
-  return static_cast<std::size_t>(executed);
+  counters_.largest_instant = std::max(counters_.largest_instant, events_in_instant_);
+  return static_cast<std::size_t>(events_in_instant_);
 }
 
 // ---- events ----
 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::execute_due_events() {
-  while (settle(&current_time_)) {
+  while (settle_now()) {
     const Entry event = pop_entry();
     execute(two_sided(event.edge()), event);
   }
@@ -163,7 +217,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edg
   if (event.kind == Entry_kind::hull_insert) {
     if (may_hide_a_turn(edge)) return rebuild();
     if (!event.changes_sign && is_touch(hull_triangle(edge).first)) {
-      return schedule(edge, current_time_);
+      return schedule(edge, current_time());
     }
     hull_is_flat_ = true;
     if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
@@ -181,7 +235,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::hull_triangle(const Two_sided_edg
 // Whether a triangle, flat at this time, makes a left turn just after it.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::is_touch(Face_handle face) const {
-  const auto after = traits_.instantaneous_traits({current_time_, Side::after});
+  const auto after = traits_.instantaneous_traits({current_time(), Side::after});
   return after.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
                                       face->vertex(2)->point()) == CGAL::LEFT_TURN;
 }
@@ -191,7 +245,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_touch(Face_handle face) const 
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::may_hide_a_turn(
     const Two_sided_edge& hull_edge) const {
-  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
+  const auto now = traits_.instantaneous_traits({current_time(), Side::at});
   const auto& [face, i] = hull_triangle(hull_edge);
   for (const int j : {Triangulation::cw(i), Triangulation::ccw(i)}) {
     const Face_handle beside = face->neighbor(j);
@@ -211,7 +265,7 @@ template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::are_all_collinear(
     const Two_sided_edge& hull_edge) const {
   const Face_handle face = hull_triangle(hull_edge).first;
-  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
+  const auto now = traits_.instantaneous_traits({current_time(), Side::at});
   return std::ranges::all_of(triangulation_.finite_vertex_handles(), [&](Vertex_handle v) {
     return face->has_vertex(v) ||
            now.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
@@ -228,7 +282,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
   const auto& [face, i] = hull_triangle(hull_edge);
   const Vertex_handle apex = face->vertex(i);
   if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
-  const auto now = traits_.instantaneous_traits({current_time_, Side::at});
+  const auto now = traits_.instantaneous_traits({current_time(), Side::at});
   return now.collinear_are_strictly_ordered_along_line_2_object()(
       face->vertex(Triangulation::cw(i))->point(), apex->point(),
       face->vertex(Triangulation::ccw(i))->point());
@@ -246,11 +300,11 @@ void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event,
     return change_edges();
   }
   event.number = counters_.number_of_events();
-  if (!observers_.empty()) event.time = current_time_;
+  if (!observers_.empty()) event.time = current_time();
   is_in_event_ = true;
   for (Observer* observer : observers_) observer->before_event(event);
   change_edges();
-  ++counters_.events[static_cast<std::size_t>(event.kind)];
+  count_event(event.kind);
   for (Observer* observer : observers_) observer->after_event(event);
   is_in_event_ = false;
 }
@@ -280,18 +334,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& e
     detail::prefetch(there.first->vertex(there.second));
     queue_.prefetch(there.first->event(there.second));
   }
-  const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
-    const Edge_ids ids = edge_ids(a->point().id(), b->point().id());
-    if (ids[1] == no_point) return std::nullopt;
-    return ids;
-  };
-
-  Event<Time> event;
-  event.kind = kind;
-  event.removed =
-      finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
-  event.added = finite_ids(face->vertex(i), neighbor->vertex(j));
-  report(std::move(event), [&] {
+  const auto flip = [&] {
     for (const Two_sided_edge& outer : before) unschedule(outer);
     triangulation_.tds().flip(face, i);
     schedule_after_flip({Edge(face, Triangulation::ccw(i)), Edge(neighbor, Triangulation::ccw(j))},
@@ -299,22 +342,38 @@ void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& e
                           {before[1].there, Edge(face, i)},
                           {before[2].there, Edge(neighbor, Triangulation::cw(j))},
                           {before[3].there, Edge(neighbor, j)}}});
-  });
+  };
+  if (rebuilt_edges_ || !observers_.empty()) {
+    report(flip_event(edge, kind), flip);
+  } else {
+    flip();
+    count_event(kind);
+  }
 }
 
-// Schedules an edge whose four points are finite, with the outlook of its certificate from the
-// present time on.
 template <KineticTraits_2 Traits>
-inline void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Two_sided_edge& edge,
-                                                               Outlook<Time>& outlook) {
-  if (outlook.kind == Outlook<Time>::Kind::holds) {
-    // As most are: without the way through a prospect.
-    const auto index = static_cast<std::uint8_t>(edge.here.second);
-    return set_event(edge, queue_.push({outlook.bounds, edge.here.first, Time_pool::none, index,
-                                        Entry_kind::look_again}));
-  }
-  schedule(edge, prospect(edge, Entry_kind::flip, std::move(outlook), current_time_, traits_,
-                          certificate_counters_));
+void Kinetic_delaunay_triangulation_2<Traits>::count_event(Event_kind kind) {
+  ++counters_.events[static_cast<std::size_t>(kind)];
+  ++events_in_instant_;
+}
+
+// What observers are told of a flip that is about to happen.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::flip_event(const Two_sided_edge& edge,
+                                                          Event_kind kind) -> Event<Time> {
+  const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
+    const Edge_ids ids = edge_ids(a->point().id(), b->point().id());
+    if (ids[1] == no_point) return std::nullopt;
+    return ids;
+  };
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
+  Event<Time> event;
+  event.kind = kind;
+  event.removed =
+      finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
+  event.added = finite_ids(face->vertex(i), neighbor->vertex(j));
+  return event;
 }
 
 // Schedules an edge that has just been flipped, and the outer edges of its quadrilateral, seen from
@@ -339,14 +398,24 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_after_flip(
                  !triangulation_.is_infinite(beyond);
   }
   if (!are_finite || rebuilt_edges_) {
-    schedule(edge, current_time_,
+    schedule(edge, current_time(),
              rebuilt_edges_ ? Certificate_state::any : Certificate_state::vanishes);
-    for (const Two_sided_edge& e : outer) schedule(e, current_time_);
+    for (const Two_sided_edge& e : outer) schedule(e, current_time());
     return;
   }
-  auto outlooks = traits_.outlooks_after_flip(around, current_time_, certificate_counters_);
-  for (std::size_t k = 0; k < 4; ++k) schedule(outer[k], outlooks[k]);
-  schedule(edge, outlooks[4]);
+  auto outlooks = traits_.outlooks_after_flip(around, current_bounds(), certificate_counters_);
+  for (std::size_t k = 0; k < outlooks.size(); ++k) {
+    const Two_sided_edge& e = k < 4 ? outer[k] : edge;
+    Outlook<Time>& next = outlooks[k];
+    if (schedule_at_once(e, Entry_kind::flip, next)) continue;
+    if (next.kind == Outlook<Time>::Kind::unknown) {
+      const auto& [p, q, r, s] = around.certificate(k);
+      next = traits_.in_circle_outlook(*p, *q, *r, *s, current_time(),
+                                       k < 4 ? Certificate_state::any : Certificate_state::vanishes,
+                                       certificate_counters_);
+    }
+    schedule(e, Entry_kind::flip, std::move(next), current_time());
+  }
 }
 
 }  // namespace kinetri

@@ -179,7 +179,9 @@ auto Kinetic_delaunay_triangulation_2<Traits>::prospect(const Two_sided_edge& ed
   }
   if (triangulation_.is_infinite(edge.here)) return std::nullopt;
   const Double_interval among = {after.interval().lower, std::numeric_limits<double>::infinity()};
-  return meeting(edge, after, among, traits, counters);
+  std::optional<Time> meeting = meeting_time(edge, after, among, traits, counters);
+  if (!meeting) return std::nullopt;
+  return coincidence(std::move(*meeting));
 }
 
 // Likewise, where `next` is the outlook of the certificate that the edge belongs to the
@@ -188,44 +190,55 @@ auto Kinetic_delaunay_triangulation_2<Traits>::prospect(const Two_sided_edge& ed
 // certificate is positive, no two of its points coincide.
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::prospect(const Two_sided_edge& edge, Entry_kind kind,
-                                                        Outlook<Time> next, const Time& after,
+                                                        Outlook<Time>&& next, const Time& after,
                                                         const Traits& traits,
                                                         Certificate_counters& counters) const
     -> std::optional<Prospect> {
   using Kind = typename Outlook<Time>::Kind;
   if (next.kind == Kind::holds) return Prospect{Entry_kind::look_again, next.bounds, nullptr};
   if (next.kind == Kind::holds_for_ever && !next.may_vanish) return std::nullopt;
-  std::optional<Prospect> result;
+  std::optional<Prospect> failure;
   Double_interval among = {after.interval().lower, std::numeric_limits<double>::infinity()};
   if (next.kind == Kind::fails) {
-    result = Prospect{kind, next.bounds, std::move(next.failure)};
+    failure = Prospect{kind, next.bounds, std::move(next.failure)};
     among = {next.may_vanish ? among.lower : next.bounds.lower, next.bounds.upper};
   }
-  if (kind == Entry_kind::hull_remove) return result;
-  std::optional<Prospect> meeting = this->meeting(edge, after, among, traits, counters);
-  if (!meeting) return result;
-  if (result && *meeting->time > (result->time ? *result->time
-                                               : make_time(edge, result->kind, result->bounds))) {
-    return result;
+  if (kind == Entry_kind::hull_remove) return failure;
+  std::optional<Time> meeting = meeting_time(edge, after, among, traits, counters);
+  if (!meeting) return failure;
+  return earlier(edge, std::move(failure), std::move(*meeting));
+}
+
+// The earlier one of a failure, if there is one, and of a meeting of the ends of the edge.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::earlier(const Two_sided_edge& edge,
+                                                       std::optional<Prospect> failure,
+                                                       Time meeting) const -> Prospect {
+  if (failure && meeting > (failure->time ? *failure->time
+                                          : make_time(edge, failure->kind, failure->bounds))) {
+    return std::move(*failure);
   }
-  return meeting;
+  return coincidence(std::move(meeting));
 }
 
 // The first time among those in `among` at which the ends of the edge coincide, if they do.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::meeting(const Two_sided_edge& edge,
-                                                       const Time& after,
-                                                       const Double_interval& among,
-                                                       const Traits& traits,
-                                                       Certificate_counters& counters) const
-    -> std::optional<Prospect> {
+auto Kinetic_delaunay_triangulation_2<Traits>::meeting_time(const Two_sided_edge& edge,
+                                                            const Time& after,
+                                                            const Double_interval& among,
+                                                            const Traits& traits,
+                                                            Certificate_counters& counters) const
+    -> std::optional<Time> {
   const auto& [face, i] = edge.here;
-  std::optional<Time> time =
-      traits.coincidence_time(face->vertex(Triangulation::cw(i))->point(),
-                              face->vertex(Triangulation::ccw(i))->point(), after, among, counters);
-  if (!time) return std::nullopt;
-  const Double_interval bounds = time->interval();
-  return Prospect{Entry_kind::coincidence, bounds, std::make_unique<Time>(std::move(*time))};
+  return traits.coincidence_time(face->vertex(Triangulation::cw(i))->point(),
+                                 face->vertex(Triangulation::ccw(i))->point(), after, among,
+                                 counters);
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::coincidence(Time time) -> Prospect {
+  const Double_interval bounds = time.interval();
+  return {Entry_kind::coincidence, bounds, std::make_unique<Time>(std::move(time))};
 }
 
 // The exact time of a look or of a failure of the certificate, within bounds that the traits gave.
@@ -235,9 +248,16 @@ auto Kinetic_delaunay_triangulation_2<Traits>::make_time(const Two_sided_edge& e
                                                          const Double_interval& bounds) const
     -> Time {
   if (kind == Entry_kind::look_again) return Time(bounds.lower);
-  const auto& [p, q, r, s] = certificate(edge).points;
-  return kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
-                                  : traits_.orientation_failure(*p, *q, *r, bounds);
+  return make_time(certificate(edge), bounds);
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::make_time(const Certificate& failed,
+                                                         const Double_interval& bounds) const
+    -> Time {
+  const auto& [p, q, r, s] = failed.points;
+  return failed.kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
+                                         : traits_.orientation_failure(*p, *q, *r, bounds);
 }
 
 template <KineticTraits_2 Traits>
@@ -248,11 +268,33 @@ auto Kinetic_delaunay_triangulation_2<Traits>::time(const Entry& entry) const ->
   return times_[entry.time];
 }
 
-// Likewise, for an entry that is taken from the queue before its time is asked for again.
+// Makes the time of a failure the present one. It need not be made: mostly its bounds are enough,
+// until the next event comes.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::take_time(const Entry& entry) const -> Time {
-  if (entry.time != Time_pool::none) return times_[entry.time];
-  return make_time(two_sided(entry.edge()), entry.kind, entry.bounds);
+inline void Kinetic_delaunay_triangulation_2<Traits>::set_current_time(const Two_sided_edge& edge,
+                                                                       const Entry& entry) {
+  if (entry.time != Time_pool::none) return set_current_time(times_[entry.time]);
+  unmade_time_ = {certificate(edge), entry.bounds};
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::set_current_time(Time time) {
+  unmade_time_.reset();
+  current_time_ = std::move(time);
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::current_time() const -> const Time& {
+  if (unmade_time_) {
+    current_time_ = make_time(unmade_time_->first, unmade_time_->second);
+    unmade_time_.reset();
+  }
+  return current_time_;
+}
+
+template <KineticTraits_2 Traits>
+inline Double_interval Kinetic_delaunay_triangulation_2<Traits>::current_bounds() const {
+  return unmade_time_ ? unmade_time_->second : current_time().interval();
 }
 
 // ---- scheduling ----
@@ -278,8 +320,7 @@ inline auto Kinetic_delaunay_triangulation_2<Traits>::make_untimed_entry(const E
                                                                          const Prospect& prospect)
     -> Entry {
   const bool changes_sign = !prospect.time;
-  return {prospect.bounds, edge.first,  Time_pool::none, static_cast<std::uint8_t>(edge.second),
-          prospect.kind,   changes_sign};
+  return Entry(edge, prospect.kind, prospect.bounds, changes_sign);
 }
 
 template <KineticTraits_2 Traits>
@@ -295,7 +336,49 @@ template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Two_sided_edge& edge,
                                                         const Time& after,
                                                         Certificate_state state) {
+  if (triangulation_.dimension() == 2) {
+    const Certificate topological = certificate(edge);
+    Outlook<Time> next = outlook(topological, after, state, traits_, certificate_counters_);
+    return schedule(edge, topological.kind, std::move(next), after);
+  }
   schedule(edge, prospect(edge, after, state, traits_, certificate_counters_));
+}
+
+// Likewise, where `next` is the outlook from `after` on and `kind` that of a failure.
+template <KineticTraits_2 Traits>
+inline void Kinetic_delaunay_triangulation_2<Traits>::schedule(const Two_sided_edge& edge,
+                                                               Entry_kind kind,
+                                                               Outlook<Time>&& next,
+                                                               const Time& after) {
+  if (schedule_at_once(edge, kind, next)) return;
+  schedule(edge, prospect(edge, kind, std::move(next), after, traits_, certificate_counters_));
+}
+
+// Likewise, without the way through a prospect, where floating point has decided. Returns whether
+// it has, as nearly always.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::schedule_at_once(const Two_sided_edge& edge,
+                                                                Entry_kind kind,
+                                                                const Outlook<Time>& next) {
+  using Kind = typename Outlook<Time>::Kind;
+  if (next.kind == Kind::holds) {
+    set_event(edge, queue_.emplace(edge.here, Entry_kind::look_again, next.bounds));
+    return true;
+  }
+  if (next.kind == Kind::holds_for_ever && !next.may_vanish) {
+    set_event(edge, no_event);
+    return true;
+  }
+  if (next.kind != Kind::fails || next.failure != nullptr || kind != Entry_kind::flip) return false;
+  // The ends of the edge are apart up to bounds.lower.
+  auto meeting =
+      meeting_time(edge, Time(next.bounds.lower), next.bounds, traits_, certificate_counters_);
+  if (meeting) {
+    schedule(edge, earlier(edge, Prospect{kind, next.bounds, nullptr}, std::move(*meeting)));
+  } else {
+    set_event(edge, queue_.emplace(edge.here, kind, next.bounds, true));
+  }
+  return true;
 }
 
 template <KineticTraits_2 Traits>
@@ -362,7 +445,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
     const std::size_t count = std::min(faces_per_block, all.size() - first);
     Block& block = blocks.emplace_back();
     block.faces = std::span(all).subspan(first, count);
-    block.after = current_time_.detached();
+    block.after = current_time().detached();
     block.next_handle = size;
     for (const Face_handle face : block.faces) {
       for_each_own_edge(face, [&](const Edge&) { ++size; });
@@ -432,12 +515,11 @@ template <KineticTraits_2 Traits>
 inline void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
   const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle == no_event) return;
-  const Entry& entry = queue_[handle];
+  const Entry entry = queue_.erase(handle);
   times_.release(entry.time);
   if (entry.kind != Entry_kind::look_again) {
     ++counters_.discarded[static_cast<std::size_t>(event_kind(entry.kind))];
   }
-  queue_.erase(handle);
 }
 
 template <KineticTraits_2 Traits>

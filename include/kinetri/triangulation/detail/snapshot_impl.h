@@ -21,7 +21,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::snapshot() const -> Snapshot {
   KINETRI_PRECONDITION(!is_in_event_ && !rebuilt_edges_ && points_set_aside_.empty(),
                        "a snapshot within an event; take it when advance_to or step has returned");
   Snapshot result;
-  result.time = current_time_.detached();
+  result.time = current_time().detached();
   result.dimension = triangulation_.dimension();
   result.counters = counters_;
   result.certificates = certificate_counters_;
@@ -55,7 +55,7 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(Resto
     : traits_(traits), current_time_(snapshot.time.detached()) {
   const auto started = std::chrono::steady_clock::now();
   detail::Snapshot_links<Snapshot>(snapshot).check();
-  triangulation_ = Triangulation(traits_.instantaneous_traits({current_time_, Side::after}));
+  triangulation_ = Triangulation(traits_.instantaneous_traits({current_time(), Side::after}));
   make_faces(snapshot);
   check_restored();
   const auto built = std::chrono::steady_clock::now();
