@@ -215,7 +215,9 @@ std::optional<Filter_verdict> first_failure_in_piece(const std::array<double, M>
   if (i == 0) return std::nullopt;
   double upper = lower + width;
   // Most roots are near zero, and near where a step of Halley's method leads from there.
-  double start = c[0] * c[1] / (c[0] * c[2] - c[1] * c[1]);
+  double second = 0;
+  if constexpr (M > 2) second = c[2];
+  double start = c[0] * c[1] / (c[0] * second - c[1] * c[1]);
   if (!(start > lower && start < upper)) {
     // Else near that of the control polygon.
     const double crossing =
