@@ -88,7 +88,7 @@ class Indexed_queue {
   Queue_handle push(Item item) { return emplace(std::move(item)); }
 
   /// Likewise an item that is made from `parts`, which refer to no item of the queue, where it will
-  /// stay.
+  /// stay. Making it must not throw.
   template <class... Parts>
   Queue_handle emplace(Parts&&... parts);
 
@@ -116,7 +116,8 @@ class Indexed_queue {
     return places_[handle].item;
   }
 
-  /// Asks for the memory of the item of `handle`, if that names one, which is wanted soon.
+  /// Asks for the memory of the item of `handle`, which is wanted soon. Does nothing for no_event.
+  /// Precondition: else the handle has been given out; its item may have left.
   [[gnu::always_inline]] void prefetch(Queue_handle handle) const {
     if (handle != no_event) __builtin_prefetch(&places_[handle]);
   }
@@ -239,7 +240,7 @@ class Indexed_queue {
   double open_slots_ = 1;                   // the number of these
   double origin_ = 0;
   double slots_per_unit_ = 0;
-  std::size_t size_ = 0;            // the number of items
+  std::size_t size_ = 0;            // of heap_, and far_: asked for at every change
   std::size_t far_ = 0;             // the number of far items
   std::size_t records_ = 0;         // in all slots
   std::size_t size_at_spread_ = 0;  // when the slots were chosen

@@ -90,9 +90,8 @@ enum class Certificate_state {
 /// | `in_circle_outlook(p, q, r, s, ...)` | s is not inside the circle through p, q, r |
 /// | `orientation_outlook(p, q, r, ...)` | p, q, r do not make a right turn |
 /// | `flatness_outlook(p, q, r, ...)` | likewise, and strictly after t they are not collinear |
-/// | `in_circle_outlooks(two, t, counters)` | two in-circle certificates of which nothing is known
-/// | | `outlooks_after_flip(around, now, counters)` | the five in-circle certificates after a flip
-/// |
+/// | `in_circle_outlooks(two, t, counters)` | two in-circle ones, of unknown state |
+/// | `outlooks_after_flip(around, now, counters)` | the five in-circle ones after a flip |
 ///
 /// After a flip the certificate of the flipped edge, the last one, vanishes at that time, of which
 /// only an interval `now` is given: an outlook that asks for more is unknown, and not counted.
