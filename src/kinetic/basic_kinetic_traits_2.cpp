@@ -7,12 +7,12 @@
 #include <memory>
 #include <utility>
 
+#include "filter/contact_filter.h"
+#include "filter/linear_filter.h"
+#include "filter/polynomial_filter.h"
+#include "filter/precise_filter.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
-#include "kinetri/kinetic/contact_filter.h"
-#include "kinetri/kinetic/linear_filter.h"
-#include "kinetri/kinetic/polynomial_filter.h"
-#include "precise_filter.h"
 
 namespace kinetri {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "filter/linear_filter.h"
+#include "filter/polynomial_filter.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
-#include "kinetri/kinetic/linear_filter.h"
-#include "kinetri/kinetic/polynomial_filter.h"
 
 namespace kinetri {
 

@@ -9,10 +9,10 @@
 #include <array>
 #include <cfenv>
 
+#include "kinetic/filter/linear_filter.h"
+#include "kinetic/filter/polynomial_filter.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
-#include "kinetri/kinetic/linear_filter.h"
-#include "kinetri/kinetic/polynomial_filter.h"
 
 namespace kinetri::test {
 

@@ -11,6 +11,8 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
+#include "kinetri/base/double_interval.h"
+
 namespace kinetri {
 
 /// An integer of any size.
@@ -25,14 +27,6 @@ using Big_float = boost::multiprecision::number<boost::multiprecision::mpfr_floa
 
 using CGAL::Comparison_result;
 using CGAL::Sign;
-
-/// A closed interval of real numbers between binary64 bounds, either of which may be infinite.
-struct Double_interval {
-  double lower = 0;  ///< at most `upper`
-  double upper = 0;  ///< and itself contained, as `lower` is
-
-  friend bool operator==(const Double_interval&, const Double_interval&) = default;
-};
 
 /// @{
 /// The sign of `x`.

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/algebra/number_types.h"
 #include "kinetri/base/check.h"
+#include "kinetri/base/double_interval.h"
 
 namespace kinetri {
 

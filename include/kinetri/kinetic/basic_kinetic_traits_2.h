@@ -23,7 +23,7 @@ namespace kinetri {
 /// degree d (linear: 1, polynomial: at most 3) they are polynomials in time: in-circle of degree at
 /// most 4d, orientation 2d, coincidence d. Every failure time is exact. Cost: some hundred
 /// floating-point operations (polynomial: a thousand) where the filter decides
-/// (kinetri/kinetic/linear_filter.h, polynomial_filter.h), else exact arithmetic, a thousand times
+/// (src/kinetic/filter), else exact arithmetic, a thousand times
 /// that.
 template <class MotionType>
 class Basic_kinetic_traits_2 {

@@ -4,7 +4,7 @@
 #ifndef KINETRI_KINETIC_LINEAR_MOTION_2_H
 #define KINETRI_KINETIC_LINEAR_MOTION_2_H
 
-#include "kinetri/algebra/number_types.h"
+#include "kinetri/base/double_interval.h"
 #include "kinetri/kinetic/wall_2.h"
 
 namespace kinetri {

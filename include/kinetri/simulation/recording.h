@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "kinetri/algebra/number_types.h"
+#include "kinetri/base/double_interval.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"

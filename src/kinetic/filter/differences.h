@@ -2,8 +2,8 @@
 //
 // The differences of linear motions that the filters compute with, what bounds them, and their
 // products.
-#ifndef KINETRI_SRC_KINETIC_DIFFERENCES_H
-#define KINETRI_SRC_KINETIC_DIFFERENCES_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_DIFFERENCES_H
+#define KINETRI_SRC_KINETIC_FILTER_DIFFERENCES_H
 
 #include <algorithm>
 
@@ -100,4 +100,4 @@ inline Product squared_length(const Difference& a) {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SRC_KINETIC_DIFFERENCES_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_DIFFERENCES_H

@@ -2,7 +2,7 @@
 //
 // As in linear_filter.cpp the polynomials are in w, where the time is origin + w * window and
 // 0 <= w <= 1. The constants of the errors are derived in docs/MATH.md, section 9.
-#include "kinetri/kinetic/polynomial_filter.h"
+#include "polynomial_filter.h"
 
 #include <algorithm>
 #include <array>
@@ -12,9 +12,9 @@
 #include <optional>
 
 #include "bernstein.h"
+#include "contact_filter.h"
 #include "differences.h"
-#include "kinetri/kinetic/contact_filter.h"
-#include "kinetri/kinetic/linear_filter.h"
+#include "linear_filter.h"
 
 namespace kinetri {
 namespace {

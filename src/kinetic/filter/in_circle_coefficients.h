@@ -2,8 +2,8 @@
 //
 // The in-circle certificate of linear motions as a polynomial in w, of one certificate or of
 // several in the lanes of a Pair: the same operations in both.
-#ifndef KINETRI_SRC_KINETIC_IN_CIRCLE_COEFFICIENTS_H
-#define KINETRI_SRC_KINETIC_IN_CIRCLE_COEFFICIENTS_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_IN_CIRCLE_COEFFICIENTS_H
+#define KINETRI_SRC_KINETIC_FILTER_IN_CIRCLE_COEFFICIENTS_H
 
 #include <array>
 
@@ -71,4 +71,4 @@ Quartic<Number> in_circle_coefficients(const Triangle<Corner>& t, const Lifted<N
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SRC_KINETIC_IN_CIRCLE_COEFFICIENTS_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_IN_CIRCLE_COEFFICIENTS_H

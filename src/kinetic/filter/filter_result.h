@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the floating-point stage of a certificate says.
-#ifndef KINETRI_KINETIC_FILTER_VERDICT_H
-#define KINETRI_KINETIC_FILTER_VERDICT_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_FILTER_RESULT_H
+#define KINETRI_SRC_KINETIC_FILTER_FILTER_RESULT_H
 
 #include <cstdint>
 
-#include "kinetri/algebra/number_types.h"
+#include "kinetri/base/double_interval.h"
 
 namespace kinetri {
 
@@ -26,4 +26,4 @@ struct Filter_verdict {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_KINETIC_FILTER_VERDICT_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_FILTER_RESULT_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The filters of contacts, and of predicates at an instant, never contradict exact arithmetic.
-#include "kinetri/kinetic/contact_filter.h"
+#include "kinetic/filter/contact_filter.h"
 
 #include <gtest/gtest.h>
 

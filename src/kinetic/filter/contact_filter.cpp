@@ -3,7 +3,7 @@
 // The squared distance of two points in linear motion is a convex quadratic in time. So the discs
 // approach up to one time and part from then on, and where its value falls through the squared
 // diameter it does so once. The constants of the errors are derived in docs/MATH.md, section 8.
-#include "kinetri/kinetic/contact_filter.h"
+#include "contact_filter.h"
 
 #include <algorithm>
 #include <array>

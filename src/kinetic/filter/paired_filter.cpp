@@ -8,7 +8,7 @@
 #include "coordinate_pair.h"
 #include "differences.h"
 #include "in_circle_coefficients.h"
-#include "kinetri/kinetic/linear_filter.h"
+#include "linear_filter.h"
 #include "linear_frame.h"
 
 namespace kinetri {

@@ -3,13 +3,13 @@
 // The floating-point stage of the certificates of linear motion: says when a certificate certainly
 // holds, or brackets its first failure, or says that it does not know. It never guesses: every
 // statement is covered by an error bound (docs/MATH.md, section 7).
-#ifndef KINETRI_KINETIC_LINEAR_FILTER_H
-#define KINETRI_KINETIC_LINEAR_FILTER_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_LINEAR_FILTER_H
+#define KINETRI_SRC_KINETIC_FILTER_LINEAR_FILTER_H
 
 #include <array>
 
+#include "filter_result.h"
 #include "kinetri/algebra/number_types.h"
-#include "kinetri/kinetic/filter_verdict.h"
 #include "kinetri/kinetic/flip_neighborhood.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
@@ -67,4 +67,4 @@ bool certainly_apart(const Linear_motion_2& p, const Linear_motion_2& q,
 
 }  // namespace kinetri
 
-#endif  // KINETRI_KINETIC_LINEAR_FILTER_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_LINEAR_FILTER_H

@@ -2,7 +2,7 @@
 //
 // The filter works with the polynomial of the certificate over a window of time (linear_frame.h).
 // Where sizes are out of range the verdict is unknown.
-#include "kinetri/kinetic/linear_filter.h"
+#include "linear_filter.h"
 
 #include <algorithm>
 #include <array>

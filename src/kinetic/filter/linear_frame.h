@@ -5,8 +5,8 @@
 // difference of any two of the points in either coordinate, over the whole window; the errors are
 // in units of 2^-53 * size^degree and are derived in docs/MATH.md, section 7. An overflow on the
 // way shows in the sizes, which are out of range then.
-#ifndef KINETRI_SRC_KINETIC_LINEAR_FRAME_H
-#define KINETRI_SRC_KINETIC_LINEAR_FRAME_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_LINEAR_FRAME_H
+#define KINETRI_SRC_KINETIC_FILTER_LINEAR_FRAME_H
 
 #include "coordinate_pair.h"
 #include "differences.h"
@@ -50,4 +50,4 @@ inline constexpr double orientation_norm = 4 / (256 * unit_roundoff);
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SRC_KINETIC_LINEAR_FRAME_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_LINEAR_FRAME_H

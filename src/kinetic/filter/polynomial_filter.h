@@ -4,11 +4,11 @@
 // linear_filter.h and contact_filter.h, with the same contracts. Points that are all linear are
 // left to those. Cost: about a thousand floating-point operations for in-circle (docs/MATH.md,
 // section 9).
-#ifndef KINETRI_KINETIC_POLYNOMIAL_FILTER_H
-#define KINETRI_KINETIC_POLYNOMIAL_FILTER_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_POLYNOMIAL_FILTER_H
+#define KINETRI_SRC_KINETIC_FILTER_POLYNOMIAL_FILTER_H
 
+#include "filter_result.h"
 #include "kinetri/algebra/number_types.h"
-#include "kinetri/kinetic/filter_verdict.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 #include "kinetri/kinetic/wall_2.h"
 
@@ -63,4 +63,4 @@ bool certainly_inside(const Polynomial_motion_2& p, const Wall_2& wall,
 
 }  // namespace kinetri
 
-#endif  // KINETRI_KINETIC_POLYNOMIAL_FILTER_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_POLYNOMIAL_FILTER_H

@@ -3,8 +3,8 @@
 // Both coordinates of a planar vector in one register. For the inner loops of the filter, where it
 // halves the number of instructions; the vector types of GCC and Clang, whose arithmetic is that of
 // the components.
-#ifndef KINETRI_SRC_KINETIC_COORDINATE_PAIR_H
-#define KINETRI_SRC_KINETIC_COORDINATE_PAIR_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_COORDINATE_PAIR_H
+#define KINETRI_SRC_KINETIC_FILTER_COORDINATE_PAIR_H
 
 #include <algorithm>
 
@@ -54,4 +54,4 @@ inline double sum(Pair a) {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SRC_KINETIC_COORDINATE_PAIR_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_COORDINATE_PAIR_H

@@ -3,7 +3,7 @@
 // The filters of polynomial motion never contradict exact arithmetic: as for linear motion, every
 // verdict on random, nearly degenerate and wild certificates is checked. And they decide what they
 // are there for.
-#include "kinetri/kinetic/polynomial_filter.h"
+#include "kinetic/filter/polynomial_filter.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 // The floating-point stage of the contact certificates of linear motion: that two discs do not
 // touch, and that a point does not reach a wall. It says what is certain, or that it does not know
 // (docs/MATH.md, section 8).
-#ifndef KINETRI_KINETIC_CONTACT_FILTER_H
-#define KINETRI_KINETIC_CONTACT_FILTER_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_CONTACT_FILTER_H
+#define KINETRI_SRC_KINETIC_FILTER_CONTACT_FILTER_H
 
-#include "kinetri/kinetic/linear_filter.h"
 #include "kinetri/kinetic/wall_2.h"
+#include "linear_filter.h"
 
 namespace kinetri {
 
@@ -32,4 +32,4 @@ bool certainly_inside(const Linear_motion_2& p, const Wall_2& wall,
 
 }  // namespace kinetri
 
-#endif  // KINETRI_KINETIC_CONTACT_FILTER_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_CONTACT_FILTER_H

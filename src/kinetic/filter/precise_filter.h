@@ -4,8 +4,8 @@
 // rounding a failure time to the nearest binary64 number without making its polynomial. The sign is
 // right; zero says that it is not certain (docs/MATH.md, sections 7 and 9). `Motion` is
 // Linear_motion_2 or Polynomial_motion_2.
-#ifndef KINETRI_SRC_KINETIC_PRECISE_FILTER_H
-#define KINETRI_SRC_KINETIC_PRECISE_FILTER_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_PRECISE_FILTER_H
+#define KINETRI_SRC_KINETIC_FILTER_PRECISE_FILTER_H
 
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
@@ -26,4 +26,4 @@ double precise_contact(const Motion& p, const Motion& q, double diameter, double
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SRC_KINETIC_PRECISE_FILTER_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_PRECISE_FILTER_H

@@ -5,8 +5,8 @@
 // u = 2^-53. Source: M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic
 // building blocks of double-word arithmetic, ACM Transactions on Mathematical Software 44, 2017,
 // algorithms 6 and 12.
-#ifndef KINETRI_SRC_KINETIC_DOUBLE_DOUBLE_H
-#define KINETRI_SRC_KINETIC_DOUBLE_DOUBLE_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_DOUBLE_DOUBLE_H
+#define KINETRI_SRC_KINETIC_FILTER_DOUBLE_DOUBLE_H
 
 #include <cmath>
 
@@ -56,4 +56,4 @@ inline Double_double operator*(const Double_double& a, const Double_double& b) {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SRC_KINETIC_DOUBLE_DOUBLE_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_DOUBLE_DOUBLE_H

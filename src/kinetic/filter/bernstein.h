@@ -2,8 +2,8 @@
 //
 // Polynomials over [0, 1] of which each value is known up to an error: their Bernstein
 // coefficients, and where they are certainly positive.
-#ifndef KINETRI_SRC_KINETIC_BERNSTEIN_H
-#define KINETRI_SRC_KINETIC_BERNSTEIN_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_BERNSTEIN_H
+#define KINETRI_SRC_KINETIC_FILTER_BERNSTEIN_H
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "differences.h"
+#include "filter_result.h"
 #include "kinetri/algebra/number_types.h"
-#include "kinetri/kinetic/filter_verdict.h"
 
 namespace kinetri {
 
@@ -336,4 +336,4 @@ Sign certain_sign(const std::array<double, M>& c, double error) {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SRC_KINETIC_BERNSTEIN_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_BERNSTEIN_H
