@@ -21,9 +21,13 @@ set(generated_dir ${PROJECT_BINARY_DIR}/package)
 # Before everything else, while what is not ours can be told from what is.
 if(PROJECT_IS_TOP_LEVEL)
   set(folders ${package_dir} ${pkgconfig_dir} ${bash_dir} ${zsh_dir} ${fish_dir}
-    ${CMAKE_INSTALL_BINDIR} ${CMAKE_INSTALL_INCLUDEDIR} ${CMAKE_INSTALL_MANDIR}/man1
-    ${CMAKE_INSTALL_DOCDIR})
+    ${CMAKE_INSTALL_BINDIR} ${CMAKE_INSTALL_MANDIR}/man1)
+  set(trees ${PROJECT_SOURCE_DIR}/include/kinetri>${CMAKE_INSTALL_INCLUDEDIR}/kinetri)
+  foreach(tree IN ITEMS docs examples)
+    list(APPEND trees ${PROJECT_SOURCE_DIR}/${tree}>${CMAKE_INSTALL_DOCDIR}/${tree})
+  endforeach()
   install(CODE "set(folders \"${folders}\")
+    set(trees \"${trees}\")
     set(record \"${PROJECT_BINARY_DIR}/install_folders.txt\")")
   install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/install_folders.cmake)
   add_custom_target(uninstall

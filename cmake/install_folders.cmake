@@ -1,7 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Run by `cmake --install` before it installs anything: adds to the file `record` those of the folders
-# `folders`, and of the ones they are in, that are not there and so will be made. uninstall.cmake
-# removes them.
+# Run by `cmake --install` before it installs anything: adds to the file `record` every folder that is
+# not there yet and that the installation makes. uninstall.cmake removes these folders, and no others.
+#
+# `folders` names the folders of the installed files; `trees` names the source folders that are
+# installed with all of their subfolders, each as SOURCE>DESTINATION.
+foreach(tree IN LISTS trees)
+  string(REGEX MATCH "^(.*)>(.*)$" tree "${tree}")
+  set(source "${CMAKE_MATCH_1}")
+  set(destination "${CMAKE_MATCH_2}")
+  list(APPEND folders "${destination}")
+  file(GLOB_RECURSE entries LIST_DIRECTORIES true RELATIVE "${source}" "${source}/*")
+  foreach(entry IN LISTS entries)
+    if(IS_DIRECTORY "${source}/${entry}")
+      list(APPEND folders "${destination}/${entry}")
+    endif()
+  endforeach()
+endforeach()
+
 set(made)
 if(EXISTS "${record}")
   file(STRINGS "${record}" made)

@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Removes the files that the last `cmake --install` wrote, named in MANIFEST; and those of their folders
-# that are empty then and ours: named after the project, or made by an installation, which is what
-# FOLDERS lists.
+# Removes the files that the last `cmake --install` wrote, which MANIFEST lists, and then those folders
+# that an installation made, which FOLDERS lists, as far as they are empty. The name of a folder decides
+# nothing.
 cmake_minimum_required(VERSION 3.25)
 if(NOT EXISTS "${MANIFEST}")
   message(FATAL_ERROR "${MANIFEST} does not exist: nothing was installed from this build; expected cmake --install before")
 endif()
 file(STRINGS "${MANIFEST}" files)
-set(made)
-if(EXISTS "${FOLDERS}")
-  file(STRINGS "${FOLDERS}" made)
-endif()
 foreach(file IN LISTS files)
   set(path "$ENV{DESTDIR}${file}")
   file(REMOVE "${path}")
@@ -18,14 +14,19 @@ foreach(file IN LISTS files)
     message(FATAL_ERROR
       "${path} cannot be removed; expected the rights of the user who installed it (sudo?)")
   endif()
-  cmake_path(GET path PARENT_PATH folder)
-  while(IS_DIRECTORY "${folder}" AND (folder MATCHES "/[Kk]inetri(/|$)" OR folder IN_LIST made))
-    file(GLOB contents "${folder}/*")
-    if(contents)
-      break()
-    endif()
+endforeach()
+
+set(folders)
+if(EXISTS "${FOLDERS}")
+  file(STRINGS "${FOLDERS}" folders)
+endif()
+# A folder follows its subfolders.
+list(SORT folders ORDER DESCENDING)
+foreach(folder IN LISTS folders)
+  string(REPLACE "[" "[[]" literal "${folder}")  # A bracket in a name begins no pattern.
+  file(GLOB contents "${literal}/*")
+  if(IS_DIRECTORY "${folder}" AND NOT IS_SYMLINK "${folder}" AND NOT contents)
     file(REMOVE_RECURSE "${folder}")
-    cmake_path(GET folder PARENT_PATH folder)
-  endwhile()
+  endif()
 endforeach()
 file(REMOVE "${MANIFEST}" "${FOLDERS}")

@@ -2,43 +2,63 @@
 # Installs the build BUILD_DIR in a directory below WORK_DIR, copies that to PREFIX, and uninstalls the
 # original: whoever uses PREFIX uses a copy that was moved.
 cmake_minimum_required(VERSION 3.25)
-set(original ${WORK_DIR}/original)
-file(REMOVE_RECURSE ${original} ${PREFIX})
+# Folders of others that have the project's name, and a space: their names decide nothing.
+set(theirs "${WORK_DIR}/of others/kinetri")
+set(original "${theirs}/Kinetri")
+file(REMOVE_RECURSE "${theirs}" "${PREFIX}")
+file(MAKE_DIRECTORY "${theirs}")
 
 function(install)
-  execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${original}
+  execute_process(COMMAND ${CMAKE_COMMAND} --install "${BUILD_DIR}" --prefix "${original}"
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# Uninstalls; then there must be just what is named, folders included, or not even the prefix.
+# Uninstalls; then there must be just what is named, folders included, or not even the prefix. The
+# folder that the prefix is in always stays.
 function(uninstall)
-  execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD_DIR} --target uninstall
+  execute_process(COMMAND ${CMAKE_COMMAND} --build "${BUILD_DIR}" --target uninstall
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-  file(GLOB_RECURSE left LIST_DIRECTORIES true RELATIVE ${original} ${original}/*)
+  file(GLOB_RECURSE left LIST_DIRECTORIES true RELATIVE "${original}" "${original}/*")
   list(SORT left)
-  if(NOT left STREQUAL "${ARGN}" OR (EXISTS ${original} AND NOT left))
+  if(NOT left STREQUAL "${ARGN}" OR (EXISTS "${original}" AND NOT left))
     message(SEND_ERROR "uninstall leaves \"${left}\" in ${original}, expected \"${ARGN}\"")
+  endif()
+  if(NOT EXISTS "${theirs}")
+    message(SEND_ERROR "uninstall removes ${theirs}, which no installation made")
   endif()
 endfunction()
 
 # What is there already stays, empty folders and hidden files too; and so does what was there when
 # it was installed once more.
-file(MAKE_DIRECTORY ${original}/share/fish)
-file(WRITE ${original}/include/kinetri/.theirs)
+file(MAKE_DIRECTORY "${original}/share/fish" "${original}/include/kinetri/events")
+file(WRITE "${original}/include/kinetri/.theirs")
 install()
-file(WRITE ${original}/bin/theirs)
+file(WRITE "${original}/bin/theirs")
+file(MAKE_DIRECTORY "${original}/lib/kinetri")
 install()
-uninstall(bin bin/theirs include include/kinetri include/kinetri/.theirs share share/fish)
-file(REMOVE_RECURSE ${original})
+uninstall(bin bin/theirs include include/kinetri include/kinetri/.theirs include/kinetri/events
+  lib lib/kinetri share share/fish)
+file(REMOVE_RECURSE "${original}")
+
+# A bracket in the name of a folder is no pattern: the folder is not empty, and stays.
+file(WRITE "${theirs}/a[bc]/theirs")
+file(WRITE "${theirs}/manifest.txt" "${theirs}/a[bc]/ours\n")
+file(WRITE "${theirs}/folders.txt" "${theirs}/a[bc]\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -D "MANIFEST=${theirs}/manifest.txt"
+  -D "FOLDERS=${theirs}/folders.txt" -P "${SOURCE_DIR}/cmake/uninstall.cmake"
+  COMMAND_ERROR_IS_FATAL ANY)
+if(NOT EXISTS "${theirs}/a[bc]/theirs")
+  message(SEND_ERROR "uninstall removes the folder a[bc] with the file of others in it")
+endif()
 
 install()
-file(COPY ${original}/ DESTINATION ${PREFIX})
+file(COPY "${original}/" DESTINATION "${PREFIX}")
 
 # No file may name where it was made; the text files are those that could.
-file(GLOB_RECURSE files ${PREFIX}/*.cmake ${PREFIX}/*.pc ${PREFIX}/*.h)
+file(GLOB_RECURSE files "${PREFIX}/*.cmake" "${PREFIX}/*.pc" "${PREFIX}/*.h")
 foreach(file IN LISTS files)
-  file(READ ${file} text)
-  foreach(path IN ITEMS ${original} ${BUILD_DIR} ${SOURCE_DIR})
+  file(READ "${file}" text)
+  foreach(path IN ITEMS "${original}" "${BUILD_DIR}" "${SOURCE_DIR}")
     string(FIND "${text}" "${path}" position)
     if(NOT position EQUAL -1)
       message(SEND_ERROR "${file} names ${path}")
@@ -50,15 +70,15 @@ foreach(file IN LISTS files)
 endforeach()
 
 # An installed program runs, and what belongs to it is there.
-if(EXISTS ${PREFIX}/bin/kinetri)
-  execute_process(COMMAND ${PREFIX}/bin/kinetri --version OUTPUT_VARIABLE version
+if(EXISTS "${PREFIX}/bin/kinetri")
+  execute_process(COMMAND "${PREFIX}/bin/kinetri" --version OUTPUT_VARIABLE version
     COMMAND_ERROR_IS_FATAL ANY)
   if(NOT version MATCHES "${VERSION}")
     message(SEND_ERROR "kinetri --version prints \"${version}\", expected ${VERSION}")
   endif()
   foreach(file IN ITEMS man/man1/kinetri.1* bash-completion/completions/kinetri
       zsh/site-functions/_kinetri fish/vendor_completions.d/kinetri.fish)
-    file(GLOB found ${PREFIX}/share/${file})
+    file(GLOB found "${PREFIX}/share/${file}")
     if(NOT found)
       message(SEND_ERROR "share/${file} was not installed")
     endif()
