@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the C++ source that holds the files of the viewer page (src/io/viewer/). One literal for each
+# Makes the C++ source that holds the files of the viewer page (viewer/). One literal for each
 # file, since compilers need not take longer ones than 65 536 bytes.
 function(kinetri_viewer_assets output)
-  set(folder ${PROJECT_SOURCE_DIR}/src/io/viewer)
+  set(folder ${PROJECT_SOURCE_DIR}/viewer)
   file(STRINGS ${folder}/scripts.txt scripts)
   foreach(name IN ITEMS page.html style.css scripts.txt LISTS scripts)
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS

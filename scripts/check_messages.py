@@ -112,7 +112,7 @@ def is_message(path, text, calls):
 
 def messages(root):
     """(path, line, text, whether it is that of a precondition) of each message in the sources."""
-    for folder in ("include/kinetri", "src", "apps"):
+    for folder in ("include/kinetri", "src", "apps", "viewer"):
         for file in sorted((root / folder).rglob("*")):
             path = file.relative_to(root)
             if file.suffix not in (".h", ".cpp", ".js") or str(path) in NO_MESSAGES:

@@ -63,7 +63,7 @@ if [[ -n $changed ]]; then
   } | sort -u)
   if ((${#files[@]} == 0)); then kinetri_say "nothing differs from main" && exit 0; fi
 elif ((${#files[@]} == 0)); then
-  mapfile -t files < <(find .ci apps bench data examples include scripts src test -type f | sort)
+  mapfile -t files < <(find .ci apps bench data docs examples include scripts src test viewer -type f | sort)
 fi
 
 # select_files SUFFIX...: those of the files, in the array `selected`.

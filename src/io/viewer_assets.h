@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The files of src/io/viewer/, of which the viewer page is put together; the build makes the
+// The files of viewer/, of which the viewer page is put together; the build makes the
 // definitions.
 #ifndef KINETRI_IO_VIEWER_ASSETS_H
 #define KINETRI_IO_VIEWER_ASSETS_H

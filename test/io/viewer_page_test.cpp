@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands in the page. That browsers show it is for test/viewer.
+// What stands in the page. That browsers show it is for viewer/test.
 #include "kinetri/io/viewer_page.h"
 
 #include <gtest/gtest.h>

@@ -225,13 +225,13 @@ class Messages(Tree):
         self.write("src/io/b.cpp", '\nthrow Input_error(file, 0, "the moon is full");\n')
         self.write("apps/kinetri/c.cpp", '  throw Usage_error(too_long ? "--a: too long" : "--a: too short");\n')
         self.write("include/kinetri/io/d.h", 'inline const char* problem() { return "no cheese left"; }\n')
-        self.write("src/io/viewer/e.js", "demand(a, `it has ${a} ` +\n  'of these');\n")
+        self.write("viewer/e.js", "demand(a, `it has ${a} ` +\n  'of these');\n")
         self.write("scripts/f.sh", 'kinetri_fail "the sky fell: $sky"\n')
         self.assert_violations('include/kinetri/io/d.h:1: "no cheese left"',
                                'src/io/b.cpp:2: "the moon is full"',
-                               'src/io/viewer/e.js:1: "it has ${a} of these"',
                                'apps/kinetri/c.cpp:1: "--a: too long"',
                                'apps/kinetri/c.cpp:1: "--a: too short"',
+                               'viewer/e.js:1: "it has ${a} of these"',
                                'scripts/f.sh:1: "the sky fell: $sky"')
 
     def test_what_is_no_message_passes(self):

@@ -3,7 +3,7 @@
 // The viewer: a recorded run as one HTML page that plays it, with everything in it; it opens from a
 // file, in any browser, and asks the network for nothing.
 //
-// The page is put together from src/io/viewer/ (see the README there) and the recording, which is
+// The page is put together from viewer/ (see the README there) and the recording, which is
 // the JSON object in the element `<script type="application/json" id="recording">`:
 //
 //   format        1
