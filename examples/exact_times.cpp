@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lesson 8, exact times and audits: two runs whose first events are nearer to each other than
-// doubles can tell, events at one exact time, and a triangulation that has been tampered with.
+// Lesson 8, exact times and audits: two event times that doubles cannot distinguish, simultaneous
+// events, and an audit that fails.
 #include <kinetri/algebra/real_roots.h>
 #include <kinetri/triangulation/kinetic_delaunay_triangulation_2.h>
 
@@ -10,17 +10,15 @@
 #include <string>
 #include <vector>
 
-namespace {
-
 using Triangulation = kinetri::Kinetic_delaunay_triangulation_2<>;
 using Time = kinetri::Algebraic_number;
 
-// Three points of the unit circle, and one that leaves it, from (x, 0) in the direction (1, 1).
-std::vector<kinetri::Linear_motion_2> leaving(double x) {
+// Three points rest on the unit circle. A fourth one leaves it, from (x, 0) in direction (1, 1).
+static std::vector<kinetri::Linear_motion_2> leaving(double x) {
   return {{{-1, 0}, {0, 0}}, {{0, -1}, {0, 0}}, {{0, 1}, {0, 0}}, {{x, 0}, {1, 1}}};
 }
 
-void compare_times() {
+static void compare_times() {
   Triangulation first(leaving(0));
   Triangulation second(leaving(0x1p-60));
   const Time a = *first.next_event_time();
@@ -34,16 +32,15 @@ void compare_times() {
   std::cout << "as doubles " << (a.to_double() == b.to_double() ? "equal" : "not equal")
             << ", but b " << (b < a ? "is before" : "is not before") << " a\n";
 
-  // An isolating interval holds this root of the polynomial and no other one; it is made as narrow
-  // as one likes. What lies between two times can be had as a number.
+  // Isolating intervals can be refined to any width.
   b.refine_to(kinetri::Rational(1, 1'000'000'000));
   std::cout << "isolated to " << (b.upper() - b.lower() <= 1e-9 ? "a billionth" : "more") << '\n';
   const kinetri::Rational between = kinetri::simplest_between(b, a);
   std::cout << "b < " << between << " < a\n";
 }
 
-void simultaneous_events() {
-  // Two rows of a lattice. The upper one moves as a whole: all its squares are squares at one time.
+static void simultaneous_events() {
+  // Two rows of a lattice. The upper row moves; all its cells become squares at the same time.
   std::vector<kinetri::Linear_motion_2> motions;
   for (int x = 0; x < 9; ++x) motions.push_back({{2.0 * x, 0}, {0, 0}});
   for (int x = 0; x < 9; ++x) motions.push_back({{2.0 * x + 0.5, 1}, {1, 0}});
@@ -54,7 +51,7 @@ void simultaneous_events() {
             << '\n';
 }
 
-void audits() {
+static void audits() {
   Triangulation kdt(leaving(0));
   const std::vector<kinetri::Audit_level> levels = {
       kinetri::Audit_level::links, kinetri::Audit_level::embedding, kinetri::Audit_level::delaunay,
@@ -62,14 +59,12 @@ void audits() {
   for (const auto level : levels) std::cout << kdt.audit(level).passed() << ' ';
   std::cout << "at the start\n";
 
-  // A point is moved behind the back of the triangulation: set_motion is what does it properly.
+  // Do not do this: it bypasses set_motion, and so the triangulation is not updated.
   kdt.vertex(3)->point() = kinetri::Moving_point_2({{3, 0}, {-1, 0}}, 3);
   for (const auto level : levels) std::cout << kdt.audit(level).passed() << ' ';
   std::cout << "after that\n";
   for (const std::string& failure : kdt.audit(levels.back()).failures) std::cout << failure << '\n';
 }
-
-}  // namespace
 
 int main() {
   compare_times();

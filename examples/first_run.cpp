@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lesson 1, a first run: a boat sails through a field of buoys. Who its neighbors are changes at
-// single times, which the triangulation knows exactly.
+// Lesson 1, a first run: a boat sails through a field of buoys, and its neighbors change.
 #include <kinetri/triangulation/kinetic_delaunay_triangulation_2.h>
 
 #include <iostream>
 #include <vector>
 
-namespace {
-
 using Triangulation = kinetri::Kinetic_delaunay_triangulation_2<>;
 
-void print_edges(const Triangulation& kdt) {
+static void print_edges(const Triangulation& kdt) {
   for (const auto [a, b] : kdt.finite_edge_ids()) std::cout << ' ' << a << '-' << b;
   std::cout << '\n';
 }
 
-}  // namespace
-
 int main() {
-  // Each motion is a place at time 0, and a velocity: where the point goes in one unit of time.
-  // Points 0 to 3 are buoys, which stay where they are; point 4 is the boat.
+  // Each motion is {position at time 0, velocity}. Points 0 to 3 are buoys and rest; point 4 is the
+  // boat.
   const std::vector<kinetri::Linear_motion_2> motions = {
       {{0, 0}, {0, 0}}, {{6, 0}, {0, 0}}, {{6, 4}, {0, 0}}, {{0, 5}, {0, 0}}, {{2, -3}, {0.5, 1}}};
 
@@ -28,16 +23,16 @@ int main() {
   std::cout << "t = 0:";
   print_edges(kdt);
 
-  // From one time of events to the next one, up to and at time 10.
+  // From event to event, up to and including time 10.
   while (const std::size_t events = kdt.step(10)) {
     std::cout << "t = " << kdt.current_time().to_double() << ", events " << events << ':';
     print_edges(kdt);
   }
-  kdt.advance_to(10);  // there is no event left until then, but the clock goes on
+  kdt.advance_to(10);  // no event is left before 10; this advances the clock
 
-  if (!kdt.next_event_time()) std::cout << "no event ever after\n";
-  const kinetri::Vector_2 place = rounded_place(kdt.motion(4), 10);
-  std::cout << "at t = 10 the boat is at (" << place.x << ", " << place.y << ")\n";
+  if (!kdt.next_event_time()) std::cout << "no further event\n";
+  const kinetri::Vector_2 position = rounded_place(kdt.motion(4), 10);
+  std::cout << "at t = 10 the boat is at (" << position.x << ", " << position.y << ")\n";
 
   const bool is_right = kdt.audit(kinetri::Audit_level::certificates).passed();
   std::cout << (is_right ? "audit passed\n" : "audit failed\n");

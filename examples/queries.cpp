@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lesson 6, queries: where is what, at an exact time. Kinetri's own queries give ids, for any time
-// up to the next event; CGAL's give handles, for the present.
+// Lesson 6, queries: four points rest at the corners of a rectangle, and point 4 moves through it.
+// What is near what, at an exact time?
 #include <kinetri/triangulation/kinetic_delaunay_triangulation_2.h>
 #include <kinetri/triangulation/queries_2.h>
 
@@ -9,53 +9,51 @@
 #include <span>
 #include <vector>
 
-namespace {
-
 using Triangulation = kinetri::Kinetic_delaunay_triangulation_2<>;
 
-void print(const char* text, std::span<const kinetri::Point_id> ids) {
+static void print(const char* text, std::span<const kinetri::Point_id> ids) {
   std::cout << text;
   for (const kinetri::Point_id id : ids) std::cout << ' ' << id;
   std::cout << '\n';
 }
 
-// At any time from now to the next event, without going there.
-void ask_kinetri(const Triangulation& kdt, const kinetri::Rational& time) {
+// Kinetri's queries: ids, at any time from the current one up to the next event.
+static void ask_kinetri(const Triangulation& kdt, const kinetri::Rational& time) {
   const kinetri::Kinetic_queries_2 queries(kdt, time);
   std::cout << "at t = " << time << '\n';
   std::cout << "nearest to (5, 4): " << *queries.nearest_vertex({5, 4}) << '\n';
-  print("the triangle at (5, 4):", queries.locate({5, 4}).points);
+  print("triangle at (5, 4):", queries.locate({5, 4}).points);
   print("neighbors of 4:", queries.neighbors(4));
   print("closest pair:", *queries.closest_pair());
 
-  // The coordinates are rational numbers, as the time is one: nothing is rounded.
+  // At a rational time the coordinates are rational, and nothing is rounded.
   const kinetri::Voronoi_cell_2<kinetri::Exact_position_2> cell = queries.voronoi_cell(4);
-  std::cout << "the Voronoi cell of 4:";
+  std::cout << "Voronoi cell of 4:";
   for (const auto& [x, y] : cell.vertices) std::cout << " (" << x << ", " << y << ')';
   std::cout << '\n';
 }
 
-// Just after the present time, by what CGAL's triangulation offers.
-void ask_cgal(const Triangulation& kdt) {
+// CGAL's queries: handles, at the current time.
+static void ask_cgal(const Triangulation& kdt) {
   const Triangulation::Triangulation& dt = kdt.triangulation();
   std::cout << "vertices " << dt.number_of_vertices() << ", faces " << dt.number_of_faces() << '\n';
 
-  // CGAL's points move here. A query point is one that rests, and belongs to no sequence.
-  const kinetri::Moving_point_2 place({{5, 4}, {0, 0}});
-  std::cout << "nearest to (5, 4): " << dt.nearest_vertex(place)->point().id() << '\n';
-  const Triangulation::Face_handle face = dt.locate(place);
-  std::cout << "the triangle at (5, 4):";
+  // The points of this triangulation move. A query point is one that rests.
+  const kinetri::Moving_point_2 query({{5, 4}, {0, 0}});
+  std::cout << "nearest to (5, 4): " << dt.nearest_vertex(query)->point().id() << '\n';
+  const Triangulation::Face_handle face = dt.locate(query);
+  std::cout << "triangle at (5, 4):";
   for (int i = 0; i < 3; ++i) std::cout << ' ' << face->vertex(i)->point().id();
   std::cout << '\n';
 
-  // The dual of a face, its circumcenter, moves too: a rational function of time.
+  // The dual of a face, its circumcenter, is a moving point too.
   const kinetri::Moving_point_2 center = dt.dual(face);
   for (const int t : {0, 1}) {
     const kinetri::Exact_position_2 at = center.position(t);
     std::cout << "its circumcenter at t = " << t << ": (" << at.x << ", " << at.y << ")\n";
   }
 
-  std::cout << "corners of the hull:";
+  std::cout << "hull vertices:";
   auto v = dt.incident_vertices(dt.infinite_vertex());
   const auto first = v;
   do {
@@ -63,8 +61,6 @@ void ask_cgal(const Triangulation& kdt) {
   } while (++v != first);
   std::cout << '\n';
 }
-
-}  // namespace
 
 int main() {
   const std::vector<kinetri::Linear_motion_2> motions = {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lesson 4, recorded tracks: people in a park, each seen now and then. Between two observations
-// each goes straight; who came near whom is found at its exact time, seen or not.
+// Lesson 4, recorded tracks: three people and a dog in a park, each observed now and then. Who came
+// near whom, and when?
 #include <kinetri/io/tracks_file.h>
 #include <kinetri/simulation/closest_approaches.h>
 #include <kinetri/simulation/tracks.h>
@@ -11,13 +11,11 @@
 #include <string>
 #include <vector>
 
-namespace {
-
 using Time = kinetri::Algebraic_number;
 using Paths = std::vector<std::vector<kinetri::Observation_2>>;
 
-// The observations without what only a reader of the file needs.
-Paths paths_of(const kinetri::Tracks_file& file) {
+// The observations of each track, without line numbers and names.
+static Paths paths_of(const kinetri::Tracks_file& file) {
   Paths paths;
   for (const kinetri::Track& track : file.tracks) {
     auto& path = paths.emplace_back();
@@ -26,7 +24,7 @@ Paths paths_of(const kinetri::Tracks_file& file) {
   return paths;
 }
 
-// Prints who comes, turns and goes.
+// Prints who appears, turns and leaves.
 struct Log : kinetri::Event_observer<Time> {
   explicit Log(const std::vector<std::string>& point_names) : names(point_names) {}
 
@@ -42,14 +40,12 @@ struct Log : kinetri::Event_observer<Time> {
   const std::vector<std::string>& names;  // by point id
 };
 
-}  // namespace
-
 int main(int argc, char** argv) try {
   const char* const file_name = argc > 1 ? argv[1] : "tracks.csv";
   const auto file = kinetri::read_tracks_file(file_name, kinetri::Tracks_format::rows);
   const Paths paths = paths_of(file);
 
-  // One that is not seen for more than 10 seconds was away, and comes back as another point.
+  // After a gap of more than 10 seconds between two observations a track continues as a new point.
   const auto stays = kinetri::stays_of(paths, {.from = 0, .longest_gap = 10});
   std::vector<std::string> names;
   for (const kinetri::Stay& stay : stays) names.push_back(file.tracks[stay.track].id);
@@ -57,7 +53,7 @@ int main(int argc, char** argv) try {
   const std::unique_ptr<kinetri::Simulation_2<>> park = kinetri::simulate_tracks(paths, stays, 0);
   Log log(names);
   park->add_observer(log);
-  kinetri::Closest_approaches approaches(*park, 4);
+  kinetri::Closest_approaches approaches(*park, 4);  // keeps the 4 closest
   park->advance_to(40);
 
   std::cout << "closest approaches:\n";

@@ -1,32 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lesson 3, walls and discs: curling stones on a sheet of ice. A simulation is a triangulation with
-// a box around it and discs about its points.
+// Lesson 3, walls and discs: curling stones on a sheet of ice.
 #include <kinetri/simulation/simulation_2.h>
 
 #include <iostream>
 #include <vector>
 
-namespace {
-
 using Simulation = kinetri::Simulation_2<>;
 using Time = Simulation::Time;
 
-// Prints the contacts, and leaves out the events of the triangulation under them.
+// Prints contacts, and ignores all other events.
 struct Contacts : kinetri::Event_observer<Time> {
   void after_event(const kinetri::Event<Time>& event) override {
-    const bool is_wall = event.kind == kinetri::Event_kind::wall;
-    if (!is_wall && event.kind != kinetri::Event_kind::collision) return;
-    std::cout << "t = " << event.time.to_double() << ": stone " << *event.point_a << " hits ";
-    if (is_wall) {
-      std::cout << "a wall\n";
-    } else {
-      std::cout << "stone " << *event.point_b << '\n';
+    if (event.kind == kinetri::Event_kind::wall) {
+      std::cout << "t = " << event.time.to_double() << ": stone " << *event.point_a
+                << " hits a wall\n";
+    } else if (event.kind == kinetri::Event_kind::collision) {
+      std::cout << "t = " << event.time.to_double() << ": stone " << *event.point_a
+                << " hits stone " << *event.point_b << '\n';
     }
   }
 };
 
-void print_stones(const Simulation& simulation) {
+static void print_stones(const Simulation& simulation) {
   const double t = simulation.current_time().to_double();
   double energy = 0;
   for (kinetri::Point_id id = 0; id < simulation.triangulation().number_of_points(); ++id) {
@@ -40,15 +36,13 @@ void print_stones(const Simulation& simulation) {
   std::cout << "  energy " << energy << '\n';
 }
 
-}  // namespace
-
 int main() {
   const std::vector<kinetri::Linear_motion_2> stones = {
-      {{2, 4}, {2, 0}},    // runs into
-      {{8, 4}, {0, 0}},    // one that rests, which runs into
-      {{12, 4}, {0, 0}},   // another one
-      {{3, 3}, {-1, -1}},  // this one goes into a corner
-      {{9, 7}, {0, 0}}};   // and this one is in nobody's way
+      {{2, 4}, {2, 0}},    // hits stone 1
+      {{8, 4}, {0, 0}},    // rests, and then hits stone 2
+      {{12, 4}, {0, 0}},   // rests
+      {{3, 3}, {-1, -1}},  // slides into a corner
+      {{9, 7}, {0, 0}}};   // rests, and is never hit
 
   kinetri::Simulation_options options;
   options.box = kinetri::Box_2{0, 0, 16, 8};  // xmin, ymin, xmax, ymax
@@ -63,10 +57,10 @@ int main() {
   simulation.advance_to(8);
   print_stones(simulation);
 
-  // The triangulation beneath goes with the stones: who is near whom is known at every time.
-  const auto& kdt = simulation.triangulation();
   std::cout << "edges at t = 8:";
-  for (const auto [a, b] : kdt.finite_edge_ids()) std::cout << ' ' << a << '-' << b;
+  for (const auto [a, b] : simulation.triangulation().finite_edge_ids()) {
+    std::cout << ' ' << a << '-' << b;
+  }
   std::cout << '\n';
   return simulation.audit(kinetri::Audit_level::certificates).passed() ? 0 : 1;
 }
