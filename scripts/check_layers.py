@@ -41,11 +41,11 @@ NUMBER_TYPES = (
 
 # What a layer may use besides the C++ standard library, by the beginning of the header's name.
 LIBRARIES = {
-    "base": (),
+    "base": ("sanitizer/",),
     "algebra": NUMBER_TYPES,
     "kinetic": NUMBER_TYPES + ("CGAL/", "boost/smart_ptr/"),
     "events": (),
-    "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/", "sanitizer/"),
+    "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/"),
     "simulation": ("CGAL/",),
     "io": ("nlohmann/", "fmt/", "boost/crc.hpp"),
     "apps": ("CLI/", "nlohmann/", "fmt/"),

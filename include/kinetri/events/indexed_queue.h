@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "kinetri/base/check.h"
+#include "kinetri/base/compiler.h"
 #include "kinetri/base/double_interval.h"
 
 namespace kinetri {
@@ -43,8 +44,8 @@ struct Queue_counters {
 ///
 /// It has two functions more, which may ask for the memory that an item will need: `prefetch` is
 /// called for each of several items whose turn comes near, then, for each of them, `prefetch_more`,
-/// which may use what the former has asked for. Let them be inlined by force: GCC drops calls of a
-/// function that only asks for memory, as having no effect.
+/// which may use what the former has asked for. Both must be KINETRI_ALWAYS_INLINE; see
+/// detail::prefetch_address.
 template <class Less, class Item>
 concept Bounding_order = requires(const Less& less, const Item& item) {
   { less.bounds(item) } -> std::same_as<Double_interval>;
@@ -118,8 +119,8 @@ class Indexed_queue {
 
   /// Asks for the memory of the item of `handle`, which is wanted soon. Does nothing for no_event.
   /// Precondition: else the handle has been given out; its item may have left.
-  [[gnu::always_inline]] void prefetch(Queue_handle handle) const {
-    if (handle != no_event) __builtin_prefetch(&places_[handle]);
+  KINETRI_ALWAYS_INLINE void prefetch(Queue_handle handle) const {
+    if (handle != no_event) detail::prefetch_address(&places_[handle]);
   }
 
   /// Replaces the item of `handle`. Precondition: contains(handle).
@@ -476,7 +477,7 @@ void Indexed_queue<Item, Less>::open_next_slot() {
   while (chunk != Chunk::none) {
     Chunk& records = chunks_[chunk];
     const std::span<const Queue_handle> handles(records.handles.data(), records.size);
-    for (const Queue_handle handle : handles) __builtin_prefetch(&places_[handle]);
+    for (const Queue_handle handle : handles) detail::prefetch_address(&places_[handle]);
     // Which are due is chosen without branches, which nothing could predict.
     std::array<Queue_handle, Chunk::capacity> due;
     std::size_t number_due = 0;

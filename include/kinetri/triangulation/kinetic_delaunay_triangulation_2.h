@@ -27,6 +27,7 @@
 #include <span>
 #include <vector>
 
+#include "kinetri/base/compiler.h"
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
@@ -45,16 +46,15 @@ namespace detail {
 template <class KineticTriangulation>
 class Auditor;
 
-/// Asks for the vertex or face of a handle, if there is one. Inlined by force, as Bounding_order
-/// says.
+/// Prefetches the vertex or face of a handle, if there is one.
 template <class Handle>
-[[gnu::always_inline]] inline void prefetch(Handle handle) {
-  __builtin_prefetch(handle.operator->());
+KINETRI_ALWAYS_INLINE void prefetch(Handle handle) {
+  prefetch_address(handle.operator->());
 }
 
-/// Asks for the vertices and the neighbors of a face, likewise.
+/// Prefetches the vertices and the neighbors of a face.
 template <class Face_handle>
-[[gnu::always_inline]] inline void prefetch_around(Face_handle face) {
+KINETRI_ALWAYS_INLINE void prefetch_around(Face_handle face) {
   for (int i = 0; i < 3; ++i) {
     prefetch(face->vertex(i));
     prefetch(face->neighbor(i));
@@ -308,10 +308,8 @@ class Kinetic_delaunay_triangulation_2 {
 
     bool operator()(const Entry& a, const Entry& b) const;
     Double_interval bounds(const Entry& entry) const { return entry.bounds; }
-    [[gnu::always_inline]] static void prefetch(const Entry& entry) {
-      detail::prefetch(entry.face);
-    }
-    [[gnu::always_inline]] static void prefetch_more(const Entry& entry) {
+    KINETRI_ALWAYS_INLINE static void prefetch(const Entry& entry) { detail::prefetch(entry.face); }
+    KINETRI_ALWAYS_INLINE static void prefetch_more(const Entry& entry) {
       detail::prefetch_around(entry.face);
     }
   };

@@ -8,16 +8,7 @@
 
 #include <vector>
 
-#ifdef __SANITIZE_THREAD__
-#define KINETRI_THREAD_SANITIZER
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define KINETRI_THREAD_SANITIZER
-#endif
-#endif
-#ifdef KINETRI_THREAD_SANITIZER
-#include <sanitizer/tsan_interface.h>
-#endif
+#include "kinetri/base/compiler.h"
 
 namespace kinetri::detail {
 
@@ -26,21 +17,17 @@ namespace kinetri::detail {
 template <class Block, class Work>
 void for_each_in_parallel(std::vector<Block>& blocks, const Work& work) {
   if (blocks.size() == 1) return work(blocks.front());
-#ifdef KINETRI_THREAD_SANITIZER
-  // It does not see into oneTBB's library, which has work begin after what came before, and what
-  // comes next after the work. A task may read nothing before it is told so, hence the address of
-  // something global.
+  // ThreadSanitizer does not see into oneTBB's library, where work begins after what came before
+  // the call, and what comes after the call begins after the work. The tag is global because a task
+  // may read nothing of this thread before it has been told so.
   static char begun, done;
-  __tsan_release(&begun);
+  annotate_happens_before(&begun);
   tbb::parallel_for_each(blocks, [&work](Block& block) {
-    __tsan_acquire(&begun);
+    annotate_happens_after(&begun);
     work(block);
-    __tsan_release(&done);
+    annotate_happens_before(&done);
   });
-  __tsan_acquire(&done);
-#else
-  tbb::parallel_for_each(blocks, work);
-#endif
+  annotate_happens_after(&done);
 }
 
 }  // namespace kinetri::detail
