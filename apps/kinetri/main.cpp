@@ -13,21 +13,21 @@
 #include <string_view>
 #include <vector>
 
-#include "arguments.h"
-#include "completion_command.h"
-#include "exit_code.h"
-#include "experiment_command.h"
-#include "generate_command.h"
-#include "interrupt.h"
+#include "cli/arguments.h"
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "commands/completion_command.h"
+#include "commands/experiment_command.h"
+#include "commands/generate_command.h"
+#include "commands/manual_command.h"
+#include "commands/resume_command.h"
+#include "commands/simulate_command.h"
+#include "commands/tracks_command.h"
+#include "commands/wave_command.h"
 #include "kinetri/base/error.h"
 #include "kinetri/io/output_file.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/version.h"
-#include "manual_command.h"
-#include "resume_command.h"
-#include "simulate_command.h"
-#include "tracks_command.h"
-#include "wave_command.h"
 
 namespace kinetri::app {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The text of the progress line.
-#include "progress.h"
+#include "cli/progress.h"
 
 #include <gtest/gtest.h>
 

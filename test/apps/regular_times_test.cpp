@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Regular times are those of exact arithmetic, rounded once.
-#include "regular_times.h"
+#include "outputs/regular_times.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/progress.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace kinetri::app {
+namespace {
+
+constexpr std::chrono::milliseconds period(200);
+constexpr const char* erase_line = "\r\x1b[K";
+
+bool is_enabled(Progress_mode mode) {
+  return mode == Progress_mode::always ||
+         (mode == Progress_mode::automatic && ::isatty(STDERR_FILENO) == 1);
+}
+
+// The columns of the terminal; 0 if standard error is none.
+std::size_t terminal_width() {
+  winsize size = {};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+}  // namespace
+
+std::string readable_duration(double seconds) {
+  constexpr double longest = 1e9;
+  if (!(seconds < longest)) return "very long";
+  const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+std::string progress_text(double from, double until, double time, std::uint64_t events,
+                          double seconds) {
+  // Halved, so that no difference of finite numbers overflows.
+  const double span = until / 2 - from / 2;
+  const double share = span > 0 ? (time / 2 - from / 2) / span : 1;
+  std::string text = fmt::format("{:3.0f} %, t = {:.6g} of {:g}, {} events, {:.0f} events/s",
+                                 std::floor(100 * share), time, until, events,
+                                 seconds > 0 ? static_cast<double>(events) / seconds : 0);
+  constexpr double settled = 1;  // what came before says nothing about the rate
+  if (share > 0 && seconds >= settled) {
+    text += ", " + readable_duration(seconds * (1 - share) / share) + " left";
+  }
+  return text;
+}
+
+Progress::Progress(Progress_mode mode) : enabled_(is_enabled(mode)) {}
+
+void Progress::set_range(double from, double until) {
+  from_ = from;
+  until_ = until;
+}
+
+bool Progress::due() const {
+  return enabled_ && Clock::now() >= next_;
+}
+
+void Progress::show_stage(std::string_view stage) {
+  start_ = Clock::now();
+  next_ = start_ + period;
+  show_line(fmt::format("{} ...", stage));
+}
+
+void Progress::show(double time, std::uint64_t events) {
+  const Clock::time_point now = Clock::now();
+  next_ = now + period;
+  show_line(progress_text(from_, until_, time, events,
+                          std::chrono::duration<double>(now - start_).count()));
+}
+
+void Progress::show_line(std::string text) {
+  if (!enabled_) return;
+  // A line that wraps cannot be written over.
+  if (const std::size_t width = terminal_width(); width > 1 && text.size() >= width) {
+    text.resize(width - 1);
+  }
+  fmt::print(stderr, "{}{}", erase_line, text);
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+void Progress::clear() {
+  if (!shown_) return;
+  std::fputs(erase_line, stderr);
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+}  // namespace kinetri::app

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outputs/frame_outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "cli/arguments.h"
+#include "outputs/regular_times.h"
+
+namespace kinetri::app {
+namespace {
+
+constexpr std::size_t usual_intervals = 100;
+constexpr std::size_t most_frames = 1'000'000;
+
+// The bounding box of the points where they are at `from` and, as they go now, at `until`.
+template <class Traits>
+Box_2 extent_of(const Kinetic_delaunay_triangulation_2<Traits>& kinetic, double from,
+                double until) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box_2 extent = {infinity, infinity, -infinity, -infinity};
+  for (const auto v : kinetic.triangulation().finite_vertex_handles()) {
+    for (const double time : {from, until}) {
+      const auto [x, y] = rounded_place(v->point().motion(), time);
+      if (!std::isfinite(x) || !std::isfinite(y)) continue;
+      extent = {std::min(extent.xmin, x), std::min(extent.ymin, y), std::max(extent.xmax, x),
+                std::max(extent.ymax, y)};
+    }
+  }
+  return extent.xmin <= extent.xmax ? extent : Box_2{-1, -1, 1, 1};
+}
+
+std::string frame_name(std::size_t number, const char* extension) {
+  return fmt::format("frame_{:06}.{}", number, extension);
+}
+
+}  // namespace
+
+void Frame_outputs::start(const Run_source& source, const Any_simulation& simulation) {
+  const double until = source.until();
+  std::visit(
+      [&](const auto& s) {
+        const double from = s->current_time().tight_interval().upper;
+        auto times = rate_ ? regular_times(from, until, rate_->per_time, most_frames)
+                           : evenly_spaced_times(from, until, usual_intervals);
+        if (!times) {
+          throw Usage_error(
+              fmt::format("{}: {} from t = {} to {} are more than {} frames; expected fewer",
+                          rate_->option, rate_->per_time, from, until, most_frames));
+        }
+        times_ = std::move(*times);
+        const std::optional<Box_2>& box = s->options().box;
+        const std::optional<Box_2> known = box ? box : source.extent();
+        view_.extent = known ? *known : extent_of(s->triangulation(), from, until);
+        view_.box = box;
+        view_.radius = s->options().radius;
+        view_.points = s->triangulation().number_of_points();
+      },
+      simulation);
+}
+
+std::optional<double> Frame_outputs::next_time() const {
+  if (next_ == times_.size()) return std::nullopt;
+  return times_[next_];
+}
+
+void Frame_outputs::write(const Any_simulation& simulation) {
+  const Frame_2 frame =
+      std::visit([](const auto& s) { return frame_of(s->triangulation()); }, simulation);
+  if (svg_ != nullptr) {
+    std::ostringstream picture;
+    write_svg_frame(picture, frame, view_);
+    svg_->write(frame_name(next_, "svg"), picture.view());
+  }
+  if (vtu_ != nullptr) {
+    std::ostringstream file;
+    write_vtu(file, frame, view_.radius);
+    series_.push_back({frame.time, frame_name(next_, "vtu")});
+    vtu_->write(series_.back().file, file.view());
+  }
+  ++next_;
+}
+
+void Frame_outputs::finish() {
+  if (vtu_ == nullptr) return;
+  std::ostringstream series;
+  write_pvd(series, series_);
+  vtu_->write("frames.pvd", series.view());
+}
+
+}  // namespace kinetri::app

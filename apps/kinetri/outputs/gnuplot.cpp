@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outputs/gnuplot.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "cli/arguments.h"
+#include "kinetri/io/output_file.h"
+
+extern char** environ;
+
+namespace kinetri::app {
+namespace {
+
+struct Closer {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Closer>;
+
+// A file without a name, which is gone when it is closed.
+File temporary_file() {
+  File file(std::tmpfile());
+  if (file) return file;
+  throw Output_error(fmt::format(
+      "/tmp: no temporary file can be made: {}; expected a directory in which files can "
+      "be created",
+      std::generic_category().message(errno)));
+}
+
+std::string content(std::FILE* file) {
+  std::string text;
+  std::rewind(file);
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file)) {
+    text.append(buffer.data(), n);
+  }
+  return text;
+}
+
+struct Result {
+  bool ran = false;
+  int status = 0;
+  std::string out;
+  std::string err;
+};
+
+Result run_gnuplot(const std::string& script, const char* option = nullptr) {
+  const File in = temporary_file();
+  const File out = temporary_file();
+  const File err = temporary_file();
+  std::fwrite(script.data(), 1, script.size(), in.get());
+  std::rewind(in.get());
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ::fileno(in.get()), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ::fileno(out.get()), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ::fileno(err.get()), STDERR_FILENO);
+  std::string name = "gnuplot";
+  std::string argument = option == nullptr ? "-" : option;
+  const std::array<char*, 3> arguments = {name.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  const int failure =
+      ::posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) return {};
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return {true, status, content(out.get()), content(err.get())};
+}
+
+// Colors of M. Okabe and K. Ito, Color universal design, 2008.
+constexpr const char* style = R"(
+set encoding utf8
+set style line 1 lc rgb '#0072b2' lw 2 pt 7 ps 0.7
+set style line 2 lc rgb '#d55e00' lw 2 pt 5 ps 0.7
+set style line 3 lc rgb '#009e73' lw 2 pt 9 ps 0.9
+set style line 4 lc rgb '#cc79a7' lw 2 pt 11 ps 0.9
+set style line 5 lc rgb '#000000' lw 2 pt 13 ps 0.9
+set style line 6 lc rgb '#e69f00' lw 2 pt 4 ps 0.9
+set pointintervalbox 0
+set border 3 lc rgb '#404040'
+set tics nomirror out
+set grid lc rgb '#d8d8d8' lw 1
+set key outside right top vertical Left reverse samplen 3
+)";
+
+std::string drawn(const std::string& terminal, const std::string& script) {
+  const Result result = run_gnuplot("set terminal " + terminal + "\n" + style + script);
+  if (!result.ran || result.status != 0 || result.out.empty()) {
+    throw Output_error(
+        fmt::format("gnuplot: drawing failed; expected a gnuplot with the terminals svg and "
+                    "pngcairo (Debian: gnuplot-nox); it said: {}",
+                    result.err.substr(0, result.err.find_last_not_of('\n') + 1)));
+  }
+  return result.out;
+}
+
+}  // namespace
+
+void require_gnuplot(std::string_view otherwise) {
+  const Result result = run_gnuplot("", "--version");
+  if (result.ran && result.status == 0) return;
+  throw Usage_error(
+      fmt::format("plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
+                  "gnuplot-nox), or {}",
+                  otherwise));
+}
+
+std::string draw_svg(const std::string& script, int width, int height) {
+  return drawn(fmt::format("svg size {},{} dynamic font 'sans-serif,14' background '#ffffff'",
+                           width, height),
+               script);
+}
+
+Plot draw(const std::string& script, int width, int height) {
+  return {draw_svg(script, width, height),
+          drawn(fmt::format("pngcairo size {},{} font 'sans,14' background '#ffffff'", 2 * width,
+                            2 * height) +
+                    " fontscale 1.8 linewidth 2 pointscale 2",
+                script)};
+}
+
+}  // namespace kinetri::app

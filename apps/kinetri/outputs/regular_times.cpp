@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outputs/regular_times.h"
+
+#include "kinetri/algebra/number_types.h"
+
+namespace kinetri::app {
+namespace {
+
+// Rounding keeps the order, so that equal numbers are neighbors.
+void add_time(std::vector<double>& times, double time) {
+  if (times.empty() || times.back() != time) times.push_back(time);
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> regular_times(double from, double until, double per_time,
+                                                 std::size_t most) {
+  const Rational start = to_rational(from);
+  const Rational frequency = to_rational(per_time);
+  // What cannot fit is not tried.
+  if ((to_rational(until) - start) * frequency >= most) return std::nullopt;
+  std::vector<double> times;
+  for (std::size_t k = 0;; ++k) {
+    const double time = to_double(start + Rational(k) / frequency);
+    if (time > until) return times;
+    if (k == most) return std::nullopt;
+    add_time(times, time);
+  }
+}
+
+std::vector<double> evenly_spaced_times(double from, double until, std::size_t intervals) {
+  const Rational start = to_rational(from);
+  const Rational length = to_rational(until) - start;
+  std::vector<double> times;
+  for (std::size_t k = 0; k <= intervals; ++k) {
+    add_time(times, to_double(start + length * Rational(k) / Rational(intervals)));
+  }
+  return times;
+}
+
+}  // namespace kinetri::app

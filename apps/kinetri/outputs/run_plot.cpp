@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outputs/run_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <numeric>
+#include <string_view>
+
+#include "kinetri/algebra/number_types.h"
+#include "outputs/gnuplot.h"
+#include "outputs/regular_times.h"
+
+namespace kinetri::app {
+namespace {
+
+constexpr std::size_t intervals = 200;
+constexpr std::size_t intervals_of_a_rate = 4;  // fewer would show noise
+
+// Kinds of event that are drawn as one, in the order of gnuplot's line styles.
+struct Group {
+  const char* name;
+  std::initializer_list<Event_kind> kinds;
+};
+const std::array<Group, 6> groups = {
+    {{"flips", {Event_kind::flip}},
+     {"collisions", {Event_kind::collision}},
+     {"walls", {Event_kind::wall}},
+     {"points that come, turn or go",
+      {Event_kind::insert, Event_kind::erase, Event_kind::trajectory}},
+     {"hull", {Event_kind::hull_insert, Event_kind::hull_remove}},
+     {"rebuilds", {Event_kind::rebuild}}}};
+
+double count(const Run_sample& sample, const Group& group) {
+  std::uint64_t sum = 0;
+  for (const Event_kind kind : group.kinds) sum += sample.events[static_cast<std::size_t>(kind)];
+  return static_cast<double>(sum);
+}
+
+// Where on the horizontal axis a time is: at itself, or, where gnuplot could not tell such times
+// apart, at its share of the run.
+class Axis {
+ public:
+  explicit Axis(const std::vector<Run_sample>& samples)
+      : from_(samples.front().time), to_(samples.back().time) {
+    constexpr double largest = 1e100;
+    constexpr double least_share = 1e-6;
+    const double size = std::max(std::abs(from_), std::abs(to_));
+    is_time_ = size <= largest && to_ - from_ >= 1 / largest && to_ - from_ > least_share * size;
+  }
+
+  double of(double time) const {
+    if (is_time_) return time;
+    if (from_ == to_) return 0;
+    const Rational from = to_rational(from_);
+    return to_double(100 * (to_rational(time) - from) / (to_rational(to_) - from));
+  }
+  double lower() const { return of(from_); }
+  double upper() const { return is_time_ ? to_ : 100; }
+  std::string label() const {
+    return is_time_ ? "time" : fmt::format("% of the time from {} to {}", from_, to_);
+  }
+  std::string_view unit() const { return is_time_ ? "unit of time" : "% of the time"; }
+
+ private:
+  double from_;
+  double to_;
+  bool is_time_ = false;
+};
+
+// One panel with curves over time, whose data are named $a0, $a1, ...
+class Panel {
+ public:
+  Panel(std::string_view name, std::string_view label) : name_(name), label_(label) {}
+
+  void begin_curve(std::string_view title, std::size_t style) {
+    const std::string block = fmt::format("${}{}", name_, curves_++);
+    if (curves_ > 1) data_ += "END\n";
+    data_ += fmt::format("{} << END\n", block);
+    if (curves_ > 1) plot_ += ", ";
+    plot_ += fmt::format("{} with lines ls {} title '{}'", block, style, title);
+  }
+  void add(double x, double y) {
+    data_ += fmt::format("{} {}\n", x, y);
+    highest_ = std::max(highest_, y);
+  }
+
+  // `top` and `bottom` are shares of the figure's height.
+  std::string script(double top, double bottom, bool has_key) const {
+    const std::string height = fmt::format("[0:{}]", highest_ > 0 ? 1.06 * highest_ : 1);
+    return fmt::format(
+        "{}END\nset tmargin at screen {}\nset bmargin at screen {}\nset ylabel '{}'\n"
+        "set yrange {}\nset key at screen 0.73, screen {} left top\n{}plot {}\n",
+        data_, top, bottom, label_, height, top, has_key ? "" : "unset key\n", plot_);
+  }
+
+ private:
+  std::string_view name_;
+  std::string label_;
+  std::string data_;
+  std::string plot_;
+  std::size_t curves_ = 0;
+  double highest_ = 0;
+};
+
+void add_groups(const std::vector<Run_sample>& samples, const Axis& axis, Panel& total,
+                Panel& rate) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (count(samples.back(), groups[i]) == 0) continue;
+    total.begin_curve(groups[i].name, i + 1);
+    total.add(axis.lower(), 0);
+    for (const Run_sample& sample : samples) {
+      total.add(axis.of(sample.time), count(sample, groups[i]));
+    }
+    rate.begin_curve(groups[i].name, i + 1);
+    for (std::size_t first = 0; first + 1 < samples.size(); first += intervals_of_a_rate) {
+      const std::size_t last = std::min(first + intervals_of_a_rate, samples.size() - 1);
+      const double from = axis.of(samples[first].time);
+      const double to = axis.of(samples[last].time);
+      const double height =
+          (count(samples[last], groups[i]) - count(samples[first], groups[i])) / (to - from);
+      rate.add(from, height);
+      rate.add(to, height);
+    }
+    if (samples.size() == 1) rate.add(axis.lower(), 0);
+  }
+}
+
+// gnuplot draws no panel without curves.
+void add_zero(const Axis& axis, Panel& panel) {
+  panel.begin_curve("no events", 1);
+  panel.add(axis.lower(), 0);
+  panel.add(axis.upper(), 0);
+}
+
+// A bar that is divided as the time was, and a legend of its own, which gnuplot would cut off.
+std::string stages(const Run_seconds& seconds, double top, double bottom) {
+  struct Stage {
+    std::string_view name;
+    double seconds;
+    std::string_view color;
+  };
+  const std::array<Stage, 6> all = {{{"read", seconds.read, "#cc79a7"},
+                                     {"build", seconds.build, "#009e73"},
+                                     {"initialize", seconds.initialize, "#56b4e9"},
+                                     {"run", seconds.run, "#0072b2"},
+                                     {"audit", seconds.audit, "#d55e00"},
+                                     {"write", seconds.write, "#e69f00"}}};
+  const double total = seconds.total() > 0 ? seconds.total() : 1;
+  constexpr double line = 0.023;
+  std::string result;
+  double from = 0;
+  double y = top;
+  for (const Stage& stage : all) {
+    const double share = 100 * stage.seconds / total;
+    result += fmt::format(
+        "set object rectangle from first {}, graph 0 to first {}, graph 1 fc rgb '{}' fs solid "
+        "border lc rgb '#ffffff'\n"
+        "set object rectangle from screen 0.743, screen {} to screen 0.782, screen {} fc rgb '{}' "
+        "fs solid noborder\n"
+        "set label '{}, {:.2g} s ({:.0f} %)' at screen 0.793, screen {}\n",
+        from, from + share, stage.color, y - 0.004, y + 0.004, stage.color, stage.name,
+        stage.seconds, share, y);
+    from += share;
+    y -= line;
+  }
+  return result + fmt::format(
+                      "set tmargin at screen {}\nset bmargin at screen {}\nunset ytics\n"
+                      "unset grid\nunset ylabel\nunset key\nset border 1\n"
+                      "set xrange [0:100]\nset yrange [0:1]\n"
+                      "set xlabel 'stages of the run, % of {:.3g} s'\nplot -1\n",
+                      top, bottom, seconds.total());
+}
+
+constexpr std::string_view plural(std::uint64_t number) {
+  return number == 1 ? "" : "s";
+}
+
+std::string script(const std::vector<Run_sample>& samples, const Run_statistics& statistics) {
+  const Axis axis(samples);
+  Panel total("total", "events so far");
+  Panel rate("rate", fmt::format("events in a {}", axis.unit()));
+  add_groups(samples, axis, total, rate);
+  const Event_counts& counts = samples.back().events;
+  const std::uint64_t events = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  if (events == 0) {
+    add_zero(axis, total);
+    add_zero(axis, rate);
+  }
+  Panel queue("queue", "entries in the queues");
+  const auto add_queue = [&](std::string_view title, std::size_t style, auto length) {
+    queue.begin_curve(title, style);
+    for (const Run_sample& s : samples) {
+      queue.add(axis.of(s.time), static_cast<double>(s.*length));
+    }
+  };
+  add_queue("triangulation", 1, &Run_sample::queue);
+  if (std::ranges::any_of(samples, [](const Run_sample& s) { return s.contact_queue > 0; })) {
+    add_queue("contacts and changes", 2, &Run_sample::contact_queue);
+  }
+  return fmt::format(
+             "set multiplot title '{} point{} from t = {} to {}{}: {} event{}' font ',17'\n"
+             "set lmargin at screen 0.1\nset rmargin at screen 0.7\nset xrange [{}:{}]\n"
+             "set format x ''\n",
+             statistics.points, plural(statistics.points), statistics.from, statistics.reached,
+             statistics.interrupted ? ", interrupted" : "", events, plural(events), axis.lower(),
+             axis.upper()) +
+         total.script(0.93, 0.71, true) + rate.script(0.67, 0.45, false) +
+         fmt::format("set format x '%g'\nset xlabel '{}'\n", axis.label()) +
+         queue.script(0.41, 0.25, true) + stages(statistics.seconds, 0.15, 0.11) +
+         "unset multiplot\n";
+}
+
+Run_sample sample_of(const Any_simulation& simulation, const Event_counts& before) {
+  return std::visit(
+      [&](const auto& s) {
+        Run_sample sample;
+        sample.time = s->current_time().to_double();
+        const Event_counts& events = s->triangulation().counters().events;
+        std::ranges::transform(events, before, sample.events.begin(), std::minus());
+        sample.queue = s->triangulation().queue_size();
+        sample.contact_queue = s->queue_size();
+        return sample;
+      },
+      simulation);
+}
+
+}  // namespace
+
+void Run_sampler::start(double until, const Any_simulation& simulation) {
+  std::visit(
+      [&](const auto& s) {
+        times_ = evenly_spaced_times(s->current_time().tight_interval().upper, until, intervals);
+        events_before_ = s->triangulation().counters().events;
+      },
+      simulation);
+}
+
+std::optional<double> Run_sampler::next_time() const {
+  if (next_ == times_.size()) return std::nullopt;
+  return times_[next_];
+}
+
+void Run_sampler::take(const Any_simulation& simulation) {
+  samples_.push_back(sample_of(simulation, events_before_));
+  ++next_;
+}
+
+// Times are compared as rounded, and so as they are drawn.
+void Run_sampler::finish(const Any_simulation& simulation) {
+  const Run_sample last = sample_of(simulation, events_before_);
+  if (samples_.empty() || samples_.back().time < last.time) samples_.push_back(last);
+}
+
+std::string draw_run(const std::vector<Run_sample>& samples, const Run_statistics& statistics) {
+  constexpr int width = 960;
+  constexpr int height = 940;
+  return draw_svg(script(samples, statistics), width, height);
+}
+
+}  // namespace kinetri::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The page that plays a run.
+#ifndef KINETRI_APPS_VIEWER_OUTPUT_H
+#define KINETRI_APPS_VIEWER_OUTPUT_H
+
+#include <iosfwd>
+#include <memory>
+#include <variant>
+
+#include "kinetri/simulation/recording.h"
+#include "sources/run_source.h"
+
+namespace kinetri::app {
+
+/// Records a run from its construction on. The simulation must outlive it, and calls it.
+class Viewer_output {
+ public:
+  Viewer_output(const Any_simulation& simulation, const Run_source& source);
+
+  /// Writes the page of the run up to now.
+  void write(std::ostream& out) const;
+
+ private:
+  template <class Traits>
+  using Recorder_of = std::unique_ptr<Recorder<Traits>>;
+
+  const Run_source& source_;
+  Viewer_settings settings_;
+  std::variant<Recorder_of<Linear_kinetic_traits_2>, Recorder_of<Polynomial_kinetic_traits_2>>
+      recorder_;
+};
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_VIEWER_OUTPUT_H

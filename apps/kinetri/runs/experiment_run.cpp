@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runs/experiment_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cli/interrupt.h"
+#include "kinetri/io/output_file.h"
+#include "outputs/gnuplot.h"
+
+namespace kinetri::app {
+namespace {
+
+constexpr std::array<int, 11> percentages = {0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
+
+// The time steps of the comparison, as shares of the duration.
+constexpr std::array<double, 8> steps = {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005};
+
+struct Run {
+  int percentage;
+  std::uint64_t seed;
+  Experiment_result result;
+};
+
+struct Comparison {
+  std::uint64_t seed;
+  Discrete_comparison result;
+};
+
+std::uint64_t executed(const Run& run, std::initializer_list<Event_kind> kinds) {
+  std::uint64_t sum = 0;
+  for (const Event_kind kind : kinds) {
+    sum += run.result.events.events[static_cast<std::size_t>(kind)];
+  }
+  return sum;
+}
+
+std::uint64_t discarded(const Run& run, std::initializer_list<Event_kind> kinds) {
+  std::uint64_t sum = 0;
+  for (const Event_kind kind : kinds) {
+    sum += kind == Event_kind::wall ? run.result.contacts.discarded_walls
+           : kind == Event_kind::collision
+               ? run.result.contacts.discarded_collisions
+               : run.result.events.discarded[static_cast<std::size_t>(kind)];
+  }
+  return sum;
+}
+
+// What is plotted for one abscissa: over the seeds.
+struct Spread {
+  double least = 0;
+  double median = 0;
+  double greatest = 0;
+};
+
+Spread spread(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  const double median =
+      values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+  return {values.front(), median, values.back()};
+}
+
+class Experiments {
+ public:
+  explicit Experiments(const Experiment_plan& plan) : plan_(plan), progress_(plan.progress) {}
+
+  Exit_code run();
+
+ private:
+  void measure();
+  void compare();
+  void write() const;
+  void write_file(const std::string& name, const std::function<void(std::ostream&)>& content) const;
+  void write_runs(std::ostream& out) const;
+  void write_comparisons(std::ostream& out) const;
+  void plot(const std::string& name, const std::string& script, int width) const;
+  std::string run_time_plot() const;
+  std::string events_plot() const;
+  std::string comparison_plot() const;
+  void summarize() const;
+
+  template <class Value>
+  Spread over_seeds(int percentage, Value value) const;
+  template <class Value>
+  Spread over_seeds(double step, Value value) const;
+
+  const Experiment_plan& plan_;
+  Progress progress_;
+  std::vector<Run> runs_;
+  std::vector<Comparison> comparisons_;
+};
+
+Exit_code Experiments::run() {
+  std::error_code failure;
+  std::filesystem::create_directories(plan_.directory, failure);
+  if (failure) {
+    throw Output_error(
+        fmt::format("{}: the directory cannot be made: {}; expected a path where "
+                    "that is possible",
+                    plan_.directory, failure.message()));
+  }
+  stop_gracefully_from_now_on();
+  measure();
+  if (plan_.compares) compare();
+  progress_.show_stage("writing");
+  write();
+  progress_.clear();
+  if (!plan_.quiet) summarize();
+  return interrupted() ? Exit_code::interrupted : Exit_code::done;
+}
+
+void Experiments::measure() {
+  Experiment_setting setting = plan_.setting;
+  setting.movers = setting.points;
+  run_experiment(setting);  // warms up
+  // One seed after another, so that a slow moment of the machine is not that of one percentage.
+  for (setting.seed = 1; setting.seed <= plan_.seeds; ++setting.seed) {
+    for (const int percentage : percentages) {
+      if (interrupted()) return;
+      progress_.show_stage(
+          fmt::format("seed {} of {}, {} % moving", setting.seed, plan_.seeds, percentage));
+      setting.movers = setting.points * static_cast<std::size_t>(percentage) / 100;
+      runs_.push_back({percentage, setting.seed, run_experiment(setting)});
+    }
+  }
+}
+
+void Experiments::compare() {
+  std::vector<double> times;
+  for (const double step : steps) times.push_back(step * plan_.setting.duration);
+  Experiment_setting setting = plan_.setting;
+  setting.movers = setting.points;
+  for (setting.seed = 1; setting.seed <= plan_.seeds; ++setting.seed) {
+    if (interrupted()) return;
+    progress_.show_stage(
+        fmt::format("discrete approach, seed {} of {}", setting.seed, plan_.seeds));
+    for (const auto& result : compare_with_discrete_steps(setting, times)) {
+      comparisons_.push_back({setting.seed, result});
+    }
+  }
+}
+
+template <class Value>
+Spread Experiments::over_seeds(int percentage, Value value) const {
+  std::vector<double> values;
+  for (const Run& run : runs_) {
+    if (run.percentage == percentage) values.push_back(static_cast<double>(value(run)));
+  }
+  return spread(std::move(values));
+}
+
+template <class Value>
+Spread Experiments::over_seeds(double step, Value value) const {
+  std::vector<double> values;
+  for (const Comparison& comparison : comparisons_) {
+    if (comparison.result.step == step) values.push_back(value(comparison.result));
+  }
+  return spread(std::move(values));
+}
+
+// ---- files ----
+
+void Experiments::write_file(const std::string& name,
+                             const std::function<void(std::ostream&)>& content) const {
+  Output_file file((std::filesystem::path(plan_.directory) / name).string());
+  content(file.stream());
+  file.commit();
+}
+
+void Experiments::write() const {
+  write_file("experiment.csv", [&](std::ostream& out) { write_runs(out); });
+  if (plan_.compares) {
+    write_file("comparison.csv", [&](std::ostream& out) { write_comparisons(out); });
+  }
+  if (!plan_.plots || runs_.empty()) return;
+  plot("runtime", run_time_plot(), 720);
+  plot("events", events_plot(), 1100);
+  if (!comparisons_.empty()) plot("comparison", comparison_plot(), 1100);
+}
+
+void Experiments::write_runs(std::ostream& out) const {
+  out << "movers_percent,seed,points,seconds";
+  for (std::size_t kind = 0; kind <= static_cast<std::size_t>(Event_kind::collision); ++kind) {
+    const std::string_view text = name(static_cast<Event_kind>(kind));
+    out << ',' << text << ",discarded_" << text;
+  }
+  out << ",certificates,root_solves,exact_decided\n";
+  for (const Run& run : runs_) {
+    out << fmt::format("{},{},{},{}", run.percentage, run.seed, plan_.setting.points,
+                       run.result.seconds);
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(Event_kind::collision); ++i) {
+      const auto kind = static_cast<Event_kind>(i);
+      out << ',' << executed(run, {kind}) << ',' << discarded(run, {kind});
+    }
+    const Certificate_counters& certificates = run.result.certificates;
+    out << fmt::format(",{},{},{}\n", certificates.created, certificates.root_solves,
+                       certificates.exact_decided);
+  }
+}
+
+void Experiments::write_comparisons(std::ostream& out) const {
+  out << "step,seed,points,seconds,kinetic_seconds,topologic_events,edge_changes,"
+         "edge_changes_missed,contacts,contacts_missed\n";
+  for (const auto& [seed, c] : comparisons_) {
+    out << fmt::format("{},{},{},{},{},{},{},{},{},{}\n", c.step, seed, plan_.setting.points,
+                       c.seconds, c.kinetic_seconds, c.topologic_events, c.edge_changes,
+                       c.edge_changes_missed, c.contacts, c.contacts_missed);
+  }
+}
+
+// ---- plots ----
+
+void Experiments::plot(const std::string& name, const std::string& script, int width) const {
+  constexpr int height = 460;
+  const Plot drawn = draw(script, width, height);
+  write_file(name + ".svg", [&](std::ostream& out) { out << drawn.svg; });
+  write_file(name + ".png", [&](std::ostream& out) { out << drawn.png; });
+}
+
+std::string data_row(double x, const Spread& s) {
+  return fmt::format("{} {} {} {}\n", x, s.median, s.least, s.greatest);
+}
+
+// Median with the spread over seeds.
+std::string curve(std::string_view block, std::string_view title, int style, bool dashed) {
+  return fmt::format(
+      "${0} using 1:2:3:4 with yerrorbars ls {2} lw 1 pt 0 notitle, "
+      "${0} using 1:2 with linespoints ls {2}{3} title '{1}'",
+      block, title, style, dashed ? " dt 2" : "");
+}
+
+std::string Experiments::run_time_plot() const {
+  std::string script = "$time << END\n";
+  for (const int percentage : percentages) {
+    script +=
+        data_row(percentage,
+                 over_seeds(percentage, [](const Run& run) { return 1000 * run.result.seconds; }));
+  }
+  return script +
+         fmt::format(
+             "END\nset title '{} points, {} units of time: median and range of {} seeds'\n"
+             "set xlabel 'moving points (%)'\nset ylabel 'run time (ms)'\nset yrange [0:*]\n"
+             "set xrange [-2:102]\nunset key\nplot {}\n",
+             plan_.setting.points, plan_.setting.duration, plan_.seeds,
+             curve("time", "run time", 1, false));
+}
+
+std::string Experiments::events_plot() const {
+  struct Group {
+    const char* name;
+    std::initializer_list<Event_kind> kinds;
+  };
+  const std::array<Group, 4> groups = {
+      {{"flips", {Event_kind::flip}},
+       {"hull events", {Event_kind::hull_insert, Event_kind::hull_remove}},
+       {"walls", {Event_kind::wall}},
+       {"collisions", {Event_kind::collision}}}};
+  std::string script;
+  std::array<std::string, 2> curves;  // of flips, and of the others, which are fewer
+  int style = 0;
+  for (const Group& group : groups) {
+    ++style;
+    const auto add = [&](std::string_view fate, bool dashed, const auto& count) {
+      const std::string block = fmt::format("{}{}", fate, style);
+      script += fmt::format("${} << END\n", block);
+      for (const int percentage : percentages) {
+        script += data_row(percentage, over_seeds(percentage, count));
+      }
+      script += "END\n";
+      std::string& panel = curves[style == 1 ? 0 : 1];
+      if (!panel.empty()) panel += ", ";
+      panel += curve(block, fmt::format("{}, {}", group.name, fate), style, dashed);
+    };
+    add("executed", false, [&group](const Run& run) { return executed(run, group.kinds); });
+    add("discarded", true, [&group](const Run& run) { return discarded(run, group.kinds); });
+  }
+  return script +
+         fmt::format(
+             "set multiplot layout 1,2 title '{} points, {} units of time: median and range of {} "
+             "seeds'\n"
+             "set xlabel 'moving points (%)'\nset ylabel 'events'\nset yrange [0:*]\n"
+             "set xrange [-2:102]\nset key inside left top\nplot {}\nplot {}\nunset multiplot\n",
+             plan_.setting.points, plan_.setting.duration, plan_.seeds, curves[0], curves[1]);
+}
+
+std::string Experiments::comparison_plot() const {
+  std::string edges = "$edges << END\n";
+  std::string contacts = "END\n$contacts << END\n";
+  std::string seconds = "END\n$discrete << END\n";
+  std::string kinetic = "END\n$kinetic << END\n";
+  const auto share = [](std::uint64_t part, std::uint64_t all) {
+    return all == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(all);
+  };
+  for (const double relative : steps) {
+    const double step = relative * plan_.setting.duration;
+    edges += data_row(step, over_seeds(step, [&](const Discrete_comparison& c) {
+                        return share(c.edge_changes_missed, c.edge_changes);
+                      }));
+    contacts += data_row(step, over_seeds(step, [&](const Discrete_comparison& c) {
+                           return share(c.contacts_missed, c.contacts);
+                         }));
+    seconds += data_row(
+        step, over_seeds(step, [](const Discrete_comparison& c) { return 1000 * c.seconds; }));
+    kinetic += data_row(step, over_seeds(step, [](const Discrete_comparison& c) {
+                          return 1000 * c.kinetic_seconds;
+                        }));
+  }
+  return edges + contacts + seconds + kinetic +
+         fmt::format(
+             "END\nset multiplot layout 1,2 title '{} moving points: the discrete approach, median "
+             "and range of {} seeds'\n"
+             "set logscale x\nset xlabel 'time step (units of time)'\nset key inside left top\n"
+             "set ylabel 'missed (%)'\nset yrange [0:100]\nplot {}, {}\n"
+             "set logscale y\nset yrange [*:*]\nset ylabel 'run time (ms)'\nset key inside right "
+             "top\n"
+             "plot {}, {}\nunset multiplot\n",
+             plan_.setting.points, plan_.seeds, curve("edges", "edge changes", 1, false),
+             curve("contacts", "contacts of discs", 2, false),
+             curve("discrete", "discrete", 1, false), curve("kinetic", "kinetic", 3, false));
+}
+
+// ---- summary ----
+
+void Experiments::summarize() const {
+  fmt::print(stderr, "kinetri experiment: {} points, {} runs{}\n", plan_.setting.points,
+             runs_.size(), interrupted() ? ", interrupted" : "");
+  fmt::print(stderr, "  moving   run time    events   discarded\n");
+  for (const int percentage : {0, 50, 100}) {
+    const Spread time = over_seeds(percentage, [](const Run& run) { return run.result.seconds; });
+    const Spread events =
+        over_seeds(percentage, [](const Run& run) { return run.result.events.number_of_events(); });
+    const Spread lost = over_seeds(percentage, [](const Run& run) {
+      return discarded(run, {Event_kind::rebuild, Event_kind::hull_insert, Event_kind::hull_remove,
+                             Event_kind::flip, Event_kind::wall, Event_kind::collision});
+    });
+    fmt::print(stderr, "  {:4} %  {:6.1f} ms  {:8.0f}   {:8.0f}\n", percentage, 1000 * time.median,
+               events.median, lost.median);
+  }
+  for (const double relative : {steps.front(), steps.back()}) {
+    const double step = relative * plan_.setting.duration;
+    if (comparisons_.empty()) break;
+    const auto missed = [&](auto part, auto all) {
+      return over_seeds(step,
+                        [&](const Discrete_comparison& c) {
+                          return c.*all == 0 ? 0
+                                             : 100 * static_cast<double>(c.*part) /
+                                                   static_cast<double>(c.*all);
+                        })
+          .median;
+    };
+    fmt::print(
+        stderr, "  steps of {}: {:.0f} % of edge changes and {:.0f} % of contacts missed\n", step,
+        missed(&Discrete_comparison::edge_changes_missed, &Discrete_comparison::edge_changes),
+        missed(&Discrete_comparison::contacts_missed, &Discrete_comparison::contacts));
+  }
+  fmt::print(stderr, "  written      {}\n", plan_.directory);
+}
+
+}  // namespace
+
+Exit_code run_experiments(const Experiment_plan& plan) {
+  return Experiments(plan).run();
+}
+
+}  // namespace kinetri::app

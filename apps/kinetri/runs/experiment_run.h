@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The paper's experiment, for all shares of moving points and several seeds: tables and plots.
+#ifndef KINETRI_APPS_EXPERIMENT_RUN_H
+#define KINETRI_APPS_EXPERIMENT_RUN_H
+
+#include <cstdint>
+#include <string>
+
+#include "cli/exit_code.h"
+#include "cli/progress.h"
+#include "kinetri/simulation/experiment.h"
+
+namespace kinetri::app {
+
+struct Experiment_plan {
+  Experiment_setting setting;  ///< but for movers and seed
+  std::uint64_t seeds = 5;     ///< from 1 to this number
+  std::string directory;       ///< where to write
+  bool compares = false;       ///< with discrete steps
+  bool plots = true;
+  Progress_mode progress = Progress_mode::automatic;
+  bool quiet = false;
+};
+
+/// Runs everything, then writes all files. Interrupted, it writes what it has. Throws Output_error,
+/// and what Simulation_2 throws.
+Exit_code run_experiments(const Experiment_plan& plan);
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_EXPERIMENT_RUN_H

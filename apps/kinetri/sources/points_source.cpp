@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sources/points_source.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "cli/arguments.h"
+
+namespace kinetri::app {
+
+void Points_source::read() {
+  points_ = read_points_file(settings_.points);
+}
+
+Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
+  const Simulation_options simulation_options = options();
+  try {
+    if (points_.is_polynomial) {
+      return std::make_unique<Simulation_2<Polynomial_kinetic_traits_2>>(
+          points_.polynomial_motions, simulation_options, settings_.from,
+          Polynomial_kinetic_traits_2(arithmetic));
+    }
+    return std::make_unique<Simulation_2<>>(points_.motions, simulation_options, settings_.from,
+                                            Linear_kinetic_traits_2(arithmetic));
+  } catch (const Outside_box_error& error) {
+    throw Input_error(input_name(path()), points_.lines[error.point()], error.what());
+  }
+}
+
+Simulation_options Points_source::options() const {
+  Simulation_options result;
+  result.box = settings_.box;
+  result.rim_touches = settings_.rim_touches;
+  result.response = settings_.collisions.response;
+  if (!result.response && !result.rim_touches) return result;
+  result.radius = radius();
+  if (!result.rim_touches) return result;
+  const Rational diameter = 2 * to_rational(result.radius);
+  const auto& [xmin, ymin, xmax, ymax] = *settings_.box;
+  if (to_rational(xmax) - to_rational(xmin) <= diameter ||
+      to_rational(ymax) - to_rational(ymin) <= diameter) {
+    throw Usage_error(fmt::format(
+        "--rim: a disc of radius {} does not fit the box; expected a box wider and higher than its "
+        "diameter",
+        result.radius));
+  }
+  return result;
+}
+
+// That of all discs. Precondition: one is needed.
+double Points_source::radius() const {
+  const std::string_view option =
+      settings_.collisions.response != nullptr ? "--collisions" : "--rim";
+  if (settings_.radius) {
+    if (points_.radii.empty()) return *settings_.radius;
+    throw Usage_error(fmt::format("--radius: {} has a column radius; expected one of the two",
+                                  input_name(path())));
+  }
+  if (points_.radii.empty()) {
+    if (points_.lines.empty()) return 1;  // of no disc
+    throw Usage_error(
+        fmt::format("{}: discs have a radius; expected a column radius in {}, or --radius R",
+                    option, input_name(path())));
+  }
+  for (std::size_t i = 0; i < points_.radii.size(); ++i) {
+    if (points_.radii[i] == 0) {
+      throw Input_error(input_name(path()), points_.lines[i],
+                        "the radius is 0, and discs without one never touch; expected a radius "
+                        "greater than 0");
+    }
+    if (points_.radii[i] == points_.radii[0]) continue;
+    throw Input_error(
+        input_name(path()), points_.lines[i],
+        fmt::format(
+            "the radius is {}, but {} in line {}; expected equal radii, since unequal discs "
+            "can touch without being neighbors in the Delaunay triangulation, and weighted "
+            "ones are not supported yet",
+            points_.radii[i], points_.radii[0], points_.lines[0]));
+  }
+  return points_.radii.empty() ? 1 : points_.radii[0];
+}
+
+}  // namespace kinetri::app
