@@ -58,11 +58,11 @@ install(FILES ${generated_dir}/KinetriConfig.cmake ${generated_dir}/KinetriConfi
   ${PROJECT_SOURCE_DIR}/cmake/KinetriDependencies.cmake
   DESTINATION ${package_dir} COMPONENT development)
 
-# pkg-config. CGAL's headers depend on a definition and an option that its target carries.
+# pkg-config. The headers need C++20, and CGAL's a definition and an option that its target carries.
 file(RELATIVE_PATH pkgconfig_to_prefix /prefix/${pkgconfig_dir} /prefix)
 string(REGEX REPLACE "/$" "" pkgconfig_to_prefix "${pkgconfig_to_prefix}")
 set(pkgconfig_requires "gmp mpfr tbb")
-set(pkgconfig_cflags "")
+set(pkgconfig_cflags " ${CMAKE_CXX20_STANDARD_COMPILE_OPTION}")
 get_target_property(cgal_definitions CGAL::CGAL INTERFACE_COMPILE_DEFINITIONS)
 if("CGAL_USE_GMPXX=1" IN_LIST cgal_definitions)
   string(PREPEND pkgconfig_requires "gmpxx ")

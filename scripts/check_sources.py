@@ -28,6 +28,11 @@ CHECKED_HIDDEN_FOLDERS = {".ci"}
 # Formats without comments.
 WITHOUT_LICENCE = {".json", ".gitignore", ".clang-format"}
 
+# Every public header includes it, itself or by way of the first public header that it includes: it stops
+# a compiler that is not set to C++20 before it reads anything else of ours.
+FIRST_HEADER = "include/kinetri/base/cxx20.h"
+INCLUDE_OF_OURS = re.compile(r'#include "kinetri/')
+
 # A home directory, or a directory that a build machine works in.
 MACHINE_PATH = re.compile(r"(?<![\w.$}~])/(?:home|Users|root|work|workspace|builds|mnt)/[\w.-]+")
 
@@ -62,6 +67,8 @@ def problems(path, text, root):
         guard = expected_guard(path)
         if f"#ifndef {guard}" not in lines or f"#define {guard}" not in lines:
             yield 1, f"no include guard {guard}"
+        if str(path) != FIRST_HEADER and not any(INCLUDE_OF_OURS.match(line) for line in lines):
+            yield 1, f"no public header included; expected {FIRST_HEADER.removeprefix('include/')}"
     if path.suffix == ".cpp" and path.parts[0] == "src" and (root / header_of(path)).is_file():
         own = f'#include "{pathlib.PurePath(*header_of(path).parts[1:])}"'
         first = next((i for i, line in enumerate(lines) if line.startswith("#include")), 0)

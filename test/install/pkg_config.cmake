@@ -1,21 +1,37 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles the consumer in WORK_DIR by hand, with COMPILE_OPTIONS (separated by |) and what pkg-config
-# says about the copy in PREFIX, and compares what it prints with what it should.
-file(MAKE_DIRECTORY ${WORK_DIR})
-set(ENV{PKG_CONFIG_PATH} ${PREFIX}/${LIBDIR}/pkgconfig)
-set(ENV{LD_LIBRARY_PATH} ${PREFIX}/${LIBDIR})
+# says about the copy in PREFIX, and compares what it prints with what it should. Then compiles
+# headers as C++17: the compiler stops at the one #error that asks for C++20.
+file(MAKE_DIRECTORY "${WORK_DIR}")
+set(ENV{PKG_CONFIG_PATH} "${PREFIX}/${LIBDIR}/pkgconfig")
+set(ENV{LD_LIBRARY_PATH} "${PREFIX}/${LIBDIR}")
 foreach(kind IN ITEMS cflags libs)
   execute_process(COMMAND ${PKG_CONFIG} --${kind} kinetri
-    OUTPUT_VARIABLE ${kind} OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-  separate_arguments(${kind})
+    OUTPUT_VARIABLE output OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(${kind} UNIX_COMMAND "${output}")
 endforeach()
 string(REPLACE "|" ";" COMPILE_OPTIONS "${COMPILE_OPTIONS}")
-execute_process(COMMAND ${LAUNCHER} ${COMPILER} -std=c++20 ${COMPILE_OPTIONS} ${cflags}
-  -c ${CONSUMER_DIR}/main.cpp -o ${WORK_DIR}/main.o COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${COMPILER} ${COMPILE_OPTIONS} ${WORK_DIR}/main.o
-  -o ${WORK_DIR}/consumer ${libs} COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${WORK_DIR}/consumer OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
-file(READ ${CONSUMER_DIR}/expected.txt expected)
+execute_process(COMMAND ${LAUNCHER} ${COMPILER} ${COMPILE_OPTIONS} ${cflags}
+  -c "${CONSUMER_DIR}/main.cpp" -o "${WORK_DIR}/main.o" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${COMPILER} ${COMPILE_OPTIONS} "${WORK_DIR}/main.o"
+  -o "${WORK_DIR}/consumer" ${libs} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${WORK_DIR}/consumer" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+file(READ "${CONSUMER_DIR}/expected.txt" expected)
 if(NOT output STREQUAL expected)
   message(FATAL_ERROR "the consumer prints\n${output}expected\n${expected}")
 endif()
+
+foreach(header IN ITEMS kinetri/kinetri.h kinetri/io/event_log.h
+    kinetri/triangulation/kinetic_delaunay_triangulation_2.h)
+  file(WRITE "${WORK_DIR}/header.cpp" "#include <${header}>\n")
+  execute_process(COMMAND ${COMPILER} ${cflags} -std=c++17 -fsyntax-only "${WORK_DIR}/header.cpp"
+    RESULT_VARIABLE code ERROR_VARIABLE errors)
+  # The second error is that of the header which does not exist, after which compilers stop.
+  string(REPLACE ";" "," errors "${errors}")
+  string(REGEX MATCHALL "error: [^\n]*" found "${errors}")
+  list(LENGTH found count)
+  if(code EQUAL 0 OR NOT count EQUAL 2 OR NOT found MATCHES "Kinetri needs C\\+\\+20, expected")
+    string(REPLACE "\n" "\n  " errors "\n${errors}")
+    message(SEND_ERROR "<${header}> as C++17 ends with ${code}; expected one #error:${errors}")
+  endif()
+endforeach()

@@ -23,6 +23,7 @@ import summarize_coverage  # noqa: E402
 import summarize_tests  # noqa: E402
 
 LICENCE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+FIRST_INCLUDE = '#include "kinetri/base/cxx20.h"\n'
 
 
 class Tree(unittest.TestCase):
@@ -155,18 +156,21 @@ class Sources(Tree):
 
     def test_a_good_header_passes(self):
         guard = "KINETRI_IO_POINTS_FILE_H"
-        text = LICENCE + f"#ifndef {guard}\n#define {guard}\n#endif\n"
+        text = LICENCE + f"#ifndef {guard}\n#define {guard}\n{FIRST_INCLUDE}#endif\n"
         self.assertEqual(self.problems("include/kinetri/io/points_file.h", text), [])
+        found = self.problems("include/kinetri/io/points_file.h", text.replace(FIRST_INCLUDE, ""))
+        self.assertEqual(found, ["include/kinetri/io/points_file.h:1: no public header included; "
+                                 "expected kinetri/base/cxx20.h"])
 
     def test_a_wrong_guard_fails(self):
-        text = LICENCE + "#ifndef KINETRI_H\n#define KINETRI_H\n#endif\n"
+        text = LICENCE + f"#ifndef KINETRI_H\n#define KINETRI_H\n{FIRST_INCLUDE}#endif\n"
         found = self.problems("include/kinetri/io/points_file.h", text)
         self.assertEqual(
             found, ["include/kinetri/io/points_file.h:1: no include guard KINETRI_IO_POINTS_FILE_H"]
         )
 
     def test_a_source_begins_with_its_own_header(self):
-        header = f"{LICENCE}#ifndef KINETRI_IO_A_H\n#define KINETRI_IO_A_H\n#endif\n"
+        header = f"{LICENCE}#ifndef KINETRI_IO_A_H\n#define KINETRI_IO_A_H\n{FIRST_INCLUDE}#endif\n"
         own, other = '#include "kinetri/io/a.h"\n', "#include <vector>\n"
         self.assertEqual(self.problems("src/io/a.cpp", LICENCE + other), [])  # it has none
         self.write("include/kinetri/io/a.h", header)

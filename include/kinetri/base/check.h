@@ -15,6 +15,8 @@
 
 #include <string>
 
+#include "kinetri/base/cxx20.h"
+
 namespace kinetri::detail {
 
 [[noreturn]] void precondition_failed(const char* condition, const char* message, const char* file,

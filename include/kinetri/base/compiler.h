@@ -6,6 +6,8 @@
 #ifndef KINETRI_BASE_COMPILER_H
 #define KINETRI_BASE_COMPILER_H
 
+#include "kinetri/base/cxx20.h"
+
 /// Begins the declaration of a function that is to be inlined at every call.
 #if defined(__GNUC__) || defined(__clang__)
 #define KINETRI_ALWAYS_INLINE [[gnu::always_inline]] inline

@@ -6,6 +6,8 @@
 #ifndef KINETRI_BASE_DOUBLE_INTERVAL_H
 #define KINETRI_BASE_DOUBLE_INTERVAL_H
 
+#include "kinetri/base/cxx20.h"
+
 namespace kinetri {
 
 /// A closed interval of real numbers between binary64 bounds, either of which may be infinite.

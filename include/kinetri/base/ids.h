@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "kinetri/base/cxx20.h"
+
 namespace kinetri {
 
 /// The point's number: its position, counted from 0, in the sequence it came from. Never reused.

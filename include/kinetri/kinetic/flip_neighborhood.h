@@ -7,6 +7,8 @@
 #include <array>
 #include <cstddef>
 
+#include "kinetri/base/cxx20.h"
+
 namespace kinetri {
 
 /// The points of an in-circle certificate: the last one must not be inside the circle through the

@@ -7,6 +7,8 @@
 #include <array>
 #include <cstdint>
 
+#include "kinetri/base/cxx20.h"
+
 namespace kinetri {
 
 /// Points are kept at `clearance` or more from the line, on the inner side of it: to the right of a

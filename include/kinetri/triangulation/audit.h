@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "kinetri/base/cxx20.h"
+
 namespace kinetri {
 
 /// What an audit looks at. Each level includes those before it. The geometric levels look

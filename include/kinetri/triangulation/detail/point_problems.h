@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string>
 
+#include "kinetri/base/cxx20.h"
+
 namespace kinetri::detail {
 
 inline constexpr const char* too_many_points = "too many points; expected fewer than 2^32 - 1";

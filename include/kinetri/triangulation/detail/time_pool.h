@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/base/cxx20.h"
+
 namespace kinetri::detail {
 
 template <class Time>
