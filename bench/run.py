@@ -149,7 +149,7 @@ def event_rows(scenario, points, runs):
             ROOT_SOLVES_PER_EVENT if uniform else None,
         )
         yield (
-            "root solves / event, with the start",
+            "root solves / event, including the start",
             [c["root_solves"] / c["events"] for c in counters],
             None,
         )
@@ -194,11 +194,11 @@ def rows(results):
             yield "event of a lattice row / event", scenario, points, values, target
         elif mode == "memory":
             values = [run["bytes_per_point"] for run in runs]
-            yield "peak memory: bytes a point", scenario, points, values, BYTES_PER_POINT.get(points)
+            yield "peak memory: bytes per point", scenario, points, values, BYTES_PER_POINT.get(points)
         elif mode == "frames":
             for key, name in (("rebuild", "rebuild"), ("move", "move_if_no_collision")):
                 values = [run[f"{key}_crossover_rate"] for run in runs]
-                yield f"faster than {name} from frames / time", scenario, points, values, None
+                yield f"break-even frame rate against {name}: frames / time", scenario, points, values, None
         elif mode == "changes":
             for what, key in CHANGE_FIGURES:
                 yield what, scenario, points, [run[key] for run in runs], None

@@ -22,17 +22,17 @@ README = """\
 <!-- Written by generate.py. -->
 # Degenerate input
 
-Points files that are hard: many events at one exact time, events that are none, points that meet,
-sets that are flat for an instant, numbers of very different size. The comment on top of each file says
-what it is and why it is hard. `test/degenerate/corpus_test.cpp` runs every file with full audits between
-all instants, with and without filters, and, for 8 points or fewer, against the brute-force simulator. It
-knows these comments:
+Points files with hard cases: many events at one exact time, touches that are not events, points that
+meet, sets that are flat for an instant, numbers of very different magnitudes. The comment at the top of
+each file says what it is and why it is hard. `test/degenerate/corpus_test.cpp` runs every file with full
+audits between all instants, with and without filters, and, for at most 8 points, against the brute-force
+simulator. It reads these comments:
 
-    # until: T      run to the time T, which may be the time of an event; else until nothing happens any more
-    # events: N     the number of events, where the geometry forces it
+    # until: T      run to time T, which may be the time of an event; without it, run until no event is left
+    # events: N     the number of events, if the geometry determines it
 
-`generate.py` writes all files but those in the list whose first line says "Found by"; a new file needs
-nothing but a place in this folder and a run of `generate.py` for this list.
+`generate.py` writes all files, except files whose first line says "Found by". To add a file by hand, put
+it into this folder and run `generate.py`, which updates this list.
 
 | file | points | what it is |
 |---|---|---|

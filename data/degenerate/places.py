@@ -27,7 +27,7 @@ def lattices():
              ["It slides past its neighbors and comes out of the hull, still collinear."],
              lattice(6, 6, lambda x, y: (0, 1) if x == 2 else (0, 0)), 7.5),
         Case("lattice_half_slides", "The upper half of a lattice slides along the lower one.",
-             ["All the cells of one row change together; all the others are zero for ever."],
+             ["All the cells of one row change together; all the others are identically zero."],
              lattice(7, 6, lambda x, y: (1, 0) if y >= 3 else (0, 0)), 3),
         Case("lattice_half_moves", "Every second point of a lattice moves by two spacings.",
              ["Half of all points meet the other half at t = 1."],
@@ -49,7 +49,7 @@ def lattices():
              ["Both sides of the hull are flat together; small enough for the brute-force simulator."],
              at(1, lattice(4, 2, lambda x, y: (0, x * (3 - x) / 8)))),
         Case("lattice_squeezed", "A lattice whose rows fall onto one line at t = 1.",
-             ["Rectangles all the time, so all certificates of cells are zero for ever. At t = 1 whole",
+             ["Rectangles all the time, so all certificates of cells are identically zero. At t = 1 whole",
               "columns meet, everything is collinear, and the lattice comes out upside down."],
              lattice(4, 4, lambda x, y: (0, -y)), 2),
         Case("lattice_squeezed_small", "Two rows of four that fall onto one line at t = 1.",
@@ -86,7 +86,7 @@ def lines():
     chain = [(i, 2 * i + 1, v, 2 * v) for i, v in enumerate(speeds)]
     level = [(2 * i, 0, v, 0) for i, v in enumerate([1, 0, -1, 2, -2, 0])]
     return [
-        Case("chain", "Seven points that stay on one line for ever and pass through one another.",
+        Case("chain", "Seven points that stay on one line and pass through one another.",
              ["Never two-dimensional; three pass at once at some times."], chain),
         Case("chain_upright", "Six points on a vertical line that pass through one another.",
              ["As chain; order by x does not tell them apart."],
@@ -95,10 +95,10 @@ def lines():
              ["Their order is reversed in one instant."],
              at(1, [(3, 6, v, 2 * v) for v in [-2, -1, 0, 1, 3]])),
         Case("chain_in_a_triangulation", "Six points that stay on a line, one point on each side.",
-             ["Orientation is zero for ever for most triples; they pass through one another."],
+             ["Orientation is identically zero for most triples; they pass through one another."],
              level + resting([(3, 7), (5, -6)])),
         Case("chain_on_the_hull", "Six points that stay on a hull edge, passing one another.",
-             ["Collinear hull vertices for ever, meeting on the hull."], level + resting([(3, 7), (6, 9)])),
+             ["Hull vertices that stay collinear and meet on the hull."], level + resting([(3, 7), (6, 9)])),
     ]
 
 
@@ -124,7 +124,7 @@ def meetings():
              ["The cluster is collinear just before and just after it is a point."],
              resting(frame) + at(1, [(0, 0, 1, 2), (0, 0, -1, -2), (0, 0, 2, 4)])),
         Case("cocircular_meet", "Four points that stay cocircular meet inside at t = 1.",
-             ["The cluster's own certificate is zero for ever."],
+             ["The cluster's own certificate is identically zero."],
              resting(frame) + at(1, [(0, 0, x, y) for x, y in RING[::3]])),
         Case("two_meet_on_hull_edge", "Two points meet on a hull edge at t = 1, one from each side.",
              ["A flat hull triangle and a coincidence at one time; one enters the hull, one leaves."],

@@ -50,25 +50,25 @@ def vanishing():
     ring = [(x, y, 1, 2) for x, y in RING]
     return [
         Case("translated_lattice", "A lattice that moves as a whole.",
-             ["Every in-circle certificate inside is zero for ever, and so is every one of the hull."],
+             ["Every in-circle certificate inside is identically zero, and so is every one of the hull."],
              lattice(6, 6, lambda x, y: (3, -2)), 10, 0),
         Case("translated_ring", "Twelve cocircular points that move as a whole.",
-             ["Every certificate of a diagonal is zero for ever; any diagonals are right, and those",
+             ["Every certificate of a diagonal is identically zero; any diagonals are right, and those",
               "that are there stay."], ring, 10, 0),
         Case("growing_ring", "Twelve points that move away from the centre of their circle.",
-             ["Cocircular for ever, with velocities that differ."],
+             ["Always cocircular, with different velocities."],
              [(x, y, x, y) for x, y in RING], 10, 0),
         Case("turning_ring", "Eight points that move along the tangents of their circle.",
-             ["They look as if they rotated, and stay cocircular for ever on a circle that grows."],
+             ["They look as if they rotated, and stay cocircular on a circle that grows."],
              [(x, y, -y, x) for x, y in RING[:8]], 10, 0),
         Case("turning_ring_with_centre", "Six points of a circle that move along tangents, and its centre.",
-             ["The orientation of opposite points and the centre is zero for ever."],
+             ["The orientation of opposite points and the centre is identically zero."],
              [(x, y, -y, x) for x, y in RING[::2]] + resting([(0, 0)]), 10),
         Case("ring_through_one_place", "Eight cocircular points that meet in the centre at t = 1.",
-             ["All certificates are zero for ever, and at t = 1 the circle is a point. Then each point",
+             ["All certificates are identically zero, and at t = 1 the circle is a point. Then each point",
               "is opposite to where it was."], [(x, y, -x, -y) for x, y in RING[:8]]),
         Case("dilated_lattice", "A lattice that grows from its corner.",
-             ["Squares stay squares: cocircular for ever."], lattice(4, 4, lambda x, y: (x, y)), 10, 0),
+             ["Squares stay squares: always cocircular."], lattice(4, 4, lambda x, y: (x, y)), 10, 0),
     ]
 
 
