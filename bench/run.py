@@ -197,8 +197,8 @@ def rows(results):
             yield "peak memory: bytes per point", scenario, points, values, BYTES_PER_POINT.get(points)
         elif mode == "frames":
             for key, name in (("rebuild", "rebuild"), ("move", "move_if_no_collision")):
-                values = [run[f"{key}_crossover_rate"] for run in runs]
-                yield f"break-even frame rate against {name}: frames / time", scenario, points, values, None
+                what = f"break-even frame rate against {name}: frames / time"
+                yield what, scenario, points, [run[f"{key}_crossover_rate"] for run in runs], None
         elif mode == "changes":
             for what, key in CHANGE_FIGURES:
                 yield what, scenario, points, [run[key] for run in runs], None
