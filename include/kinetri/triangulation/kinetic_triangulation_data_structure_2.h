@@ -12,7 +12,7 @@
 
 #include <array>
 
-#include "kinetri/events/indexed_queue.h"
+#include "kinetri/events/queue_handle.h"
 
 namespace kinetri {
 
