@@ -3,17 +3,20 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <map>
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "kinetri/simulation/closest_approaches.h"
 #include "support/disc_runs.h"
 #include "support/precondition_error.h"
+#include "support/random_walks.h"
 
 namespace kinetri {
 namespace {
 
-using Tracks = std::vector<std::vector<Observation_2>>;
+using test::Tracks;
 
 struct Recorder : Simulation_2<>::Observer {
   void after_event(const Event<Algebraic_number>& event) override {
@@ -90,30 +93,10 @@ TEST(Track_simulation, of_two_that_go_the_same_way_is_refused_when_they_do) {
   EXPECT_EQ(simulation->current_time(), Algebraic_number(1.0));
 }
 
-// Random walks on a grid, with pauses, gaps and meetings.
-Tracks random_walks(std::size_t number, unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_int_distribution<int> place(0, 12);
-  std::uniform_int_distribution<int> step(-2, 2);
-  std::uniform_int_distribution<int> time(0, 6);
-  Tracks tracks(number);
-  for (std::size_t i = 0; i < number; ++i) {
-    double t = time(random);
-    Vector_2 here = {static_cast<double>(place(random)), static_cast<double>(place(random))};
-    for (int k = 0; k < 6; ++k) {
-      tracks[i].push_back({t, here});
-      t += 1 + time(random) / 3;
-      // No two share a trajectory: each has a fraction of its own.
-      here = {here.x + step(random) + 0x1p-10 * static_cast<double>(i), here.y + step(random)};
-    }
-  }
-  return tracks;
-}
-
 TEST(Track_simulation, is_right_at_every_instant) {
   for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const auto simulation = simulation_of(random_walks(12, seed), 0);
+    const auto simulation = simulation_of(test::random_walks(12, seed), 0);
     ASSERT_EQ(test::audited_run(*simulation, 25, Audit_level::reference), "");
     EXPECT_EQ(simulation->triangulation().number_of_points(), 0u);
   }
@@ -125,56 +108,6 @@ TEST(Tracks, go_nowhere_after_their_last_observation) {
   EXPECT_PRECONDITION_ERROR(
       motion_after(track, 1),
       "there is no next observation; expected an index less than that of the last one");
-}
-
-// ---- closest approaches ----
-
-TEST(Closest_approaches, of_two_points_is_where_the_slope_vanishes) {
-  Simulation_2<> simulation({{{0, 0}, {1, 0}, 0}, {{10, 3}, {-2, 0}, 0}}, {});
-  Closest_approaches closest(simulation, 5);
-  simulation.advance_to(100.0);
-  const auto found = closest.approaches();
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].points, (Edge_ids{0, 1}));
-  EXPECT_EQ(found[0].time, Algebraic_number(Rational(10, 3)));
-  EXPECT_EQ(found[0].distance, 3);
-  EXPECT_PRECONDITION_ERROR(Closest_approaches(simulation, 0), "no approach is asked for");
-}
-
-// The closest approach of all, by looking at all pairs between all turns.
-TEST(Closest_approaches, begin_with_the_closest_of_all_pairs) {
-  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Tracks tracks = random_walks(9, seed);
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < tracks.size(); ++i) {
-      for (std::size_t j = i + 1; j < tracks.size(); ++j) {
-        for (std::size_t k = 0; k + 1 < tracks[i].size(); ++k) {
-          for (std::size_t l = 0; l + 1 < tracks[j].size(); ++l) {
-            const double from = std::max(tracks[i][k].time, tracks[j][l].time);
-            const double to = std::min(tracks[i][k + 1].time, tracks[j][l + 1].time);
-            for (int step = 0; from <= to && step <= 400; ++step) {
-              const double t = from + (to - from) * step / 400;
-              const Vector_2 a = rounded_place(motion_after(tracks[i], k), t);
-              const Vector_2 b = rounded_place(motion_after(tracks[j], l), t);
-              const double distance = std::hypot(a.x - b.x, a.y - b.y);
-              least = std::min(least, distance);
-            }
-          }
-        }
-      }
-    }
-    const auto stays = stays_of(tracks, {.from = 0});
-    const auto simulation = simulate_tracks(tracks, stays, 0, {}, {});
-    Closest_approaches closest(*simulation, 3);
-    simulation->advance_to(25.0);
-    const auto found = closest.approaches();
-    ASSERT_EQ(found.size(), 3u);
-    EXPECT_LE(found[0].distance, least * (1 + 1e-12));
-    EXPECT_NEAR(found[0].distance, least, 0.01);
-    EXPECT_LE(found[0].distance, found[1].distance);
-    EXPECT_LE(found[1].distance, found[2].distance);
-  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "kinetri/simulation/simulation_2.h"
@@ -16,15 +17,20 @@ namespace kinetri {
 struct Approach {
   Edge_ids points = {no_point, no_point};  ///< the two
   Algebraic_number time;  ///< exact: rational where the distance has its minimum between turns
-  double distance = 0;    ///< at that time, rounded
+  /// The binary64 number nearest to the exact distance at that time, ties to even; infinite where
+  /// IEEE 754 rounding gives that.
+  double distance = 0;
 };
 
 /// Observes a simulation and keeps, of all pairs, the `number` that came nearest to each other
-/// while they had an edge of the triangulation; of each pair the time at which it was nearest. At
-/// any time the closest pair has an edge, so that the first of them is the closest approach of all.
+/// while they had an edge of the triangulation; of each pair the first time at which it was
+/// nearest. At any time the closest pair has an edge, so the first of them is the closest approach
+/// of all pairs.
 ///
-/// Cost: some twenty floating-point operations for each change of an edge or of a motion at it;
-/// exact arithmetic only for a pair that is nearer than those known. Memory: O(edges + number).
+/// All comparisons are of the exact distances, also where these round to the same number. Cost:
+/// some hundred floating-point operations for each change of an edge or of a motion at it, which
+/// prove for most pairs that they are not near enough; exact arithmetic for the others. Memory:
+/// O(edges + number).
 class Closest_approaches : public Event_observer<Algebraic_number> {
  public:
   /// Observes from now on. Precondition: number > 0. The simulation must outlive this object.
@@ -34,7 +40,9 @@ class Closest_approaches : public Event_observer<Algebraic_number> {
   Closest_approaches(const Closest_approaches&) = delete;
   Closest_approaches& operator=(const Closest_approaches&) = delete;
 
-  /// Those until now, nearest first; of equal distances the earlier first, then by ids.
+  /// Those until now, nearest first by the exact distance; of equal distances the earlier first,
+  /// then by ids. Cost: that of `number` exact comparisons times its logarithm, and for each of the
+  /// result some exact comparisons that round the distance.
   std::vector<Approach> approaches();
 
   /// @{
@@ -51,19 +59,35 @@ class Closest_approaches : public Event_observer<Algebraic_number> {
     Algebraic_number since;
   };
 
+  // The nearest place of a piece. The motions are those of the piece.
+  struct Candidate {
+    Edge_ids points = {no_point, no_point};
+    Algebraic_number time;
+    Linear_motion_2 p;
+    Linear_motion_2 q;
+    Double_interval squared_bounds;  // contain the squared distance
+    mutable std::optional<Algebraic_number>
+        squared_distance;  // made where the bounds do not decide
+  };
+
+  static const Algebraic_number& squared_distance(const Candidate& candidate);
+  static bool is_nearer(const Candidate& a, const Candidate& b);
+
   void begin(const Edge_ids& pair, const Algebraic_number& time);
   void end(const Edge_ids& pair, const Algebraic_number& time);
-  void look_at(const Edge_ids& pair, const Piece& piece, const Algebraic_number& until);
-  void keep(const Approach& approach);
-  void forget_far_ones();
+  void examine(const Edge_ids& pair, const Piece& piece, const Algebraic_number& until);
+  void keep(Candidate candidate);
+  void drop_all_but_nearest();
   template <class Function>
   void for_each_pair_of(Point_id id, Function function) const;
 
   Simulation_2<>& simulation_;
   std::size_t number_;
   std::map<Edge_ids, Piece> pieces_;
-  std::map<Edge_ids, Approach> nearest_;
-  double limit_;  // a distance beyond this is of no interest any more
+  std::map<Edge_ids, Candidate> nearest_;
+  // `number_` pairs have been at this squared distance or nearer: a pair that is certainly farther
+  // is of no interest.
+  double squared_limit_;
 };
 
 }  // namespace kinetri
