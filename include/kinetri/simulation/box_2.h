@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The box that points are kept in.
+// The box that bounds a simulation.
 #ifndef KINETRI_SIMULATION_BOX_2_H
 #define KINETRI_SIMULATION_BOX_2_H
 
@@ -10,14 +10,14 @@
 
 namespace kinetri {
 
-/// The closed rectangle [xmin, xmax] x [ymin, ymax].
+/// The closed rectangle [xmin, xmax] x [ymin, ymax], in the unit of the coordinates.
 struct Box_2 {
-  double xmin = 0;  ///< of the left wall
-  double ymin = 0;  ///< of the bottom wall
-  double xmax = 0;  ///< of the right wall
-  double ymax = 0;  ///< of the top wall
+  double xmin = 0;  ///< x of the left wall
+  double ymin = 0;  ///< y of the bottom wall
+  double xmax = 0;  ///< x of the right wall
+  double ymax = 0;  ///< y of the top wall
 
-  /// The four walls, each with the given clearance, in the order of Wall_2::Side.
+  /// The four walls in the order of Wall_2::Side. Points stay at least `clearance` away from each.
   constexpr std::array<Wall_2, 4> walls(double clearance) const {
     return {
         Wall_2{Wall_2::Side::left, xmin, clearance}, Wall_2{Wall_2::Side::right, xmax, clearance},

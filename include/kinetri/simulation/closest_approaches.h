@@ -13,40 +13,40 @@
 
 namespace kinetri {
 
-/// How near two points came, and when.
+/// The closest approach of two points.
 struct Approach {
-  Edge_ids points = {no_point, no_point};  ///< the two
-  Algebraic_number time;  ///< exact: rational where the distance has its minimum between turns
-  /// The binary64 number nearest to the exact distance at that time, ties to even; infinite where
-  /// IEEE 754 rounding gives that.
+  Edge_ids points = {no_point, no_point};  ///< the ids, the smaller first
+  Algebraic_number time;  ///< exact; rational if the distance has its minimum between turns
+  /// The distance at that time, rounded to the nearest binary64 number, ties to even; infinite on
+  /// overflow.
   double distance = 0;
 };
 
-/// Observes a simulation and keeps, of all pairs, the `number` that came nearest to each other
-/// while they had an edge of the triangulation; of each pair the first time at which it was
-/// nearest. At any time the closest pair has an edge, so the first of them is the closest approach
-/// of all pairs.
+/// An observer of a simulation that keeps the `number` pairs that came nearest to each other while
+/// they were neighbors in the triangulation, and for each pair the first time at which it was
+/// nearest. At any time the closest pair has an edge, so the first of the result is the closest
+/// approach of all pairs.
 ///
-/// All comparisons are of the exact distances, also where these round to the same number. Cost:
-/// some hundred floating-point operations for each change of an edge or of a motion at it, which
-/// prove for most pairs that they are not near enough; exact arithmetic for the others. Memory:
-/// O(edges + number).
+/// Distances are compared exactly, even if they round to the same number. Cost: for each change of
+/// an edge or of a motion at it some hundred floating-point operations, which prove for most pairs
+/// that they are not near enough, and exact arithmetic for the others. Memory: O(edges + number).
 class Closest_approaches : public Event_observer<Algebraic_number> {
  public:
-  /// Observes from now on. Precondition: number > 0. The simulation must outlive this object.
+  /// Observes from the current time on. Precondition: number > 0. The simulation must outlive this
+  /// object.
   Closest_approaches(Simulation_2<>& simulation, std::size_t number);
   ~Closest_approaches() override;
 
   Closest_approaches(const Closest_approaches&) = delete;
   Closest_approaches& operator=(const Closest_approaches&) = delete;
 
-  /// Those until now, nearest first by the exact distance; of equal distances the earlier first,
-  /// then by ids. Cost: that of `number` exact comparisons times its logarithm, and for each of the
-  /// result some exact comparisons that round the distance.
+  /// The closest approaches so far, in order of exact distance; for equal distances the earlier
+  /// first, then by ids. Cost: O(number log number) exact comparisons, and for each result some
+  /// more that round its distance.
   std::vector<Approach> approaches();
 
   /// @{
-  /// Follows the edges and the motions.
+  /// Called by the simulation; they track edges and motions.
   void before_event(const Event<Algebraic_number>& event) override;
   void after_event(const Event<Algebraic_number>& event) override;
   /// @}

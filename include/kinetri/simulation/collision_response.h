@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What two discs do when they touch: the responses that come with the library, and what one of
-// one's own is given and gives.
+// What two discs do when they touch: the built-in responses, and the argument and result of a
+// user-defined response.
 #ifndef KINETRI_SIMULATION_COLLISION_RESPONSE_H
 #define KINETRI_SIMULATION_COLLISION_RESPONSE_H
 
@@ -15,62 +15,63 @@
 
 namespace kinetri {
 
-/// Two discs that touch while they approach each other. The numbers are rounded to binary64.
+/// Two discs that touch while they approach each other: the argument of a response. All numbers are
+/// rounded to binary64; the contact itself was decided exactly.
 struct Contact_2 {
-  double time = 0;              ///< of the contact
+  double time = 0;              ///< time of the contact
   Point_id point_a = no_point;  ///< the smaller id
   Point_id point_b = no_point;  ///< the greater one
-  Vector_2 separation;          ///< from the centre of a to that of b; zero if they are that near
-  Vector_2 velocity_a;          ///< just before the contact
-  Vector_2 velocity_b;          ///< likewise
-  /// Whether the two would approach each other with these velocities, decided exactly for the
-  /// motions that they would give. A response after which they do meets the same contact again.
+  Vector_2 separation;          ///< centre of b minus centre of a; may be rounded to zero
+  Vector_2 velocity_a;          ///< of point_a just before the contact
+  Vector_2 velocity_b;          ///< of point_b just before the contact
+  /// Whether the two would approach each other with these new velocities, decided exactly for the
+  /// resulting motions. A response with such velocities leads to the same contact again.
   std::function<bool(const Vector_2& a, const Vector_2& b)> would_approach;
 };
 
-/// What becomes of the two. Where nothing is said a point keeps its motion; two that both keep it
-/// are left in contact, and make no new one until their discs have parted.
+/// The result of a response. A point without a new velocity keeps its motion. If both keep their
+/// motions, the discs stay in contact, and have no further contact until they have separated.
 struct Contact_response_2 {
-  std::optional<Vector_2> velocity_a = std::nullopt;  ///< of the point a from then on; finite
-  std::optional<Vector_2> velocity_b = std::nullopt;  ///< of the point b
-  bool erases_a = false;                              ///< whether the point a goes
-  bool erases_b = false;                              ///< whether the point b goes
+  std::optional<Vector_2> velocity_a = std::nullopt;  ///< new velocity of point_a; finite
+  std::optional<Vector_2> velocity_b = std::nullopt;  ///< new velocity of point_b; finite
+  bool erases_a = false;                              ///< whether point_a is erased
+  bool erases_b = false;                              ///< whether point_b is erased
 };
 
-/// Called at every contact. It must not change the simulation. Empty: discs do not collide, and
-/// contacts are not looked for.
+/// A response: called at every contact. It must not change the simulation. An empty function means
+/// that discs do not collide and that no contacts are computed.
 using Collision_response = std::function<Contact_response_2(const Contact_2&)>;
 
-/// Changes nothing: contacts are events, no more.
+/// Changes nothing: contacts are only reported as events.
 Contact_response_2 log_contact(const Contact_2& contact);
 
-/// The two exchange their velocities, so that a point that hits a resting one stops and sets it
-/// going. Energy and momentum are kept exactly. Discs whose centres are so near to each other that
-/// their places, as rounded, would approach all the same keep their motions. Source: Computation of
-/// Topologic Events in Kinetic Delaunay Triangulation using Sturm Sequences of Polynomials,
-/// section 6.3.
+/// The two points exchange their velocities: a point that hits a resting point stops and sets it in
+/// motion. Energy and momentum are conserved exactly. If the exchanged velocities would still make
+/// the discs approach, because of rounded positions of nearly equal centres, both keep their
+/// motions. Source: Computation of Topologic Events in Kinetic Delaunay Triangulation using Sturm
+/// Sequences of Polynomials, section 6.3.
 Contact_response_2 swap_velocities(const Contact_2& contact);
 
-/// Elastic collision of equal masses: the components along the line of centres are exchanged.
-/// Energy and momentum are kept up to rounding. A contact that is so nearly a touch in passing that
-/// the rounded velocities approach still gets the least further change with which they do not.
-/// Discs whose centres are so near to each other that there is none, up to their speeds, keep their
-/// motions.
+/// Elastic collision of equal masses: the components of the velocities along the line of centres
+/// are exchanged. Energy and momentum are conserved up to rounding. If the rounded velocities would
+/// still approach, as in a nearly tangential contact, they get the least further change with which
+/// they do not. If no change up to the size of the speeds achieves that, because the centres nearly
+/// coincide, both points keep their motions.
 Contact_response_2 collide_elastically(const Contact_2& contact);
 
-/// Both stop.
+/// Both points stop.
 Contact_response_2 stop_both(const Contact_2& contact);
 
-/// Both are erased.
+/// Both points are erased.
 Contact_response_2 erase_both(const Contact_2& contact);
 
-/// A response by the name that it has in the program.
+/// A response and its name in the program `kinetri`.
 struct Named_response {
   std::string_view name;                             ///< "swap", for example
   Contact_response_2 (*response)(const Contact_2&);  ///< null for "none"
 };
 
-/// none, log, swap, elastic, stop, remove.
+/// All built-in responses: none, log, swap, elastic, stop, remove.
 inline constexpr std::array<Named_response, 6> named_responses = {{{"none", nullptr},
                                                                    {"log", log_contact},
                                                                    {"swap", swap_velocities},

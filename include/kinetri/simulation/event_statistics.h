@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Counts of events: by kind, by interval of time, by point, and at one time.
+// Counts of events: by kind, by time interval, by point, and per instant.
 #ifndef KINETRI_SIMULATION_EVENT_STATISTICS_H
 #define KINETRI_SIMULATION_EVENT_STATISTICS_H
 
@@ -20,61 +20,59 @@ namespace kinetri {
 /// Numbers of events, by Event_kind.
 using Event_counts = std::array<std::uint64_t, event_kinds>;
 
-/// The events of an interval of time: after `from`, up to and at `to`, as those that happen between
-/// advance_to(from) and advance_to(to). Those at `from` belong to the first interval, too.
+/// The events of the time interval (from, to]: the events that advance_to(to) executes after
+/// advance_to(from). The first interval also includes events at `from`.
 struct Events_in_interval {
-  double from = 0;           ///< where the interval begins
-  double to = 0;             ///< where it ends; greater than `from`
-  Event_counts events = {};  ///< how many, by kind
+  double from = 0;           ///< start of the interval
+  double to = 0;             ///< end of the interval; greater than `from`
+  Event_counts events = {};  ///< number of events by kind
 
-  /// The events of all kinds together.
+  /// The number of events of all kinds.
   std::uint64_t number_of_events() const;
-  /// Events in a unit of time, rounded.
+  /// Events per unit of time, rounded.
   double rate() const;
 };
 
-/// Observes a triangulation or a simulation, which it is added to by add_observer, and counts each
-/// event once it has happened. Times are compared exactly. Cost: some operations an event, and a
-/// binary search among the intervals. Memory: O(greatest id + intervals), for any number of events.
+/// An observer of a triangulation or a simulation (`add_observer`) that counts events. Times are
+/// compared exactly. Cost: O(log intervals) per event. Memory: O(greatest id + intervals),
+/// independent of the number of events.
 template <class Time = Algebraic_number>
 class Event_statistics : public Event_observer<Time> {
  public:
   /// Without intervals.
   Event_statistics() = default;
 
-  /// With intervals of equal length, up to rounding, from `from` to `to`; events outside are only
-  /// counted in all. Precondition: from < to are finite, intervals > 0, and not so many that two of
-  /// their ends are the same binary64 number.
+  /// With `intervals` intervals of equal length, up to rounding, from `from` to `to`. Events
+  /// outside are only counted in the totals. Preconditions: from < to, both finite; intervals > 0;
+  /// the ends of all intervals are distinct binary64 numbers.
   Event_statistics(double from, double to, std::size_t intervals);
 
   /// Counts the event.
   void after_event(const Event<Time>& event) override;
 
-  /// The events of all kinds together, those outside of the intervals included.
+  /// The number of events of all kinds, including events outside the intervals.
   std::uint64_t number_of_events() const;
-  /// The same by kind.
+  /// The number of events by kind, including events outside the intervals.
   const Event_counts& events() const { return events_; }
-  /// The intervals, in the order of time; empty if none were asked for.
+  /// The intervals in order of time; empty if constructed without intervals.
   const std::vector<Events_in_interval>& intervals() const { return intervals_; }
 
-  /// The number of events that concerned the point: as an end of the edge that was removed or of
-  /// the one that was added, or as the point that came, left, turned, hit a wall or collided. Each
-  /// event counts once.
+  /// The number of events that involve the point: as an end of the removed or added edge, or as a
+  /// point that was inserted, was erased, turned, hit a wall or collided. Each event counts once.
   std::uint64_t events_of(Point_id id) const;
 
   /// The number of distinct times of events.
   std::uint64_t instants() const { return instants_; }
   /// The largest number of events at one time; 0 without events.
   std::uint64_t largest_instant() const { return largest_instant_; }
-  /// The first time with so many, exactly; none without events.
+  /// The exact first time with that many events; none without events.
   const std::optional<Time>& largest_instant_time() const { return largest_instant_time_; }
 
-  /// The time from the first event to the last one, divided by the number of steps from event to
-  /// event, of which those between events at one time take no time; rounded. None if there are
-  /// fewer than two events.
+  /// The time from the first to the last event, divided by the number of events minus one; rounded.
+  /// Simultaneous events count with a difference of zero. None for fewer than two events.
   std::optional<double> mean_time_between_events() const;
 
-  /// A summary in some lines for people: totals, kinds, intervals, the points with most events.
+  /// Writes a summary as text: totals, kinds, the points with most events, intervals.
   friend std::ostream& operator<<(std::ostream& out, const Event_statistics& statistics) {
     statistics.write(out);
     return out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a simulation is made with, and what it counts.
+// Options and counters of a simulation.
 #ifndef KINETRI_SIMULATION_SIMULATION_OPTIONS_H
 #define KINETRI_SIMULATION_SIMULATION_OPTIONS_H
 
@@ -13,30 +13,30 @@
 
 namespace kinetri {
 
-/// The box and the discs of a simulation. Without any, points go their ways freely.
+/// The box and the discs of a simulation. By default there are none, and points move freely.
 struct Simulation_options {
-  /// A point that reaches a side while it moves outward is reflected: the component of its velocity
-  /// changes sign, exactly.
+  /// If set, a point that reaches a side of the box while moving outward is reflected: the
+  /// component of its velocity normal to that side changes sign, exactly.
   std::optional<Box_2> box = std::nullopt;
-  /// What touches the box: the centre of a disc, or its rim.
+  /// Whether the rim of a disc touches the box, instead of its centre.
   bool rim_touches = false;
-  /// Of every disc, in the unit of the coordinates. Discs of different radii are not supported: two
-  /// of them may touch without being neighbors in the Delaunay triangulation; that takes a weighted
-  /// one.
+  /// The radius of every disc, in the unit of the coordinates. Different radii are not supported:
+  /// such discs may touch without being neighbors in the Delaunay triangulation; they would need a
+  /// weighted (regular) triangulation.
   double radius = 0;
-  /// What discs do that touch; empty: nothing, and contacts are not looked for.
+  /// The response to contacts of discs. If empty, no contacts are computed.
   Collision_response response = nullptr;
   /// The most contacts, of all points together, at one time.
   std::uint64_t contacts_at_one_time = 1'000'000;
 };
 
-/// Counts of what became of contacts; events count those that happened.
+/// Counters of contacts. Events count the contacts that happened.
 struct Contact_counters {
   Queue_counters queue;                    ///< of contacts and scheduled changes
-  std::uint64_t discarded_walls = 0;       ///< contacts found that did not happen, as the point
-  std::uint64_t discarded_collisions = 0;  ///< or its neighbor turned, or the edge went
-  std::uint64_t instants = 0;              ///< times with contacts and without other events
-  std::uint64_t most_at_one_time = 0;      ///< contacts
+  std::uint64_t discarded_walls = 0;       ///< discarded because the point got a new motion
+  std::uint64_t discarded_collisions = 0;  ///< the same for either point; or the edge was removed
+  std::uint64_t instants = 0;              ///< times with contacts but without other events
+  std::uint64_t most_at_one_time = 0;      ///< greatest number of contacts at one time
 };
 
 }  // namespace kinetri

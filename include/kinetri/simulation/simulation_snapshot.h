@@ -13,27 +13,27 @@
 
 namespace kinetri {
 
-/// A snapshot of Simulation_2. The contacts to come are not part of it: they follow from the
-/// motions.
+/// A snapshot of Simulation_2. It does not include future contacts, because the motions determine
+/// them.
 template <KineticTraits_2 Traits>
 struct Simulation_snapshot {
   using Motion = typename Traits::Motion;  ///< of the traits
   using Time = typename Traits::Time;      ///< of the traits
 
-  /// A change of a point that was scheduled and has not been made.
+  /// A scheduled change of a point that has not been made yet.
   struct Change {
-    Time time;                                    ///< when it is to be made
+    Time time;                                    ///< time of the change
     Event_kind kind = Event_kind::trajectory;     ///< insert, erase or trajectory
-    Point_id point = no_point;                    ///< of insert, the one that it will have
-    std::optional<Motion> motion = std::nullopt;  ///< none for erase
+    Point_id point = no_point;                    ///< the point; for insert, its future id
+    std::optional<Motion> motion = std::nullopt;  ///< the new motion; none for erase
   };
 
-  Triangulation_snapshot<Traits> triangulation;  ///< of the triangulation that it owns
+  Triangulation_snapshot<Traits> triangulation;  ///< of the simulation's triangulation
   Simulation_options options;                    ///< without the response
   bool has_response = false;                     ///< whether there was one
-  std::vector<Edge_ids> in_contact;   ///< discs that a response has left in contact; sorted
-  std::vector<Change> scheduled;      ///< in the order in which they were scheduled
-  Contact_counters counters;          ///< but for those of the queue
+  std::vector<Edge_ids> in_contact;  ///< pairs of discs that a response has left in contact; sorted
+  std::vector<Change> scheduled;     ///< in the order of the calls that scheduled them
+  Contact_counters counters;         ///< without the counters of the queue
   Certificate_counters certificates;  ///< of contacts
 };
 

@@ -11,22 +11,22 @@
 
 namespace kinetri {
 
-/// What an audit looks at. Each level includes those before it. The geometric levels look
-/// at the exact positions at a rational time strictly between the present time and the next event.
+/// The levels of an audit. Each level includes the levels before it. The geometric levels check the
+/// exact positions at a rational time strictly between the current time and the next event.
 enum class Audit_level {
-  links,         ///< the topology's links, the queue, and the references between them agree
-  embedding,     ///< finite triangles make left turns, the hull is convex, no two points coincide
+  links,         ///< links between vertices and faces, the queue, and the references between them
+  embedding,     ///< finite triangles are counterclockwise, the hull is convex, points are distinct
   delaunay,      ///< every edge is locally Delaunay
-  reference,     ///< the same edges as a static CGAL triangulation of the exact positions
-  certificates,  ///< every certificate's next failure, computed anew, is the one in the queue
+  reference,     ///< the edges equal those of a static CGAL triangulation of the exact positions
+  certificates,  ///< the next failure of every certificate, computed anew, is in the queue
 };
 
-/// What an audit found.
+/// The result of an audit.
 struct Audit_report {
-  /// One line each, naming the point ids involved. Empty if the audit passed.
+  /// One line per failure, naming the point ids involved. Empty if the audit passed.
   std::vector<std::string> failures;
 
-  /// Whether nothing wrong was found.
+  /// Whether there are no failures.
   bool passed() const noexcept { return failures.empty(); }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A frame: the triangulation as it stands, as plain numbers, for pictures and for the files of
-// other programs. Which edges and triangles there are is exact; where the points are is rounded.
+// A frame: the current triangulation as plain numbers, for pictures and for the files of other
+// programs. Edges and triangles are exact; positions are rounded.
 #ifndef KINETRI_TRIANGULATION_FRAME_2_H
 #define KINETRI_TRIANGULATION_FRAME_2_H
 
@@ -19,25 +19,27 @@ namespace kinetri {
 template <KineticTraits_2 Traits>
 class Kinetic_delaunay_triangulation_2;
 
-/// The state just after a time. Points are named by their positions in `ids`.
+/// The triangulation just after a time. All indices refer to `ids`, `places` and `velocities`,
+/// which have one element per point.
 struct Frame_2 {
-  double time = 0;                                ///< the binary64 number nearest to it
-  std::vector<Point_id> ids;                      ///< of the points that are there, ascending
-  std::vector<Vector_2> places;                   ///< at `time`, as rounded_place gives them
-  std::vector<Vector_2> velocities;               ///< as rounded_velocity gives them
-  std::vector<std::array<std::size_t, 2>> edges;  ///< the smaller position first, sorted
-  /// Those of them that are on the boundary of the convex hull, in the same order: all of them
-  /// where all points are collinear.
+  double time = 0;                                ///< the time, rounded to nearest
+  std::vector<Point_id> ids;                      ///< ids of the present points, ascending
+  std::vector<Vector_2> places;                   ///< positions at `time`, by rounded_place
+  std::vector<Vector_2> velocities;               ///< velocities at `time`, by rounded_velocity
+  std::vector<std::array<std::size_t, 2>> edges;  ///< pairs of indices, the smaller first; sorted
+  /// The edges on the boundary of the convex hull, in the same order; all edges if all points are
+  /// collinear.
   std::vector<std::array<std::size_t, 2>> hull;
-  /// Counterclockwise, the smallest position first, sorted; none where all points are collinear.
+  /// Triples of indices, counterclockwise, the smallest first; sorted. Empty if all points are
+  /// collinear.
   std::vector<std::array<std::size_t, 3>> triangles;
-  std::array<std::uint64_t, event_kinds> events = {};  ///< so far, by Event_kind
+  std::array<std::uint64_t, event_kinds> events = {};  ///< number of events so far, by Event_kind
 
   friend bool operator==(const Frame_2&, const Frame_2&) = default;
 };
 
-/// The present frame. The same state gives the same frame, whatever led there. Cost: O(n log n).
-/// Precondition: as that of snapshot(): not within an event.
+/// The frame at the current time. It depends only on the current triangulation and counters, not on
+/// the order of faces or vertices. Cost: O(n log n). Precondition: not called during an event.
 template <KineticTraits_2 Traits>
 Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Traits>& kinetic);
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Queries about moving points at one time: now, or at any time up to the next event, without the
-// triangulation being advanced.
+// Queries about moving points at one time: the current time, or any time up to the next event,
+// without advancing the triangulation.
 //
-// The answers are about the places of the points at exactly that time, also where these are
-// degenerate: points that coincide, triangles that are flat, cocircular points. The triangulation
-// only leads to them. It is embedded properly just beside the time (just after the present one,
-// just before a later one), so the search runs there; what is found there is, at the time itself,
-// among the answers or connected with them by edges, and is decided there (docs/MATH.md,
-// section 10).
+// The answers hold for the positions at exactly that time, even if these are degenerate: coinciding
+// points, flat triangles, cocircular points. The search uses the triangulation just beside the time
+// (just after the current time, just before a later one), where it is properly embedded. What it
+// finds there is, at the time itself, an answer or connected with an answer by edges; the decision
+// is made for the time itself (docs/MATH.md, section 10).
 #ifndef KINETRI_TRIANGULATION_QUERIES_2_H
 #define KINETRI_TRIANGULATION_QUERIES_2_H
 
@@ -25,103 +24,104 @@
 
 namespace kinetri {
 
-/// Where a place is.
+/// The result of a location query.
 struct Location_2 {
-  /// What is at a place.
+  /// What the query position lies on.
   enum class Kind : std::uint8_t {
-    vertex,               ///< at a point
+    vertex,               ///< on a point
     edge,                 ///< on an edge, strictly between its ends
     face,                 ///< strictly inside a triangle
-    outside_convex_hull,  ///< none of these
+    outside_convex_hull,  ///< on none of these
   };
-  Kind kind = Kind::outside_convex_hull;  ///< what is at this one
-  /// The point, the smallest of those that coincide there; the ends of the edge in ascending order;
-  /// the corners of the triangle counterclockwise, the smallest first; or nothing.
+  Kind kind = Kind::outside_convex_hull;  ///< what the query position lies on
+  /// For `vertex` the point, the smallest id of coinciding points; for `edge` its ends in ascending
+  /// order; for `face` its vertices counterclockwise, the smallest id first; otherwise empty.
   std::vector<Point_id> points = {};
 
   friend bool operator==(const Location_2&, const Location_2&) = default;
 };
 
-/// The places that are as near to a point as to any other one: a convex region, bounded by sides.
-///
-/// `Position` is Exact_position_2 or, rounded, Vector_2. Points that coincide have the same cell.
+/// A Voronoi cell: the convex region of all positions that are at least as near to a point as to
+/// any other point. `Position` is Exact_position_2, or Vector_2 for rounded coordinates. Coinciding
+/// points have the same cell.
 template <class Position>
 struct Voronoi_cell_2 {
-  /// The point across each side, counterclockwise; of points that coincide the smallest id. All
-  /// sides are longer than zero. A bounded cell begins with a nearest point, an unbounded one with
+  /// The neighbor across each side, counterclockwise; for coinciding points the smallest id. All
+  /// sides have positive length. A bounded cell begins with a nearest point, an unbounded cell with
   /// the side that comes from infinity.
   std::vector<Point_id> neighbors = {};
-  /// vertices[i] is where side i ends and the next one begins; no two are equal, before rounding.
-  /// Of a bounded cell there are as many as sides, of an unbounded one fewer by one. If there is no
-  /// vertex, each side is the whole bisector, and the cell a half plane (one side), a strip (two
-  /// sides), or the plane (none).
+  /// vertices[i] is the end of side i and the start of the next side. Before rounding no two are
+  /// equal. A bounded cell has as many vertices as sides, an unbounded cell has one fewer. Without
+  /// vertices each side is a whole bisector, and the cell is a half plane (one side), a strip (two
+  /// sides), or the plane (no side).
   std::vector<Position> vertices = {};
-  /// Of an unbounded cell with sides, the directions in which the first side and the last one go to
-  /// infinity. Their lengths are those of the vectors to the neighbors.
+  /// For an unbounded cell with sides: the directions in which the first and the last side go to
+  /// infinity, each as long as the vector from the point to the neighbor across that side.
   std::optional<std::array<Position, 2>> rays = std::nullopt;
 
-  /// Whether the cell is bounded. That of a point on the boundary of the convex hull is not.
+  /// Whether the cell is bounded. Cells of points on the boundary of the convex hull are unbounded.
   bool is_bounded() const { return !rays && !neighbors.empty(); }
 };
 
-/// Queries at one time. Light: holds a reference, a time, and no copies of points. To be used as
-/// long as the triangulation does not change, and from the thread that advances it; not by an
-/// observer while an event is reported.
+/// Queries at one time. A small object: it holds a reference to the triangulation and a time. Use
+/// it only while the triangulation does not change, from the thread that advances it, and not in an
+/// observer.
 ///
-/// A place is two binary64 numbers and means exactly that place. A function that is given one
-/// throws Precondition_error if they are not finite; one that is given an id, if no point has it;
-/// all of them, if there has been an event since this object was made.
+/// A query position is two binary64 numbers, taken exactly. The functions throw Precondition_error
+/// if a position is not finite, if no point has a given id, or if an event has happened since this
+/// object was constructed.
 ///
-/// The walks through the triangulation take expected O(sqrt(n)) predicates from a vertex that has
-/// nothing to do with the place, O(n) at worst.
+/// A walk through the triangulation takes expected O(sqrt(n)) predicates, O(n) in the worst case;
+/// it does not start near the query position.
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Kinetic_queries_2 {
  public:
   using Time = typename Traits::Time;        ///< of the traits
   using Point_2 = typename Traits::Point_2;  ///< of the traits
 
-  /// At the present time.
+  /// Queries at the current time.
   explicit Kinetic_queries_2(const Kinetic_delaunay_triangulation_2<Traits>& triangulation)
       : Kinetic_queries_2(triangulation, triangulation.current_time()) {}
 
-  /// At `time`, which may be that of the next event: it is then that of its approach, and what the
-  /// event changes is not changed yet. Precondition: `time` is neither before
-  /// triangulation.current_time() nor after the next event (checked exactly, see has_event_before).
-  /// The walls and collisions of a Simulation_2 are no events of its triangulation: beyond the next
-  /// one the answers are about the motions as they are now.
+  /// Queries at `time`. If it is the time of the next event, the answers hold for the triangulation
+  /// before the event. Precondition: `time` is neither before triangulation.current_time() nor
+  /// after the next event (checked exactly, see has_event_before). Walls and collisions of a
+  /// Simulation_2 are not events of its triangulation: after the next contact the answers still
+  /// assume the current motions.
   Kinetic_queries_2(const Kinetic_delaunay_triangulation_2<Traits>& triangulation,
                     const Time& time);
 
   /// The time of the queries.
   const Time& time() const { return time_; }
 
-  /// The point nearest to the place, the smallest id of equally near ones; none if there is no
-  /// point. Cost: a walk, and the degrees of the equally near points.
+  /// The point nearest to the position; of equally near points the smallest id; none if there are
+  /// no points. Cost: a walk, and the degrees of the equally near points.
   std::optional<Point_id> nearest_vertex(const Vector_2& place) const;
 
-  /// The triangle, edge or point at the place. Where flat triangles lie upon one another, an edge
-  /// without points between its ends. Cost: a walk, and what is degenerate at the place; beside a
-  /// hull edge whose line contains the place, the number of hull edges.
+  /// The triangle, edge or point at the position. If flat triangles overlap there, an edge without
+  /// points between its ends. Cost: a walk, and the number of faces that contain the position; for
+  /// a position outside the hull on the line of a hull edge also the number of hull edges.
   Location_2 locate(const Vector_2& place) const;
 
-  /// The points with an edge to `point`, counterclockwise: of an inner point the smallest id
-  /// first, of a hull point from one hull neighbor to the other. Where all points are collinear for
-  /// ever, in ascending order. These are the edges of the triangulation, which at a degenerate time
-  /// are not the only ones possible; for those that are, see voronoi_cell. Cost: the degree.
+  /// The points with an edge to `point`, counterclockwise: for an inner point the smallest id
+  /// first, for a hull point from one hull neighbor to the other. If all points are collinear at
+  /// all times, in ascending order. At a degenerate time other Delaunay triangulations exist, with
+  /// other edges; voronoi_cell gives the neighbors that all of them have. Cost: O(degree).
   std::vector<Point_id> neighbors(Point_id point) const;
 
-  /// The Voronoi cell of the point `id`. Exact; a precondition is that the time is a binary64
-  /// number, or known to be rational (Algebraic_number::is_known_rational). Cost, with the degree
-  /// d: O(d log d) predicates, and an exact evaluation for each vertex.
+  /// The exact Voronoi cell of the point `id`. Precondition: the time is known to be rational
+  /// (Algebraic_number::is_known_rational); a binary64 number is. Cost: for degree d, O(d log d)
+  /// predicates, and one exact evaluation per vertex.
   Voronoi_cell_2<Exact_position_2> voronoi_cell(Point_id id) const;
 
-  /// The same at any time, decided exactly too; each coordinate is then rounded to the nearest
-  /// binary64 number, ties to even. Cost: at an irrational time some refinements a coordinate.
+  /// The Voronoi cell at any time. Its sides are decided exactly; each coordinate is rounded to the
+  /// nearest binary64 number, ties to even. Cost: as voronoi_cell; at an irrational time also some
+  /// refinements per coordinate.
   Voronoi_cell_2<Vector_2> rounded_voronoi_cell(Point_id id) const;
 
-  /// The two points that are nearest to each other, of several such pairs the first in the order of
-  /// Edge_ids; none of fewer than two points. Cost: O(n) floating-point operations, and exact
-  /// comparisons of the edges that these do not tell from the shortest.
+  /// The pair of points nearest to each other; of several such pairs the first in the order of
+  /// Edge_ids; none for fewer than two points. Cost: O(n) floating-point operations, and exact
+  /// comparisons of the edges that these cannot distinguish from the shortest.
   std::optional<Edge_ids> closest_pair() const;
 
  private:
