@@ -67,7 +67,7 @@ cmake -S consumer -B by_cmake -DCMAKE_BUILD_TYPE=Release
 cmake --build by_cmake
 by_cmake/consumer | diff consumer/expected.txt -
 # shellcheck disable=SC2046
-g++ -std=c++20 $(pkg-config --cflags kinetri) consumer/main.cpp $(pkg-config --libs kinetri) \
+g++ $(pkg-config --cflags kinetri) consumer/main.cpp $(pkg-config --libs kinetri) \
   -o by_pkg_config
 ./by_pkg_config | diff consumer/expected.txt -
 

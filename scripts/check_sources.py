@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks what every file of the project must have: its licence in the first lines, an include guard
 named after its path, in a source its own header before all others, no path of anybody's machine, no
-tab, no space at the end of a line, and a newline at the end.
+tab, no space at the end of a line, and a newline at the end. A test must expect the message of each
+precondition.
 
 usage: check_sources.py [ROOT]
 
@@ -32,6 +33,10 @@ WITHOUT_LICENCE = {".json", ".gitignore", ".clang-format"}
 # a compiler that is not set to C++20 before it reads anything else of ours.
 FIRST_HEADER = "include/kinetri/base/cxx20.h"
 INCLUDE_OF_OURS = re.compile(r'#include "kinetri/')
+
+PRECONDITION = re.compile(r'\bKINETRI_PRECONDITION\([^;]*?"((?:[^"\\]|\\.)*)"')
+# It would take 2^32 items to break these.
+UNTESTED_PRECONDITIONS = {"the queue is full", "too many items"}
 
 # A home directory, or a directory that a build machine works in.
 MACHINE_PATH = re.compile(r"(?<![\w.$}~])/(?:home|Users|root|work|workspace|builds|mnt)/[\w.-]+")
@@ -86,6 +91,20 @@ def problems(path, text, root):
         yield len(lines), "no newline at the end"
 
 
+def untested_preconditions(root):
+    """(path, line, what is wrong) for each precondition whose message, or the first literal of it, is in
+    no test."""
+    tests = "".join(file.read_text(encoding="utf-8") for file in (root / "test").rglob("*.cpp"))
+    tests = re.sub(r'"\s*\n\s*"', "", tests)  # A text in several literals is one text.
+    for folder in ("include", "src"):
+        for file in sorted([*(root / folder).rglob("*.h"), *(root / folder).rglob("*.cpp")]):
+            source = file.read_text(encoding="utf-8")
+            for match in PRECONDITION.finditer(source):
+                if match[1] not in tests and match[1] not in UNTESTED_PRECONDITIONS:
+                    line = source.count("\n", 0, match.start()) + 1
+                    yield file.relative_to(root), line, f'"{match[1]}" is in no test; break it in one'
+
+
 def check(root):
     """(number of files looked at, the violations) below `root`."""
     root = root.resolve()
@@ -96,6 +115,7 @@ def check(root):
         path = file.relative_to(root)
         for line, problem in problems(path, file.read_text(encoding="utf-8"), root):
             violations.append(f"{path}:{line}: {problem}")
+    violations += [f"{path}:{line}: {problem}" for path, line, problem in untested_preconditions(root)]
     return count, violations
 
 

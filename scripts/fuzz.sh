@@ -44,19 +44,9 @@ if ((${#chosen[@]} == 0)); then chosen=("${targets[@]}"); fi
 kinetri_setup fuzz
 dir="$kinetri_root/build/fuzz"
 mkdir -p "$dir/crashes"
-generator=()
-if [[ ! -f $dir/CMakeCache.txt ]] && command -v ninja >/dev/null; then generator=(-G Ninja); fi
-launcher=
-if command -v ccache >/dev/null; then launcher=ccache; fi
-cd "$kinetri_root"
-kinetri_quietly "configuring" "$dir/configure.log" cmake -S . --preset asan-ubsan -B "$dir" \
-  "${generator[@]}" -DCMAKE_CXX_COMPILER=clang++ "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher" \
-  -DCMAKE_CXX_FLAGS=-fsanitize=fuzzer-no-link -DKINETRI_BUILD_PROGRAM=OFF -DKINETRI_FUZZ=ON
 programs=("${chosen[@]/#/kinetri_}")
-programs=("${programs[@]/%/_fuzzer}")
-kinetri_say "Building in $dir ..."
-kinetri_quietly "building" "$dir/build.log" cmake --build "$dir" --parallel "$(kinetri_jobs)" \
-  --target "${programs[@]}"
+kinetri_build "$dir" asan-ubsan -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS=-fsanitize=fuzzer-no-link \
+  -DKINETRI_BUILD_PROGRAM=OFF -DKINETRI_FUZZ=ON -- "${programs[@]/%/_fuzzer}"
 
 code=0
 for target in "${chosen[@]}"; do

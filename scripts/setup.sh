@@ -76,11 +76,24 @@ kinetri_setup() {
     exit 1
   fi
   kinetri_say "Installing them with apt-get ..."
-  local options=(-qq -o DPkg::Lock::Timeout=300)
+  local options=(-qq -o DPkg::Lock::Timeout=300) package unknown='' preset=test
   export DEBIAN_FRONTEND=noninteractive
-  apt-get "${options[@]}" update </dev/null || kinetri_fail "apt-get update failed; put right what it says above, then run this again"
-  apt-get "${options[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >/dev/null ||
-    kinetri_fail "apt-get install failed; try: apt-get install -y ${missing[*]}"
+  apt-get "${options[@]}" update </dev/null ||
+    kinetri_say "apt-get update failed; going on with the package lists that are there" >&2
+  if apt-get "${options[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >/dev/null; then
+    return
+  fi
+  mapfile -t missing < <(kinetri_missing "$1")
+  for package in "${missing[@]}"; do
+    apt-cache show "$package" >/dev/null 2>&1 || unknown+=" $package"
+  done
+  if [[ $1 == demo ]]; then preset=release; fi
+  kinetri_fail "apt-get could not install: ${missing[*]}
+${unknown:+Not in its package lists:$unknown
+}Install them by hand, for example by
+  apt-get install -y ${missing[*]}
+and run this again. Where they come from elsewhere than from packages, build without this script:
+  cmake --preset $preset && cmake --build --preset $preset"
 }
 
 # kinetri_jobs: how many compilers to run at once: one a processor, but a gigabyte and a half of
@@ -97,12 +110,35 @@ kinetri_jobs() {
   printf '%s\n' $((processors < 1 ? 1 : processors))
 }
 
-# kinetri_quietly WHAT LOG COMMAND...: runs the command with its output in the file LOG. If it fails,
-# shows the errors in there, or the end where none is to be recognized, and exits.
+# kinetri_show_progress LOG: says, again and again, which step the command that writes the log has come
+# to: on a terminal in one line, every two seconds; else in a line of its own, every 20 seconds.
+kinetri_show_progress() {
+  local log=$1 every=20 line='  %s (%d s)\n' step
+  if [[ -t 1 ]]; then every=2 line='\r\033[K  %s (%d s)'; fi
+  every=${kinetri_progress_seconds:-$every}  # Set by tests.
+  SECONDS=0
+  # A sleep that outlives this must not keep the output open; nor must this outlive the script.
+  while sleep "$every" >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
+    # As Ninja, make and ctest write it.
+    step=$(grep -aoE '^(\[ *[0-9]+(/[0-9]+|%)\]| *[0-9]+/[0-9]+ Test)' "$log" | tail -n 1) || true
+    # shellcheck disable=SC2059
+    if [[ -n $step ]]; then printf "$line" "$step" "$SECONDS"; fi
+  done
+}
+
+# kinetri_quietly WHAT LOG COMMAND...: runs the command with its output in the file LOG, and shows which
+# step it has come to. If it fails, shows the errors in there, or the end where none is to be
+# recognized, and exits.
 kinetri_quietly() {
-  local what=$1 log=$2
+  local what=$1 log=$2 code=0 watcher
   shift 2
-  if ! "$@" >"$log" 2>&1 </dev/null; then
+  : >"$log"
+  kinetri_show_progress "$log" &
+  watcher=$!
+  "$@" >"$log" 2>&1 </dev/null || code=$?
+  { kill "$watcher" && wait "$watcher"; } 2>/dev/null || true
+  if [[ -t 1 ]]; then printf '\r\033[K'; fi
+  if ((code != 0)); then
     grep -E -m 20 -A 3 '(^|[^a-z])([Ee]rror|FAILED|undefined reference)\b' "$log" >&2 ||
       tail -n 60 "$log" >&2
     kinetri_fail "$what failed; all of its output is in $log"
@@ -128,7 +164,7 @@ kinetri_configure() {
 }
 
 # kinetri_build DIR PRESET [CMAKE_OPTION...] [-- TARGET...]: configures DIR by the preset and builds
-# the targets, or everything. Shows Ninja's status line on a terminal, nothing else unless it fails.
+# the targets, or everything.
 kinetri_build() {
   local dir=$1 preset=$2 options=() targets=()
   shift 2
@@ -139,12 +175,8 @@ kinetri_build() {
   if (($# > 1)); then targets=(--target "${@:2}"); fi
   kinetri_configure "$dir" "$preset" "${options[@]}"
   kinetri_say "Building in $dir ..."
-  local build=(cmake --build "$dir" --parallel "$(kinetri_jobs)" "${targets[@]}")
-  if [[ -t 1 && -f $dir/build.ninja ]]; then
-    "${build[@]}" || kinetri_fail "building failed"
-  else
-    kinetri_quietly "building" "$dir/build.log" "${build[@]}"
-  fi
+  kinetri_quietly "building" "$dir/build.log" \
+    cmake --build "$dir" --parallel "$(kinetri_jobs)" "${targets[@]}"
 }
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then

@@ -8,67 +8,63 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 usage() {
   cat <<EOF
-usage: scripts/test.sh [--sanitize[=thread]] [--compiler CXX] [--filter REGEX] [--quick] [--browser]
+usage: scripts/test.sh [--preset PRESET] [--compiler CXX] [--browser] [CTEST_OPTION...]
 
 Installs what is missing (with apt-get, as root), builds everything, and runs every test. The last
 line reads "N passed, N failed"; the exit code is 0 if none failed.
 
-  --sanitize      with AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan
-  --sanitize=thread
-                  the tests of what several threads do, with ThreadSanitizer, in build/tsan
-  --compiler CXX  with another compiler, e.g. clang++, in a directory of its own
-  --filter REGEX  only the tests whose names match
-  --quick         without the tests labelled slow
-  --browser       with chromium, which the tests of the viewer page need, and Doxygen; they are
-                  installed if missing, and else their tests run where they are already
+  --preset PRESET  test, the default; dev, with CGAL's own checks; asan-ubsan, with AddressSanitizer
+                   and UndefinedBehaviorSanitizer; or tsan, the tests of what several threads do,
+                   with ThreadSanitizer (CMakePresets.json)
+  --compiler CXX   with another compiler, e.g. clang++, in a directory of its own
+  --browser        with chromium, which the tests of the viewer page need, and Doxygen; they are
+                   installed if missing, and else their tests run where they are already
+
+Other options are those of ctest, for example -R REGEX for the tests whose names match, or -LE slow
+for those without the label slow. The labels are slow, install and threads.
 
 KINETRI_TEST_MULTIPLIER=N makes the randomized tests N times as long.
 EOF
 }
 
-preset=test dir=build/test packages=test
-configure=() targets=() select=()
+preset=test packages=test compiler='' options=()
 while (($# > 0)); do
   case $1 in
     --help | -h) usage && exit 0 ;;
-    --sanitize) preset=asan-ubsan dir=build/asan ;;
-    --sanitize=thread)
-      preset=tsan dir=build/tsan
-      targets=(kinetri_threads_test) select+=(--label-regex '^threads$')
-      ;;
     --browser) packages=browser ;;
-    --quick) select+=(--label-exclude slow) ;;
-    --compiler | --filter)
+    --preset | --compiler)
       (($# >= 2)) || kinetri_misused "$1 has no value"
-      if [[ $1 == --filter ]]; then
-        select+=(--tests-regex "$2")
-      else
-        compiler=$2
-        [[ $compiler != clang ]] || compiler=clang++
-        command -v "$compiler" >/dev/null || kinetri_misused "--compiler: there is no program $compiler"
-        configure+=("-DCMAKE_CXX_COMPILER=$compiler")
-      fi
+      printf -v "${1#--}" '%s' "$2"
       shift
       ;;
-    *) kinetri_misused "'$1' is unknown" ;;
+    *) options+=("$1") ;;
   esac
   shift
 done
-if [[ -n ${compiler:-} ]]; then dir+="-${compiler##*/}"; fi
+[[ $preset =~ ^(test|dev|asan-ubsan|tsan)$ ]] ||
+  kinetri_misused "--preset: '$preset' is unknown; expected test, dev, asan-ubsan or tsan"
+[[ -z $compiler ]] || command -v "$compiler" >/dev/null ||
+  kinetri_misused "--compiler: there is no program $compiler"
 
+build_dir="$kinetri_root/build/$preset${compiler:+-${compiler##*/}}" targets=()
+if [[ $preset == tsan ]]; then targets=(kinetri_threads_test) options+=(-L '^threads$'); fi
 kinetri_setup "$packages"
-build_dir="$kinetri_root/$dir"
-kinetri_build "$build_dir" "$preset" "${configure[@]}" -- "${targets[@]}"
+kinetri_build "$build_dir" "$preset" ${compiler:+"-DCMAKE_CXX_COMPILER=$compiler"} -- "${targets[@]}"
 
 kinetri_say "Testing ..."
-results="$build_dir/test-results.xml"
-rm -f "$results"
-run=(ctest --test-dir "$build_dir" --parallel "$(kinetri_jobs)" --timeout 900 --no-tests=error
-  --output-junit "$results" "${select[@]}")
-if [[ -t 1 ]]; then
-  "${run[@]}" --progress </dev/null || true
-else
-  "${run[@]}" --quiet </dev/null || true
-fi
-[[ -f $results ]] || kinetri_fail "ctest could not be run, or ended early: there is no $results"
-exec python3 "$kinetri_root/scripts/summarize_tests.py" "$results"
+log=$build_dir/test.log
+: >"$log"
+kinetri_show_progress "$log" &
+watcher=$!
+# Shown of it: the tests that fail, with their output, and those that are skipped.
+ctest --test-dir "$build_dir" --parallel "$(kinetri_jobs)" --timeout 900 --no-tests=error \
+  --output-on-failure "${options[@]}" </dev/null 2>&1 | tee "$log" |
+  grep -vE '^ +Start +[0-9]+: |^ *[0-9]+/[0-9]+ Test .* Passed ' || true
+kill "$watcher"
+summary='s/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$'
+failed=$(sed -nE "$summary/\\1/p" "$log")
+run=$(sed -nE "$summary/\\2/p" "$log")
+[[ -n $run ]] || kinetri_fail "ctest ran no tests, or ended early; all of its output is in $log"
+skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$log") || true
+kinetri_say "$((run - failed - skipped)) passed, $failed failed$( ((skipped == 0)) || printf ', %d skipped' "$skipped")"
+((failed == 0 && run > skipped))

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Brings about every message of the program in docs/ERRORS.md: each case runs the program on something
-that is wrong, and expects exactly one row's message, byte for byte, its exit code, nothing on standard
-output, and a directory as it was before. Every row has a case.
+"""Brings about every message of the program, which messages.txt lists: each case runs the program on
+something that is wrong, and expects exactly one listed message, byte for byte, its exit code, nothing on
+standard output, and a directory as it was before. Every listed message has a case.
 
 usage: messages_test.py PROGRAM FAULTY_PROGRAM
 """
@@ -24,14 +24,13 @@ import unittest
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.dont_write_bytecode = True
-sys.path.insert(0, str(ROOT / "scripts"))
-
-import check_messages  # noqa: E402
+LIST = pathlib.Path(__file__).with_name("messages.txt")
+SECTION = re.compile(r"\[exit code (\d+)(, usage)?\]")
+PLACEHOLDER = re.compile(r"<[a-z]\w*>")
 
 PROGRAM, FAULTY_PROGRAM = (str(pathlib.Path(path).resolve()) for path in sys.argv[1:3])
 
-# Rows that are not brought about, by the reason.
+# Listed messages that are not brought about, by the reason.
 WITHOUT_CASE = {
     "only where the system has an empty mounted directory": [
         "<path>: is where a file system is mounted; expected a directory in it"],
@@ -472,9 +471,9 @@ class Row:
 
     def filled(self, case):
         """What is printed if the row's placeholders are the case's values; None if they are not."""
-        if {name[1:-1] for name in check_messages.PLACEHOLDER.findall(self.message)} != set(case.values):
+        if {name[1:-1] for name in PLACEHOLDER.findall(self.message)} != set(case.values):
             return None
-        text = check_messages.PLACEHOLDER.sub(lambda match: case.values[match[0][1:-1]], self.message)
+        text = PLACEHOLDER.sub(lambda match: case.values[match[0][1:-1]], self.message)
         if not self.is_usage:
             return text + "\n"
         name = command(case.arguments)
@@ -493,12 +492,13 @@ def command(arguments):
 
 
 def rows():
-    """Those with an exit code."""
-    text = (ROOT / check_messages.LIST).read_text(encoding="utf-8")
-    usage_begin = text[: text.index("\n## The command line\n")].count("\n")
-    usage_end = text[: text.index("\n## Input files\n")].count("\n")
-    return [Row(message, int(cells[0]), usage_begin < line <= usage_end)
-            for line, message, cells in check_messages.rows(text) if cells and cells[0].isdigit()]
+    found = []
+    for line in LIST.read_text(encoding="utf-8").splitlines():
+        if section := SECTION.fullmatch(line):
+            exit_code, is_usage = int(section[1]), bool(section[2])
+        elif line and not line.startswith("#"):
+            found.append(Row(line, exit_code, is_usage))
+    return found
 
 
 # ---- running ----
@@ -594,7 +594,7 @@ class Messages(unittest.TestCase):
         self.assertEqual(out, b"", err)
         is_right = (lambda text: text in err) if case.writes else (lambda text: text == err.removeprefix("\n"))
         found = [row for row in all_rows if (text := row.filled(case)) and is_right(text)]
-        self.assertEqual(len(found), 1, f"not in docs/ERRORS.md with these values: {err}")
+        self.assertEqual(len(found), 1, f"not in {LIST.name} with these values: {err}")
         self.assertEqual(code, found[0].exit_code, err)
         return found[0]
 

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests of the checks in scripts/: each finds what it is for, and lets pass what is right."""
-import contextlib
-import io
-import json
+import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -16,11 +15,7 @@ sys.path.insert(0, str(SCRIPTS))
 
 import check_documents  # noqa: E402
 import check_layers  # noqa: E402
-import check_messages  # noqa: E402
 import check_sources  # noqa: E402
-import run_clang_tidy  # noqa: E402
-import summarize_coverage  # noqa: E402
-import summarize_tests  # noqa: E402
 
 LICENCE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 FIRST_INCLUDE = '#include "kinetri/base/cxx20.h"\n'
@@ -199,100 +194,16 @@ class Sources(Tree):
             with self.subTest(text=text):
                 self.assertEqual(len(self.problems("a.cpp", LICENCE + text)), 1)
 
+    def test_a_precondition_that_no_test_breaks_fails(self):
+        text = LICENCE + 'KINETRI_PRECONDITION(!empty(),\n  "the queue is empty");\n'
+        self.assertEqual(self.problems("src/events/a.cpp", text),
+                         ['src/events/a.cpp:2: "the queue is empty" is in no test; break it in one'])
+        test = LICENCE + 'EXPECT_PRECONDITION_ERROR(top(), "the queue "\n  "is empty");\n'
+        self.assertEqual(self.problems("test/events/a_test.cpp", test), [])
+
     def test_what_is_built_is_not_checked(self):
         self.assertEqual(self.problems("build/test/a.cpp", "x"), [])
         self.assertEqual(check_sources.check(self.root)[0], 0)
-
-
-class Messages(Tree):
-    """A tree with one listed message, which a source has, and what a test adds."""
-
-    def setUp(self):
-        super().setUp()
-        self.rows = ["| `<file>:<line>: the row has <n> fields; expected <m>` | 2 | a comma too many | |"]
-        self.write("src/io/a.cpp", 'fail(fmt::format("the row has {} fields; "\n  "expected {}", n, m));\n')
-
-    def violations(self):
-        self.write("docs/ERRORS.md", "\n".join(["| Message |", "|---|", *self.rows]) + "\n")
-        return check_messages.check(self.root)[1]
-
-    def assert_violations(self, *begins):
-        found = self.violations()
-        self.assertEqual(len(found), len(begins), found)
-        for violation, begin in zip(found, begins):
-            self.assertTrue(violation.startswith(begin), violation)
-
-    def test_a_listed_message_passes(self):
-        self.assert_violations()
-
-    def test_a_message_without_a_row_fails(self):
-        self.write("src/io/b.cpp", '\nthrow Input_error(file, 0, "the moon is full");\n')
-        self.write("apps/kinetri/c.cpp", '  throw Usage_error(too_long ? "--a: too long" : "--a: too short");\n')
-        self.write("include/kinetri/io/d.h", 'inline const char* problem() { return "no cheese left"; }\n')
-        self.write("viewer/e.js", "demand(a, `it has ${a} ` +\n  'of these');\n")
-        self.write("scripts/f.sh", 'kinetri_fail "the sky fell: $sky"\n')
-        self.assert_violations('include/kinetri/io/d.h:1: "no cheese left"',
-                               'src/io/b.cpp:2: "the moon is full"',
-                               'apps/kinetri/c.cpp:1: "--a: too long"',
-                               'apps/kinetri/c.cpp:1: "--a: too short"',
-                               'viewer/e.js:1: "it has ${a} of these"',
-                               'scripts/f.sh:1: "the sky fell: $sky"')
-
-    def test_what_is_no_message_passes(self):
-        self.write("apps/kinetri/c.cpp", 'add("--a", a_, "What a is"); // throw Usage_error("so it is")\n')
-        self.write("src/io/b.cpp", 'KINETRI_ASSERT(a, "a is not b"); f("key", R"(a b c)", \'"\');\n')
-        self.assert_violations()
-
-    def test_a_changed_message_and_a_row_without_a_message_fail(self):
-        self.rows.append("| `the sea is <color>` | Input_error | | |")
-        self.write("src/io/b.cpp", 'fail("the sea was " + color);\n')
-        self.assert_violations('src/io/b.cpp:1: "the sea was"',
-                               'docs/ERRORS.md:4: no source says "the sea is <color>"')
-
-    def test_a_precondition_without_a_test_fails(self):
-        self.rows.append("| `the queue is empty` | Precondition_error | | |")
-        self.write("src/events/b.cpp", 'KINETRI_PRECONDITION(!empty(), "the queue is empty");\n')
-        self.assert_violations('src/events/b.cpp:1: "the queue is empty" is in no test')
-        self.write("test/events/b_test.cpp", 'EXPECT_PRECONDITION_ERROR(top(), "the queue "\n"is empty");\n')
-        self.assert_violations()
-
-
-class Misuse(unittest.TestCase):
-    def test_a_wrong_command_line_is_named_before_the_usage(self):
-        for script, arguments, problem in (
-                ("demo.sh", ["--points"], "--points has no value"),
-                ("demo.sh", ["now"], "'now' is unknown"),
-                ("test.sh", ["--filter"], "--filter has no value"),
-                ("test.sh", ["--fast"], "'--fast' is unknown"),
-                ("test.sh", ["--compiler", "no-c++"], "--compiler: there is no program no-c++"),
-                ("fuzz.sh", ["--seconds", "x"], "--seconds: 'x' is no whole number greater than 0"),
-                ("fuzz.sh", ["bugs"], "'bugs' is unknown")):
-            with self.subTest(script, arguments=arguments):
-                run = subprocess.run([SCRIPTS / script, *arguments], capture_output=True, text=True,
-                                     check=False)
-                self.assertEqual((run.returncode, run.stdout), (2, ""))
-                self.assertTrue(run.stderr.startswith(f"error: {problem}\n\nusage: "), run.stderr)
-
-
-class Summary(Tree):
-    def outcome(self, test):
-        self.write("results.xml", f"<testsuite>{test}</testsuite>")
-        tree = summarize_tests.ElementTree.parse(self.root / "results.xml")
-        return summarize_tests.outcome(tree.getroot().find("testcase"))
-
-    def test_outcomes(self):
-        skipped = '<testcase status="notrun"><skipped message="{}"/></testcase>'
-        for test, expected in (
-            ('<testcase status="run"/>', "passed"),
-            ('<testcase status="fail"/>', "failed"),
-            ('<testcase status="disabled"/>', "skipped"),
-            (skipped.format("SKIP_RETURN_CODE=77"), "skipped"),
-            (skipped.format("SKIP_REGULAR_EXPRESSION_MATCHED"), "skipped"),
-            (skipped.format("Unable to find executable"), "failed"),
-            (skipped.format("Fixture dependency failed"), "failed"),
-        ):
-            with self.subTest(test=test):
-                self.assertEqual(self.outcome(test), expected)
 
 
 class Documents(Tree):
@@ -399,155 +310,104 @@ class Documents(Tree):
         self.assertEqual(self.problems("build/a.md", "[a](none.md)"), [])
 
 
-class Lint(Tree):
-    def run_check(self, check, name, text):
-        self.write(name, text)
-        command = [str(SCRIPTS / "lint.sh"), "--only", check, str(self.root / name)]
-        result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        if result.returncode == 77:
-            self.skipTest(result.stdout.strip())
-        return result
-
-    def test_each_check_finds_what_it_is_for(self):
-        for check, name, good, bad in (
-            ("shell", "a.sh", '#!/bin/bash\necho "$1"\n', "#!/bin/bash\necho $1\n"),
-            ("python", "a.py", "print(1)\n", "import os\n"),
-            ("javascript", "a.js", "let x = 1;\n", "let x = ;\n"),
-        ):
-            with self.subTest(check=check):
-                self.assertEqual(self.run_check(check, name, good).returncode, 0)
-                result = self.run_check(check, name, bad)
-                self.assertEqual(result.returncode, 1, result.stdout)
-                self.assertIn(name, result.stdout)
-                self.assertNotIn("lint: ok", result.stdout)
-
-    def test_what_is_not_known_is_refused(self):
-        for arguments in (["--only", "spelling"], ["--only"], ["--chnged"], ["no_such_file.sh"]):
-            with self.subTest(arguments=arguments):
-                result = subprocess.run([str(SCRIPTS / "lint.sh"), *arguments], text=True,
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-                self.assertIn(result.returncode, (1, 2))
-                self.assertRegex(result.stderr, "usage|no such file")
-
-
-class Clang_tidy(Tree):
-    """Which sources clang-tidy looks at, and what is made of its output."""
+class Shell_scripts(Tree):
+    """The shell scripts, in a root of their own with programs of the test's instead of the system's."""
 
     def setUp(self):
         super().setUp()
-        root = run_clang_tidy.ROOT
-        self.addCleanup(setattr, run_clang_tidy, "ROOT", root)
-        run_clang_tidy.ROOT = self.root.resolve()
-        self.write("include/kinetri/io/a.h", "")
-        self.write("include/kinetri/io/b.h", '#include "kinetri/io/a.h"\n')
-        self.write("include/kinetri/io/lonely.h", "")
-        self.write("src/io/a.cpp", '#include "kinetri/io/a.h"\n')
-        self.write("src/io/0.cpp", '#include "kinetri/io/b.h"\n')
-        self.sources = {"src/io/0.cpp", "src/io/a.cpp"}
+        self.root = self.root / "a folder" / "kinetri"
+        shutil.copytree(SCRIPTS, self.root / "scripts")
+        self.program("dpkg-query", "echo installed")
 
-    def test_a_header_is_seen_through_a_source_that_includes_it(self):
-        for files, expected in (
-            (["src/io/0.cpp"], ["src/io/0.cpp"]),
-            (["include/kinetri/io/a.h"], ["src/io/a.cpp"]),
-            (["include/kinetri/io/b.h"], ["src/io/0.cpp"]),
-            (["include/kinetri/io/a.h", "src/io/0.cpp"], ["src/io/0.cpp"]),
+    def program(self, name, text):
+        self.write(f"bin/{name}", f"#!/bin/sh\n{text}\n")
+        (self.root / "bin" / name).chmod(0o755)
+
+    def run_script(self, *command):
+        path = f"{self.root / 'bin'}:{os.environ['PATH']}"
+        return subprocess.run([str(word) for word in command], capture_output=True, text=True,
+                              check=False, env={**os.environ, "PATH": path})
+
+    def test_a_wrong_command_line_is_named_before_the_usage(self):
+        for script, arguments, problem in (
+                ("demo.sh", ["--points"], "--points has no value"),
+                ("demo.sh", ["now"], "'now' is unknown"),
+                ("test.sh", ["--preset"], "--preset has no value"),
+                ("test.sh", ["--preset", "fast"], "--preset: 'fast' is unknown"),
+                ("test.sh", ["--compiler", "no-c++"], "--compiler: there is no program no-c++"),
+                ("lint.sh", ["spelling"], "'spelling' is unknown"),
+                ("fuzz.sh", ["--seconds", "x"], "--seconds: 'x' is no whole number greater than 0"),
+                ("fuzz.sh", ["bugs"], "'bugs' is unknown")):
+            with self.subTest(script, arguments=arguments):
+                run = self.run_script(self.root / "scripts" / script, *arguments)
+                self.assertEqual((run.returncode, run.stdout), (2, ""))
+                self.assertTrue(run.stderr.startswith(f"error: {problem}"), run.stderr)
+                self.assertIn("\n\nusage: ", run.stderr)
+
+    def test_the_last_line_of_the_tests_counts_them(self):
+        self.program("cmake", "exit 0")
+        line = "1/9 Test #1: a.b ..... "
+        for output, last, code in (
+                ("100% tests passed, 0 tests failed out of 9", "9 passed, 0 failed", 0),
+                (f"{line}***Skipped 0.1 sec\n100% tests passed, 0 tests failed out of 9",
+                 "8 passed, 0 failed, 1 skipped", 0),
+                (f"{line}***Failed 0.1 sec\n78% tests passed, 2 tests failed out of 9",
+                 "7 passed, 2 failed", 1),
+                (f"{line}***Skipped 0.1 sec\n100% tests passed, 0 tests failed out of 1",
+                 "0 passed, 0 failed, 1 skipped", 1),
+                ("No tests were found!!!", "No tests were found!!!", 1)):
+            with self.subTest(output):
+                self.program("ctest", f"printf '{output.replace('%', '%%')}\\n'; exit 8")
+                run = self.run_script(self.root / "scripts/test.sh")
+                self.assertEqual((run.stdout.splitlines()[-1], run.returncode), (last, code), run)
+
+    def test_what_takes_long_says_how_far_it_is(self):
+        for step in ("[12/87] Building CXX object", "[ 34%] Building CXX object", " 5/9 Test  #1: a"):
+            with self.subTest(step):
+                run = self.run_script("bash", "-euc", f"""source '{self.root}/scripts/setup.sh'
+                    kinetri_progress_seconds=0.2
+                    kinetri_quietly building '{self.root}/log' sh -c 'echo "{step}"; sleep 1'""")
+                shown = step.split(" Building")[0].split("  #")[0]
+                self.assertIn(f"  {shown} (", run.stdout, run.stderr)
+                self.assertEqual(run.returncode, 0)
+
+    def test_what_fails_shows_its_errors(self):
+        run = self.run_script("bash", "-euc", f"""source '{self.root}/scripts/setup.sh'
+            kinetri_quietly building '{self.root}/log' sh -c 'echo a; echo "x.cpp:1: error: b"; exit 3'""")
+        self.assertEqual(run.returncode, 1)
+        self.assertEqual(run.stderr, f"x.cpp:1: error: b\nerror: building failed; all of its output is in {self.root}/log\n")
+
+    def test_a_package_that_cannot_be_installed_is_named(self):
+        self.program("dpkg-query", '[ "$3" = libcgal-dev ] || echo installed')
+        self.program("apt-get", "exit 100")
+        self.program("apt-cache", "exit 100")
+        run = self.run_script(self.root / "scripts/setup.sh", "demo")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("apt-get install -y libcgal-dev", run.stderr)
+        if os.geteuid() == 0:
+            self.assertIn("could not install: libcgal-dev\nNot in its package lists: libcgal-dev", run.stderr)
+            self.assertIn("cmake --preset release && cmake --build --preset release", run.stderr)
+
+    def test_each_check_finds_what_it_is_for(self):
+        for folder in (".ci", "apps", "bench", "data", "examples", "include", "src", "test", "viewer"):
+            (self.root / folder).mkdir()
+        for check, name, good, bad in (
+            ("format", "src/a.cpp", "int a;\n", "int  a;\n"),
+            ("shell", "scripts/a.sh", '#!/bin/bash\necho "$1"\n', "#!/bin/bash\necho $1\n"),
+            ("python", "test/a.py", "print(1)\n", "import os\n"),
+            ("javascript", "viewer/a.js", "let x = 1;\n", "let x = ;\n"),
         ):
-            with self.subTest(files=files):
-                self.assertEqual(run_clang_tidy.sources_for(files, self.sources), (expected, []))
-
-    def test_a_header_that_is_not_included_is_named(self):
-        header = "include/kinetri/io/lonely.h"
-        self.assertEqual(run_clang_tidy.sources_for([header], self.sources), ([], [header]))
-
-    def test_each_source_counts_as_it_is_compiled_first(self):
-        build = self.root / "build"
-        entries = [{"directory": str(build), "file": file, "command": command} for file, command in (
-            ("../src/io/a.cpp", "first"), ("../src/io/a.cpp", "second"), ("made.cpp", "made"),
-            ("/usr/x.cpp", "other"))]
-        self.write("build/compile_commands.json", json.dumps(entries))
-        found = run_clang_tidy.compilations(build.resolve())
-        self.assertEqual({k: v["command"] for k, v in found.items()}, {"src/io/a.cpp": "first"})
-
-    def test_findings_are_told_from_each_other(self):
-        root = run_clang_tidy.ROOT
-        text = f"{root}/a.cpp:1:2: warning: w [x]\n  code\n{root}/a.h:3:4: error: e [y]\n"
-        self.assertEqual(list(run_clang_tidy.findings("noise\n" + text)), [
-            ("a.cpp:1:2: warning: w [x]", "a.cpp:1:2: warning: w [x]\n  code"),
-            ("a.h:3:4: error: e [y]", "a.h:3:4: error: e [y]"),
-        ])
-
-
-class Coverage(Tree):
-    def summary(self, files):
-        self.write("coverage.json", json.dumps({"files": files}))
-        text, arguments = io.StringIO(), sys.argv
-        try:
-            sys.argv = ["summarize_coverage.py", str(self.root / "coverage.json")]
-            with contextlib.redirect_stdout(text):
-                code = summarize_coverage.main()
-        finally:
-            sys.argv = arguments
-        return code, text.getvalue()
-
-    def test_layers(self):
-        for path, layer in (
-            ("include/kinetri/algebra/a.h", "algebra"),
-            ("include/kinetri/triangulation/detail/a_impl.h", "triangulation"),
-            ("src/io/a.cpp", "io"),
-            ("apps/kinetri/a.cpp", "apps"),
-            ("include/kinetri/kinetri.h", None),
-            ("test/io/a.cpp", None),
-            ("bench/a.cpp", None),
-        ):
-            with self.subTest(path=path):
-                self.assertEqual(summarize_coverage.layer_of(path), layer)
-
-    def test_names_are_short(self):
-        for name, expected in (
-            ("kinetri::f(int, std::vector<int> const&)", "f"),
-            ("kinetri::(anonymous namespace)::f()", "f"),
-            ("kinetri::A<kinetri::B<int> >::f(int) const", "A::f"),
-            ("void kinetri::detail::f<int (*)(int)>(int)", "detail::f"),
-            ("kinetri::f(int)::{lambda(auto:1)#1}::operator()(int) const", "f"),
-        ):
-            with self.subTest(name=name):
-                self.assertEqual(summarize_coverage.short_name(name), expected)
-
-    def test_what_is_covered_and_what_is_not(self):
-        def line(number, count, *branches):
-            return {"line_number": number, "count": count,
-                    "branches": [{"count": count} for count in branches]}
-
-        code, text = self.summary([{
-            "file": "src/io/a.cpp",
-            "lines": [line(1, 2), line(2, 1, 1, 0), line(3, 0), line(4, 0, 0, 0), line(6, 0),
-                      line(7, 1, 1, 1), dict(line(8, 0), **{"gcovr/noncode": True})],
-            # The third and the fourth are instances of one template.
-            "functions": [
-                {"name": "kinetri::f()", "lineno": 1, "execution_count": 2},
-                {"name": "kinetri::g(int)", "lineno": 3, "execution_count": 0},
-                {"name": "void kinetri::h<int>()", "lineno": 5, "execution_count": 1},
-                {"name": "void kinetri::h<char>()", "lineno": 5, "execution_count": 0},
-            ],
-        }, {"file": "test/io/a_test.cpp", "lines": [line(1, 0)]}])
-        self.assertEqual(code, 0)
-        self.assertIn("""src/io/a.cpp
-  never called: g (3)
-  never run: 3-4, 6
-  a branch never taken: 2
-""", text)
-        self.assertNotIn("a_test", text)
-        rows = {row.split()[0]: row.split()[1:] for row in text.splitlines() if " of " in row}
-        expected = "2 of 3 66.6 % 3 of 6 50.0 % 3 of 6 50.0 %".split()
-        self.assertEqual(rows["io"], expected)
-        self.assertEqual(rows["all"], expected)
-        self.assertEqual(rows["base"], "0 of 0 - 0 of 0 - 0 of 0 -".split())
-
-    def test_nearly_all_is_not_all(self):
-        self.assertEqual(summarize_coverage.share(9999, 10000), "99.9 %")
-
-    def test_a_report_without_sources_is_no_success(self):
-        self.assertEqual(self.summary([])[0], 1)
+            with self.subTest(check=check):
+                self.write(name, good)
+                run = self.run_script(self.root / "scripts/lint.sh", check)
+                if run.returncode == 77:
+                    self.skipTest(run.stdout.strip())
+                self.assertEqual((run.returncode, run.stdout), (0, "lint: ok\n"), run.stderr)
+                self.write(name, bad)
+                run = self.run_script(self.root / "scripts/lint.sh", check)
+                self.assertEqual(run.returncode, 1, run.stdout)
+                self.assertIn(name, run.stdout + run.stderr)
+                self.assertIn(f"found something: {check}", run.stderr)
 
 
 if __name__ == "__main__":

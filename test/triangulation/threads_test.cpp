@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What is done by several threads. These tests are a program of their own, which is what runs with
-// ThreadSanitizer: scripts/test.sh --sanitize=thread.
+// ThreadSanitizer: scripts/test.sh --preset tsan.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
