@@ -55,6 +55,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/KinetriConfig.cmake.in
 write_basic_package_version_file(${generated_dir}/KinetriConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${generated_dir}/KinetriConfig.cmake ${generated_dir}/KinetriConfigVersion.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/KinetriBuildType.cmake
   ${PROJECT_SOURCE_DIR}/cmake/KinetriDependencies.cmake
   DESTINATION ${package_dir} COMPONENT development)
 
