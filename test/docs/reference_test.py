@@ -98,7 +98,8 @@ class Reference(unittest.TestCase):
 
     def test_each_public_header_has_a_page_and_a_group(self):
         headers = [path.relative_to(ROOT / "include")
-                   for path in sorted((ROOT / "include").rglob("*.h")) if "detail" not in path.parts]
+                   for path in sorted((ROOT / "include").rglob("*.h"))
+                   if "detail" not in path.parts and not path.name.endswith("_impl.h")]
         self.assertGreater(len(headers), 40)
         for header in headers:
             with self.subTest(header=header):
