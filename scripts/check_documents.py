@@ -7,7 +7,8 @@
 - What stands in a block of a page of docs/guide stands, line by line, in an example that the page
   links: ```cpp in the program, ```text in what it prints, ```cmake and ```csv in files that are
   linked. The block may be indented less than there. ```sh is for commands, which are not checked.
-- Every program of examples/ is shown by a page of docs/guide.
+- Every program of examples/ is shown by a page of docs/guide: whole if it has at most 80 lines, and with
+  its whole output.
 
 usage: check_documents.py [ROOT]
 
@@ -30,6 +31,9 @@ README_PROGRAM = pathlib.PurePath("test/install/consumer/main.cpp")
 # printed is that of the file beside the program.
 ENDINGS = {"cpp": ".cpp", "text": ".txt", "cmake": "CMakeLists.txt", "csv": ".csv"}
 UNCHECKED = {"sh"}
+
+# A program with at most so many lines is shown whole.
+SHORT_PROGRAM = 80
 
 FENCE = re.compile(r"^ {0,3}(```+|~~~+)\s*(\w*)\s*$")
 HEADING = re.compile(r"^ {0,3}#{1,6}\s+(.*?)\s*#*\s*$")
@@ -120,8 +124,17 @@ def occurs(lines, text):
     return False
 
 
+def whole(file):
+    """The lines of a file that shows it whole: all but the comment at the top of a program."""
+    lines = file.read_text(encoding="utf-8").splitlines()
+    while file.suffix == ".cpp" and lines and lines[0].startswith("//"):
+        del lines[0]
+    return lines
+
+
 def block_problems(page, blocks, prose, shown):
-    """What is wrong with the blocks of a page of the guide. Adds the programs that it shows."""
+    """What is wrong with the blocks of a page of the guide. Adds what it shows of each file: whether
+    that is all of it."""
     linked = [split_target(page, target)[0] for _, target in links(prose)]
     linked += [file.with_suffix(".txt") for file in linked if file.suffix == ".cpp"]
     for block in blocks:
@@ -137,7 +150,8 @@ def block_problems(page, blocks, prose, shown):
         if not block.lines or not found:
             names = " or ".join(sorted({file.name for file in files})) or f"a linked *{ending}"
             yield block.line, f"a {block.language} block that does not stand in {names}"
-        shown.update(found)
+        for file in found:
+            shown[file] = shown.get(file, False) or block.lines == whole(file)
 
 
 def readme_problems(root, blocks):
@@ -151,7 +165,7 @@ def check(root):
     root = root.resolve()
     violations = []
     count = 0
-    shown = set()
+    shown = {}
     for page in pages(root):
         count += 1
         path = page.relative_to(root)
@@ -163,8 +177,15 @@ def check(root):
             problems += readme_problems(root, blocks)
         violations += [f"{path}:{line}: {problem}" for line, problem in problems]
     for program in sorted(root.glob("examples/*.cpp")):
+        path = program.relative_to(root)
+        output = program.with_suffix(".txt")
+        length = len(program.read_text(encoding="utf-8").splitlines())
         if program not in shown:
-            violations.append(f"{program.relative_to(root)}:1: no page of docs/guide shows it")
+            violations.append(f"{path}:1: no page of docs/guide shows it")
+        elif length <= SHORT_PROGRAM and not shown[program]:
+            violations.append(f"{path}:1: no page of docs/guide shows the whole of its {length} lines")
+        elif output.exists() and not shown.get(output):
+            violations.append(f"{path}:1: no page of docs/guide shows the whole of {output.name}")
     return count, violations
 
 

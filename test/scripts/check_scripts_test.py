@@ -208,25 +208,27 @@ class Sources(Tree):
 
 class Documents(Tree):
     PROGRAM = "int main() {\n  f();\n\n  g();\n}\n"
+    OUTPUT = "one\ntwo\nthree\n"
     GUIDE = "[p](../../examples/p.cpp) [CMake](../../examples/CMakeLists.txt)\n"
+    WHOLE = f"```cpp\n{PROGRAM}```\n```text\n{OUTPUT}```\n"
 
     def setUp(self):
         super().setUp()
         self.write("test/install/consumer/main.cpp", LICENCE + self.PROGRAM)
         self.write("README.md", f"```cpp\n{self.PROGRAM}```\n")
         self.write("examples/p.cpp", LICENCE + self.PROGRAM)
-        self.write("examples/p.txt", "one\ntwo\nthree\n")
+        self.write("examples/p.txt", self.OUTPUT)
         self.write("examples/CMakeLists.txt", "find_package(Kinetri)\n")
         self.write("examples/other.txt", "four\n")
-        self.write("docs/guide/p.md", self.GUIDE + "```cpp\n  f();\n```\n")
+        self.write("docs/guide/p.md", self.GUIDE + self.WHOLE)
 
     def problems(self, path, text):
         self.write(path, text)
         return check_documents.check(self.root)[1]
 
     def block_problems(self, language, text):
-        page = self.GUIDE + f"```{language}\n{text}```\n```cpp\nint main() {{\n```\n"
-        return self.problems("docs/guide/p.md", page)
+        page = self.GUIDE + f"```{language}\n{text}```\n"
+        return self.problems("docs/guide/p.md", page + self.WHOLE)
 
     def test_the_program_of_the_readme_is_the_one_that_is_tested(self):
         self.assertEqual(check_documents.check(self.root), (2, []))
@@ -271,6 +273,20 @@ class Documents(Tree):
     def test_a_program_that_no_page_shows_fails(self):
         found = self.problems("examples/q.cpp", LICENCE)
         self.assertEqual(found, ["examples/q.cpp:1: no page of docs/guide shows it"])
+
+    def test_a_short_program_or_an_output_that_is_shown_in_part_fails(self):
+        part, long = "  g();\n}\n", LICENCE + self.PROGRAM + "\n" * 80
+        for block, program, expected in (
+            (f"```cpp\n{part}```\n", None, ["the whole of its 6 lines"]),
+            (f"```cpp\n{part}```\n```text\n{self.OUTPUT}```\n", long, []),
+            (f"```cpp\n{self.PROGRAM}```\n", None, ["the whole of p.txt"]),
+            (f"```cpp\n{self.PROGRAM}```\n```text\ntwo\nthree\n```\n", None, ["the whole of p.txt"]),
+        ):
+            with self.subTest(block=block):
+                self.write("examples/p.cpp", program or LICENCE + self.PROGRAM)
+                found = self.problems("docs/guide/p.md", self.GUIDE + block)
+                prefix = "examples/p.cpp:1: no page of docs/guide shows "
+                self.assertEqual(found, [prefix + text for text in expected])
 
     def test_links_that_lead_somewhere_pass(self):
         text = """
