@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/io/points_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,13 +8,15 @@
 #include <cstdint>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <system_error>
-#include <tuple>
+#include <utility>
 
 #include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
+#include "text.h"
 #include "text_table.h"
 
 namespace kinetri {
@@ -31,9 +31,10 @@ constexpr std::string_view not_finite = "is not finite; expected a finite number
 constexpr std::string_view out_of_range =
     "is out of the range of binary64; expected 0, or a magnitude from 4.9e-324 to 1.8e308";
 
-enum Column : std::size_t { x, y, vx, vy, ax, ay, jx, jy, radius, column_count };
+// Those of numbers first.
+enum Column : std::size_t { x, y, vx, vy, ax, ay, jx, jy, radius, label, column_count };
 constexpr std::array<std::string_view, column_count> column_names = {
-    "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius"};
+    "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "id"};
 constexpr std::size_t required_columns = ax;
 constexpr std::string_view expected_columns =
     "expected a header line with the columns x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any "
@@ -54,12 +55,15 @@ class Points_reader {
       : table_(in, name, points_kind), name_(name) {}
 
   Points_file read() {
-    columns_ = table_.read_header(column_names, required_columns, expected_columns);
-    has_radius_ = has(radius);
+    header_ = table_.read_csv_header(column_names, required_columns, expected_columns);
+    has_radius_ = header_.has(radius);
+    has_label_ = header_.has(label);
     check_pair(ax, ay);
     check_pair(jx, jy);
-    result_.is_polynomial = has(ax) || has(jx);
+    result_.is_polynomial = header_.has(ax) || header_.has(jx);
+    result_.ignored_columns = std::move(header_.ignored_names);
     while (const auto line = table_.next()) read_row(*line);
+    reject_equal_labels();
     if (result_.is_polynomial) {
       reject_equal_points(result_.polynomial_motions);
     } else {
@@ -69,31 +73,29 @@ class Points_reader {
   }
 
  private:
-  bool has(Column column) const {
-    return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
-  }
-
   void check_pair(Column first, Column second) const {
-    if (has(first) == has(second)) return;
-    table_.fail(fmt::format("the column {} is missing; expected both {} and {}, or neither",
-                            column_names[has(first) ? second : first], column_names[first],
-                            column_names[second]));
+    if (header_.has(first) == header_.has(second)) return;
+    table_.fail(joined("the column ", column_names[header_.has(first) ? second : first],
+                       " is missing; expected both ", column_names[first], " and ",
+                       column_names[second], ", or neither"));
   }
 
   void read_row(std::string_view line) {
     if (result_.lines.size() == no_point - 1) {
-      table_.fail(fmt::format("there are too many points; expected at most {}", no_point - 1));
+      table_.fail(joined("there are too many points; expected at most ", no_point - 1));
     }
-    std::array<double, column_count> values = {};
+    const std::vector<std::size_t>& columns = header_.columns;
+    std::array<double, label> values = {};
     std::size_t fields = 0;
-    for_each_field_between_commas(line, [&](std::string_view field) {
-      if (fields < columns_.size()) {
-        const std::size_t column = columns_[fields];
-        values[column] = table_.number(field, column_names[column]);
+    table_.for_each_csv_field(line, [&](std::string_view field) {
+      if (fields < columns.size()) {
+        const std::size_t column = columns[fields];
+        if (column < label) values[column] = table_.number(field, column_names[column]);
+        if (column == label) read_label(field);
       }
       ++fields;
     });
-    table_.check_number_of_fields(fields, columns_.size());
+    table_.check_number_of_fields(fields, columns.size());
     const Vector_2 position = {values[x], values[y]};
     const Vector_2 velocity = {values[vx], values[vy]};
     if (result_.is_polynomial) {
@@ -105,9 +107,29 @@ class Points_reader {
     result_.lines.push_back(table_.line());
     if (has_radius_) {
       if (values[radius] < 0) {
-        table_.fail(fmt::format("the radius {} is negative; expected at least 0", values[radius]));
+        table_.fail(joined("the radius ", values[radius], " is negative; expected at least 0"));
       }
       result_.radii.push_back(values[radius]);
+    }
+  }
+
+  void read_label(std::string_view field) {
+    if (field.empty()) table_.fail("the column id is empty; expected any text");
+    result_.labels.emplace_back(field);
+  }
+
+  void reject_equal_labels() const {
+    if (!has_label_) return;
+    std::map<std::string_view, Point_id> points;  // a tree, so that no input makes it slow
+    for (Point_id point = 0; point < result_.labels.size(); ++point) {
+      const auto [known, is_new] = points.emplace(result_.labels[point], point);
+      if (is_new) continue;
+      throw Input_error(
+          name_, result_.lines[point],
+          joined("the column id is ", quoted(known->first), ", as in line ",
+                 result_.lines[known->second],
+                 "; expected ids that differ, or another name of the column (where points have "
+                 "several rows, they are tracks)"));
     }
   }
 
@@ -141,16 +163,17 @@ class Points_reader {
     if (!first) return;
     throw Input_error(
         name_, result_.lines[(*first)[1]],
-        fmt::format("the point has the same place and {} as the one in line {}; expected points "
-                    "that differ in one of them: remove one or change its motion",
-                    result_.is_polynomial ? "derivatives" : "velocity",
-                    result_.lines[(*first)[0]]));
+        joined("the point has the same place and ",
+               result_.is_polynomial ? "derivatives" : "velocity", " as the one in line ",
+               result_.lines[(*first)[0]],
+               "; expected points that differ in one of them: remove one or change its motion"));
   }
 
   Table_reader table_;
   const std::string& name_;
-  std::vector<std::size_t> columns_;  // the Column of each field
+  Csv_header header_;
   bool has_radius_ = false;
+  bool has_label_ = false;
   Points_file result_;
 };
 
@@ -191,19 +214,22 @@ void write_all_points(std::ostream& out, std::span<const Motion> motions,
                       std::span<const double> radii) {
   KINETRI_PRECONDITION(radii.empty() || radii.size() == motions.size(),
                        "there are not as many radii as points; expected one for each, or none");
-  constexpr std::size_t columns = std::tuple_size_v<decltype(numbers(Motion()))>;
-  out << fmt::format("{}{}\n", fmt::join(column_names.begin(), column_names.begin() + columns, ","),
-                     radii.empty() ? "" : ",radius");
-  fmt::memory_buffer row;
+  std::string row;
+  const auto add_field = [&](const Text_piece& piece) {
+    if (!row.empty()) row += ',';
+    row += piece.text();
+  };
+  for (std::size_t i = 0; i < numbers(Motion()).size(); ++i) add_field(column_names[i]);
+  if (!radii.empty()) add_field(column_names[radius]);
+  out << row << '\n';
   for (std::size_t i = 0; i < motions.size(); ++i) {
     KINETRI_PRECONDITION(
         is_finite(motions[i]) && motions[i].epoch == 0,
         "a motion has a number that is not finite, or begins at another time than 0");
     row.clear();
-    fmt::format_to(std::back_inserter(row), "{}", fmt::join(numbers(motions[i]), ","));
-    if (!radii.empty()) fmt::format_to(std::back_inserter(row), ",{}", radii[i]);
-    row.push_back('\n');
-    out.write(row.data(), static_cast<std::streamsize>(row.size()));
+    for (const double number : numbers(motions[i])) add_field(number);
+    if (!radii.empty()) add_field(radii[i]);
+    out << row << '\n';
   }
 }
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/io/svg_frame.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
 #include <ostream>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "text.h"
 
 namespace kinetri {
 namespace {
@@ -108,50 +110,50 @@ class Picture {
     add_circles("points", "fill=\"#d55e00\"", std::clamp(0.08 * spacing, 0.5, 3.4));
     add_caption();
     add("</svg>\n");
-    out.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+    out << text_;
   }
 
  private:
-  template <class... Arguments>
-  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+  template <class... Pieces>
+  void add(const Pieces&... pieces) {
+    append(text_, pieces...);
   }
 
   void begin() {
-    add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-        "viewBox=\"0 0 {0} {1}\">\n"
-        "<title>t = {2}</title>\n"
-        "<rect width=\"{0}\" height=\"{1}\" fill=\"#fdfdfb\"/>\n",
-        canvas_.width(), canvas_.height(), frame_.time);
+    const double width = canvas_.width();
+    const double height = canvas_.height();
+    add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", width, "\" height=\"", height,
+        "\" viewBox=\"0 0 ", width, ' ', height, "\">\n");
+    add("<title>t = ", frame_.time, "</title>\n");
+    add("<rect width=\"", width, "\" height=\"", height, "\" fill=\"#fdfdfb\"/>\n");
   }
 
   void add_box(const Box_2& box) {
     const Pixel corner = {pixels(canvas_.x(box.xmin)), pixels(canvas_.y(box.ymax))};
-    add("<rect class=\"box\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" "
-        "stroke=\"#404040\" stroke-width=\"1.5\"/>\n",
-        corner.x, corner.y, pixels(canvas_.x(box.xmax) - corner.x),
-        pixels(canvas_.y(box.ymin) - corner.y));
+    add("<rect class=\"box\" x=\"", corner.x, "\" y=\"", corner.y, "\" width=\"",
+        pixels(canvas_.x(box.xmax) - corner.x), "\" height=\"",
+        pixels(canvas_.y(box.ymin) - corner.y),
+        "\" fill=\"none\" stroke=\"#404040\" stroke-width=\"1.5\"/>\n");
   }
 
   void add_lines(std::string_view name, std::string_view color, double width,
                  const std::vector<std::array<std::size_t, 2>>& edges) {
-    add("<path class=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
-        "stroke-linecap=\"round\" d=\"",
-        name, color, pixels(width));
+    add("<path class=\"", name, "\" fill=\"none\" stroke=\"", color, "\" stroke-width=\"",
+        pixels(width), "\" stroke-linecap=\"round\" d=\"");
     for (const auto& [a, b] : edges) {
       const Pixel& from = places_[a];
       const Pixel& to = places_[b];
       if (!from.is_finite() || !to.is_finite()) continue;
-      add("M{} {}L{} {}", from.x, from.y, to.x, to.y);
+      add('M', from.x, ' ', from.y, 'L', to.x, ' ', to.y);
     }
     add("\"/>\n");
   }
 
   void add_circles(std::string_view name, std::string_view style, double radius) {
-    add("<g class=\"{}\" {}>\n", name, style);
+    add("<g class=\"", name, "\" ", style, ">\n");
     for (const Pixel& place : places_) {
       if (!place.is_finite()) continue;
-      add("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", place.x, place.y, pixels(radius));
+      add("<circle cx=\"", place.x, "\" cy=\"", place.y, "\" r=\"", pixels(radius), "\"/>\n");
     }
     add("</g>\n");
   }
@@ -160,20 +162,19 @@ class Picture {
     const auto events =
         std::accumulate(frame_.events.begin(), frame_.events.end(), std::uint64_t{0});
     const double baseline = canvas_.height() - 18;
-    add("<g font-family=\"sans-serif\" font-size=\"15\" fill=\"#202020\">\n"
-        "<text x=\"{0}\" y=\"{1}\">t = {2}</text>\n"
-        "<text x=\"{3}\" y=\"{1}\" text-anchor=\"end\" fill=\"#606060\">{4} point{5}, {6} "
-        "event{7}</text>\n"
-        "</g>\n",
-        margin, baseline, frame_.time, canvas_.width() - margin, frame_.ids.size(),
-        frame_.ids.size() == 1 ? "" : "s", events, events == 1 ? "" : "s");
+    add("<g font-family=\"sans-serif\" font-size=\"15\" fill=\"#202020\">\n");
+    add("<text x=\"", margin, "\" y=\"", baseline, "\">t = ", frame_.time, "</text>\n");
+    add("<text x=\"", canvas_.width() - margin, "\" y=\"", baseline,
+        "\" text-anchor=\"end\" fill=\"#606060\">", frame_.ids.size(),
+        frame_.ids.size() == 1 ? " point, " : " points, ", events,
+        events == 1 ? " event" : " events", "</text>\n</g>\n");
   }
 
   const Frame_2& frame_;
   const Svg_view& view_;
   Canvas canvas_;
   std::vector<Pixel> places_;
-  fmt::memory_buffer text_;
+  std::string text_;
 };
 
 }  // namespace

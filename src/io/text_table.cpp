@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text_table.h"
 
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -11,6 +9,7 @@
 
 #include "kinetri/base/error.h"
 #include "kinetri/io/points_file.h"
+#include "text.h"
 
 namespace kinetri {
 namespace {
@@ -25,14 +24,14 @@ constexpr std::size_t first_buffer = std::size_t{1} << 16U;
 std::ifstream open_table(const std::string& path, const Table_kind& kind) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw Input_error(path, 0, fmt::format("is a directory; expected a file of {}", kind.content));
+    throw Input_error(path, 0, joined("is a directory; expected a file of ", kind.content));
   }
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) {
     throw Input_error(path, 0,
-                      fmt::format("cannot be opened: {}; expected a readable file of {}",
-                                  std::generic_category().message(errno), kind.content));
+                      joined("cannot be opened: ", std::generic_category().message(errno),
+                             "; expected a readable file of ", kind.content));
   }
   return in;
 }
@@ -41,6 +40,14 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
+}
+
+std::string in_lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
 }
 
 std::string quoted(std::string_view text) {
@@ -53,7 +60,7 @@ std::string quoted(std::string_view text) {
   for (const char c : text.substr(0, length)) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20 || byte == 0x7f) {
-      result += fmt::format("\\x{:02x}", byte);
+      result += "\\x" + hexadecimal(byte, 2);
     } else {
       result += c;
     }
@@ -69,7 +76,11 @@ Table_reader::Table_reader(std::istream& in, const std::string& name, const Tabl
 std::optional<std::string_view> Table_reader::next() {
   while (auto line = next_of_any_kind()) {
     if (line_ == 1 && line->starts_with("\xEF\xBB\xBF")) line->remove_prefix(3);
-    if (line->starts_with('#') || trimmed(*line).empty()) continue;
+    if (line->starts_with('#')) {
+      if (on_comment_) on_comment_(line->substr(1));
+      continue;
+    }
+    if (trimmed(*line).empty()) continue;
     return line;
   }
   return std::nullopt;
@@ -79,23 +90,90 @@ std::vector<std::size_t> Table_reader::read_header(std::span<const std::string_v
                                                    std::size_t required,
                                                    std::string_view expected) {
   const auto header = next();
-  if (!header) throw Input_error(name_, 1, fmt::format("the file is empty; {}", expected));
+  if (!header) throw Input_error(name_, 1, joined("the file is empty; ", expected));
   std::vector<std::size_t> columns;
   std::vector<bool> seen(names.size(), false);
   for_each_field_between_commas(*header, [&](std::string_view field) {
     const auto found = std::find(names.begin(), names.end(), field);
     if (found == names.end()) {
-      fail(fmt::format("unknown column {}; {}", quoted(field), expected));
+      fail(joined("unknown column ", quoted(field), "; ", expected));
     }
     const auto column = static_cast<std::size_t>(found - names.begin());
-    if (seen[column]) fail(fmt::format("the column {} is named twice; {}", field, expected));
+    if (seen[column]) fail(joined("the column ", field, " is named twice; ", expected));
     seen[column] = true;
     columns.push_back(column);
   });
   for (std::size_t column = 0; column < required; ++column) {
-    if (!seen[column]) fail(fmt::format("the column {} is missing; {}", names[column], expected));
+    if (!seen[column]) fail(joined("the column ", names[column], " is missing; ", expected));
   }
   return columns;
+}
+
+Csv_header Table_reader::read_csv_header(std::span<const std::string_view> names,
+                                         std::size_t required, std::string_view expected) {
+  const auto line = next();
+  if (!line) throw Input_error(name_, 1, joined("the file is empty; ", expected));
+  separator_ =
+      line->find(',') == std::string_view::npos && line->find(';') != std::string_view::npos ? ';'
+                                                                                             : ',';
+  Csv_header header;
+  for_each_csv_field(*line, [&](std::string_view field) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](std::string_view known) {
+      return in_lower_case(field) == known;
+    });
+    if (found == names.end()) {
+      if (parse_number(field).problem.empty()) {
+        fail(joined("unknown column ", quoted(field), "; ", expected));
+      }
+      header.columns.push_back(Csv_header::ignored);
+      header.ignored_names.push_back(quoted(field));
+      return;
+    }
+    const auto column = static_cast<std::size_t>(found - names.begin());
+    if (header.has(column)) fail(joined("the column ", *found, " is named twice; ", expected));
+    header.columns.push_back(column);
+  });
+  for (std::size_t column = 0; column < required; ++column) {
+    if (!header.has(column)) {
+      fail(joined("the column ", names[column], " is missing; ", expected));
+    }
+  }
+  return header;
+}
+
+// Takes the first field away from the rest of the line, which is none after the last one.
+std::string_view Table_reader::take_csv_field(std::optional<std::string_view>& rest) {
+  std::string_view text = *rest;
+  const auto take_up_to = [&](std::size_t position) {
+    const bool is_last = position == std::string_view::npos;
+    rest = is_last ? std::nullopt : std::optional(text.substr(position + 1));
+    return trimmed(text.substr(0, position));
+  };
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos || text[begin] != '"')
+    return take_up_to(text.find(separator_));
+
+  unquoted_.clear();
+  std::size_t from = begin + 1;
+  for (;;) {
+    const std::size_t mark = text.find('"', from);
+    if (mark == std::string_view::npos) {
+      fail(joined("a quotation mark is not closed: ", quoted(text.substr(begin)),
+                  "; expected a second one on the same line"));
+    }
+    unquoted_ += text.substr(from, mark - from);
+    from = mark + 1;
+    if (from == text.size() || text[from] != '"') break;
+    unquoted_ += '"';  // two of them stand for one
+    ++from;
+  }
+  text.remove_prefix(from);
+  const std::string_view behind = take_up_to(text.find(separator_));
+  if (!behind.empty()) {
+    fail(joined("something stands behind a quoted field: ", quoted(behind), "; expected '",
+                separator_, "' or the end of the line"));
+  }
+  return trimmed(unquoted_);
 }
 
 void Table_reader::fail(const std::string& message) const {
@@ -104,15 +182,19 @@ void Table_reader::fail(const std::string& message) const {
 
 void Table_reader::check_number_of_fields(std::size_t fields, std::size_t columns) const {
   if (fields == columns) return;
-  fail(fmt::format("the row has {} field{}; expected {}, one for each column of the header", fields,
-                   fields == 1 ? "" : "s", columns));
+  fail(joined("the row has ", fields, fields == 1 ? " field" : " fields", "; expected ", columns,
+              ", one for each column of the header"));
 }
 
 double Table_reader::number(std::string_view field, std::string_view column) const {
-  if (field.empty()) fail(fmt::format("the column {} is empty; expected a number", column));
+  if (field.empty()) fail(joined("the column ", column, " is empty; expected a number"));
+  if (separator_ == ';' && field.find(',') != std::string_view::npos) {
+    fail(joined("the column ", column, " is ", quoted(field),
+                ", with a decimal comma; expected a decimal point, as in 1.5"));
+  }
   const Parsed_number parsed = parse_number(field);
   if (!parsed.problem.empty()) {
-    fail(fmt::format("the column {} is {}, which {}", column, quoted(field), parsed.problem));
+    fail(joined("the column ", column, " is ", quoted(field), ", which ", parsed.problem));
   }
   return parsed.value;
 }
@@ -152,15 +234,15 @@ bool Table_reader::fill() {
   if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
   in_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
   if (in_.bad()) {
-    fail(fmt::format("reading failed; expected a readable file of {}", kind_.content));
+    fail(joined("reading failed; expected a readable file of ", kind_.content));
   }
   end_ += static_cast<std::size_t>(in_.gcount());
   return in_.gcount() > 0;
 }
 
 void Table_reader::fail_too_long() const {
-  fail(fmt::format("the line is longer than {} bytes; expected one {} a line", longest_line,
-                   kind_.row));
+  fail(joined("the line is longer than ", longest_line, " bytes; expected one ", kind_.row,
+              " a line"));
 }
 
 }  // namespace kinetri

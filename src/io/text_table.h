@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <fstream>
+#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kinetri {
@@ -33,6 +35,9 @@ inline bool is_blank(char c) {
 
 /// `text` without the blanks around it.
 std::string_view trimmed(std::string_view text);
+
+/// The text with the letters A to Z as a to z.
+std::string in_lower_case(std::string_view text);
 
 /// The text as it is shown in a message: in quotes, on one line, printable, and not too long.
 std::string quoted(std::string_view text);
@@ -60,6 +65,18 @@ void for_each_field_between_blanks(std::string_view line, Function function) {
   }
 }
 
+/// The header line of a file that other programs may have written: R, pandas, spreadsheets.
+struct Csv_header {
+  static constexpr std::size_t ignored = static_cast<std::size_t>(-1);
+
+  std::vector<std::size_t> columns;        ///< of each field, an index into the names, or `ignored`
+  std::vector<std::string> ignored_names;  ///< of the columns that are ignored, `quoted`
+
+  bool has(std::size_t column) const {
+    return std::find(columns.begin(), columns.end(), column) != columns.end();
+  }
+};
+
 /// Gives the lines of a stream one after the other, from one buffer: those that are neither blank
 /// nor comments, without line ends and byte order mark. `in`, `name` and the texts of `kind` must
 /// outlive it.
@@ -70,6 +87,11 @@ class Table_reader {
   /// The number of the last line, counted from 1.
   std::size_t line() const { return line_; }
 
+  /// Calls function(comment) for each comment that next() skips from now on, without its #.
+  void watch_comments(std::function<void(std::string_view)> function) {
+    on_comment_ = std::move(function);
+  }
+
   /// The next line; none at the end of the stream. Valid until the next call. Throws Input_error if
   /// the line is too long or the stream fails.
   std::optional<std::string_view> next();
@@ -79,6 +101,22 @@ class Table_reader {
   /// or named twice; the messages end in `expected`.
   std::vector<std::size_t> read_header(std::span<const std::string_view> names,
                                        std::size_t required, std::string_view expected);
+
+  /// Reads the header line of a file whose fields may be quoted and whose columns are separated by
+  /// commas or, where the header has none, by semicolons. Names are compared without regard to
+  /// case; columns with other names are ignored. Throws Input_error if there is no header, if one
+  /// of the first `required` columns is missing, if one of `names` is there twice, or if a name is
+  /// a number, so that the line is no header; the messages end in `expected`.
+  Csv_header read_csv_header(std::span<const std::string_view> names, std::size_t required,
+                             std::string_view expected);
+
+  /// Calls function(field) for each field of a line of such a file, trimmed, and without quotation
+  /// marks where it is quoted; there is at least one. Throws Input_error if a quotation mark is not
+  /// closed on the line or something stands behind it.
+  template <class Function>
+  void for_each_csv_field(std::string_view line, Function function) {
+    for (std::optional<std::string_view> rest = line; rest;) function(take_csv_field(rest));
+  }
 
   /// Throws the Input_error of the last line.
   [[noreturn]] void fail(const std::string& message) const;
@@ -92,6 +130,7 @@ class Table_reader {
   double number(std::string_view field, std::string_view column) const;
 
  private:
+  std::string_view take_csv_field(std::optional<std::string_view>& rest);
   std::optional<std::string_view> next_of_any_kind();
   std::string_view without_return(std::string_view line) const;
   bool fill();
@@ -100,6 +139,9 @@ class Table_reader {
   std::istream& in_;
   const std::string& name_;
   Table_kind kind_;
+  std::function<void(std::string_view)> on_comment_;
+  char separator_ = ',';
+  std::string unquoted_;  // the last field that had quotation marks in it
   std::vector<char> buffer_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/io/tracks_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +12,10 @@
 #include <string_view>
 #include <utility>
 
+#include "frame_columns.h"
 #include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
+#include "text.h"
 #include "text_table.h"
 
 namespace kinetri {
@@ -31,6 +31,12 @@ constexpr Column_names frames_columns = {"frame", "id", "x", "y"};
 constexpr std::string_view expected_columns =
     "expected a header line with the columns t,id,x,y, in any order";
 
+constexpr std::string_view expected_order =
+    "; expected frame, id, x and y in this order: exchange the first two columns, for example with "
+    "awk '{ print $2, $1, $3, $4 }'";
+constexpr std::string_view or_confirm =
+    ", or, if this is their order, add the line '# frame id x y' above the rows";
+
 bool earlier(const Track_observation& a, const Track_observation& b) {
   return a.time < b.time;
 }
@@ -43,10 +49,18 @@ class Tracks_reader {
   Tracks_file read(Tracks_format format, double fps) {
     if (format == Tracks_format::rows) {
       read_rows();
-    } else {
-      read_frames(fps);
+      return tracks();
     }
-    return tracks();
+    read_frames(fps);
+    Tracks_file result = tracks();
+    if (!is_order_confirmed_) {
+      if (const auto sign = sign_in_rows(result.tracks)) {
+        throw Input_error(name_, 0,
+                          joined(*sign, ", as if the first two columns were exchanged",
+                                 expected_order, or_confirm));
+      }
+    }
+    return result;
   }
 
  private:
@@ -72,6 +86,7 @@ class Tracks_reader {
   }
 
   void read_frames(double fps) {
+    table_.watch_comments([this, fps](std::string_view comment) { heed(comment, fps); });
     while (const auto line = table_.next()) {
       Row row;
       std::size_t fields = 0;
@@ -80,13 +95,36 @@ class Tracks_reader {
         ++fields;
       });
       if (fields != column_count) {
-        table_.fail(
-            fmt::format("the row has {} field{}; expected 4, frame, id, x and y, separated by tabs "
-                        "or blanks",
-                        fields, fields == 1 ? "" : "s"));
+        table_.fail(joined("the row has ", fields, fields == 1 ? " field" : " fields",
+                           "; expected 4, frame, id, x and y, separated by tabs or blanks"));
       }
+      if (!is_order_confirmed_ && frame_rate_line_ > 0) fail_for_frame_rate();
       add(row, time_of_frame(row.values[t], fps));
     }
+  }
+
+  // What a comment of a file of frames says must agree with how it is read.
+  void heed(std::string_view comment, double fps) {
+    const Comment_signs signs = signs_in_comment(comment);
+    if (!signs.column_names.empty() && !signs.has_expected_order) {
+      table_.fail(
+          joined("the comment names the columns '", signs.column_names, "'", expected_order));
+    }
+    if (!signs.column_names.empty()) is_order_confirmed_ = true;
+    if (!signs.frame_rate) return;
+    if (*signs.frame_rate != fps) {
+      table_.fail(joined("the comment gives ", *signs.frame_rate,
+                         " frames a second, but the file is read with ", fps,
+                         "; expected the same rate"));
+    }
+    frame_rate_line_ = table_.line();
+  }
+
+  [[noreturn]] void fail_for_frame_rate() const {
+    throw Input_error(name_, frame_rate_line_,
+                      joined("the comment gives a frame rate, as in files whose columns are id, "
+                             "frame, x and y",
+                             expected_order, or_confirm));
   }
 
   void read_field(Row& row, std::string_view field, std::size_t column,
@@ -94,7 +132,7 @@ class Tracks_reader {
     if (column != id) {
       row.values[column] = table_.number(field, names[column]);
     } else if (field.empty()) {
-      table_.fail(fmt::format("the column {} is empty; expected any text", names[column]));
+      table_.fail(joined("the column ", names[column], " is empty; expected any text"));
     } else {
       row.id = field;
     }
@@ -103,10 +141,9 @@ class Tracks_reader {
   double time_of_frame(double frame, double fps) const {
     const double time = frame / fps;
     if (!std::isfinite(time) || (time == 0 && frame != 0)) {
-      table_.fail(
-          fmt::format("the time of the frame {} at {} frames a second is out of the range of "
-                      "binary64; expected 0, or a magnitude from 4.9e-324 to 1.8e308",
-                      frame, fps));
+      table_.fail(joined("the time of the frame ", frame, " at ", fps,
+                         " frames a second is out of the range of binary64; expected 0, or a "
+                         "magnitude from 4.9e-324 to 1.8e308"));
     }
     return time;
   }
@@ -174,10 +211,9 @@ class Tracks_reader {
     const auto& [conflict_id, first, second] = *conflict_;
     throw Input_error(
         name_, second.line,
-        fmt::format("id {} is at two places at t = {}: at ({}, {}), and at ({}, {}) in line {}; "
-                    "expected one",
-                    quoted(conflict_id), second.time, second.place.x, second.place.y, first.place.x,
-                    first.place.y, first.line));
+        joined("id ", quoted(conflict_id), " is at two places at t = ", second.time, ": at (",
+               second.place.x, ", ", second.place.y, "), and at (", first.place.x, ", ",
+               first.place.y, ") in line ", first.line, "; expected one"));
   }
 
   Table_reader table_;
@@ -185,6 +221,8 @@ class Tracks_reader {
   // The rows of each id: a tree, and not a hash, so that no input makes the search slow.
   std::map<std::string, std::vector<Track_observation>, std::less<>> rows_;
   std::optional<Conflict> conflict_;  // the one whose second line comes first
+  bool is_order_confirmed_ = false;   // by a comment that names the columns
+  std::size_t frame_rate_line_ = 0;   // of a comment that gives the rate; 0 if there is none
   Tracks_file result_;
 };
 

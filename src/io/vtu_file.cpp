@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/io/vtu_file.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <numeric>
 #include <ostream>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "bytes.h"
+#include "text.h"
 
 namespace kinetri {
 namespace {
@@ -37,9 +36,8 @@ void write_array(std::ostream& out, std::string_view name, std::string_view attr
   Bytes data;
   data.add(static_cast<std::uint64_t>(sizeof(Number) * numbers.size()));
   for (const Number number : numbers) data.add(number);
-  out << fmt::format(
-      "        <DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">{}</DataArray>\n",
-      type_name(Number{}), name, attributes, data.base64());
+  out << "        <DataArray type=\"" << type_name(Number{}) << "\" Name=\"" << name << '"'
+      << attributes << " format=\"binary\">" << data.base64() << "</DataArray>\n";
 }
 
 void write_vectors(std::ostream& out, std::string_view name, const std::vector<Vector_2>& vectors) {
@@ -61,8 +59,7 @@ void write_fields(std::ostream& out, const Frame_2& frame) {
   write_field(out, "events",
               std::accumulate(frame.events.begin(), frame.events.end(), std::uint64_t{0}));
   for (std::size_t kind = 0; kind < event_kinds; ++kind) {
-    write_field(out, fmt::format("events_{}", name(static_cast<Event_kind>(kind))),
-                frame.events[kind]);
+    write_field(out, joined("events_", name(static_cast<Event_kind>(kind))), frame.events[kind]);
   }
   out << "      </FieldData>\n";
 }
@@ -90,8 +87,8 @@ void write_vtu(std::ostream& out, const Frame_2& frame, double radius) {
          "header_type=\"UInt64\">\n"
          "  <UnstructuredGrid>\n";
   write_fields(out, frame);
-  out << fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", frame.ids.size(),
-                     frame.triangles.size());
+  out << joined("    <Piece NumberOfPoints=\"", frame.ids.size(), "\" NumberOfCells=\"",
+                frame.triangles.size(), "\">\n");
   out << "      <PointData Scalars=\"id\" Vectors=\"velocity\">\n";
   write_array<std::uint32_t>(out, "id", "", frame.ids);
   write_vectors(out, "velocity", frame.velocities);
@@ -111,8 +108,8 @@ void write_pvd(std::ostream& out, std::span<const Vtu_frame> frames) {
          "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
          "  <Collection>\n";
   for (const Vtu_frame& frame : frames) {
-    out << fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
-                       frame.time, frame.file);
+    out << joined("    <DataSet timestep=\"", frame.time, "\" group=\"\" part=\"0\" file=\"",
+                  frame.file, "\"/>\n");
   }
   out << "  </Collection>\n</VTKFile>\n";
 }

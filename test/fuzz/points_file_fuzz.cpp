@@ -30,9 +30,14 @@ void check_number(const std::string& text) {
 }
 
 void check_points(const Points_file& points) {
-  require(points.lines.size() == points.motions.size(), "a line for each point");
-  require(points.radii.empty() || points.radii.size() == points.motions.size(),
-          "a radius for each point or none");
+  const std::size_t number = points.number_of_points();
+  require(
+      (points.is_polynomial ? points.polynomial_motions.size() : points.motions.size()) == number,
+      "a line for each point");
+  require(points.radii.empty() || points.radii.size() == number, "a radius for each point or none");
+  require(points.labels.empty() || points.labels.size() == number,
+          "a label for each point or none");
+  if (points.is_polynomial) return;
   for (const Linear_motion_2& m : points.motions) {
     require(is_finite(m) && m.epoch == 0, "finite numbers at epoch 0");
   }

@@ -199,6 +199,51 @@ TEST(ReadPoints, ToleratesBlanksByteOrderMarkAndCarriageReturns) {
   EXPECT_EQ(file.motions[1], (Linear_motion_2{{5, 6}, {7, 8}, 0}));
 }
 
+// ---- files of other programs ----
+
+TEST(ReadPoints, ReadsWhatRWrites) {
+  // write.csv: names and row names in quotation marks; the latter have no name.
+  const Points_file file =
+      read("\"\",\"x\",\"y\",\"vx\",\"vy\"\n\"1\",1,2,3,4\n\"2\",5,6,7,1e-04\n");
+  ASSERT_EQ(file.motions.size(), 2U);
+  EXPECT_EQ(file.motions[1], (Linear_motion_2{{5, 6}, {7, 1e-4}, 0}));
+  EXPECT_EQ(file.ignored_columns, std::vector<std::string>{"''"});
+  EXPECT_TRUE(file.labels.empty());
+}
+
+TEST(ReadPoints, ReadsWhatPandasWrites) {
+  // to_csv: an index without a name, and all columns of the frame.
+  const Points_file file =
+      read(",id,x,y,vx,vy,kind\n0,ada,1.0,2.0,3.0,4.0,\"walks, runs\"\n1,ben,5.0,6.0,7.0,8.0,\n");
+  ASSERT_EQ(file.motions.size(), 2U);
+  EXPECT_EQ(file.motions[0], (Linear_motion_2{{1, 2}, {3, 4}, 0}));
+  EXPECT_EQ(file.labels, (std::vector<std::string>{"ada", "ben"}));
+  EXPECT_EQ(file.ignored_columns, (std::vector<std::string>{"''", "'kind'"}));
+}
+
+TEST(ReadPoints, ReadsWhatSpreadsheetsWrite) {
+  const Points_file file = read(
+      "\xEF\xBB\xBFName;X;Y;VX;VY;Radius\r\n\"a;b\";\"1.5\"; 2 "
+      ";3;4;0.5\r\n\"\"\"q\"\"\";5;6;7;8;1\r\n");
+  ASSERT_EQ(file.motions.size(), 2U);
+  EXPECT_EQ(file.motions[0], (Linear_motion_2{{1.5, 2}, {3, 4}, 0}));
+  EXPECT_EQ(file.radii, (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(file.ignored_columns, std::vector<std::string>{"'Name'"});
+}
+
+TEST(ReadPoints, KeepsTheColumnIdAsLabels) {
+  const Points_file file =
+      read("x,y,vx,vy,ID\n1,2,3,4,\"Ada, \"\"the\"\" first\"\n5,6,7,8, 7 \n1,2,0,0,7.0\n");
+  EXPECT_EQ(file.labels, (std::vector<std::string>{"Ada, \"the\" first", "7", "7.0"}));
+  EXPECT_TRUE(file.ignored_columns.empty());
+  EXPECT_TRUE(read("x,y,vx,vy,id\n").labels.empty());
+}
+
+TEST(ReadPoints, NamesOfIgnoredColumnsArePrintable) {
+  EXPECT_EQ(read("x,y,vx,vy,a\x1b[2J\n").ignored_columns,
+            std::vector<std::string>{R"('a\x1b[2J')"});
+}
+
 TEST(ReadPoints, HeaderAloneMeansNoPoints) {
   EXPECT_TRUE(read("x,y,vx,vy\n").motions.empty());
   EXPECT_TRUE(read("x,y,vx,vy").motions.empty());
@@ -288,17 +333,25 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_file{"# c\nx,y,vx,x,vy\n",
                  "p.csv:2: the column x is named twice; expected a header line with the columns "
                  "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
-        Bad_file{
-            "x,y,vx,vy,mass\n",
-            "p.csv:1: unknown column 'mass'; expected a header line with the columns x,y,vx,vy "
-            "and optionally radius, ax,ay, jx,jy, in any order"},
-        Bad_file{"X,y,vx,vy\n",
-                 "p.csv:1: unknown column 'X'; expected a header line with the columns x,y,vx,vy "
+        Bad_file{"# c\nx,y,vx,X,vy\n",
+                 "p.csv:2: the column x is named twice; expected a header line with the columns "
+                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+        Bad_file{"ID,x,y,vx,vy,id\n",
+                 "p.csv:1: the column id is named twice; expected a header line with the columns "
+                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+        Bad_file{"x;y;vx\n",
+                 "p.csv:1: the column vy is missing; expected a header line with the columns "
+                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+        // A comma in the header: then semicolons separate nothing.
+        Bad_file{"x;y;vx,vy\n",
+                 "p.csv:1: the column x is missing; expected a header line with the columns "
+                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+        Bad_file{"x,y,\"vx,vy\n",
+                 "p.csv:1: a quotation mark is not closed: '\"vx,vy'; expected a second one on the "
+                 "same line"},
+        Bad_file{"x;y;vx;vy;1.5\n",
+                 "p.csv:1: unknown column '1.5'; expected a header line with the columns x,y,vx,vy "
                  "and optionally radius, ax,ay, jx,jy, in any order"},
-        Bad_file{
-            "x,y,,vx,vy\n",
-            "p.csv:1: unknown column ''; expected a header line with the columns x,y,vx,vy and "
-            "optionally radius, ax,ay, jx,jy, in any order"},
         Bad_file{"x,y,vx,vy,ax\n",
                  "p.csv:1: the column ay is missing; expected both ax and ay, or neither"},
         Bad_file{"x,y,vx,vy,ax,ay,jy\n",
@@ -331,6 +384,27 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_file{"x,y,vx,vy\n1,2,1e-999,4\n",
                  "p.csv:2: the column vx is '1e-999', which is out of the range of binary64; "
                  "expected 0, or a magnitude from 4.9e-324 to 1.8e308"},
+        Bad_file{"x;y;vx;vy\n1;2;3\n",
+                 "p.csv:2: the row has 3 fields; expected 4, one for each column of the header"},
+        Bad_file{"x;y;vx;vy\n1;2;3;4\n1;2,5;3;4\n",
+                 "p.csv:3: the column y is '2,5', with a decimal comma; expected a decimal point, "
+                 "as in 1.5"},
+        Bad_file{"x;y;vx;vy\n1;2;\"3,5\";4\n",
+                 "p.csv:2: the column vx is '3,5', with a decimal comma; expected a decimal point, "
+                 "as in 1.5"},
+        Bad_file{"x,y,vx,vy\n\"1\",\"2,3,4\n",
+                 "p.csv:2: a quotation mark is not closed: '\"2,3,4'; expected a second one on the "
+                 "same line"},
+        Bad_file{"x,y,vx,vy\n1,\"2\"5,3,4\n",
+                 "p.csv:2: something stands behind a quoted field: '5'; expected ',' or the end of "
+                 "the line"},
+        Bad_file{"x,y,vx,vy\n1,\"\",3,4\n", "p.csv:2: the column y is empty; expected a number"},
+        Bad_file{"id,x,y,vx,vy\na,1,2,3,4\n ,1,2,3,5\n",
+                 "p.csv:3: the column id is empty; expected any text"},
+        Bad_file{
+            "x,y,vx,vy,id\n1,2,3,4,a\n\n5,6,7,8,b\n1,2,3,5,\"a\"\n",
+            "p.csv:5: the column id is 'a', as in line 2; expected ids that differ, or another "
+            "name of the column (where points have several rows, they are tracks)"},
         Bad_file{"x,y,vx,vy,radius\n1,2,3,4,-0.5\n",
                  "p.csv:2: the radius -0.5 is negative; expected at least 0"}));
 
@@ -339,8 +413,8 @@ TEST(ReadPoints, TextThatIsNoNumberIsQuoted) {
       error_of("x,y,vx,vy\n1,2,3 m/s,4\n"),
       std::string("p.csv:2: the column vx is '3 m/s', which is not a number; ") + number_expected);
   EXPECT_EQ(
-      error_of("x,y,vx,vy\n1,2,3,\"4\"\n"),
-      std::string("p.csv:2: the column vy is '\"4\"', which is not a number; ") + number_expected);
+      error_of("x,y,vx,vy\n1,2,3,4\"\n"),
+      std::string("p.csv:2: the column vy is '4\"', which is not a number; ") + number_expected);
 }
 
 TEST(ReadPoints, QuotedTextIsPrintableAndShort) {

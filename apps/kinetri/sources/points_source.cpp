@@ -13,6 +13,11 @@ void Points_source::read() {
   points_ = read_points_file(settings_.points);
 }
 
+std::vector<std::string> Points_source::remarks() const {
+  if (points_.ignored_columns.empty()) return {};
+  return {fmt::format("columns that are ignored: {}", fmt::join(points_.ignored_columns, ", "))};
+}
+
 Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
   const Simulation_options simulation_options = options();
   try {

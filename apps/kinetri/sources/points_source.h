@@ -32,6 +32,7 @@ class Points_source final : public Run_source {
   double until() const override { return settings_.until; }
   std::string response() const override { return std::string(settings_.collisions.name); }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
+  std::vector<std::string> remarks() const override;
 
  private:
   Simulation_options options() const;

@@ -5,6 +5,11 @@
 // and its derivatives there, velocity, acceleration and jerk. Blank lines and lines that begin with
 // # are skipped.
 //
+// Files as R, pandas and spreadsheets write them are read as well: fields in quotation marks (two
+// of them inside stand for one), names of columns in upper case, semicolons as separators where the
+// header has no comma (numbers have a decimal point all the same), a column `id` with a label for
+// each point, and other columns, which are ignored.
+//
 // Every number that comes out is the binary64 number that the text stands for, rounded correctly.
 // Text that stands for none (nan, inf, too large, too small to be told from zero) is an error.
 #ifndef KINETRI_IO_POINTS_FILE_H
@@ -45,6 +50,11 @@ struct Points_file {
   bool is_polynomial = false;                           ///< which of the two there are
   std::vector<double> radii;       ///< at least 0; empty if the file has no such column
   std::vector<std::size_t> lines;  ///< where the point stands, counted from 1
+  /// The texts of the column `id`, no two equal; empty if the file has no such column. They name
+  /// points for people only: the id of a point is its index.
+  std::vector<std::string> labels;
+  /// The names of the other columns, as messages show them: in quotes, printable, not too long.
+  std::vector<std::string> ignored_columns;
 
   /// The number of points, of either kind.
   std::size_t number_of_points() const { return lines.size(); }
@@ -54,12 +64,14 @@ struct Points_file {
 /// have up to 2^20 bytes, and at the end 16 bytes a point. Accepts LF and CRLF line ends, a byte
 /// order mark, and blanks around fields.
 ///
-/// Throws Input_error `name:line: ...` for everything else: no header; a column that is unknown,
-/// missing or named twice, or one of a pair without the other; a row with too few or too many
-/// fields; a field that is empty or not a number (see parse_number); a negative radius; two points
-/// with the same motion (0 and -0 are the same), naming both lines; 2^32 - 1 points or more; a
-/// stream that fails. Zero points are valid. Cost: linear, but for a sort that finds equal points:
-/// O(n log n) for every input.
+/// Throws Input_error `name:line: ...` for everything else: no header, or one in which a column is
+/// named by a number; a column that is missing or named twice, or one of a pair without the other;
+/// a row with too few or too many fields; a quotation mark that is not closed on its line; a field
+/// that is empty or not a number (see parse_number), a number with a decimal comma; a label that is
+/// empty; a negative radius; two points with the same label, or with the same motion (0 and -0 are
+/// the same), naming both lines; 2^32 - 1 points or more; a stream that fails. Zero points are
+/// valid. Cost: linear, but for sorts that find equal points and labels: O(n log n) for every
+/// input.
 Points_file read_points(std::istream& in, const std::string& name);
 
 /// Reads the file `path`, or standard input if it is "-". Throws as read_points, and Input_error

@@ -6,8 +6,14 @@
 //
 //   rows    comma separated, a header line naming the columns t, id, x and y in any order; an id is
 //           any text without commas, which is not quoted: quotation marks belong to the id
-//   frames  no header; four fields `frame id x y` separated by tabs or blanks, the form of the
+//   frames  no header; four fields `frame id x y` separated by tabs or blanks, the form of some
 //           public data sets of pedestrians; a frame is a finite number, an id any text
+//
+// Other public data sets of pedestrians have rows `id frame x y`. A file of the format `frames`
+// that shows a sign of that order is refused: a comment that names the columns in another order; a
+// comment that gives a frame rate; whole numbers as ids that never repeat, while a frame does; or
+// places that make sense only in the other order. A comment line `# frame id x y` confirms the
+// order: with it, only a comment that contradicts it is refused.
 //
 // An id is its text: 1 and 1.0 are two ids. Numbers are read as those of files of points are
 // (kinetri/io/points_file.h).
@@ -68,7 +74,11 @@ struct Tracks_file {
 /// missing or named twice; a row with too few or too many fields; a field that is empty, or not a
 /// number where one is needed (see parse_number); a time that is out of the range of binary64; one
 /// id at two places at one time, naming both lines; a stream that fails. Of several ids that are at
-/// two places the one whose second place comes first in the file is named.
+/// two places the one whose second place comes first in the file is named. In the format `frames`
+/// also for a comment that names the columns in another order, or gives another rate than `fps`;
+/// and, where no comment confirms the order of the columns, for a sign that the ids stand in the
+/// first one (see above; without a line where the rows show it). The names `id`, `frame`, `x` and
+/// `y` in a comment have variants such as `PersID`, `fr` and `x/m`.
 ///
 /// Cost: O(n log n) for n rows, and O(log n) comparisons of an id with others per row, for every
 /// input.

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Signs that the first two columns of a file of frames are exchanged. Public recordings of
+// pedestrians come with rows `frame id x y` and with rows `id frame x y`; both are numbers, so that
+// a file of the second form would be read without an error, and wrongly.
+#ifndef KINETRI_SRC_IO_FRAME_COLUMNS_H
+#define KINETRI_SRC_IO_FRAME_COLUMNS_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinetri/io/tracks_file.h"
+
+namespace kinetri {
+
+/// What a comment says of columns and times.
+struct Comment_signs {
+  /// Names of an id, a frame, x and y one behind the other, in the order of the comment.
+  std::string column_names;
+  bool has_expected_order = false;   ///< of the names: frame, id, x, y
+  std::optional<double> frame_rate;  ///< after a word such as `framerate`
+};
+
+/// The signs in a comment. Names of columns are compared without regard to case, underscores and
+/// units: `# id frame x/m y/m`, `# PersID Frame X Y Z`.
+Comment_signs signs_in_comment(std::string_view comment);
+
+/// What in the rows says that the ids are frames, and the frames ids; none if nothing does. Both
+/// columns must be whole numbers. One sign is that no id has two rows while a frame has several:
+/// one person was recorded. The other is that, on average, rows of one frame with successive ids
+/// are less than half as far apart as rows of one id in successive frames: in a short time a person
+/// does not go farther than others are away. Cost: O(n log n).
+std::optional<std::string> sign_in_rows(const std::vector<Track>& tracks);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_IO_FRAME_COLUMNS_H
