@@ -4,32 +4,9 @@
 // this one, and what ends it.
 'use strict';
 
-/** The corners opposite to the edge ab, left and right, or -1 where there is no triangle: of the
- * neighbors of a, by angle, those next to b, if they are neighbors of b as well. */
-function cornersOf(playback, a, b) {
-  const {recording, live, current} = playback;
-  const {edgeA, edgeB} = recording;
-  const time = playback.settledTime();
-  const x = (point) => motionX(recording, current[point], time);
-  const y = (point) => motionY(recording, current[point], time);
-  const ofA = [], ofB = new Set();
-  for (let i = 0; i < playback.liveCount; ++i) {
-    const p = edgeA[live[i]], q = edgeB[live[i]];
-    if (p === a && q !== b) ofA.push(q);
-    else if (q === a && p !== b) ofA.push(p);
-    if (p === b) ofB.add(q);
-    else if (q === b) ofB.add(p);
-  }
-  const angle = (point) => Math.atan2(y(point) - y(a), x(point) - x(a));
-  const toB = angle(b);
-  let left = -1, right = -1, least = Infinity, greatest = -Infinity;
-  for (const c of ofA) {
-    const turn = (angle(c) - toB + 4 * Math.PI) % (2 * Math.PI);
-    if (turn < least) [left, least] = [c, turn];
-    if (turn > greatest) [right, greatest] = [c, turn];
-  }
-  return [left >= 0 && least < Math.PI && ofB.has(left) ? left : -1,
-          right >= 0 && greatest > Math.PI && ofB.has(right) ? right : -1];
+/** The corners opposite to the edge, left and right, or -1 where there is no triangle. */
+function cornersOf({triangles}, edge) {
+  return [triangles.left[edge], triangles.right[edge]];
 }
 
 /**
@@ -42,7 +19,7 @@ function cornersOf(playback, a, b) {
 function certificateOf(playback, edge) {
   const {recording} = playback;
   const a = recording.edgeA[edge], b = recording.edgeB[edge];
-  const [left, right] = cornersOf(playback, a, b);
+  const [left, right] = cornersOf(playback, edge);
   const result = {edge, a, b, left, right, event: playback.event, kind: 'none'};
   result.begin = endOfLife(playback, edge, left, right, -1);
   result.end = endOfLife(playback, edge, left, right, 1);
@@ -96,7 +73,7 @@ function endOfLife(playback, edge, left, right, direction) {
       return {row: rowOfEdge(recording, edge, first, last, direction), reason: 'edge'};
     }
     if (change.motion >= 0) return {row: change.motion, reason: 'motion'};
-    const now = cornersOf(cursor, a, b);
+    const now = cornersOf(cursor, edge);
     if (now[0] !== left || now[1] !== right) return {row: change.edges, reason: 'corners'};
   }
   return {row: -1, reason: 'recording'};

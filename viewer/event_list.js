@@ -20,9 +20,11 @@ function kindName(recording, row) {
   return recording.kinds[recording.rowKind[row]].replace(/_/g, ' ');
 }
 
-/** As in the event log; of a thinned recording the rows are not those of the log. */
+/** As in the event log. Rows of a thinned recording, and those that only change triangles, are not
+ * in the log. */
 function eventNumber(recording, row) {
-  return recording.thinned === null ? `#${recording.firstNumber + row}` : `row ${row}`;
+  const number = recording.rowNumber[row];
+  return number >= 0 ? `#${number}` : `row ${row}`;
 }
 
 function edgeName(viewer, edge) {
@@ -43,7 +45,7 @@ function changeText(viewer, row) {
   if (removed && added) edges = `${removed} \u2192 ${added}`;
   else if (removed) edges = `\u2212 ${removed}`;
   else if (added) edges = `+ ${added}`;
-  return [points, edges].filter(Boolean).join(', ');
+  return [points, edges].filter(Boolean).join(', ') || 'triangles change, edges do not';
 }
 
 class EventList {

@@ -93,11 +93,12 @@ class FlatView extends View {
 
   drawHull(context) {
     const {sx, sy} = this;
-    const {topology} = this.viewer;
-    topology.update();
+    const {recording, playback} = this.viewer;
+    const {left, right} = playback.triangles;
     context.beginPath();
-    for (let i = 0; i < topology.outerEdges; ++i) {
-      const a = topology.outer[2 * i], b = topology.outer[2 * i + 1];
+    for (let i = 0; i < playback.liveCount; ++i) {
+      const edge = playback.live[i], a = recording.edgeA[edge], b = recording.edgeB[edge];
+      if (left[edge] >= 0 && right[edge] >= 0) continue;
       context.moveTo(sx[a], sy[a]);
       context.lineTo(sx[b], sy[b]);
     }

@@ -9,6 +9,7 @@
  *   time, event        the shown time, and how many rows are executed
  *   counts             {points, rows, instants, edges}; edges: those that are there
  *   edges()            the edges that are there, [a, b] with a < b, sorted
+ *   triangles()        the triangles that are there, [a, b, c] counterclockwise, a the least, sorted
  *   positions()        [x, y] of each point at the shown time by id; null for those not there
  *   goTo(time)         every row whose exact time is at or before it is executed, and no other
  *   stepForward()      to just after the next instant; false if there is none
@@ -29,6 +30,15 @@ function consoleObject(viewer) {
       const edges = Array.from(playback.live.subarray(0, playback.liveCount), (edge) =>
         [recording.edgeA[edge], recording.edgeB[edge]]);
       return edges.sort((e, f) => e[0] - f[0] || e[1] - f[1]);
+    },
+    triangles() {
+      const {triangleList} = viewer;
+      triangleList.update();
+      const result = [];
+      for (let i = 0; i < 3 * triangleList.triangles; i += 3) {
+        result.push(Array.from(triangleList.corners.subarray(i, i + 3)));
+      }
+      return result.sort((s, t) => s[0] - t[0] || s[1] - t[1] || s[2] - t[2]);
     },
     positions() {
       placePoints(playback, playback.time, viewer.x, viewer.y);

@@ -60,35 +60,31 @@ function traceMotion(context, view, motion, begin, end) {
 /** The side between the cells of each edge's ends: between its triangles' circumcentres, or on from
  * one of them where there is no triangle. */
 function drawVoronoi(context, view) {
-  const {topology, recording, colors} = view.viewer;
+  const {playback, recording, colors} = view.viewer;
   const {width, height} = view.camera;
-  topology.update();
   const far = 4 * (width + height);
   context.beginPath();
-  for (let a = 0; a < recording.points; ++a) {
-    for (let i = topology.start[a]; i < topology.start[a + 1]; ++i) {
-      const b = topology.neighbors[i];
-      if (b < a) continue;
-      setVoronoiEnds(view, a, b, i, far);
-      if (!clipSegment(ENDS, width, height, CLIP_MARGIN)) continue;
-      context.moveTo(ENDS[0], ENDS[1]);
-      context.lineTo(ENDS[2], ENDS[3]);
-    }
+  for (let i = 0; i < playback.liveCount; ++i) {
+    setVoronoiEnds(view, playback.live[i], far);
+    if (!clipSegment(ENDS, width, height, CLIP_MARGIN)) continue;
+    context.moveTo(ENDS[0], ENDS[1]);
+    context.lineTo(ENDS[2], ENDS[3]);
   }
   context.strokeStyle = colors.voronoi;
   context.lineWidth = 1.6;
   context.stroke();
 }
 
-function setVoronoiEnds(view, a, b, i, far) {
+function setVoronoiEnds(view, edge, far) {
   const {sx, sy} = view;
-  const {topology} = view.viewer;
-  const left = topology.next(a, i, 1), right = topology.next(a, i, -1);
+  const {playback, recording} = view.viewer;
+  const a = recording.edgeA[edge], b = recording.edgeB[edge];
+  const [left, right] = cornersOf(playback, edge);
   // On the screen y is down, so that the left of ab is at (dy, -dx).
   const dx = sx[b] - sx[a], dy = sy[b] - sy[a], length = Math.hypot(dx, dy);
   const mx = (sx[a] + sx[b]) / 2, my = (sy[a] + sy[b]) / 2;
-  const hasLeft = topology.isTriangle(a, b, left) && setCenter(view, a, b, left, 0);
-  const hasRight = topology.isTriangle(a, right, b) && setCenter(view, a, b, right, 2);
+  const hasLeft = left >= 0 && setCenter(view, a, b, left, 0);
+  const hasRight = right >= 0 && setCenter(view, a, b, right, 2);
   const ux = dy / length, uy = -dx / length;
   // A ray begins far from the picture where the circumcentre is, but has to reach across it.
   const reach = (x, y) => far + Math.hypot(x - mx, y - my);
@@ -114,12 +110,13 @@ function setCenter(view, a, b, c, at) {
 
 /** The circle of the triangle under the pointer, and the triangle. */
 function drawCircumcircle(context, view) {
-  const {topology, pointer, colors} = view.viewer;
+  const {triangleList, pointer, colors} = view.viewer;
   const {sx, sy} = view;
   if (pointer === null) return;
-  topology.update();
-  for (let i = 0; i < 3 * topology.triangles; i += 3) {
-    const a = topology.corners[i], b = topology.corners[i + 1], c = topology.corners[i + 2];
+  triangleList.update();
+  const {corners, triangles} = triangleList;
+  for (let i = 0; i < 3 * triangles; i += 3) {
+    const a = corners[i], b = corners[i + 1], c = corners[i + 2];
     if (!isInTriangle(sx, sy, a, b, c, pointer.x, pointer.y)) continue;
     context.beginPath();
     context.moveTo(sx[a], sy[a]);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Playing a recording: the edges and trajectories after so many events, forward and backward, and
-// where the points are at a time.
+// Playing a recording: the edges, triangles and trajectories after so many events, forward and
+// backward, and where the points are at a time.
 'use strict';
 
 /**
  * A recording at a time. `event` rows are executed: those whose exact time is at or before `time`
  * (of a step: those of its instant and before). `live` holds the `liveCount` edges that are there,
- * in no order; `where[edge]` is its place in there, or -1; `current[point]` the motion in force, or
- * -1 before the point comes.
+ * in no order; `where[edge]` is its place in there, or -1; `triangles` has their triangles;
+ * `current[point]` is the motion in force, or -1 before the point comes.
  */
 class Playback {
   constructor(recording) {
@@ -19,6 +19,8 @@ class Playback {
     this.where = new Int32Array(recording.edgeA.length).fill(-1);
     this.liveCount = 0;
     for (let edge = 0; edge < recording.initialEdges; ++edge) this.addEdge(edge);
+    this.triangles = new Triangles(recording.edgeA.length);
+    for (let i = 0; i < recording.rowTriangle[0]; ++i) this.triangles.set(recording, i, true);
     this.current = new Int32Array(recording.points).fill(-1);
     for (let i = 0; i < recording.starting; ++i) this.current[recording.motionPoint[i]] = i;
   }
@@ -29,6 +31,7 @@ class Playback {
     Object.assign(copy, this);
     copy.live = this.live.slice();
     copy.where = this.where.slice();
+    copy.triangles = this.triangles.clone();
     copy.current = this.current.slice();
     return copy;
   }
@@ -47,19 +50,28 @@ class Playback {
 
   /** Executes the row `event`. */
   execute() {
-    const {rowRemoved, rowAdded, rowMotion, motionPoint} = this.recording;
+    const {recording} = this;
+    const {rowRemoved, rowAdded, rowTriangle, triangleAdded, rowMotion, motionPoint} = recording;
     const row = this.event++;
     if (rowRemoved[row] >= 0) this.removeEdge(rowRemoved[row]);
     if (rowAdded[row] >= 0) this.addEdge(rowAdded[row]);
+    for (let i = rowTriangle[row]; i < rowTriangle[row + 1]; ++i) {
+      this.triangles.set(recording, i, triangleAdded[i] === 1);
+    }
     for (let i = rowMotion[row]; i < rowMotion[row + 1]; ++i) this.current[motionPoint[i]] = i;
   }
 
   /** Undoes the row before `event`. */
   undo() {
-    const {rowRemoved, rowAdded, rowMotion, motionPoint, motionPrevious} = this.recording;
+    const {recording} = this;
+    const {rowRemoved, rowAdded, rowTriangle, triangleAdded, rowMotion, motionPoint,
+           motionPrevious} = recording;
     const row = --this.event;
     if (rowAdded[row] >= 0) this.removeEdge(rowAdded[row]);
     if (rowRemoved[row] >= 0) this.addEdge(rowRemoved[row]);
+    for (let i = rowTriangle[row + 1] - 1; i >= rowTriangle[row]; --i) {
+      this.triangles.set(recording, i, triangleAdded[i] === 0);
+    }
     for (let i = rowMotion[row + 1] - 1; i >= rowMotion[row]; --i) {
       this.current[motionPoint[i]] = motionPrevious[i];
     }
@@ -110,18 +122,6 @@ class Playback {
     this.goToEvent(begin);
     this.time = begin === 0 ? from : shownTime(this.recording, begin - 1);
     return true;
-  }
-
-  /**
-   * A time between the last instant and the next one, at which the points are in general position
-   * as far as binary64 can tell: orders by angle are found there. Where events are left out, just
-   * after the last instant, since later the edges are not those of a triangulation.
-   */
-  settledTime() {
-    const {from, until, rows, rowLow, rowHigh, thinned} = this.recording;
-    const after = this.event === 0 ? from : rowHigh[this.event - 1];
-    const before = this.event === rows ? Math.max(until, after) : rowLow[this.event];
-    return after + (before - after) * (thinned === null ? 0.5 : 1e-6);
   }
 }
 

@@ -76,13 +76,16 @@ class EdgeNumbers {
 /**
  * The recording of the JSON text. Throws RecordingError where it is damaged.
  *
- * Row 0 is the run's event `firstNumber`. Arrays by row: rowKind, rowTime (the nearest binary64 number), rowLow
- * and rowHigh (around the exact time; equal if it is one number), rowRemoved and rowAdded (edges),
- * rowA and rowB (points), -1 for none, rowMotion (the first motion in force from that row on, or
- * later; one entry more than rows), instantBegin and instantEnd (rows of the same time). By motion:
- * motionPoint, motionRow (-1: from the start), motionThere, motionPrevious (of the point, or -1),
- * motionNext, and motionData, `stride` numbers each. By edge: edgeA < edgeB; the first
- * `initialEdges` are there at the start.
+ * Arrays by row: rowKind, rowNumber (of the event in the run; -1 for a row that only changes
+ * triangles, and in a thinned recording), rowTime (the nearest binary64 number), rowLow and rowHigh
+ * (around the exact time; equal if it is one number), rowRemoved and rowAdded (edges), rowA and rowB
+ * (points), -1 for none, rowMotion (the first motion in force from that row on, or later; one entry
+ * more than rows), rowTriangle (the first triangle that the row or a later one changes; one entry more
+ * than rows), instantBegin and instantEnd (rows of the same time). By motion: motionPoint, motionRow
+ * (-1: from the start), motionThere, motionPrevious (of the point, or -1), motionNext, and motionData,
+ * `stride` numbers each. By edge: edgeA < edgeB; the first `initialEdges` are there at the start. By
+ * triangle that is added (triangleAdded is 1) or removed (0), those of the start first: three
+ * triangleCorners, counterclockwise, and three triangleSides, the edges from each corner to the next.
  */
 function readRecording(text) {
   let json;
@@ -92,7 +95,7 @@ function readRecording(text) {
     throw new RecordingError(`it is not JSON (${error.message})`);
   }
   demand(json !== null && typeof json === 'object', 'it is not a JSON object');
-  demand(json.format === 1, `its format is ${json.format}, but this page plays format 1`);
+  demand(json.format === 2, `its format is ${json.format}, but this page plays format 2`);
   const {from, until, points} = json;
   demand(Number.isFinite(from) && Number.isFinite(until) && from <= until,
          'its times from and until are not two numbers in order');
@@ -119,20 +122,127 @@ function readRecording(text) {
 
   const ids = points <= 65536 ? 'Uint16' : 'Uint32';
   const edges = new EdgeNumbers(points);
+  const triangles = readTriangles(recording, json.triangles, ids, edges);
   const initial = decodeNumbers(json.initial_edges, ids, 'the list of edges at the start');
   demand(initial.length % 2 === 0, 'the list of edges at the start ends within an edge');
+  const sides = edges.a.length;
   for (let i = 0; i < initial.length; i += 2) {
     edges.number(initial[i], initial[i + 1], 'the list of edges at the start');
   }
   recording.initialEdges = edges.a.length;
-  demand(2 * edges.a.length === initial.length, 'an edge is twice in the list of those at the start');
+  demand(2 * (edges.a.length - sides) === initial.length,
+         'an edge is twice in the list of those at the start');
   readEvents(recording, json.events, ids, edges);
   readMotions(recording, json.motions, ids);
   recording.edgeA = Uint32Array.from(edges.a);
   recording.edgeB = Uint32Array.from(edges.b);
   findInstants(recording);
   checkEdges(recording);
+  findTriangles(recording, triangles, edges);
   return recording;
+}
+
+/** The triangles at the start, and the changes that are in the recording: those of `count` rows,
+ * `removed` and `added` triangles of each, whose corners follow each other in `id`. */
+function readTriangles(recording, json, ids, edges) {
+  demand(json !== null && typeof json === 'object', 'the triangles are not there');
+  const initial = decodeNumbers(json.initial, ids, 'the list of triangles at the start');
+  const row = decodeNumbers(json.event, 'Uint32', 'the list of events that change triangles');
+  const removed = decodeNumbers(json.removed, 'Uint32', 'the list of numbers of removed triangles');
+  const added = decodeNumbers(json.added, 'Uint32', 'the list of numbers of added triangles');
+  const id = decodeNumbers(json.ids, ids, 'the list of triangles of events');
+  demand(initial.length % 3 === 0, 'the list of triangles at the start ends within a triangle');
+  const {count} = json;
+  demand(row.length === count && removed.length === count && added.length === count,
+         `it has ${count} events that change triangles, but ${row.length} indices and ` +
+         `${removed.length} and ${added.length} numbers of triangles of them`);
+  let total = 0;
+  for (let i = 0; i < count; ++i) {
+    demand(i === 0 || row[i - 1] < row[i], 'the events that change triangles are not in order');
+    total += removed[i] + added[i];
+  }
+  demand(3 * total === id.length, `it has ${id.length} corners of ${total} triangles of events`);
+  for (let i = 0; i < initial.length; i += 3) {
+    for (let k = 0; k < 3; ++k) {
+      edges.number(initial[i + k], initial[i + (k + 1) % 3], 'the list of triangles at the start');
+    }
+  }
+  return {initial, count, row, removed, added, id};
+}
+
+/** Lists of the triangles that rows add and remove. */
+class TriangleChanges {
+  constructor(edges) {
+    this.edges = edges;
+    this.corners = [];
+    this.sides = [];
+    this.isAdded = [];
+  }
+
+  add(a, b, c, isAdded, what) {
+    this.corners.push(a, b, c);
+    for (const [p, q] of [[a, b], [b, c], [c, a]]) this.sides.push(this.edges.number(p, q, what));
+    this.isAdded.push(isAdded ? 1 : 0);
+  }
+}
+
+/** All triangles that rows change: those of flips follow from the edges. Checks that each removed
+ * triangle is there, and that no added one lies on the same side of an edge as another one. */
+function findTriangles(recording, {initial, count, row, removed, added, id}, edges) {
+  const {rows, rowKind, kinds} = recording;
+  const changes = new TriangleChanges(edges);
+  const edgeCount = edges.a.length;
+  recording.rowTriangle = new Uint32Array(rows + 1);
+  recording.triangleCorners = changes.corners;
+  recording.triangleSides = changes.sides;
+  const triangles = new Triangles(edgeCount);
+  const follow = (first, what) => {
+    demand(edges.a.length === edgeCount, `${what} has a triangle with a side that is never an edge`);
+    for (let i = first; i < changes.isAdded.length; ++i) {
+      const isAdded = changes.isAdded[i] === 1;
+      const name = changes.corners.slice(3 * i, 3 * i + 3).join('\u2013');
+      demand(triangles.sidesInUse(recording, i) === (isAdded ? 0 : 3),
+             isAdded ? `${what} adds the triangle ${name}, which overlaps another one` :
+             `${what} removes the triangle ${name}, which is not there then`);
+      triangles.set(recording, i, isAdded);
+    }
+  };
+  for (let i = 0; i < initial.length; i += 3) {
+    changes.add(initial[i], initial[i + 1], initial[i + 2], true, 'the start');
+  }
+  follow(0, 'the start');
+  let at = 0, group = 0;
+  for (let r = 0; r < rows; ++r) {
+    const first = changes.isAdded.length, what = `event ${r}`;
+    recording.rowTriangle[r] = first;
+    if (kinds[rowKind[r]] === 'flip') addFlip(recording, r, triangles, changes);
+    if (group < count && row[group] === r) {
+      const last = removed[group] + added[group];
+      for (let i = 0; i < last; ++i, at += 3) {
+        changes.add(id[at], id[at + 1], id[at + 2], i >= removed[group], what);
+      }
+      ++group;
+    }
+    follow(first, what);
+  }
+  demand(group === count, `triangles change with event ${row[group]}, which is not there`);
+  recording.rowTriangle[rows] = changes.isAdded.length;
+  recording.triangleCorners = Uint32Array.from(changes.corners);
+  recording.triangleSides = Uint32Array.from(changes.sides);
+  recording.triangleAdded = Uint8Array.from(changes.isAdded);
+}
+
+/** The triangles of a flip: the two at the removed edge, which go, and the two at the added one. */
+function addFlip({rowRemoved, rowAdded, edgeA, edgeB}, row, {left, right}, changes) {
+  const removed = rowRemoved[row], added = rowAdded[row], what = `event ${row}`;
+  demand(removed >= 0 && added >= 0, `${what} is a flip without two edges`);
+  const a = edgeA[removed], b = edgeB[removed], c = left[removed], d = right[removed];
+  demand(Math.min(c, d) === edgeA[added] && Math.max(c, d) === edgeB[added],
+         `${what} adds an edge that is not the other diagonal of the triangles at the removed one`);
+  changes.add(a, b, c, false, what);
+  changes.add(b, a, d, false, what);
+  changes.add(a, d, c, true, what);
+  changes.add(d, b, c, true, what);
 }
 
 function readEvents(recording, json, ids, edges) {
@@ -159,15 +269,18 @@ function readEvents(recording, json, ids, edges) {
     return point;
   };
   Object.assign(recording, {
-    rows: count, firstNumber: json.first ?? 0, kinds: json.kinds.map(String), rowKind: kind, rowTime: time,
+    rows: count, rowNumber: new Float64Array(count).fill(-1), kinds: json.kinds.map(String), rowKind: kind, rowTime: time,
     rowLow: new Float64Array(count), rowHigh: new Float64Array(count),
     rowRemoved: new Int32Array(count).fill(-1), rowAdded: new Int32Array(count).fill(-1),
     rowA: new Int32Array(count).fill(-1), rowB: new Int32Array(count).fill(-1),
   });
+  let number = json.first ?? 0;
   for (let row = 0; row < count; ++row) {
     demand(kind[row] < json.kinds.length, `event ${row} is of a kind without a name`);
     demand(Number.isFinite(time[row]), `the time of event ${row} is not a number`);
     const field = fields[row];
+    const isEvent = field & (FIELD_REMOVED | FIELD_ADDED | FIELD_POINT_A | FIELD_POINT_B);
+    if (isEvent && recording.thinned === null) recording.rowNumber[row] = number++;
     if (field & FIELD_REMOVED) recording.rowRemoved[row] = takeEdge(row);
     if (field & FIELD_ADDED) recording.rowAdded[row] = takeEdge(row);
     if (field & FIELD_POINT_A) recording.rowA[row] = takePoint(row);

@@ -21,7 +21,7 @@ class Viewer {
   constructor(recording) {
     this.recording = recording;
     this.playback = new Playback(recording);
-    this.topology = new Topology(this.playback);
+    this.triangleList = new TriangleList(this.playback);
     this.x = new Float64Array(recording.points);
     this.y = new Float64Array(recording.points);
     this.colors = {};

@@ -72,13 +72,13 @@ class WaveView extends View {
   }
 
   draw(context) {
-    const {topology, switches} = this.viewer;
-    topology.update();
+    const {triangleList, switches} = this.viewer;
+    triangleList.update();
     this.raise();
     this.sortTriangles();
     context.lineJoin = 'round';
     context.lineWidth = 0.8;
-    for (let i = 0; i < topology.triangles; ++i) this.drawTriangle(context, this.order[i]);
+    for (let i = 0; i < triangleList.triangles; ++i) this.drawTriangle(context, this.order[i]);
     if (this.viewer.selected >= 0) drawSelection(context, this);
     drawEventsAround(context, this);
     if (switches.ids) this.drawIds(context);
@@ -116,8 +116,8 @@ class WaveView extends View {
 
   /** Farthest first: by counting, since a sort of so many in each frame would show. */
   sortTriangles() {
-    const {topology} = this.viewer;
-    const {corners, triangles} = topology;
+    const {triangleList} = this.viewer;
+    const {corners, triangles} = triangleList;
     const {depth, bucketStart} = this;
     if (this.order.length < triangles) {
       this.order = new Uint32Array(2 * triangles);
@@ -142,9 +142,9 @@ class WaveView extends View {
 
   drawTriangle(context, triangle) {
     const {viewer, sx, sy, z} = this;
-    const {x, y, topology} = viewer;
-    const a = topology.corners[3 * triangle], b = topology.corners[3 * triangle + 1];
-    const c = topology.corners[3 * triangle + 2];
+    const {x, y, triangleList} = viewer;
+    const a = triangleList.corners[3 * triangle], b = triangleList.corners[3 * triangle + 1];
+    const c = triangleList.corners[3 * triangle + 2];
     const ux = x[b] - x[a], uy = y[b] - y[a], uz = z[b] - z[a];
     const vx = x[c] - x[a], vy = y[c] - y[a], vz = z[c] - z[a];
     const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/io/viewer_page.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <string_view>
+#include <vector>
 
 #include "bytes.h"
 #include "kinetri/version.h"
@@ -28,6 +30,9 @@ class Id_bytes {
   void add(const Edge_ids& edge) {
     add(edge[0]);
     add(edge[1]);
+  }
+  void add(const Triangle_ids& corners) {
+    for (const Point_id corner : corners) add(corner);
   }
   std::string base64() const { return bytes_.base64(); }
 
@@ -56,10 +61,47 @@ int degree(const Recording& recording) {
   return result;
 }
 
+// Of the edges at the start, those that are sides of no triangle.
 json initial_edges(const Recording& recording, std::size_t points) {
+  std::vector<Edge_ids> sides;
+  for (const auto& [a, b, c] : recording.initial_triangles) {
+    sides.insert(sides.end(), {edge_ids(a, b), edge_ids(b, c), edge_ids(c, a)});
+  }
+  std::ranges::sort(sides);
   Id_bytes ids(points);
-  for (const Edge_ids& edge : recording.initial_edges) ids.add(edge);
+  for (const Edge_ids& edge : recording.initial_edges) {
+    if (!std::ranges::binary_search(sides, edge)) ids.add(edge);
+  }
   return ids.base64();
+}
+
+// The triangles that a flip changes follow from its edges.
+json triangles(const Recording& recording, std::size_t points) {
+  Id_bytes initial(points);
+  for (const Triangle_ids& corners : recording.initial_triangles) initial.add(corners);
+  Bytes event;
+  Bytes removed;
+  Bytes added;
+  Id_bytes ids(points);
+  std::size_t count = 0;
+  const auto& changes = recording.triangles;
+  for (auto change = changes.begin(); change != changes.end();) {
+    const std::size_t row = change->event;
+    const bool is_flip = recording.events[row].kind == Event_kind::flip;
+    std::array<std::uint32_t, 2> numbers = {0, 0};
+    for (; change != changes.end() && change->event == row; ++change) {
+      if (is_flip) continue;
+      ++numbers[change->is_added ? 1 : 0];
+      ids.add(change->corners);
+    }
+    if (is_flip) continue;
+    ++count;
+    event.add(static_cast<std::uint32_t>(row));
+    removed.add(numbers[0]);
+    added.add(numbers[1]);
+  }
+  return {{"initial", initial.base64()}, {"count", count},          {"event", event.base64()},
+          {"removed", removed.base64()}, {"added", added.base64()}, {"ids", ids.base64()}};
 }
 
 json motions(const Recording& recording, std::size_t points) {
@@ -129,7 +171,7 @@ json events(const Recording& recording, std::size_t points) {
 
 json page_data(const Recording& recording, const Viewer_settings& settings) {
   const std::size_t points = number_of_points(recording);
-  json result = {{"format", 1},
+  json result = {{"format", 2},
                  {"program", std::string("kinetri ") + version},
                  {"title", settings.title},
                  {"from", recording.from},
@@ -140,6 +182,7 @@ json page_data(const Recording& recording, const Viewer_settings& settings) {
                  {"thinned", nullptr},
                  {"wave", nullptr},
                  {"initial_edges", initial_edges(recording, points)},
+                 {"triangles", triangles(recording, points)},
                  {"motions", motions(recording, points)},
                  {"events", events(recording, points)}};
   if (!settings.names.empty()) result["names"] = settings.names;

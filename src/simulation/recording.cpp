@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "kinetri/base/check.h"
@@ -18,7 +19,12 @@ const Polynomial_motion_2& as_polynomial(const Polynomial_motion_2& motion) {
   return motion;
 }
 
-// What the events of an interval of time come to.
+bool is_one_flip(Event_kind kind) {
+  return kind == Event_kind::flip || kind == Event_kind::hull_insert ||
+         kind == Event_kind::hull_remove;
+}
+
+// The net effect of the events of an interval of time.
 class Merged_events {
  public:
   void add(const Recorded_event& event) {
@@ -32,8 +38,13 @@ class Merged_events {
     place->second.motion = motion.motion;
   }
 
-  // Appends them as rows like `last`, the last of the events.
+  void add(const Recorded_triangle& triangle) {
+    triangles_[triangle.corners] += triangle.is_added ? 1 : -1;
+  }
+
+  // Appends it as rows with the number and the time of `last`, the last of the events.
   void write(const Recorded_event& last, Recording& out) const {
+    const std::size_t first_row = out.events.size();
     Recorded_event row;
     row.number = last.number;
     row.time = last.time;
@@ -54,6 +65,14 @@ class Merged_events {
     for (const auto& [edge, net] : edges_) {
       if (net > 0) out.events.push_back(with_edge(row, &Recorded_event::added, edge));
     }
+    const auto changed = [](const auto& change) { return change.second != 0; };
+    if (std::ranges::none_of(triangles_, changed)) return;
+    if (out.events.size() == first_row) out.events.push_back(row);
+    for (const int change : {-1, 1}) {
+      for (const auto& [corners, net] : triangles_) {
+        if (net == change) out.triangles.push_back({out.events.size() - 1, change > 0, corners});
+      }
+    }
   }
 
  private:
@@ -69,7 +88,8 @@ class Merged_events {
     return row;
   }
 
-  std::map<Edge_ids, int> edges_;  // +1: added, -1: removed, 0: both
+  std::map<Edge_ids, int> edges_;          // +1: added, -1: removed, 0: both
+  std::map<Triangle_ids, int> triangles_;  // the same
   std::map<Point_id, Point_change> points_;
 };
 
@@ -86,6 +106,8 @@ Recording merged(const Recording& recording, double interval) {
   auto motion = std::ranges::find_if(recording.motions, &std::optional<std::size_t>::has_value,
                                      &Recorded_motion::event);
   result.motions.assign(recording.motions.begin(), motion);
+  result.triangles.clear();
+  auto triangle = recording.triangles.begin();
   const auto& events = recording.events;
   for (std::size_t first = 0, end = 0; first < events.size(); first = end) {
     Merged_events merged_events;
@@ -95,6 +117,9 @@ Recording merged(const Recording& recording, double interval) {
       merged_events.add(events[end]);
       for (; motion != recording.motions.end() && *motion->event == end; ++motion) {
         merged_events.add(events[end], *motion);
+      }
+      for (; triangle != recording.triangles.end() && triangle->event == end; ++triangle) {
+        merged_events.add(*triangle);
       }
     }
     merged_events.write(events[end - 1], result);
@@ -117,6 +142,19 @@ Recorder<Traits>::Recorder(const Triangulation& triangulation, double until, std
       record_motion(static_cast<Point_id>(id), std::nullopt);
     }
   }
+  for (const auto face : triangulation.triangulation().finite_face_handles()) {
+    const auto id = [face](int i) { return face->vertex(i)->point().id(); };
+    recording_.initial_triangles.push_back(triangle_ids(id(0), id(1), id(2)));
+    triangles_.insert(recording_.initial_triangles.back());
+  }
+  std::ranges::sort(recording_.initial_triangles);
+}
+
+template <class Traits>
+void Recorder<Traits>::set_time(const Time& time) {
+  if (time_ && *time_ == time) return;
+  time_ = time;
+  rounded_time_ = {time.to_double(), time.tight_interval()};
 }
 
 template <class Traits>
@@ -129,19 +167,107 @@ void Recorder<Traits>::record_motion(Point_id id, std::optional<std::size_t> eve
 
 template <class Traits>
 void Recorder<Traits>::after_event(const Event<Time>& event) {
-  if (!time_ || *time_ != event.time) {
-    time_ = event.time;
-    rounded_time_ = {event.time.to_double(), event.time.tight_interval()};
-  }
+  set_time(event.time);
   ++recording_.events_in_all;
   const std::size_t index = recording_.events.size();
   recording_.events.push_back({event.number, event.kind, rounded_time_, event.removed, event.added,
                                event.point_a, event.point_b});
   if (event.point_a) record_motion(*event.point_a, index);
   if (event.point_b) record_motion(*event.point_b, index);
+  if (is_one_flip(event.kind)) {
+    std::vector<Edge_ids> edges;
+    if (event.removed) edges.push_back(*event.removed);
+    if (event.added) edges.push_back(*event.added);
+    record_triangles(changed_triangles(edges));
+  }
+  thin_if_needed();
+}
+
+// The other kinds of event are reported when the triangulation has already changed further, up to
+// the state in which this is called.
+template <class Traits>
+void Recorder<Traits>::after_rebuild(const Time& time, std::span<const Edge_ids> edges) {
+  std::vector<Recorded_triangle> changes = changed_triangles(edges);
+  if (changes.empty()) return;
+  const bool is_reported = !recording_.events.empty() && time_ && *time_ == time &&
+                           !is_one_flip(recording_.events.back().kind);
+  if (!is_reported) {
+    set_time(time);
+    Recorded_event& row = recording_.events.emplace_back();
+    row.number = triangulation_.counters().number_of_events();
+    row.kind = Event_kind::rebuild;
+    row.time = rounded_time_;
+  }
+  record_triangles(std::move(changes));
+  thin_if_needed();
+}
+
+// The apex of the triangle to the left of pq in the triangulation, no_point if there is none.
+template <class Traits>
+Point_id Recorder<Traits>::apex_now(Point_id p, Point_id q) const {
+  const auto& triangulation = triangulation_.triangulation();
+  if (triangulation.dimension() < 2 || !triangulation_.contains(p)) return no_point;
+  const auto vertex = triangulation_.vertex(p);
+  auto face = triangulation.incident_faces(vertex);
+  const auto first = face;
+  do {
+    const int i = face->index(vertex);
+    if (face->vertex(triangulation.ccw(i))->point().id() == q) {
+      // The infinite vertex has the id no_point.
+      return face->vertex(triangulation.cw(i))->point().id();
+    }
+  } while (++face != first);
+  return no_point;
+}
+
+// The triangles that have changed since the last recorded ones, removed ones first: those at the
+// given edges, and those that are reached from these by way of triangles that have changed.
+template <class Traits>
+std::vector<Recorded_triangle> Recorder<Traits>::changed_triangles(
+    std::span<const Edge_ids> edges) const {
+  std::vector<Edge_ids> sides;  // directed
+  for (const auto& [a, b] : edges) {
+    sides.push_back({a, b});
+    sides.push_back({b, a});
+  }
+  std::set<Edge_ids> seen;
+  std::set<Triangle_ids> removed;
+  std::set<Triangle_ids> added;
+  while (!sides.empty()) {
+    const auto [p, q] = sides.back();
+    sides.pop_back();
+    if (!seen.insert({p, q}).second) continue;
+    const Point_id before = triangles_.apex(p, q);
+    const Point_id after = apex_now(p, q);
+    if (before == after) continue;
+    for (const Point_id apex : {before, after}) {
+      if (apex == no_point) continue;
+      (apex == before ? removed : added).insert(triangle_ids(p, q, apex));
+      sides.push_back({q, apex});
+      sides.push_back({apex, p});
+    }
+  }
+  std::vector<Recorded_triangle> result;
+  for (const Triangle_ids& corners : removed) result.push_back({0, false, corners});
+  for (const Triangle_ids& corners : added) result.push_back({0, true, corners});
+  return result;
+}
+
+// Adds the changes to the last row.
+template <class Traits>
+void Recorder<Traits>::record_triangles(std::vector<Recorded_triangle> changes) {
+  for (Recorded_triangle& change : changes) {
+    change.event = recording_.events.size() - 1;
+    change.is_added ? triangles_.insert(change.corners) : triangles_.erase(change.corners);
+    recording_.triangles.push_back(change);
+  }
+}
+
+// Thins to half of the limit, so that the next thinning is some way off. Where even the net effect
+// of all events has more rows, the limit grows.
+template <class Traits>
+void Recorder<Traits>::thin_if_needed() {
   if (recording_.events.size() <= limit_) return;
-  // To half of the limit, so that the next time is some way off. Where even all events together
-  // come to more, it is the limit that gives way.
   thin(recording_, limit_ / 2);
   limit_ = std::max(limit_, 2 * recording_.events.size());
 }

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Every file of data/degenerate: audited between all instants; the same with and without filters,
-// step by step and in one go; and the same as the brute-force simulator where there are few points.
+// step by step and in one go; the same as the brute-force simulator where there are few points; and
+// the same triangles in a recording.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 
 #include "kinetri/io/points_file.h"
 #include "support/kinetic_runs.h"
 #include "support/same_run.h"
+#include "support/triangles.h"
 
 namespace kinetri {
 namespace {
@@ -109,6 +113,61 @@ TEST_P(Degenerate_corpus, passes_audits_between_all_instants) {
   if (input.events) {
     EXPECT_EQ(kinetic.counters().number_of_events(), *input.events);
   }
+}
+
+// The triangles after each flip, by the number of the event. Rebuild events are reported when all
+// of them have happened.
+class Triangles_after_flips : public Kinetic_delaunay::Observer {
+ public:
+  explicit Triangles_after_flips(const Kinetic_delaunay& kinetic) : kinetic_(kinetic) {}
+
+  void after_event(const Event<Algebraic_number>& event) override {
+    if (event.kind != Event_kind::rebuild) by_number[event.number] = test::triangles_of(kinetic_);
+  }
+
+  std::map<std::uint64_t, std::set<Triangle_ids>> by_number;
+
+ private:
+  const Kinetic_delaunay& kinetic_;
+};
+
+TEST_P(Degenerate_corpus, has_its_triangles_in_a_recording) {
+  Kinetic_delaunay kinetic(input.motions);
+  Triangles_after_flips after_flips(kinetic);
+  kinetic.add_observer(after_flips);
+  Recorder<> recorder(kinetic, input.until ? input.until->to_double() : 1e300, 1'000'000);
+  kinetic.add_observer(recorder);
+  // By the rounded time of an instant: it may be that of several.
+  std::multimap<double, std::set<Triangle_ids>> after_instants;
+  const std::set<Triangle_ids> first = test::triangles_of(kinetic);
+  while (kinetic.next_event_time() &&
+         (!input.until || *kinetic.next_event_time() <= *input.until)) {
+    input.until ? kinetic.step(*input.until) : kinetic.step();
+    after_instants.emplace(kinetic.current_time().to_double(), test::triangles_of(kinetic));
+  }
+  const Recording recording = recorder.recording();
+  test::Triangle_player player(recording);
+  EXPECT_EQ(player.triangles(), first);
+  std::size_t flips = 0;
+  for (std::size_t i = 0; i < recording.events.size(); ++i) {
+    const Recorded_event& event = recording.events[i];
+    player.execute(i);
+    if (event.kind != Event_kind::rebuild) {
+      EXPECT_EQ(player.triangles(), after_flips.by_number.at(event.number)) << "after row " << i;
+      ++flips;
+    }
+    const bool is_last_of_instant =
+        i + 1 == recording.events.size() || recording.events[i + 1].time != event.time;
+    const bool is_reported = event.removed || event.added;
+    if (!is_last_of_instant || !is_reported) continue;
+    const auto [begin, end] = after_instants.equal_range(event.time.nearest);
+    EXPECT_TRUE(std::any_of(
+        begin, end, [&](const auto& instant) { return instant.second == player.triangles(); }))
+        << "after row " << i << ", t = " << event.time.nearest;
+  }
+  EXPECT_EQ(flips, after_flips.by_number.size());
+  EXPECT_TRUE(player.is_at_end());
+  EXPECT_EQ(player.triangles(), test::triangles_of(kinetic));
 }
 
 TEST_P(Degenerate_corpus, has_the_same_events_without_filters) {

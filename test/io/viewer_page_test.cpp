@@ -34,6 +34,7 @@ Recording small_recording() {
   result.from = 0.5;
   result.until = 4;
   result.initial_edges = {{0, 1}, {0, 2}, {1, 2}};
+  result.initial_triangles = {{0, 2, 1}};
   result.motions = {{std::nullopt, 0, Polynomial_motion_2{{1, 2}, {3, 4}}},
                     {std::nullopt, 1, Polynomial_motion_2{{-1, 0.25}, {}, {6, -7}, {}, 0.5}},
                     {std::nullopt, 2, Polynomial_motion_2{{1e300, 5e-324}, {0, -0.0}, {}, {}, 2}},
@@ -42,6 +43,12 @@ Recording small_recording() {
   result.events = {{5, Event_kind::flip, {0.1, {0.1, 0.1 + 0x1p-56}}, {{0, 1}}, {{1, 2}}},
                    {6, Event_kind::erase, {2, {2, 2}}, {}, {}, 1},
                    {7, Event_kind::collision, {3, {3 - 0x1p-51, 3}}, {}, {}, 0, 2}};
+  // The page leaves out what a flip does.
+  result.triangles = {{0, false, {0, 2, 1}},
+                      {0, true, {0, 1, 2}},
+                      {1, false, {0, 1, 2}},
+                      {2, true, {0, 2, 1}},
+                      {2, true, {0, 1, 2}}};
   result.events_in_all = 3;
   return result;
 }
@@ -49,12 +56,19 @@ Recording small_recording() {
 // The texts in base64 are those that Python's struct and base64 make of the numbers.
 TEST(Viewer_page, holds_the_recording) {
   const json object = data(page(small_recording(), {"a run", {}}));
-  EXPECT_EQ(object["format"], 1);
+  EXPECT_EQ(object["format"], 2);
   EXPECT_EQ(object["title"], "a run");
   EXPECT_EQ(object["from"], 0.5);
   EXPECT_EQ(object["until"], 4);
   EXPECT_EQ(object["points"], 3);
-  EXPECT_EQ(object["initial_edges"], "AAABAAAAAgABAAIA");
+  EXPECT_EQ(object["initial_edges"], "");
+  const json& triangles = object["triangles"];
+  EXPECT_EQ(triangles["initial"], "AAACAAEA");
+  EXPECT_EQ(triangles["count"], 2);
+  EXPECT_EQ(triangles["event"], "AQAAAAIAAAA=");
+  EXPECT_EQ(triangles["removed"], "AQAAAAAAAAA=");
+  EXPECT_EQ(triangles["added"], "AAAAAAIAAAA=");
+  EXPECT_EQ(triangles["ids"], "AAABAAIAAAACAAEAAAABAAIA");
   EXPECT_TRUE(object["box"].is_null() && object["thinned"].is_null() && object["wave"].is_null());
   EXPECT_EQ(object["radius"], 0);
   EXPECT_FALSE(object.contains("names"));
@@ -80,6 +94,12 @@ TEST(Viewer_page, holds_the_recording) {
   EXPECT_EQ(events["fields"], "EwQs");
   EXPECT_EQ(events["time"], "mpmZmZmZuT8AAAAAAAAAQAAAAAAAAAhA");
   EXPECT_EQ(events["ids"], "AAABAAEAAgABAAAAAgA=");
+}
+
+TEST(Viewer_page, has_edges_that_are_sides_of_no_triangle) {
+  Recording recording = small_recording();
+  recording.initial_triangles.clear();
+  EXPECT_EQ(data(page(recording, {}))["initial_edges"], "AAABAAAAAgABAAIA");
 }
 
 TEST(Viewer_page, has_wide_ids_for_many_points) {

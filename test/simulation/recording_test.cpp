@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A recording that is played shows the edges and the motions that the run had at each time; where
-// it is thinned, at each time that is left.
+// A recording that is played shows the edges, the triangles and the motions that the run had at
+// each time; where it is thinned, at each time that is left.
 #include "kinetri/simulation/recording.h"
 
 #include <gtest/gtest.h>
@@ -18,6 +18,7 @@
 #include "kinetri/simulation/tracks.h"
 #include "support/motions.h"
 #include "support/precondition_error.h"
+#include "support/triangles.h"
 
 namespace kinetri {
 namespace {
@@ -27,6 +28,7 @@ using Motions = std::map<Point_id, Polynomial_motion_2>;
 // What there is just after a time.
 struct State {
   std::vector<Edge_ids> edges;
+  std::set<Triangle_ids> triangles;
   Motions motions;
 
   friend bool operator==(const State&, const State&) = default;
@@ -43,6 +45,7 @@ template <class Triangulation>
 State state_of(const Triangulation& triangulation) {
   State result;
   result.edges = triangulation.finite_edge_ids();
+  result.triangles = test::triangles_of(triangulation);
   for (Point_id id = 0; id < triangulation.next_id(); ++id) {
     if (triangulation.contains(id)) result.motions[id] = polynomial(triangulation.motion(id));
   }
@@ -77,17 +80,21 @@ Watched_run watch(Simulation_2<Traits>& simulation, double until, std::size_t mo
 void expect_plays(const Watched_run& run) {
   const Recording& recording = run.recording;
   std::set<Edge_ids> edges(recording.initial_edges.begin(), recording.initial_edges.end());
+  test::Triangle_player triangles(recording);
   Motions motions;
   auto motion = recording.motions.begin();
   for (; motion != recording.motions.end() && !motion->event; ++motion) {
     ASSERT_TRUE(motion->motion);
     motions[motion->point] = *motion->motion;
   }
-  const auto now = [&] { return State{{edges.begin(), edges.end()}, motions}; };
+  const auto now = [&] {
+    return State{{edges.begin(), edges.end()}, triangles.triangles(), motions};
+  };
   EXPECT_EQ(now(), run.start);
   auto instant = run.instants.begin();
   for (std::size_t i = 0; i < recording.events.size(); ++i) {
     const Recorded_event& event = recording.events[i];
+    triangles.execute(i);
     if (event.removed) {
       EXPECT_EQ(edges.erase(*event.removed), 1u) << "row " << i;
     }
@@ -113,6 +120,7 @@ void expect_plays(const Watched_run& run) {
     EXPECT_EQ(now(), instant->second) << "after row " << i << ", t = " << event.time.nearest;
   }
   EXPECT_EQ(motion, recording.motions.end());
+  EXPECT_TRUE(triangles.is_at_end());
   if (!run.instants.empty()) {
     EXPECT_EQ(now(), run.instants.back().second);
   }
@@ -160,6 +168,55 @@ TEST(Recording, plays_degenerate_instants) {
   const Watched_run run = watch(simulation, 12, 100'000);
   EXPECT_GT(simulation.triangulation().counters().events[0], 0u) << "no rebuild";
   EXPECT_LT(run.instants.size(), run.events) << "no simultaneous events";
+  expect_plays(run);
+}
+
+// Points 2 and 3 meet on the hull at t = 1 and go through each other. Before, 2 is inside the
+// triangle 0 1 3; after, 3 is inside 0 1 2. All six edges stay, and no event is reported.
+const std::vector<Linear_motion_2> passing = {
+    {{-4, 0}, {}}, {{4, 0}, {}}, {{0, 2}, {0, 1}}, {{0, 4}, {0, -1}}, {{0, -50}, {}}};
+
+TEST(Recording, has_triangles_that_change_without_an_event) {
+  Simulation_2<> simulation(passing, {});
+  const Watched_run run = watch(simulation, 1.5, 100);
+  EXPECT_EQ(run.events, 0u);
+  ASSERT_EQ(run.recording.events.size(), 1u);
+  const Recorded_event& row = run.recording.events[0];
+  EXPECT_EQ(row.kind, Event_kind::rebuild);
+  EXPECT_EQ(row.number, 0u);
+  EXPECT_EQ(row.time.nearest, 1);
+  EXPECT_FALSE(row.removed || row.added || row.point_a || row.point_b);
+  EXPECT_EQ(run.start.edges, simulation.triangulation().finite_edge_ids());
+  const std::set<Triangle_ids> last = test::triangles_of(simulation.triangulation());
+  EXPECT_NE(run.start.triangles, last);
+  test::Triangle_player triangles(run.recording);
+  EXPECT_EQ(triangles.triangles(), run.start.triangles);
+  triangles.execute(0);
+  EXPECT_EQ(triangles.triangles(), last);
+}
+
+TEST(Recording, has_triangles_that_turn_over_without_an_event) {
+  // All points are on the x axis at t = 1.
+  const std::vector<Linear_motion_2> motions = {
+      {{-9, -1}, {0, 1}}, {{9, -1}, {0, 1}}, {{1, 3}, {0, -3}}};
+  Simulation_2<> simulation(motions, {});
+  const Watched_run run = watch(simulation, 2, 100);
+  EXPECT_EQ(run.events, 0u);
+  EXPECT_EQ(run.recording.initial_triangles, (std::vector<Triangle_ids>{{0, 1, 2}}));
+  EXPECT_EQ(run.recording.triangles,
+            (std::vector<Recorded_triangle>{{0, false, {0, 1, 2}}, {0, true, {0, 2, 1}}}));
+  ASSERT_EQ(run.recording.events.size(), 1u);
+  EXPECT_EQ(run.recording.events[0].time.nearest, 1);
+}
+
+TEST(Recording, of_triangles_that_change_without_an_event_may_be_thinned) {
+  std::vector<Linear_motion_2> motions = passing;
+  for (const Linear_motion_2& m : test::random_motions(40, 40, 5, 10)) {
+    motions.push_back({{m.position.x, m.position.y - 100}, m.velocity});
+  }
+  Simulation_2<> simulation(motions, {});
+  const Watched_run run = watch(simulation, 6, 60);
+  EXPECT_TRUE(run.recording.is_thinned);
   expect_plays(run);
 }
 

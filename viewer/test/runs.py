@@ -38,6 +38,10 @@ def accelerated_points():
 # A point falls through the fourth corner of a square, at exactly t = 1.
 SQUARE = "x,y,vx,vy\n0,0,0,0\n2,0,0,0\n2,2,0,0\n0,3,0,-1\n"
 
+# Points 2 and 3 meet on the hull at t = 1 and go through each other: before, 2 is inside the triangle
+# 0 1 3; after, 3 is inside 0 1 2. All edges stay, and nothing is logged.
+PASSING = "x,y,vx,vy\n-4,0,0,0\n4,0,0,0\n0,2,0,1\n0,4,0,-1\n0,-50,0,0\n"
+
 # By name: how the points are generated (or what is in their file), the end, further options.
 RUNS = {
     "uniform": ("uniform --points 40 --seed 3", 8, ()),
@@ -49,6 +53,7 @@ RUNS = {
     "lattice": ("lattice --points 16 --movers all", 4, ()),
     "tracks": (TRACKS, 6, ()),
     "square": (SQUARE, 1.5, ()),
+    "passing": (PASSING, 1.75, ()),
     "wave": (None, 12, ("--columns", "6", "--rows", "5")),
     "thinned": ("uniform --points 130 --seed 6 --side 100", 330, ("--box", "0,0,100,100")),
 }
@@ -123,6 +128,41 @@ class Run:
             place.append(sum(terms))
             bound.append(8 * HALF_ULP * (1 + 16 * HALF_ULP) * sum(map(abs, terms)))
         return place, bound
+
+
+def check_combinatorics(edges, triangles):
+    """Whether the triangles are those of a triangulation with these edges, as far as that can be said
+    without places: what is wrong, or an empty text."""
+    sides = [(t[k], t[(k + 1) % 3]) for t in triangles for k in range(3)]
+    points = {point for edge in edges for point in edge}
+    if any(t[0] > min(t) for t in triangles) or sorted(map(tuple, triangles)) != list(map(tuple, triangles)):
+        return "they are not in order"
+    if len(set(sides)) != len(sides):
+        return "two triangles are on the same side of an edge"
+    if triangles and {tuple(sorted(side)) for side in sides} != set(edges):
+        return "their sides are not the edges"
+    if triangles and len(triangles) != len(edges) - len(points) + 1:
+        return f"{len(triangles)} triangles of {len(points)} points with {len(edges)} edges"
+    return ""
+
+
+def is_delaunay(run, triangles, time):
+    """Whether each triangle is counterclockwise at the time and has no point inside of its circle:
+    exactly, for points that never turned."""
+    places = [run.exact_position(point, time)[0] for point in range(len(run.motions))]
+    for a, b, c in triangles:
+        for d, place in enumerate(places):
+            rows = [[places[p][0] - place[0], places[p][1] - place[1]] for p in (a, b, c)]
+            rows = [(x, y, x * x + y * y) for x, y in rows]
+            if d in (a, b, c):
+                continue
+            (ux, uy, uu), (vx, vy, vv), (wx, wy, ww) = rows
+            if uu * (vx * wy - vy * wx) + vv * (wx * uy - wy * ux) + ww * (ux * vy - uy * vx) > 0:
+                return False
+        (ax, ay), (bx, by), (cx, cy) = places[a], places[b], places[c]
+        if (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) <= 0:
+            return False
+    return True
 
 
 def polynomial(run, point, axis, origin):

@@ -27,7 +27,7 @@ SWITCHES = 130  # pixels at the top of the picture that switches and buttons tak
 MARGIN = 20
 STEPS = """(() => {
   const seen = [];
-  const note = () => seen.push([kinetri.time, kinetri.event, kinetri.edges()]);
+  const note = () => seen.push([kinetri.time, kinetri.event, kinetri.edges(), kinetri.triangles()]);
   note();
   while (kinetri.DIRECTION()) note();
   return seen;
@@ -116,13 +116,29 @@ class Playing(Page):
         self.assertGreater(len(instants), 8, "a run in which too little happens")
         expected = [(0.0, 0, run.initial)] + [(t[2], count, e) for t, count, e in instants]
         seen = self.evaluate(STEPS.replace("DIRECTION", "stepForward"))
-        self.assertEqual([(t, n) for t, n, _ in seen], [(t, n) for t, n, _ in expected])
-        for (_, number, found), (_, _, wanted) in zip(seen, expected):
+        self.assertEqual([(t, n) for t, n, _, _ in seen], [(t, n) for t, n, _ in expected])
+        for (_, number, found, triangles), (_, _, wanted) in zip(seen, expected):
             self.assertEqual(edges(found), wanted, f"forward, after {number} events")
+            self.assertEqual(runs.check_combinatorics(wanted, triangles), "",
+                             f"forward, after {number} events")
+        forward = [triangles for _, _, _, triangles in seen]
+        self.check_delaunay(run, expected, forward)
         seen = self.evaluate(STEPS.replace("DIRECTION", "stepBackward"))
-        self.assertEqual([n for _, n, _ in seen], [n for _, n, _ in reversed(expected)])
-        for (_, number, found), (_, _, wanted) in zip(seen, reversed(expected)):
+        self.assertEqual([n for _, n, _, _ in seen], [n for _, n, _ in reversed(expected)])
+        for (_, number, found, _), (_, _, wanted) in zip(seen, reversed(expected)):
             self.assertEqual(edges(found), wanted, f"backward, after {number} events")
+        self.assertEqual([triangles for _, _, _, triangles in seen], forward[::-1], "backward")
+
+    def check_delaunay(self, run, expected, triangles):
+        """Of points that never turn: some triangulations are exactly Delaunay between the instants."""
+        if run.motions is None or any(event.points != [None, None] for event in run.events):
+            return
+        steps = [i for i in range(len(expected) - 1)
+                 if i == 0 or run.instants()[i - 1][0][2] < run.instants()[i][0][1]]
+        for i in steps[::max(len(steps) // 12, 1)]:
+            after = run.instants()[i - 1][0][2] if i > 0 else 0.0
+            when = (runs.fractions.Fraction(after) + runs.fractions.Fraction(run.instants()[i][0][1])) / 2
+            self.assertTrue(runs.is_delaunay(run, triangles[i], when), f"at {float(when)!r}")
 
     def check_times(self, run):
         """goTo a time executes exactly the events that are not after it."""
@@ -161,9 +177,10 @@ class Playing(Page):
         numbers = random.Random(2)
         for when in [numbers.uniform(0, run.until) for _ in range(40)]:
             found = self.evaluate(f"kinetri.goTo({when!r}), kinetri.stepForward(), "
-                                  "[kinetri.time, kinetri.edges()]")
+                                  "[kinetri.time, kinetri.edges(), kinetri.triangles()]")
             expected = [e for t, _, e in instants if t[2] <= found[0]][-1]
             self.assertEqual(edges(found[1]), expected, f"at {found[0]!r}")
+            self.assertEqual(runs.check_combinatorics(expected, found[2]), "", f"at {found[0]!r}")
 
     def check_ends(self, run):
         self.browser.key("End")
@@ -640,6 +657,27 @@ class Small(Page):
     def test_no_time(self):
         self.assertEqual(len(self.check("instant", "0,0,1,0\n4,0,0,0\n0,3,0,1\n", 0, 3)), 3)
 
+    def test_points_on_a_line_have_no_triangles(self):
+        self.check("line", "0,0,1,1\n2,2,0,0\n4,4,-1,-1\n7,7,0,0\n", 1, 4)
+        self.assertEqual(self.evaluate("kinetri.triangles()"), [])
+
+    def test_triangles_that_change_without_an_event(self):
+        """Points pass each other on the hull: no edge changes, but triangles do, at exactly t = 1."""
+        run = runs.Run(PROGRAM, FOLDER, "passing")
+        self.assertEqual(run.events, [])
+        self.open(run.page)
+        seen = self.evaluate(STEPS.replace("DIRECTION", "stepForward"))
+        self.assertEqual([(t, n) for t, n, _, _ in seen], [(0, 0), (1, 1)])
+        for (_, _, found, triangles), when in zip(seen, (0.5, 1.5)):
+            self.assertEqual(edges(found), run.initial)
+            self.assertEqual(runs.check_combinatorics(run.initial, triangles), "")
+            self.assertTrue(runs.is_delaunay(run, triangles, when))
+        self.assertNotEqual(seen[0][3], seen[1][3])
+        self.assertEqual(self.evaluate("document.getElementById('row-0').innerText").split("\n"),
+                         ["\u21bb", "rebuild", "triangles change, edges do not", "1", "row 0"])
+        self.go_to(0.5)
+        self.assertEqual(self.evaluate("kinetri.triangles()"), seen[0][3])
+
     def test_large_numbers(self):
         points = "-1e300,0,1,0\n1e300,0,0,0\n0,1e300,0,1\n0,-1e-300,0,0\n"
         self.assertEqual(len(self.check("large", points, 1, 4)), 5)
@@ -674,7 +712,7 @@ class Damaged(Page):
         self.check(text[:len(text) // 2], "not JSON")
 
     def test_other_format(self):
-        self.damage("format is 2", format=2)
+        self.damage("format is 1", format=1)
 
     def test_lists(self):
         events, motions = self.recording["events"], self.recording["motions"]
@@ -689,12 +727,34 @@ class Damaged(Page):
 
     def test_wrong_edges(self):
         self.damage("the ids end with 3", points=4)
-        there = self.recording["initial_edges"]
-        self.damage("within an edge", initial_edges=cut(there, 2))
-        self.damage("which is not there then", initial_edges=cut(there, 200))
-        first = base64.b64decode(there)[:4]
-        twice = base64.b64encode(first + base64.b64decode(there)).decode()
-        self.damage("is twice", initial_edges=twice)
+        there = self.recording["triangles"]["initial"]
+        self.assertEqual(self.recording["initial_edges"], "", "an edge without a triangle")
+        one_id, one_edge = (base64.b64encode(base64.b64decode(there)[:n]).decode() for n in (2, 4))
+        self.damage("within an edge", initial_edges=one_id)
+        self.damage("is twice", initial_edges=one_edge)
+        self.damage("which is not there then", triangles={**self.recording["triangles"],
+                                                          "initial": cut(there, 120)})
+
+    def test_wrong_triangles(self):
+        triangles = self.recording["triangles"]
+        self.assertGreater(triangles["count"], 1)
+        damage = lambda expected, **members: self.damage(expected, triangles={**triangles, **members})
+        self.damage("triangles are not there", triangles=None)
+        damage("within a triangle", initial=cut(triangles["initial"], 2))
+        twice = base64.b64decode(triangles["initial"])
+        twice = base64.b64encode(twice + twice[:6]).decode()
+        damage("the start adds the triangle", initial=twice)
+        damage("numbers of triangles of them", count=triangles["count"] + 1)
+        damage("corners of", ids=cut(triangles["ids"], 6))
+        ids = base64.b64decode(triangles["ids"])
+        turned = base64.b64encode(ids[2:4] + ids[:2] + ids[4:]).decode()
+        damage("triangle", ids=turned)
+        rows = base64.b64decode(triangles["event"])
+        damage("not in order", event=base64.b64encode(rows[4:8] + rows[:4] + rows[8:]).decode())
+        last = (10 ** 6).to_bytes(4, "little")
+        damage("triangle", event=base64.b64encode(rows[:-4] + last).decode())
+        # Without the changes on the hull, a flip there does not fit.
+        damage("not the other diagonal", count=0, event="", removed="", added="", ids="")
 
     def test_times(self):
         self.damage("not two numbers in order", until=-1)

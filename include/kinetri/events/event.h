@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "kinetri/base/ids.h"
@@ -76,6 +77,12 @@ class Event_observer {
   virtual void before_event(const Event<Time>& /*event*/) {}
   /// Called when `event` has happened. Does nothing unless it is overridden.
   virtual void after_event(const Event<Time>& /*event*/) {}
+  /// Called at the end of changes that are not reported flip by flip: those of a degenerate
+  /// instant, and those that a change of points makes. The rebuild events, if there are any, have
+  /// been reported. `edges` has every edge whose triangles may have changed, sorted; among them may
+  /// be edges that were and are there, and edges that never were. Triangles may change, or turn
+  /// over, although no edge does. Does nothing unless it is overridden.
+  virtual void after_rebuild(const Time& /*time*/, std::span<const Edge_ids> /*edges*/) {}
 };
 
 }  // namespace kinetri

@@ -6,7 +6,7 @@
 // The page is put together from viewer/ (see the README there) and the recording, which is
 // the JSON object in the element `<script type="application/json" id="recording">`:
 //
-//   format        1
+//   format        2
 //   program       "kinetri 0.1.0"
 //   title         of the run, for people
 //   from, until   the times between which it can be played
@@ -18,7 +18,15 @@
 //   wave          null, or {"height": h, "width": w}: the page begins with the wave. At a place its
 //                 height is h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving
 //                 points
-//   initial_edges base64 of the ids of the ends, two an edge, sorted
+//   initial_edges base64 of the ids of the ends, two an edge: the edges at the start that are sides
+//                 of no triangle, sorted. There are such edges only where all points are collinear
+//   triangles     {initial, count, event, removed, added, ids}: initial: base64 of the ids of the
+//                 corners of the triangles at the start, three a triangle, counterclockwise; their
+//                 sides are the other edges at the start. A flip removes the two triangles at its
+//                 removed edge and adds the two at its added edge. Of the `count` other events that
+//                 change triangles: event: base64 of uint32, the index of the event; removed and
+//                 added: base64 of uint32, how many triangles it removes and adds; ids: base64 of
+//                 the corners of these, as in initial, of each event the removed ones first
 //   motions       {count, degree, starting, event, point, there, data}: trajectories in the order
 //                 in which they begin, the first `starting` of them at the start. event: base64 of
 //                 uint32, index of the event from which on it is in force, 0 for those of the
@@ -32,7 +40,8 @@
 //                 if an edge is removed, 2 if one is added, 4 if there is a point_a, 8 if there is
 //                 a point_b, and 0, 16 or 32 if the exact time is `time`, or lies between it and
 //                 the next binary64 number above (16) or below (32); time: base64 of binary64;
-//                 ids: base64 of the ids in that order, an edge being two
+//                 ids: base64 of the ids in that order, an edge being two. An event without edges
+//                 and points changes triangles only; it is no event of the run and has no number
 //
 // In base64 all numbers are little-endian, ids uint16 if points <= 65536, else uint32.
 #ifndef KINETRI_IO_VIEWER_PAGE_H

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run, recorded: the edges at the start, the trajectories, and the events, so that it can be
-// played forward and backward without computing anything anew. Viewers are made from it.
+// A run, recorded: the edges and triangles at the start, the trajectories, the events, and the
+// triangles that each event changes, so that the run can be played forward and backward without
+// computing anything again. Viewers are made from it.
 #ifndef KINETRI_SIMULATION_RECORDING_H
 #define KINETRI_SIMULATION_RECORDING_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "kinetri/base/double_interval.h"
@@ -15,6 +18,7 @@
 #include "kinetri/events/event.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 #include "kinetri/simulation/box_2.h"
+#include "kinetri/simulation/detail/triangle_map.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
@@ -37,24 +41,40 @@ struct Recorded_motion {
   std::optional<Polynomial_motion_2> motion;  ///< none: it is not there any more
 };
 
-/// A recorded run. Playing it: begin with `initial_edges` and the motions without an event; at each
-/// event, in order, remove and add its edges, and take over the motions that name it.
+/// A triangle that an event removes or adds.
+struct Recorded_triangle {
+  std::size_t event = 0;      ///< its index in the recording
+  bool is_added = false;      ///< else it is removed
+  Triangle_ids corners = {};  ///< counterclockwise, the least id first
+
+  friend bool operator==(const Recorded_triangle&, const Recorded_triangle&) = default;
+};
+
+/// A recorded run. To play it, begin with `initial_edges`, `initial_triangles` and the motions
+/// without an event. At each event, in order, remove and add its edge, remove and add the triangles
+/// that name it, and set the motions that name it.
+///
+/// `events` has the events of the run. Where triangles change, or turn over, although no edge does
+/// (points meet and pass, or all points are on a line for an instant), there is a row of the kind
+/// rebuild without an edge, which is no event of the run: its number is that of the next event.
 struct Recording {
-  double from = 0;                       ///< the start, rounded
-  double until = 0;                      ///< how far it got
-  std::vector<Edge_ids> initial_edges;   ///< just after the start, sorted
-  std::vector<Recorded_motion> motions;  ///< in the order of events, those of the start first
-  std::vector<Recorded_event> events;    ///< in exact order of time
-  std::uint64_t events_in_all = 0;       ///< how many the run had, left out ones included
-  /// Whether events are left out: those of an interval of time are then replaced by what they come
-  /// to, at the time of the last of them: edges by rows of the kind rebuild, new motions by rows of
-  /// the kind trajectory, insert and erase. The edges just after each time of a row are still those
-  /// of the exact triangulation; those between two times are the ones of the earlier.
+  double from = 0;                              ///< the start, rounded
+  double until = 0;                             ///< the end, rounded
+  std::vector<Edge_ids> initial_edges;          ///< just after the start, sorted
+  std::vector<Triangle_ids> initial_triangles;  ///< just after the start, sorted
+  std::vector<Recorded_motion> motions;         ///< by event; those of the start first
+  std::vector<Recorded_event> events;           ///< in exact order of time
+  std::vector<Recorded_triangle> triangles;     ///< by event; those that it removes first
+  std::uint64_t events_in_all = 0;              ///< events of the run, recorded or left out
+  /// Whether events are left out. Then the events of an interval of time are replaced by their net
+  /// effect, at the time of the last of them: edges by rows of the kind rebuild, new motions by
+  /// rows of the kind trajectory, insert and erase. Edges and triangles are those of the exact
+  /// triangulation just after each time of a row; between two such times they are the earlier ones.
   bool is_thinned = false;
 };
 
-/// Observes a run and records it. Cost: some operations an event, and O(rows log rows) once in
-/// `most_rows` / 2 events or less often. Memory: O(points + rows).
+/// Observes a run and records it. Cost of an event: the degrees of the ends of its edges; besides,
+/// O(rows log rows) once in `most_rows` / 2 events or less often. Memory: O(points + rows).
 template <class Traits = Linear_kinetic_traits_2>
 class Recorder : public Event_observer<typename Traits::Time> {
  public:
@@ -71,19 +91,28 @@ class Recorder : public Event_observer<typename Traits::Time> {
   /// Records the event.
   void after_event(const Event<Time>& event) override;
 
+  /// Records the triangles that have changed.
+  void after_rebuild(const Time& time, std::span<const Edge_ids> edges) override;
+
   /// The recording up to the present of the triangulation. Not to be called within an event.
   Recording recording() const;
 
  private:
+  void set_time(const Time& time);
   void record_motion(Point_id id, std::optional<std::size_t> event);
+  Point_id apex_now(Point_id p, Point_id q) const;
+  std::vector<Recorded_triangle> changed_triangles(std::span<const Edge_ids> edges) const;
+  void record_triangles(std::vector<Recorded_triangle> changes);
+  void thin_if_needed();
   void thin(Recording& recording, std::size_t most_rows) const;
 
   const Triangulation& triangulation_;
   std::size_t most_rows_;
-  std::size_t limit_;           // of rows before the next thinning
-  std::optional<Time> time_;    // of the last event
-  Recorded_time rounded_time_;  // the same
-  Recording recording_;         // up to the last event; until is the end that is expected
+  std::size_t limit_;               // of rows before the next thinning
+  std::optional<Time> time_;        // of the last row
+  Recorded_time rounded_time_;      // the same
+  detail::Triangle_map triangles_;  // after what has been recorded
+  Recording recording_;             // up to the last event; until is the end that is expected
 };
 
 extern template class Recorder<Linear_kinetic_traits_2>;

@@ -154,7 +154,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::adopt(const Triangulation& rebuil
   }
 }
 
-// Reports the edges that a rebuild has removed and added in the end.
+// Reports the edges that a rebuild has removed and added in the end, then all that it has touched.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::report_rebuild() {
   if (!rebuilt_edges_) return;
@@ -169,6 +169,13 @@ void Kinetic_delaunay_triangulation_2<Traits>::report_rebuild() {
       report(event, [] {});
     }
   }
+  if (observers_.empty()) return;
+  std::vector<Edge_ids> touched;
+  touched.reserve(edges.size());
+  for (const auto& [edge, net_change] : edges) touched.push_back(edge);
+  is_in_event_ = true;
+  for (Observer* observer : observers_) observer->after_rebuild(current_time(), touched);
+  is_in_event_ = false;
 }
 
 }  // namespace kinetri
