@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the page's address asks for after its '#': a moment, and what is shown of it, so that both
-// can be linked to, and pictures be made by a browser without a window.
+// The part of the page's address after '#': a time, and what is shown. It makes links to a moment
+// possible, and screenshots by a headless browser.
 //
 //   #t=2.5&show=voronoi,ids&hide=hull&edge=4-17&theme=dark&list=off
 //
 // t        the time
-// event    instead: just after so many events
+// event    a number of events: the state just after them, instead of a time
 // show     switches to turn on: wave, delaunay, hull, voronoi, circle, discs, trails, ids
 // hide     switches to turn off
 // edge     the ids of the ends of an edge whose certificate is shown
@@ -14,7 +14,7 @@
 // list     on or off: the list of events
 'use strict';
 
-/** Does what the fragment of an address asks for. Returns what cannot be done, for people. */
+/** Follows the fragment of an address. Returns messages about the parts that cannot be followed. */
 function followAddress(viewer, fragment) {
   const problems = [];
   for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, ''))) {

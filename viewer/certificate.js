@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The certificate of an edge: which polynomial says that the edge is right, from when to when it is
-// this one, and what ends it.
+// The certificate of an edge: the polynomial that is positive while the edge is Delaunay, the time
+// during which the edge has this certificate, and the events that begin and end it.
 'use strict';
 
 /** The corners opposite to the edge, left and right, or -1 where there is no triangle. */
@@ -13,8 +13,8 @@ function cornersOf({triangles}, edge) {
  * The certificate of the edge, which is there. Members: a, b, left, right (corners, -1 for none);
  * kind 'in-circle', 'orientation' or 'none'; begin and end: {row, reason}, row -1 for the ends of
  * the recording, reason 'edge', 'corners', 'motion' or 'recording'; from and until, in binary64;
- * fails: whether the certificate's failure ends it; removal: the row that removes the edge, or -1; and, unless there is none, `polynomial` with its
- * `origin` and `divisor`, and `coefficients`.
+ * fails: whether the certificate's failure ends it; removal: the row that removes the edge, or -1;
+ * and, unless the kind is 'none', `polynomial` with its `origin` and `divisor`, and `coefficients`.
  */
 function certificateOf(playback, edge) {
   const {recording} = playback;
@@ -49,14 +49,15 @@ function certificateOf(playback, edge) {
   return result;
 }
 
-/** Whether the row is the failure of a certificate: an edge may also go because points come, go or
- * meet, and what a thinned recording has are differences. */
+/** Whether the row is the failure of a certificate. An edge may also be removed because a point is
+ * inserted or erased, or because points meet; rows of a thinned recording are net effects. */
 function isFailure(recording, row) {
   return recording.thinned === null &&
     ['flip', 'hull_insert'].includes(recording.kinds[recording.rowKind[row]]);
 }
 
-/** What ends the edge's life with these corners and motions, forward (direction 1) or back (-1). */
+/** What ends the time during which the edge has these corners and their motions, forward (direction
+ * 1) or backward (-1). */
 function endOfLife(playback, edge, left, right, direction) {
   const {recording} = playback;
   const cursor = playback.clone();
@@ -68,19 +69,21 @@ function endOfLife(playback, edge, left, right, direction) {
     const last = direction > 0 ? recording.instantEnd[first] : cursor.event;
     const change = firstChange(recording, corners, first, last, direction);
     cursor.goToEvent(direction > 0 ? last : first);
-    if (change.edges < 0 && change.motion < 0) continue;
     if (cursor.where[edge] < 0) {
       return {row: rowOfEdge(recording, edge, first, last, direction), reason: 'edge'};
     }
     if (change.motion >= 0) return {row: change.motion, reason: 'motion'};
     const now = cornersOf(cursor, edge);
-    if (now[0] !== left || now[1] !== right) return {row: change.edges, reason: 'corners'};
+    if (now[0] !== left || now[1] !== right) {
+      // Corners may change although no edge does: with the last row of the instant.
+      return {row: change.edges < 0 ? last - 1 : change.edges, reason: 'corners'};
+    }
   }
   return {row: -1, reason: 'recording'};
 }
 
-/** The first rows of an instant that give one of the corners a new motion, and that change an edge
- * between two of them or at an end of the edge. */
+/** Of the rows of an instant, the first one that gives one of the corners a new motion, and the
+ * first one that changes an edge between two corners or at an end of the edge; -1 for none. */
 function firstChange(recording, corners, first, last, direction) {
   const {rowRemoved, rowAdded, rowMotion, motionPoint, edgeA, edgeB} = recording;
   const isEnd = (point) => point === corners[0] || point === corners[1];
@@ -105,7 +108,7 @@ function firstChange(recording, corners, first, last, direction) {
   return change;
 }
 
-/** The row in which the edge goes (or comes, backward). */
+/** The row that removes the edge, or, backward, that adds it. */
 function rowOfEdge(recording, edge, first, last, direction) {
   const rows = direction > 0 ? recording.rowRemoved : recording.rowAdded;
   for (let row = first; row < last; ++row) if (rows[row] === edge) return row;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The panel of the selected edge: its certificate as a plot over time and in digits, and what ends
-// it. What it says of signs is decided exactly (exact.js).
+// The panel of the selected edge: its certificate as a plot over time and in digits, and the event
+// that ends it. The signs that it shows are exact (exact.js).
 'use strict';
 
 const SIGNS = {'-1': 'negative', 0: 'zero', 1: 'positive'};
 const PLOT_POINTS = 240;
-const BEYOND = 0.12;  // share of the certificate's time that the plot shows on either side
+const BEYOND = 0.12;  // share of the certificate's time that the plot adds on either side
 
 class CertificatePanel {
   constructor(viewer) {
@@ -37,7 +37,7 @@ class CertificatePanel {
     }
     const isThere = playback.where[selected] >= 0;
     this.says.textContent = isThere ? this.meaning(certificate) :
-      'This edge is not there at the shown time. Below is the certificate that it had.';
+      'This edge is not there at the time shown. Below is its last certificate.';
     if (certificate.kind === 'none') return;
     const sign = signAt(certificate.polynomial, playback.time, certificate.origin);
     const value = evaluate(certificate.coefficients, playback.time - certificate.origin);
@@ -49,18 +49,18 @@ class CertificatePanel {
   meaning({kind, a, b, left, right}) {
     const name = (point) => this.viewer.pointName(point);
     if (kind === 'in-circle') {
-      return `Opposite corners ${name(left)} and ${name(right)}. The edge is right while ` +
+      return `Opposite corners ${name(left)} and ${name(right)}. The edge is Delaunay while ` +
         `\u2212in-circle(${[a, b, left, right].map(name).join(', ')}) is positive: while ` +
-        `${name(right)} is outside of the circle through ${name(a)}, ${name(b)} and ${name(left)}.`;
+        `${name(right)} is outside the circle through ${name(a)}, ${name(b)} and ${name(left)}.`;
     }
     if (kind === 'orientation') {
       const corners = left >= 0 ? [a, b, left] : [b, a, right];
-      return `An edge of the convex hull. It is right while orientation(` +
+      return `An edge of the convex hull. It stays one while orientation(` +
         `${corners.map(name).join(', ')}) is positive: while ${name(corners[2])} is on its inner ` +
         'side.';
     }
-    return 'All points are on a line: there is no triangle at this edge, and only the meeting of ' +
-      'two points can change it.';
+    return 'All points are collinear. This edge has no triangle; it changes only when two points ' +
+      'meet.';
   }
 
   write(certificate) {
@@ -70,14 +70,14 @@ class CertificatePanel {
     this.plot.hidden = kind === 'none';
     if (kind !== 'none') this.now = this.fact('Sign now', '');
     if (this.viewer.recording.thinned !== null) {
-      this.fact('Note', 'events are left out of this recording: in between, the edge may have had ' +
-                'other corners');
+      this.fact('Note', 'this recording leaves out events: between two recorded instants the ' +
+                'edge may have had other corners');
     }
     this.fact('Since', ...this.limitText(certificate.begin, false));
     this.fact('Until', ...this.limitText(certificate.end, true));
     this.writeFailure(certificate);
     if (kind === 'none') return;
-    this.fact('Degree', coefficients.length === 0 ? 'identically zero: cocircular for ever' :
+    this.fact('Degree', coefficients.length === 0 ? 'identically zero: the points stay cocircular' :
               `${coefficients.length - 1} in s = t \u2212 t\u2080`);
     this.fact('t\u2080', this.digits([String(origin)]));
     this.fact('Coefficients', this.digits(coefficients.map((c, k) =>
@@ -92,35 +92,36 @@ class CertificatePanel {
     if (reason === 'edge') {
       return isEnd ? ['removed by ', event, time] : ['added by ', event, time];
     }
-    if (reason === 'motion') return ['a corner turns, ', event, time];
-    return [isEnd ? 'its corners change before it fails, ' : 'its corners came with ', event, time];
+    if (reason === 'motion') return ['a corner has a new motion, ', event, time];
+    return [isEnd ? 'its corners change before it fails, ' : 'its corners changed with ', event,
+            time];
   }
 
-  /** The event that removes the edge: with its isolating interval if the edge has this certificate
-   * until then; else only when, since it is another certificate that fails. */
+  /** The event that removes the edge. Its isolating interval is shown if the edge has this
+   * certificate until then; otherwise another certificate fails, and only the time is shown. */
   writeFailure(certificate) {
     const {recording} = this.viewer;
     const row = certificate.removal;
     if (certificate.end.reason !== 'edge' || row < 0) {
       if (row >= 0) {
-        this.fact('Edge goes', 'later, with ', this.link(row),
+        this.fact('Edge removed', 'later, by ', this.link(row),
                   ` at t \u2248 ${shortNumber(recording.rowTime[row], 9)}`);
       }
       return;
     }
     const low = recording.rowLow[row], high = recording.rowHigh[row];
-    const term = certificate.fails ? 'Fails' : 'Goes';
+    const term = certificate.fails ? 'Fails' : 'Removed';
     if (low === high) {
       this.fact(term, 'exactly at', this.digits([String(low)], 'interval'));
     } else {
-      this.fact(term, 'between two neighbors in binary64',
+      this.fact(term, 'between two consecutive binary64 numbers',
                 this.digits([`[${low},`, ` ${high}]`], 'interval'));
     }
     if (certificate.kind === 'none') return;
     const signs = [low, high].map((t) => signAt(certificate.polynomial, t, certificate.origin));
     const text = low === high ? `the certificate is ${SIGNS[signs[0]]} there` :
       `${SIGNS[signs[0]]} at the lower one, ${SIGNS[signs[1]]} at the upper one`;
-    this.fact('Signs there', `${text} (in whole numbers, exactly)`);
+    this.fact('Signs there', `${text} (exact)`);
   }
 
   fact(term, ...parts) {
@@ -186,7 +187,7 @@ class CertificatePanel {
     context.restore();
     this.drawMarks(context, scale, certificate);
     plot.setAttribute('aria-label', `The certificate from ${shortNumber(certificate.from)} to ` +
-      `${shortNumber(certificate.until)}; at the shown time, ${shortNumber(playback.time)}, it is ` +
+      `${shortNumber(certificate.until)}; at ${shortNumber(playback.time)}, the time shown, it is ` +
       this.now.textContent);
   }
 
@@ -212,7 +213,7 @@ class CertificatePanel {
                      scale.bottom + 14);
   }
 
-  /** Solid while the certificate is this one, dashed beyond. */
+  /** The curve: solid while the edge has this certificate, dashed before and after. */
   drawCurve(context, scale, values, certificate) {
     const {colors} = this.viewer;
     const begin = scale.x(certificate.from), end = scale.x(certificate.until);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Buttons, switches and keys. Each thing that can be done is one entry of `actionsOf`; buttons, keys
-// and the list of keys are made from these.
+// Buttons, switches and keys. Each command is one entry of `actionsOf`, from which the buttons, the
+// keys and the list of keys are made.
 'use strict';
 
-/** {name of the element, keys, what it does, run}. */
+/** The commands: name of the button's element if there is one, keys, label, function. */
 function actionsOf(viewer) {
   return [
     {id: 'play', keys: [' '], label: 'Play or pause', run: () => viewer.togglePlaying(1)},
@@ -12,23 +12,24 @@ function actionsOf(viewer) {
     {id: 'next', keys: ['ArrowRight'], label: 'Next event', run: () => viewer.stepForward()},
     {id: 'previous', keys: ['ArrowLeft'], label: 'Previous event',
      run: () => viewer.stepBackward()},
-    {id: 'start', keys: ['Home'], label: 'To the start', run: () => viewer.goToStart()},
-    {id: 'end', keys: ['End'], label: 'To the end', run: () => viewer.goToEnd()},
+    {id: 'start', keys: ['Home'], label: 'Go to the start', run: () => viewer.goToStart()},
+    {id: 'end', keys: ['End'], label: 'Go to the end', run: () => viewer.goToEnd()},
     {id: 'faster', keys: ['ArrowUp'], label: 'Faster', run: () => viewer.changeSpeed(1)},
     {id: 'slower', keys: ['ArrowDown'], label: 'Slower', run: () => viewer.changeSpeed(-1)},
     {id: 'zoom-in', keys: ['+', '='], label: 'Zoom in', run: () => viewer.zoom(1.3)},
     {id: 'zoom-out', keys: ['-'], label: 'Zoom out', run: () => viewer.zoom(1 / 1.3)},
     {id: 'fit', keys: ['f', '0'], label: 'Fit the whole picture', run: () => viewer.fit()},
-    {keys: ['n'], label: 'Certificate of the edge that goes next',
+    {keys: ['n'], label: 'Certificate of the edge that is removed next',
      run: () => viewer.selectNextRemoved()},
-    {id: 'list', keys: ['e'], label: 'Show or hide the events', run: () => viewer.toggleList()},
-    {id: 'theme', keys: ['l'], label: 'Light or dark', run: () => viewer.toggleTheme()},
+    {id: 'list', keys: ['e'], label: 'Show or hide the list of events',
+     run: () => viewer.toggleList()},
+    {id: 'theme', keys: ['l'], label: 'Light or dark colours', run: () => viewer.toggleTheme()},
     {id: 'close', keys: ['Escape'], label: 'Close the certificate', run: () => viewer.select(-1)},
-    {id: 'help', keys: ['?'], label: 'This list of keys', run: () => viewer.toggleHelp()},
+    {id: 'help', keys: ['?'], label: 'Show this list of keys', run: () => viewer.toggleHelp()},
   ];
 }
 
-/** The switches that the recording has a use for; `mark` is the colour that goes with it. */
+/** The switches that are of use for the recording; `mark` is the colour of what it switches. */
 function switchesOf(recording) {
   const all = [
     {id: 'wave', key: 'w', label: 'Wave', isThere: recording.wave !== null, mark: '--accent'},
@@ -45,7 +46,7 @@ function switchesOf(recording) {
   return all.filter((one) => one.isThere);
 }
 
-/** Whether the switch does something in the view of the wave. */
+/** Whether the switch has an effect in the wave view. */
 function isOfWave(id) {
   return ['wave', 'delaunay', 'ids'].includes(id);
 }
@@ -121,7 +122,7 @@ class Controls {
     run();
   }
 
-  /** What the buttons say, after anything has changed. */
+  /** Updates the buttons after a change. */
   update() {
     const {viewer} = this;
     const {playback, recording, direction} = viewer;

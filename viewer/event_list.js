@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The list of events: only the rows in sight are elements. And how events are put into words.
+// The list of events, in which only the visible rows are elements; and the texts about events.
 'use strict';
 
 const ROW_HEIGHT = 44;
-const LONGEST_LIST = 8e6;  // pixels; browsers do not scroll through much more
-const LEFT_ALONE = 2500;   // milliseconds after the user has scrolled in which the list stays put
+const LONGEST_LIST = 8e6;  // pixels; browsers do not scroll much further
+const LEFT_ALONE = 2500;   // milliseconds for which the list stays where the user has scrolled it
 const GLYPHS = {
   flip: '\u21c4', hull_insert: '\u25b2', hull_remove: '\u25bc', rebuild: '\u21bb', wall: '\u2503',
   collision: '\u25cf', insert: '+', erase: '\u00d7', trajectory: '\u2197',
 };
 
-/** A number for the eye. */
+/** A number with few digits, for display. */
 function shortNumber(x, digits = 6) {
   return String(Number(x.toPrecision(digits))).replace(/^-/, '\u2212');
 }
@@ -72,7 +72,7 @@ class EventList {
     });
   }
 
-  /** Pixels of the whole list above the window, for the place of the scroll bar. */
+  /** How many pixels of the whole list are above the window. */
   offset() {
     const height = this.list.clientHeight;
     const scrollable = Math.min(this.total, LONGEST_LIST) - height;
@@ -87,7 +87,7 @@ class EventList {
       offset * (Math.min(this.total, LONGEST_LIST) - height) / (this.total - height);
   }
 
-  /** Brings the present event into sight, unless the user is elsewhere in the list. */
+  /** Scrolls to the current event, unless the user has just scrolled. */
   update() {
     const {event} = this.viewer.playback;
     if (this.shownEvent === event || this.list.clientHeight === 0) return;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much of the plane a recording takes, which is what the cameras show of themselves. An extent
-// is [left, bottom, right, top], and never empty.
+// The part of the plane that the points of a recording cover, which the cameras show initially. An
+// extent is [left, bottom, right, top], and never empty.
 'use strict';
 
-const OUTLIERS = 0.02;       // share of the places at each end that need not be in the picture
-const TIMES_IN_MOTION = 8;   // at which an accelerated motion is looked at
-const TIMES_IN_RUN = 32;     // at which all points are, where the camera goes with them
-const MOST_GROWTH = 1.5;     // of a run that one extent is good enough for
+const OUTLIERS = 0.02;       // share of the coordinates at each end that may be outside the picture
+const TIMES_IN_MOTION = 8;   // at which an accelerated motion is sampled
+const TIMES_IN_RUN = 32;     // at which all points are sampled, where the camera follows them
+const MOST_GROWTH = 1.5;     // of the extent during a run for which one extent is used
 
 /** The extent at a time: one for the whole run, unless the points spread much. */
 class Extents {
@@ -42,7 +42,7 @@ class Extents {
       samples.push(extent);
       least = Math.min(least, Math.max(extent[2] - extent[0], extent[3] - extent[1]));
     }
-    // Points that come and go take the camera to and fro: then it stays.
+    // If points come and go, the camera would move to and fro: then it stays.
     const areSame = recording.motions === recording.starting;
     const growth = Math.max(whole[2] - whole[0], whole[3] - whole[1]) / least;
     if (areSame && growth > MOST_GROWTH) this.samples = samples;

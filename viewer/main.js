@@ -4,18 +4,18 @@
 'use strict';
 
 /**
- * What the console has of the run:
+ * The object for the console:
  *
- *   time, event        the shown time, and how many rows are executed
- *   counts             {points, rows, instants, edges}; edges: those that are there
- *   edges()            the edges that are there, [a, b] with a < b, sorted
- *   triangles()        the triangles that are there, [a, b, c] counterclockwise, a the least, sorted
- *   positions()        [x, y] of each point at the shown time by id; null for those not there
- *   goTo(time)         every row whose exact time is at or before it is executed, and no other
+ *   time, event        the time shown, and the number of rows executed
+ *   counts             {points, rows, instants, edges}; edges: how many are there now
+ *   edges()            the edges, [a, b] with a < b, sorted
+ *   triangles()        the triangles, [a, b, c] counterclockwise, a the least id, sorted
+ *   positions()        [x, y] of each point by id at the time shown; null if it is not there
+ *   goTo(time)         executes each row whose exact time is at or before `time`, and no other
  *   stepForward()      to just after the next instant; false if there is none
- *   stepBackward()     to just after the last instant before now, or the start; false if it is now
- *   screen(x, y)       where a place in the plane is on the page, in CSS pixels (flat view)
- *   drawNow()          draws at once, and returns the milliseconds that it took
+ *   stepBackward()     to just after the previous instant, or to the start; false at the start
+ *   screen(x, y)       the position on the page of a point of the plane, in CSS pixels (flat view)
+ *   drawNow()          draws now; returns how many milliseconds that took
  */
 function consoleObject(viewer) {
   const {playback, recording} = viewer;
@@ -63,14 +63,14 @@ function consoleObject(viewer) {
   });
 }
 
-/** Says on the page why there is nothing to see. */
+/** Shows the error on the page. */
 function showMessage(error) {
   const isOurs = error instanceof RecordingError;
   const title = document.createElement('h1'), text = document.createElement('p');
   title.textContent = isOurs ? 'This recording is damaged' : 'This page has failed';
   text.textContent = isOurs ?
-    `It cannot be played: ${error.message}. Make the page anew with kinetri.` :
-    `An error of the viewer itself: ${error}. Please report it, with the page.`;
+    `It cannot be played: ${error.message}. Write the page again with kinetri.` :
+    `This is an error in the viewer: ${error}. Please report it, and attach the page.`;
   element('message').replaceChildren(title, text);
   element('message').hidden = false;
   element('viewer').hidden = true;
@@ -86,8 +86,8 @@ try {
   const follow = () => {
     const problems = followAddress(viewer, window.location.hash);
     element('address-note').hidden = problems.length === 0;
-    element('address-note').textContent = `The page's address asks for what is not there: ` +
-      `${problems.join(', and ')}.`;
+    element('address-note').textContent = 'The address of this page asks for something that is ' +
+      `not possible: ${problems.join(', and ')}.`;
   };
   follow();
   window.addEventListener('hashchange', follow);

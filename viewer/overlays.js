@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What can be laid over the flat view: trails, the Voronoi diagram, the circumcircle under the
-// pointer, the events around the shown time, and the edge whose certificate is looked at.
+// The overlays of the flat view: trails, the Voronoi diagram, the circumcircle of the triangle
+// under the pointer, the events around the time shown, and the selected edge.
 'use strict';
 
 const TRAIL_PARTS = 5;             // each fainter than the one before it
 const TRAIL_STEPS = 4;             // in a part of the trail of an accelerated point
-const MOST_EVENTS_SHOWN = 24;      // on each side of the shown time, beside those at it
+const MOST_EVENTS_SHOWN = 24;      // before and after the time shown, besides those at it
 const CENTER = {x: 0, y: 0};
 const ENDS = new Float64Array(4);
 const CLIP_MARGIN = 4;
 
-/** The path of the last while of each point, through its turns. */
+/** The recent path of each point, with its turns. */
 function drawTrails(context, view) {
   const {viewer} = view;
   const {recording, playback} = viewer;
@@ -57,8 +57,8 @@ function traceMotion(context, view, motion, begin, end) {
   }
 }
 
-/** The side between the cells of each edge's ends: between its triangles' circumcentres, or on from
- * one of them where there is no triangle. */
+/** The Voronoi edge of each Delaunay edge: between the circumcentres of its two triangles, or a ray
+ * from the circumcentre of its only triangle. */
 function drawVoronoi(context, view) {
   const {playback, recording, colors} = view.viewer;
   const {width, height} = view.camera;
@@ -108,7 +108,7 @@ function setCenter(view, a, b, c, at) {
   return Number.isFinite(CENTER.x) && Number.isFinite(CENTER.y);
 }
 
-/** The circle of the triangle under the pointer, and the triangle. */
+/** The triangle under the pointer, and its circumcircle. */
 function drawCircumcircle(context, view) {
   const {triangleList, pointer, colors} = view.viewer;
   const {sx, sy} = view;
@@ -141,12 +141,12 @@ function isInTriangle(sx, sy, a, b, c, x, y) {
   return isLeft(sx, sy, a, b, x, y) && isLeft(sx, sy, b, c, x, y) && isLeft(sx, sy, c, a, x, y);
 }
 
-/** Whether a place is on the left of an edge, or on it: on the screen, where y is down. */
+/** Whether a position on the screen, where y is down, is to the left of an edge or on it. */
 function isLeft(sx, sy, p, q, x, y) {
   return (sx[q] - sx[p]) * (y - sy[p]) - (sy[q] - sy[p]) * (x - sx[p]) <= 0;
 }
 
-/** The edges of the events around the shown time: those removed dashed, those added bold. */
+/** The edges of the events around the time shown: removed ones dashed, added ones bold. */
 function drawEventsAround(context, view) {
   const {playback, recording} = view.viewer;
   const while_ = view.viewer.highlightLength();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The page's elements: its canvases, and the texts that say what is shown.
+// The elements of the page: canvases, and the texts that describe what is shown.
 'use strict';
 
 function element(id) {
@@ -21,7 +21,7 @@ function sizedContext(canvas, width, height) {
   return context;
 }
 
-/** What does not change while the run plays. */
+/** Writes the texts that stay the same while the run plays. */
 function writeHeader(recording) {
   const {title, program, points, thinned, instants, rows} = recording;
   element('title').textContent = title || 'Kinetri';
@@ -34,12 +34,12 @@ function writeHeader(recording) {
   if (thinned === null) return;
   element('note').hidden = false;
   element('note').textContent = `The run had ${count(thinned.events, 'event')}; ` +
-    `${count(instants, 'instant')} of it are shown, each with its exact triangulation. Between two ` +
-    'of these the edges are those of the earlier one' +
-    (turnsAreLeftOut(recording) ? ', and points that turn go straight.' : '.');
+    `this page has ${count(instants, 'instant')} of it, each with its exact triangulation. ` +
+    'Between two of them it shows the edges of the earlier one' +
+    (turnsAreLeftOut(recording) ? ', and points that turn move in a straight line.' : '.');
 }
 
-/** The time, the number of events, and the speed. */
+/** Writes the time, the number of events and the speed. */
 function writePresent(viewer) {
   const {recording, playback} = viewer;
   const span = recording.until - recording.from || 1;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Playing a recording: the edges, triangles and trajectories after so many events, forward and
-// backward, and where the points are at a time.
+// Playing a recording: the edges, triangles and trajectories after a given number of events,
+// forward and backward, and the positions of the points at a time.
 'use strict';
 
 /**
- * A recording at a time. `event` rows are executed: those whose exact time is at or before `time`
- * (of a step: those of its instant and before). `live` holds the `liveCount` edges that are there,
- * in no order; `where[edge]` is its place in there, or -1; `triangles` has their triangles;
+ * A recording at a time. The first `event` rows are executed: those whose exact time is at or
+ * before `time`; after a step, those up to the end of its instant. `live` holds the `liveCount`
+ * edges that are there, in no order; `where[edge]` is the index of an edge in `live`, or -1;
+ * `triangles` has the triangles at these edges;
  * `current[point]` is the motion in force, or -1 before the point comes.
  */
 class Playback {
@@ -25,7 +26,7 @@ class Playback {
     for (let i = 0; i < recording.starting; ++i) this.current[recording.motionPoint[i]] = i;
   }
 
-  /** A copy that can be played by itself. */
+  /** A copy that can be played independently. */
   clone() {
     const copy = Object.create(Playback.prototype);
     Object.assign(copy, this);
@@ -83,7 +84,7 @@ class Playback {
     while (this.event > event) this.undo();
   }
 
-  /** Goes to the time, or to the end of the recording that is nearer. */
+  /** Goes to the time; before the start or after the end, to the start or the end. */
   goTo(time) {
     const {from, until} = this.recording;
     this.time = Math.min(Math.max(time, from), until);
@@ -104,7 +105,7 @@ class Playback {
   }
 
   /**
-   * Goes back to just after the last instant before the shown time, or to the start if there is
+   * Goes back to just after the last instant before the time shown, or to the start if there is
    * none. Returns whether anything changed.
    */
   stepBackward() {
@@ -125,7 +126,8 @@ class Playback {
   }
 }
 
-/** The time at which the state just after a row is shown: the least at or after the exact one. */
+/** The time at which the state just after a row is shown: the least binary64 number that is not
+ * before the exact time of the row. */
 function shownTime(recording, row) {
   return Math.min(recording.rowHigh[row], recording.until);
 }
@@ -141,8 +143,8 @@ function rowsAtOrBefore(recording, time) {
   return low;
 }
 
-// Places and velocities by a motion's number. In binary64: off by some units in the last place of
-// the largest term.
+// Positions and velocities of a motion by its number, in binary64. The error is some units in the
+// last place of the largest term.
 
 function motionX(recording, motion, time) {
   return motionCoordinate(recording, motion, time, 0);
@@ -175,7 +177,7 @@ function isMoving({motionData: data, stride}, motion) {
   return false;
 }
 
-/** Writes the places of all points at a time to xs and ys: NaN for those that are not there. */
+/** Writes the positions of all points at a time to xs and ys; NaN for points that are not there. */
 function placePoints(playback, time, xs, ys) {
   const {recording, current} = playback;
   for (let point = 0; point < recording.points; ++point) {
@@ -191,8 +193,8 @@ function placePoints(playback, time, xs, ys) {
 }
 
 /**
- * Where events are left out, nobody knows where a point turned that has another trajectory from the
- * next instant on: it is put on the straight way from its place at the last instant to that one.
+ * Where events are left out, it is unknown where a point turned that has another trajectory from
+ * the next instant on. It is shown on the straight line between its positions at the two instants.
  */
 function placeTurningPoints(playback, time, xs, ys) {
   const {recording, event} = playback;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pointer on the picture: drag, wheel and pinch, what it points at, and clicks on edges.
+// The pointer on the picture: drag, wheel, pinch, the point under the pointer, and clicks on edges.
 'use strict';
 
 const CLICK_MOVES = 5;  // pixels that a click may move
@@ -98,7 +98,7 @@ class PointerInput {
     this.viewer.requestFrame();
   }
 
-  /** What is under the pointer: before the picture is drawn, since the points move on their own. */
+  /** Finds the point or edge under the pointer, before each drawing, since the points move. */
   find() {
     const {viewer, picture} = this;
     const {pointer} = viewer;
@@ -109,7 +109,7 @@ class PointerInput {
     picture.classList.toggle('pointing', isOnEdge && this.down.size === 0);
   }
 
-  /** Beside the pointer, and inside of the picture. */
+  /** Places the tip beside the pointer, inside the picture. */
   updateTip() {
     const {viewer, tip} = this;
     const point = viewer.hoverPoint;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The recording: from the JSON object in the page to flat arrays, checked. What its members mean is
-// said in include/kinetri/io/viewer_page.h. Every pair of points that is ever an edge has a number
-// here, so that executing an event takes no look-up.
+// The recording: reads the JSON object in the page into flat arrays, and checks it. Its members are
+// described in include/kinetri/io/viewer_page.h. Every pair of points that is ever an edge gets a
+// number here, so that executing an event needs no look-up.
 'use strict';
 
-/** A recording that cannot be played; the message is for people. */
+/** The recording cannot be played; the message says why. */
 class RecordingError extends Error {}
 
 function demand(condition, what) {
@@ -47,7 +47,7 @@ function neighborDouble(x, direction) {
 const FIELD_REMOVED = 1, FIELD_ADDED = 2, FIELD_POINT_A = 4, FIELD_POINT_B = 8;
 const FIELD_ABOVE = 16, FIELD_BELOW = 32;
 
-/** Numbers of pairs of points: given out in the order in which the pairs come up. */
+/** Gives numbers to pairs of points, in the order in which the pairs occur. */
 class EdgeNumbers {
   constructor(points) {
     this.points = points;
@@ -76,16 +76,26 @@ class EdgeNumbers {
 /**
  * The recording of the JSON text. Throws RecordingError where it is damaged.
  *
- * Arrays by row: rowKind, rowNumber (of the event in the run; -1 for a row that only changes
- * triangles, and in a thinned recording), rowTime (the nearest binary64 number), rowLow and rowHigh
- * (around the exact time; equal if it is one number), rowRemoved and rowAdded (edges), rowA and rowB
- * (points), -1 for none, rowMotion (the first motion in force from that row on, or later; one entry
- * more than rows), rowTriangle (the first triangle that the row or a later one changes; one entry more
- * than rows), instantBegin and instantEnd (rows of the same time). By motion: motionPoint, motionRow
- * (-1: from the start), motionThere, motionPrevious (of the point, or -1), motionNext, and motionData,
- * `stride` numbers each. By edge: edgeA < edgeB; the first `initialEdges` are there at the start. By
- * triangle that is added (triangleAdded is 1) or removed (0), those of the start first: three
- * triangleCorners, counterclockwise, and three triangleSides, the edges from each corner to the next.
+ * Arrays by row:
+ *   rowKind                    index in `kinds`
+ *   rowNumber                  of the event in the run; -1 in a thinned recording, and of a row that
+ *                              changes triangles only
+ *   rowTime                    the binary64 number nearest to the exact time
+ *   rowLow, rowHigh            the numbers around the exact time; equal if it is one number
+ *   rowRemoved, rowAdded       edges; -1 for none
+ *   rowA, rowB                 points; -1 for none
+ *   rowMotion, rowTriangle     the first motion that begins with this row or a later one, and the
+ *                              first triangle that it changes; one entry more than there are rows
+ *   instantBegin, instantEnd   the rows of the same time
+ *
+ * Arrays by motion: motionPoint; motionRow (-1: from the start); motionThere; motionPrevious (the
+ * previous motion of the point, or -1); motionNext; motionData, `stride` numbers each.
+ *
+ * Arrays by edge: edgeA < edgeB. The first `initialEdges` are there at the start.
+ *
+ * Arrays by triangle that is added (triangleAdded is 1) or removed (0), those of the start first:
+ * three triangleCorners, counterclockwise; three triangleSides, the edges from each corner to the
+ * next.
  */
 function readRecording(text) {
   let json;
@@ -197,7 +207,8 @@ function findTriangles(recording, {initial, count, row, removed, added, id}, edg
   recording.triangleSides = changes.sides;
   const triangles = new Triangles(edgeCount);
   const follow = (first, what) => {
-    demand(edges.a.length === edgeCount, `${what} has a triangle with a side that is never an edge`);
+    demand(edges.a.length === edgeCount,
+           `${what} has a triangle with a side that is never an edge`);
     for (let i = first; i < changes.isAdded.length; ++i) {
       const isAdded = changes.isAdded[i] === 1;
       const name = changes.corners.slice(3 * i, 3 * i + 3).join('\u2013');
@@ -269,7 +280,8 @@ function readEvents(recording, json, ids, edges) {
     return point;
   };
   Object.assign(recording, {
-    rows: count, rowNumber: new Float64Array(count).fill(-1), kinds: json.kinds.map(String), rowKind: kind, rowTime: time,
+    rows: count, kinds: json.kinds.map(String), rowKind: kind, rowTime: time,
+    rowNumber: new Float64Array(count).fill(-1),
     rowLow: new Float64Array(count), rowHigh: new Float64Array(count),
     rowRemoved: new Int32Array(count).fill(-1), rowAdded: new Int32Array(count).fill(-1),
     rowA: new Int32Array(count).fill(-1), rowB: new Int32Array(count).fill(-1),
@@ -339,7 +351,7 @@ function turnsAreLeftOut(recording) {
   return recording.thinned !== null && recording.motions > recording.starting;
 }
 
-/** Rows of the same time are one step. */
+/** Finds the rows of the same time, which are one step. */
 function findInstants(recording) {
   const {rows, rowLow, rowHigh} = recording;
   const begin = new Uint32Array(rows), end = new Uint32Array(rows);
@@ -356,7 +368,7 @@ function findInstants(recording) {
   recording.instantEnd = end;
 }
 
-/** Each event removes an edge that is there, and adds one that is not. */
+/** Checks that each event removes an edge that is there, and adds one that is not. */
 function checkEdges(recording) {
   const {rows, edgeA, edgeB, rowRemoved, rowAdded} = recording;
   const isThere = new Uint8Array(edgeA.length);

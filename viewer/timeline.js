@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scrub bar, and above it how many events there are when.
+// The scrub bar, and above it a histogram of the times of the events.
 'use strict';
 
 class Timeline {
@@ -27,7 +27,7 @@ class Timeline {
       `${playback.event} of ${recording.rows}`);
   }
 
-  /** The columns are square roots of numbers of events, so that single ones can be seen. */
+  /** The height of a column is the square root of its number of events: one event is visible. */
   draw() {
     const {viewer, histogram} = this;
     const {recording} = viewer;

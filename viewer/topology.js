@@ -5,8 +5,8 @@
 
 /**
  * The triangles at some moment, by their sides. Of an edge ab with a < b, `left[edge]` is the third
- * corner of the triangle to the left of ab, `right[edge]` that of the triangle to its right; -1 where
- * there is no triangle.
+ * corner of the triangle to the left of ab, and `right[edge]` that of the triangle to its right; -1
+ * if there is no triangle.
  */
 class Triangles {
   constructor(edges) {
@@ -46,7 +46,7 @@ class Triangles {
 }
 
 /** The list of the triangles of a playback, three corners each, counterclockwise. `update` makes
- * them those of the shown time. */
+ * them those of the time shown. */
 class TriangleList {
   constructor(playback) {
     this.playback = playback;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the flat view and the wave have in common: where the points are on the screen, their ids, and
-// what is at a place on the screen.
+// The common part of the flat view and the wave view: the points' positions on the screen, their
+// ids, and which point or edge is at a position on the screen.
 'use strict';
 
 const LABEL_CELL = {width: 26, height: 15};  // pixels; one label each, so that they can be read
@@ -48,7 +48,7 @@ class View {
     context.stroke();
   }
 
-  /** Whether a disc on the screen is in the picture; of points that are not there it is not. */
+  /** Whether a disc on the screen is in the picture; false for a point that is not there. */
   isSeen(x, y, radius) {
     return x >= -radius && y >= -radius && x <= this.width + radius &&
       y <= this.height + radius;
@@ -67,7 +67,7 @@ class View {
     return nearest;
   }
 
-  /** The edge that is nearest to a place on the screen, within reach; or -1. */
+  /** The edge nearest to a position on the screen, within reach; or -1. */
   edgeAt(x, y, reach) {
     const {sx, sy} = this;
     const {playback, recording} = this.viewer;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The viewer: what is shown, the loop that plays it, and everything that can be done with it.
+// The viewer: the state, the animation loop, and the commands.
 'use strict';
 
-const WHOLE_RUN = 30;           // seconds that playing the run takes, about, at first
-const LONGEST_FRAME = 0.1;      // seconds; a page that slept does not jump
-const HIGHLIGHT = 0.3;          // seconds of playing about an event in which it is marked
-const TRAIL = 6;                // seconds of playing that trails show
+const WHOLE_RUN = 30;           // seconds, about, in which the whole run plays at the initial speed
+const LONGEST_FRAME = 0.1;      // seconds; after a pause of the browser the run does not jump
+const HIGHLIGHT = 0.3;          // seconds of playing around an event in which it is marked
+const TRAIL = 6;                // seconds of playing that a trail covers
 const COLOR_NAMES = ['background', 'edge', 'edgeBehind', 'hull', 'point', 'box', 'disc', 'discFill',
                      'trail', 'voronoi', 'circle', 'circleFill', 'removed', 'added', 'selected',
                      'selectedFill', 'waveEdge', 'waveLowEdge', 'text', 'quiet', 'hover'];
 
-/** 1, 2 or 5 times a power of ten: the n-th, 10^0 being the zeroth. */
+/** The n-th of the numbers 1, 2 and 5 times a power of ten; the zeroth is 1. */
 function roundSpeed(n) {
   const step = ((n % 3) + 3) % 3;
   return [1, 2, 5][step] * 10 ** ((n - step) / 3);
@@ -25,11 +25,11 @@ class Viewer {
     this.x = new Float64Array(recording.points);
     this.y = new Float64Array(recording.points);
     this.colors = {};
-    this.direction = 0;  // of playing: 1, -1, or 0 for not
+    this.direction = 0;  // of playing: 1, -1, or 0 while paused
     this.pointer = null;
     this.hoverPoint = -1;
     this.selected = -1;      // edge
-    this.certificate = null;  // its certificate, or the last one that it had
+    this.certificate = null;  // its certificate, or its last one if the edge is not there
     this.switches = {
       wave: recording.wave !== null, delaunay: true, hull: true, voronoi: false, circle: false,
       discs: recording.radius > 0, trails: false, ids: recording.points <= 40,
@@ -62,9 +62,10 @@ class Viewer {
     return this.direction !== 0;
   }
 
-  // ---- what can be done ----
+  // ---- commands ----
 
-  /** Plays in the direction, or pauses if it does so. At the end it begins anew. */
+  /** Plays in the direction, or pauses if it is playing in that direction. At the end it starts
+   * from the other end. */
   togglePlaying(direction) {
     const {from, until} = this.recording;
     this.direction = this.direction === direction ? 0 : direction;
@@ -128,7 +129,7 @@ class Viewer {
     this.requestFrame();
   }
 
-  /** Shows the certificate of an edge that is there; -1: of none. */
+  /** Shows the certificate of the edge, which is there; -1 shows none. */
   select(edge) {
     this.selected = edge;
     this.certificate = edge < 0 ? null : certificateOf(this.playback, edge);
@@ -160,7 +161,7 @@ class Viewer {
     else help.showModal();
   }
 
-  // ---- how long things show, in the run's time ----
+  // ---- durations, in the time of the run ----
 
   speed() {
     return roundSpeed(this.speedStep);
@@ -253,8 +254,7 @@ class Viewer {
     writePresent(this);
   }
 
-  /** The certificate of the selected edge is the one that it has now; of an edge that is not there
-   * the last one is kept. */
+  /** Updates the certificate of the selected edge; of an edge that is not there it stays. */
   followSelected() {
     const {certificate, playback, recording} = this;
     if (this.selected < 0 || playback.where[this.selected] < 0) return;
@@ -265,7 +265,7 @@ class Viewer {
     this.certificate = certificateOf(playback, this.selected);
   }
 
-  /** The column beside the picture is there as long as there is something in it. */
+  /** Shows the column beside the picture if there is something in it. */
   showSide() {
     const isEmpty = element('events').hidden && this.selected < 0;
     element('side').hidden = isEmpty;

@@ -85,7 +85,7 @@ class WaveView extends View {
     if (this.viewer.hoverPoint >= 0) this.drawHover(context, this.viewer.hoverPoint);
   }
 
-  /** Heights, and places on the screen. */
+  /** Computes the heights, and the positions on the screen. */
   raise() {
     const {recording, playback, x, y} = this.viewer;
     const {height, width} = recording.wave;
@@ -114,7 +114,7 @@ class WaveView extends View {
     }
   }
 
-  /** Farthest first: by counting, since a sort of so many in each frame would show. */
+  /** Sorts the triangles, farthest first, in linear time: in every frame there are many. */
   sortTriangles() {
     const {triangleList} = this.viewer;
     const {corners, triangles} = triangleList;
@@ -167,7 +167,7 @@ class WaveView extends View {
   }
 }
 
-/** CSS colours by height, and within it by light. */
+/** CSS colours by height and, for each height, by light. */
 function waveColors() {
   const colors = [];
   for (let i = 0; i < HEIGHT_COLORS; ++i) {

@@ -398,7 +398,7 @@ class Interface(Page):
         self.assertEqual(self.look(SWITCHES), light)
 
     def test_address(self):
-        """A fragment of the address does what clicks and keys do; what it cannot do it says."""
+        """A fragment of the address does what clicks and keys do, and reports what is not possible."""
         note = "document.getElementById('address-note')"
 
         def follow(fragment):
@@ -446,7 +446,8 @@ class Interface(Page):
             "speed=1": "'speed' is unknown; expected t, event, show, hide, edge, theme, list"}
         for wrong, problem in problems.items():
             self.assertEqual(follow(wrong),
-                             f"The page's address asks for what is not there: {problem}.")
+                             "The address of this page asks for something that is not possible: "
+                             f"{problem}.")
         self.assertEqual(follow("t=1"), "")
 
     def test_address_of_a_page_that_is_opened(self):
@@ -585,13 +586,13 @@ class Certificate(Page):
             change = text.split("before it fails, ")[1].split()
             number = int(next(word for word in change if word.startswith("#"))[1:])
             self.assertLess(number, event.number)
-            self.assertIn(f"later, with flip #{event.number}", text)
+            self.assertIn(f"later, by flip #{event.number}", text)
             ends = set(event.removed)
             changed = self.run_.events[number]
             self.assertTrue(ends & set((changed.removed or ()) + (changed.added or ())))
             self.go_to(changed.time[2])  # to the next certificate
             text = self.evaluate("document.getElementById('certificate-facts').innerText")
-            self.assertIn(f"its corners came with {changed.kind.replace('_', ' ')} #{number}", text)
+            self.assertIn(f"its corners changed with {changed.kind.replace('_', ' ')} #{number}", text)
             return
         self.fail("no such edge")
 
@@ -677,6 +678,12 @@ class Small(Page):
                          ["\u21bb", "rebuild", "triangles change, edges do not", "1", "row 0"])
         self.go_to(0.5)
         self.assertEqual(self.evaluate("kinetri.triangles()"), seen[0][3])
+        # The triangle above the edge 0-1 is 0 1 2 until then, 0 1 3 afterwards.
+        self.browser.open(run.page, "#t=0.5&edge=0-1")
+        facts = "document.getElementById('certificate-facts').innerText"
+        self.assertIn("its corners change before it fails, rebuild row 0", self.evaluate(facts))
+        self.go_to(1.5)
+        self.assertIn("its corners changed with rebuild row 0", self.evaluate(facts))
 
     def test_large_numbers(self):
         points = "-1e300,0,1,0\n1e300,0,0,0\n0,1e300,0,1\n0,-1e-300,0,0\n"
