@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "dyadic.h"
 #include "gmp_access.h"
 #include "kinetri/algebra/sturm_sequence.h"
 #include "kinetri/base/check.h"
@@ -25,10 +26,6 @@ Rational power_of_two(long exponent) {
 
 long floor_quotient(long a, long b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
-}
-
-Algebraic_number linear_root(const Polynomial& p) {
-  return Algebraic_number(Rational(Integer(-p[0]), p[1]));
 }
 
 // --- All roots of a square-free polynomial ------------------------------------------------------
@@ -272,16 +269,21 @@ class Roots_beyond {
 std::optional<Algebraic_number> first_simple_root_after(const Polynomial& q,
                                                         const Algebraic_number& t) {
   if (q.degree() < 1) return std::nullopt;
-  if (!t.is_known_rational() && !equal_up_to_sign(q, t.polynomial())) {
+  Rational_interval around = t.isolating_interval();
+  if (!around.is_point() && !equal_up_to_sign(q, t.polynomial())) {
     // Narrows the interval around t until q has no root there, or t alone: where q does not vanish,
     // or where it is monotone.
     const bool is_root = sign_at(q, t) == CGAL::ZERO;
     const Polynomial decisive = is_root ? derivative(q) : q;
-    while (!t.is_known_rational() && !decisive.sign_on(t.lower(), t.upper())) t.refine();
+    around = t.isolating_interval();
+    while (!around.is_point() && !decisive.sign_on(around.lower, around.upper)) {
+      t.refine();
+      around = t.isolating_interval();
+    }
   }
-  if (!t.is_known_rational()) return Roots_beyond(q, t.upper()).first();
+  if (!around.is_point()) return Roots_beyond(q, around.upper).first();
 
-  const Rational& from = t.rational();
+  const Rational& from = around.upper;
   if (q.sign_at(from) != CGAL::ZERO) return Roots_beyond(q, from).first();
   const Polynomial rest = exact_quotient(q, t.polynomial());
   if (rest.degree() < 1) return std::nullopt;
@@ -321,61 +323,6 @@ std::optional<Algebraic_number> failure_time(const Polynomial& p, const Algebrai
   if (p.is_zero()) return std::nullopt;
   if (sign_just_after(p, t) == CGAL::NEGATIVE) return t;
   return first_simple_root_after(odd_part(p), t);
-}
-
-// --- The paper's algorithm --------------------------------------------------------------------
-
-std::vector<Real_root> sturm_cubic_roots(const Polynomial& p) {
-  KINETRI_PRECONDITION(p.degree() == 3, "the polynomial is not of degree 3");
-  const Sturm_sequence sequence(p);
-  const Polynomial& last = sequence.terms().back();
-  std::vector<Real_root> result;
-  switch (last.degree()) {
-    case 2:
-      // (t - r)^3: minus the sum of the roots is c_2 / c_3.
-      result.push_back({Rational(Integer(-p[2]), Integer(3 * p[3])), 3});
-      break;
-    case 1:
-      append(result, {linear_root(last)}, 2);
-      append(result, {linear_root(exact_quotient(p, last * last))}, 1);
-      break;
-    default:
-      append(result, Isolator(sequence).roots(), 1);
-  }
-  sort_by_value(result);
-  return result;
-}
-
-std::vector<Real_root> sturm_quartic_roots(const Polynomial& p) {
-  KINETRI_PRECONDITION(p.degree() == 4, "the polynomial is not of degree 4");
-  const Sturm_sequence sequence(p);
-  const Polynomial& last = sequence.terms().back();
-  std::vector<Real_root> result;
-  switch (last.degree()) {
-    case 3:
-      result.push_back({Rational(Integer(-p[3]), Integer(4 * p[4])), 4});
-      break;
-    case 2: {
-      // Either (t - r)^2, r being triple, or the product over two double roots, real or not. The
-      // last term is a square where it and its derivative have a common factor.
-      const Polynomial linear = gcd(last, derivative(last));
-      if (linear.degree() == 1) {
-        append(result, {linear_root(linear)}, 3);
-        append(result, {linear_root(exact_quotient(p, linear * linear * linear))}, 1);
-      } else {
-        append(result, simple_roots(last), 2);
-      }
-      break;
-    }
-    case 1:
-      append(result, {linear_root(last)}, 2);
-      append(result, simple_roots(exact_quotient(p, last * last)), 1);
-      break;
-    default:
-      append(result, Isolator(sequence).roots(), 1);
-  }
-  sort_by_value(result);
-  return result;
 }
 
 }  // namespace kinetri

@@ -12,12 +12,11 @@
 namespace kinetri {
 namespace {
 
-struct Interval {
-  Rational lower;
-  Rational upper;
+using Interval = Rational_interval;
 
-  bool contains_zero() const { return lower <= 0 && upper >= 0; }
-};
+bool contains_zero(const Interval& x) {
+  return x.lower <= 0 && x.upper >= 0;
+}
 
 Interval hull(std::initializer_list<Rational> numbers) {
   return {std::min(numbers), std::max(numbers)};
@@ -47,14 +46,13 @@ Rational middle(double lower, double upper) {
   return std::isfinite(lower) ? bound : Rational(-bound);
 }
 
-// The rounded quotient where the interval of `t` is narrow enough to tell. Precondition: neither
-// polynomial vanishes at `t`, which is not known to be rational.
-std::optional<double> try_round(const Polynomial& p, const Polynomial& q,
-                                const Algebraic_number& t) {
-  const Interval times{t.lower(), t.upper()};
+// The rounded quotient where the interval `times` around `t` is narrow enough to tell.
+// Precondition: neither polynomial vanishes at `t`, which is between the ends of the interval.
+std::optional<double> try_round(const Polynomial& p, const Polynomial& q, const Algebraic_number& t,
+                                const Interval& times) {
   const Interval above = values(p, times);
   const Interval below = values(q, times);
-  if (above.contains_zero() || below.contains_zero()) return std::nullopt;
+  if (contains_zero(above) || contains_zero(below)) return std::nullopt;
   const Interval quotient = hull({above.lower / below.lower, above.lower / below.upper,
                                   above.upper / below.lower, above.upper / below.upper});
   const double lower = to_double(quotient.lower);
@@ -80,10 +78,10 @@ double rounded_quotient(const Polynomial& p, const Polynomial& q, const Algebrai
   KINETRI_PRECONDITION(sign_at(q, t) != CGAL::ZERO, "a quotient whose denominator vanishes");
   if (sign_at(p, t) == CGAL::ZERO) return 0;
   for (unsigned bits = 64;; bits *= 2) {
-    if (t.is_known_rational()) return to_double(p(t.rational()) / q(t.rational()));
     t.refine_to_bits(bits);
-    if (t.is_known_rational()) continue;
-    if (const auto rounded = try_round(p, q, t)) return *rounded;
+    const Interval times = t.isolating_interval();
+    if (times.is_point()) return to_double(p(times.lower) / q(times.lower));
+    if (const auto rounded = try_round(p, q, t, times)) return *rounded;
   }
 }
 

@@ -26,18 +26,10 @@ int sign_changes(const std::vector<Polynomial>& terms, const Sign_of& sign_of) {
 
 }  // namespace
 
-Sturm_sequence::Sturm_sequence(const Polynomial& f) : g_{1} {
-  build(f, derivative(f));
-}
-
-Sturm_sequence::Sturm_sequence(const Polynomial& f, const Polynomial& g) : g_(g) {
-  build(f, derivative(f) * g);
-}
-
-void Sturm_sequence::build(const Polynomial& first, const Polynomial& second) {
-  KINETRI_PRECONDITION(!first.is_zero(), "the zero polynomial has no Sturm sequence");
-  terms_.push_back(primitive_part(first));
-  Polynomial next = primitive_part(second);
+Sturm_sequence::Sturm_sequence(const Polynomial& f) {
+  KINETRI_PRECONDITION(!f.is_zero(), "the zero polynomial has no Sturm sequence");
+  terms_.push_back(primitive_part(f));
+  Polynomial next = primitive_part(derivative(f));
   while (!next.is_zero()) {
     terms_.push_back(std::move(next));
     const Polynomial& divisor = terms_.back();
@@ -66,9 +58,8 @@ int Sturm_sequence::sign_changes_at_plus_infinity() const {
   return sign_changes(terms_, [](const Polynomial& p) { return p.sign_at_plus_infinity(); });
 }
 
-// What a root of f at `t` adds to the Tarski query; 0 where `t` is not a root.
-int Sturm_sequence::tarski_contribution_at(const Rational& t) const {
-  return terms_.front().sign_at(t) == CGAL::ZERO ? static_cast<int>(g_.sign_at(t)) : 0;
+bool Sturm_sequence::is_root(const Rational& t) const {
+  return terms_.front().sign_at(t) == CGAL::ZERO;
 }
 
 int Sturm_sequence::count(const std::optional<Interval_end>& lower,
@@ -76,25 +67,16 @@ int Sturm_sequence::count(const std::optional<Interval_end>& lower,
   if (lower && upper) {
     KINETRI_PRECONDITION(lower->value <= upper->value, "the ends of the interval are not in order");
     if (lower->value == upper->value) {
-      return lower->included && upper->included ? tarski_contribution_at(lower->value) : 0;
+      return lower->included && upper->included && is_root(lower->value) ? 1 : 0;
     }
   }
   int result = lower ? sign_changes_at(lower->value) : sign_changes_at_minus_infinity();
   result -= upper ? sign_changes_at(upper->value) : sign_changes_at_plus_infinity();
 
-  // A root of f where g > 0 takes one sign change away, and has it away at the root already: as an
-  // end it is counted as if it were just to the left, so the count is that of ( , ]. A root where g
-  // < 0 adds one, just to the right of the root, and the count there is that of [ , ).
-  if (lower) {
-    const int root = tarski_contribution_at(lower->value);
-    if (root > 0 && lower->included) ++result;
-    if (root < 0 && !lower->included) ++result;
-  }
-  if (upper) {
-    const int root = tarski_contribution_at(upper->value);
-    if (root > 0 && !upper->included) --result;
-    if (root < 0 && upper->included) --result;
-  }
+  // A root takes one sign change away, and has it away at the root already: as an end it is counted
+  // as if it were just to the left, so the count is that of ( , ].
+  if (lower && lower->included && is_root(lower->value)) ++result;
+  if (upper && !upper->included && is_root(upper->value)) --result;
   return result;
 }
 

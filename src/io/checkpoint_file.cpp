@@ -41,8 +41,10 @@ constexpr std::array<Event_kind, 3> change_kinds = {Event_kind::insert, Event_ki
 Json json_of(const Algebraic_number& time) {
   if (time.is_known_rational()) return time.rational().str();
   Json coefficients = Json::array();
-  for (const Integer& c : time.polynomial().coefficients()) coefficients.push_back(c.str());
-  return {{"root_of", coefficients}, {"between", {time.lower().str(), time.upper().str()}}};
+  const Polynomial polynomial = time.polynomial();
+  for (const Integer& c : polynomial.coefficients()) coefficients.push_back(c.str());
+  const Rational_interval between = time.isolating_interval();
+  return {{"root_of", coefficients}, {"between", {between.lower.str(), between.upper.str()}}};
 }
 
 Json json_of(const Certificate_counters& counters) {

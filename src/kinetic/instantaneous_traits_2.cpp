@@ -10,11 +10,11 @@
 namespace kinetri {
 
 template <class Motion>
-const Double_interval* Basic_instantaneous_traits_2<Motion>::Predicate::filtered_interval(
+std::optional<Double_interval> Basic_instantaneous_traits_2<Motion>::Predicate::filtered_interval(
     std::initializer_list<const Point_2*> points) const {
-  if (state_->arithmetic == Arithmetic::exact_only) return nullptr;
-  if (!std::ranges::all_of(points, &Point_2::has_motion)) return nullptr;
-  return &state_->instant.time.interval();
+  if (state_->arithmetic == Arithmetic::exact_only) return std::nullopt;
+  if (!std::ranges::all_of(points, &Point_2::has_motion)) return std::nullopt;
+  return state_->instant.time.interval();
 }
 
 // A sign that the filter knows is not zero, so that it is the same just before, at and just after.
@@ -22,7 +22,7 @@ const Double_interval* Basic_instantaneous_traits_2<Motion>::Predicate::filtered
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::x_order(const Point_2& p,
                                                               const Point_2& q) const {
-  if (const Double_interval* interval = filtered_interval({&p, &q})) {
+  if (const auto interval = filtered_interval({&p, &q})) {
     const Sign s = certain_x_order(p.motion(), q.motion(), *interval);
     if (s != CGAL::ZERO) return s;
   }
@@ -32,7 +32,7 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::x_order(const Point_2& p,
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::y_order(const Point_2& p,
                                                               const Point_2& q) const {
-  if (const Double_interval* interval = filtered_interval({&p, &q})) {
+  if (const auto interval = filtered_interval({&p, &q})) {
     const Sign s = certain_y_order(p.motion(), q.motion(), *interval);
     if (s != CGAL::ZERO) return s;
   }
@@ -43,7 +43,7 @@ template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::orientation(const Point_2& p,
                                                                   const Point_2& q,
                                                                   const Point_2& r) const {
-  if (const Double_interval* interval = filtered_interval({&p, &q, &r})) {
+  if (const auto interval = filtered_interval({&p, &q, &r})) {
     const Sign s = certain_orientation(p.motion(), q.motion(), r.motion(), *interval);
     if (s != CGAL::ZERO) return s;
   }
@@ -54,7 +54,7 @@ template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::in_circle(const Point_2& p, const Point_2& q,
                                                                 const Point_2& r,
                                                                 const Point_2& s) const {
-  if (const Double_interval* interval = filtered_interval({&p, &q, &r, &s})) {
+  if (const auto interval = filtered_interval({&p, &q, &r, &s})) {
     const Sign side = certain_in_circle(p.motion(), q.motion(), r.motion(), s.motion(), *interval);
     if (side != CGAL::ZERO) return side;
   }
@@ -65,7 +65,7 @@ template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::distance_order(const Point_2& p,
                                                                      const Point_2& q,
                                                                      const Point_2& r) const {
-  if (const Double_interval* interval = filtered_interval({&p, &q, &r})) {
+  if (const auto interval = filtered_interval({&p, &q, &r})) {
     const Sign s = certain_distance_order(p.motion(), q.motion(), r.motion(), *interval);
     if (s != CGAL::ZERO) return s;
   }
@@ -76,7 +76,7 @@ template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::scalar_product(const Point_2& p,
                                                                      const Point_2& q,
                                                                      const Point_2& r) const {
-  if (const Double_interval* interval = filtered_interval({&p, &q, &r})) {
+  if (const auto interval = filtered_interval({&p, &q, &r})) {
     const Sign s = certain_scalar_product(p.motion(), q.motion(), r.motion(), *interval);
     if (s != CGAL::ZERO) return s;
   }

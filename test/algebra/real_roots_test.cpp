@@ -364,8 +364,8 @@ TEST(FailureTime, MayBeAskedForWithThePolynomialOfTheTimeItself) {
   EXPECT_TRUE(root->value.is_root_of(Polynomial{-7, 0, 1}));
 }
 
-// --- The paper's algorithm
-// --------------------------------------------------------------------------
+// --- Patterns of multiplicities
+// ----------------------------------------------------------------------
 
 // All ways to make up `degree` from rational roots, irrational pairs and complex pairs with
 // multiplicities, tried at random, with the patterns counted.
@@ -385,62 +385,35 @@ Known_polynomial random_pattern(Random& random, int degree) {
   return p;
 }
 
-TEST(SturmCubicRoots, OfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
+TEST(RealRoots, OfCubicsOfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
   for (unsigned long seed = 0; seed < test::scaled_count(1000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Known_polynomial p = random_pattern(random, 3);
-    ASSERT_TRUE(are_the_roots(sturm_cubic_roots(p.polynomial()), p.roots())) << p.polynomial();
+    ASSERT_TRUE(are_the_roots(real_roots(p.polynomial()), p.roots())) << p.polynomial();
   }
 }
 
-TEST(SturmQuarticRoots, OfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
+TEST(RealRoots, OfQuarticsOfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
   for (unsigned long seed = 0; seed < test::scaled_count(2000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Known_polynomial p = random_pattern(random, 4);
-    ASSERT_TRUE(are_the_roots(sturm_quartic_roots(p.polynomial()), p.roots())) << p.polynomial();
+    ASSERT_TRUE(are_the_roots(real_roots(p.polynomial()), p.roots())) << p.polynomial();
   }
 }
 
-TEST(SturmQuarticRoots, OfSquaresOfQuadraticsAreIrrationalOrNone) {
-  const std::vector<Real_root> real = sturm_quartic_roots(Polynomial{4, 0, -4, 0, 1});
+TEST(RealRoots, OfSquaresOfQuadraticsAreIrrationalOrNone) {
+  const std::vector<Real_root> real = real_roots(Polynomial{4, 0, -4, 0, 1});
   ASSERT_EQ(real.size(), 2U);
   EXPECT_EQ(real[0].multiplicity, 2);
   EXPECT_EQ(real[1].multiplicity, 2);
   EXPECT_EQ(real[1].value, Algebraic_number(Polynomial{-2, 0, 1}, 1, 2));
-  EXPECT_TRUE(sturm_quartic_roots(Polynomial{1, 0, 2, 0, 1}).empty());
-  const std::vector<Real_root> triple =
-      sturm_quartic_roots(Polynomial{0, 1} * Polynomial{-1, 3, -3, 1});
+  EXPECT_TRUE(real_roots(Polynomial{1, 0, 2, 0, 1}).empty());
+  const std::vector<Real_root> triple = real_roots(Polynomial{0, 1} * Polynomial{-1, 3, -3, 1});
   ASSERT_EQ(triple.size(), 2U);
   EXPECT_EQ(triple[0].multiplicity, 1);
   EXPECT_EQ(triple[1].multiplicity, 3);
-}
-
-TEST(SturmCubicAndQuarticRoots, OfRandomPolynomialsAgreeWithTheGeneralAlgorithm) {
-  for (unsigned long seed = 0; seed < test::scaled_count(1500); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const auto bits = static_cast<unsigned>(random.integer(2, 200));
-    const int degree = random.coin() ? 3 : 4;
-    const Polynomial p = random.polynomial(degree, bits);
-    const std::vector<Real_root> general = real_roots(p);
-    const std::vector<Real_root> sturm =
-        degree == 3 ? sturm_cubic_roots(p) : sturm_quartic_roots(p);
-    ASSERT_EQ(sturm.size(), general.size()) << p;
-    for (std::size_t i = 0; i < sturm.size(); ++i) {
-      ASSERT_EQ(sturm[i].value, general[i].value);
-      ASSERT_EQ(sturm[i].multiplicity, general[i].multiplicity);
-    }
-  }
-}
-
-TEST(SturmCubicAndQuarticRoots, OfAnotherDegreeAreRefused) {
-  EXPECT_PRECONDITION_ERROR(sturm_cubic_roots(Polynomial{1, 1}),
-                            "the polynomial is not of degree 3");
-  EXPECT_PRECONDITION_ERROR(sturm_cubic_roots(Polynomial()), "the polynomial is not of degree 3");
-  EXPECT_PRECONDITION_ERROR(sturm_quartic_roots(Polynomial{1, 1}),
-                            "the polynomial is not of degree 4");
 }
 
 }  // namespace

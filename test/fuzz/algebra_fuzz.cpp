@@ -51,7 +51,6 @@ class Checker {
   void check() const {
     check_multiplicities();
     check_signs();
-    check_special_algorithms();
     for (const Square_free_factor& f : square_free_decomposition(p_)) check_factor(f);
   }
 
@@ -130,16 +129,6 @@ class Checker {
     while (after < roots_.size() && roots_[after].multiplicity % 2 == 0) ++after;
     require(failure.has_value() == (after < roots_.size()), "a failure");
     if (failure) require(*failure == roots_[after].value, "the failure time");
-  }
-
-  void check_special_algorithms() const {
-    if (p_.degree() != 3 && p_.degree() != 4) return;
-    const auto special = p_.degree() == 3 ? sturm_cubic_roots(p_) : sturm_quartic_roots(p_);
-    require(std::ranges::equal(special, roots_,
-                               [](const Real_root& a, const Real_root& b) {
-                                 return a.value == b.value && a.multiplicity == b.multiplicity;
-                               }),
-            "the roots by the algorithm for this degree");
   }
 
   void check_factor(const Square_free_factor& f) const {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -93,6 +94,10 @@ class Random {
  private:
   std::mt19937_64 engine_;
 };
+
+/// An MPFR number whose precision is chosen per value.
+using Big_float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
+                                                boost::multiprecision::et_off>;
 
 /// A number of many more bits than any test needs to tell two different roots apart.
 inline constexpr mpfr_prec_t oracle_precision = 6000;

@@ -43,7 +43,8 @@ inline Algebraic_number affine_image(const Algebraic_number& a, const Rational& 
                                      const Rational& shift) {
   if (a.is_known_rational()) return Algebraic_number(Rational(a.rational() * factor + shift));
   std::vector<Rational> image;
-  const auto coefficients = a.polynomial().coefficients();
+  const Polynomial polynomial = a.polynomial();
+  const auto coefficients = polynomial.coefficients();
   for (std::size_t i = coefficients.size(); i-- > 0;) {
     // image * (t - shift) / factor + coefficients[i]
     std::vector<Rational> next(image.size() + 1, Rational(0));

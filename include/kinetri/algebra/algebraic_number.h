@@ -4,23 +4,44 @@
 // roots; rationals are kept as such. All decisions are exact; the binary64 interval that each
 // number carries decides most comparisons, and the isolating interval is refined only where that
 // one does not separate.
+//
+// How several threads share a number. A handle (Algebraic_number) is not changed by a const
+// function. It holds a first binary64 interval and refers to a Root_source, which its copies share
+// and which const functions do change:
+//   - The Representation (polynomial and isolating interval) is made once, by whoever needs it
+//     first. A thread that reads or refines it holds its mutex.
+//   - Binary64 bounds of the number are atomic, read without a lock, and only ever move towards the
+//     number. Hence a lower and an upper bound that were published at different times enclose it
+//     too.
+//   - Numbers that were found equal share an identity, which is atomic and belongs to one value for
+//     all time. Hence two that have the same one are equal, whoever set it.
+// So a comparison that intervals or identities decide, nearly every one, takes no lock.
 #ifndef KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 #define KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <compare>
+#include <cstdint>
 #include <iosfwd>
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include "kinetri/algebra/polynomial.h"
 #include "kinetri/base/check.h"
 
 namespace kinetri {
 
-/// A polynomial that is only made when it is needed: where binary64 intervals decide, it never is.
+/// What a number is the root of. Its polynomial is only made when it is needed: where binary64
+/// intervals decide, it never is. Each object belongs to one number. Both functions may be called
+/// by several threads at once.
 class Root_source {
  public:
   virtual ~Root_source();
+  Root_source(const Root_source&) = delete;
+  Root_source& operator=(const Root_source&) = delete;
 
   /// A polynomial of which the number is a root; not zero.
   virtual Polynomial polynomial() const = 0;
@@ -36,13 +57,32 @@ class Root_source {
  private:
   friend class Algebraic_number;
   struct Representation;
-  std::unique_ptr<Representation> representation_;
+  class Access;
+
+  // Who reads a bound that the representation has given sees the representation.
+  double lower() const { return lower_.load(std::memory_order_acquire); }
+  double upper() const { return upper_.load(std::memory_order_acquire); }
+  void narrow(const Double_interval& interval);
+  static void share_identity(Root_source& a, Root_source& b);
+
+  std::atomic<double> lower_ = -std::numeric_limits<double>::infinity();
+  std::atomic<double> upper_ = std::numeric_limits<double>::infinity();
+  std::atomic<Representation*> representation_ = nullptr;  // owned
+  std::atomic<std::uint64_t> identity_ = 0;                // 0: none yet
+};
+
+/// An interval of rational numbers: a single number, or an open interval.
+struct Rational_interval {
+  Rational lower;  ///< at most `upper`
+  Rational upper;  ///< at least `lower`
+
+  /// Whether it is a single number.
+  bool is_point() const { return lower == upper; }
 };
 
 /// A real algebraic number. Copies share one representation, so that a refinement made through one
-/// serves all; so do numbers that have been found equal. The value never changes; only the interval
-/// around it shrinks. Not safe to compare or refine from two threads at once where the numbers
-/// share a representation.
+/// serves all. The value never changes; only the interval around it shrinks. Several threads may
+/// call const functions of one number, or of copies of it, at once.
 class Algebraic_number {
  public:
   /// Zero.
@@ -52,7 +92,7 @@ class Algebraic_number {
   Algebraic_number(double value) {
     KINETRI_PRECONDITION(std::isfinite(value), "an infinity or a NaN is no number");
     const double bound = value == 0 ? 0 : value;  // the one zero
-    interval_ = {bound, bound};
+    bounds_ = {bound, bound};
   }
   /// A rational number, exactly.
   Algebraic_number(const Rational& value);  // NOLINT(google-explicit-constructor)
@@ -67,7 +107,8 @@ class Algebraic_number {
   /// when it is made), and exactly one root between them, of odd multiplicity (the caller's word).
   Algebraic_number(std::shared_ptr<Root_source> source, const Double_interval& bracket);
 
-  /// The same number with a representation of its own, for use in another thread.
+  /// The same number with a representation of its own, so that threads that refine it do not wait
+  /// for one another.
   Algebraic_number detached() const;
 
   /// The negative of the number. Cost: none, or that of its polynomial if that has not been made.
@@ -77,26 +118,27 @@ class Algebraic_number {
   /// was refined. False says nothing.
   bool is_known_rational() const;
   /// The number itself. Precondition: is_known_rational().
-  const Rational& rational() const;
+  Rational rational() const;
 
   /// A square-free primitive polynomial of which this number is a root. A later comparison may find
-  /// one of lower degree and give that one from then on. References given out, here and below, are
-  /// good until the number is compared with another or assigned to.
-  const Polynomial& polynomial() const;
+  /// one of lower degree and give that one from then on.
+  Polynomial polynomial() const;
 
-  /// @{
-  /// The present isolating interval: lower == upper where the number is known to be rational, else
+  /// The present isolating interval: the number alone where that is known to be rational, else
   /// lower < number < upper, and polynomial() has opposite signs, not zero, at the two. Zero is
-  /// never inside. The references follow the interval as it shrinks.
-  const Rational& lower() const;
-  const Rational& upper() const;
+  /// never inside.
+  Rational_interval isolating_interval() const;
+  /// @{
+  /// The ends of the present isolating interval. It may shrink between the two calls.
+  Rational lower() const { return isolating_interval().lower; }
+  Rational upper() const { return isolating_interval().upper; }
   /// @}
 
   /// A binary64 interval that contains the number: the outward rounding of the isolating interval,
   /// or the bracket of a number whose polynomial has not been made.
-  const Double_interval& interval() const {
-    if (source_ != nullptr && source_->representation_ != nullptr) follow_representation();
-    return interval_;
+  Double_interval interval() const {
+    if (source_ == nullptr) return bounds_;
+    return {std::max(bounds_.lower, source_->lower()), std::min(bounds_.upper, source_->upper())};
   }
 
   /// The tightest binary64 interval that contains the number: both bounds are the number where it
@@ -106,9 +148,6 @@ class Algebraic_number {
 
   /// The nearest binary64 number, ties to even.
   double to_double() const;
-
-  /// The number rounded to nearest with `bits` bits of precision. Precondition: bits >= 2.
-  Big_float to_big_float(unsigned bits) const;
 
   /// Makes the isolating interval at most `width` wide. Precondition: width > 0. Quadratic interval
   /// refinement: about log log(1/width) evaluations beyond the first few.
@@ -137,23 +176,35 @@ class Algebraic_number {
   /// Human-readable: the rational, or `root of P in (lower, upper)` with binary64 bounds.
   friend std::ostream& operator<<(std::ostream& out, const Algebraic_number& a);
 
+  /// @{
+  /// See below.
+  friend Sign sign_at(const Polynomial& p, const Algebraic_number& t);
+  friend Sign sign_just_before(const Polynomial& p, const Algebraic_number& t);
+  friend Sign sign_just_after(const Polynomial& p, const Algebraic_number& t);
+  /// @}
+
  private:
   using Representation = Root_source::Representation;
+  using Access = Root_source::Access;
 
+  bool is_binary64() const { return source_ == nullptr; }
+  Rational binary64_value() const { return to_rational(bounds_.lower); }
+  void adopt(std::unique_ptr<Representation> representation);
   Representation& representation() const;
-  void follow_representation() const;
-  bool tighten_by_source() const;
+  Access access() const;
+  static Comparison_result compare_exactly(const Algebraic_number& a, const Algebraic_number& b);
+  Sign sign_beside(const Polynomial& p, Sign side) const;
+  std::optional<Double_interval> tighten_by_source() const;
 
-  // Always contains the number; may be wider than what the representation, shared with copies of
-  // this number, knows by now.
-  mutable Double_interval interval_;
-  // None for a binary64 number, which the interval holds, until more is asked of it.
-  mutable std::shared_ptr<Root_source> source_;
+  // Contains the number; the source may know tighter bounds.
+  Double_interval bounds_;
+  // None for a binary64 number, which bounds_ holds.
+  std::shared_ptr<Root_source> source_;
 };
 
-/// Exact comparison of two numbers, as the operators of Algebraic_number.
+/// Exact comparison of two numbers, the same as the operators of Algebraic_number.
 Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
-/// Exact comparison with a rational number, likewise.
+/// Exact comparison of a number with a rational number.
 Comparison_result compare(const Algebraic_number& a, const Rational& b);
 
 /// The sign of `p` at the number `t`. Exact. Cost: an evaluation on the isolating interval, where

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The exact number types of the library and their conversions from and to binary64. Each is a
-// Boost.Multiprecision number over GMP or MPFR, without expression templates, so that `auto` and
-// the ternary operator mean what they say.
+// Boost.Multiprecision number over GMP, without expression templates, so that `auto` and the
+// ternary operator mean what they say.
 #ifndef KINETRI_ALGEBRA_NUMBER_TYPES_H
 #define KINETRI_ALGEBRA_NUMBER_TYPES_H
 
 #include <CGAL/enum.h>
 
 #include <boost/multiprecision/gmp.hpp>
-#include <boost/multiprecision/mpfr.hpp>
 
 #include "kinetri/base/double_interval.h"
 
@@ -21,9 +20,6 @@ using Integer =
 /// A fraction of two integers.
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
-/// An MPFR number whose precision is chosen per value.
-using Big_float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
-                                                boost::multiprecision::et_off>;
 
 using CGAL::Comparison_result;
 using CGAL::Sign;

@@ -39,7 +39,8 @@ class Polynomial {
   bool is_zero() const noexcept { return coefficients_.empty(); }
 
   /// The coefficients by ascending power.
-  std::span<const Integer> coefficients() const noexcept { return coefficients_; }
+  std::span<const Integer> coefficients() const& noexcept { return coefficients_; }
+  std::span<const Integer> coefficients() const&& = delete;  ///< they end with the polynomial
   /// The coefficient of t^i. Precondition: 0 <= i <= degree().
   const Integer& operator[](int i) const { return coefficients_[static_cast<std::size_t>(i)]; }
   /// The coefficient of the highest power. Precondition: not the zero polynomial.

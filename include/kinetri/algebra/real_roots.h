@@ -41,18 +41,6 @@ std::optional<Real_root> first_root_after(const Polynomial& p, const Algebraic_n
 /// even multiplicity is a touch and not a failure.
 std::optional<Algebraic_number> failure_time(const Polynomial& p, const Algebraic_number& t);
 
-/// The paper's Algorithm 1 (Sturm3): the roots of a cubic read off its Sturm sequence. A last term
-/// of degree 2 gives the triple root; of degree 1 the double root, which is divided out to give the
-/// single one; of degree 0 the roots are simple and are isolated by counting.
-/// Result as real_roots. Precondition: p.degree() == 3.
-std::vector<Real_root> sturm_cubic_roots(const Polynomial& p);
-
-/// The same for quartics: the roots of the last term (degree 3: one quadruple root; degree 2: a
-/// triple root, or two double ones, which may be irrational or not real; degree 1: one double root)
-/// are divided out with their multiplicities, and what remains has simple roots only.
-/// Result as real_roots. Precondition: p.degree() == 4.
-std::vector<Real_root> sturm_quartic_roots(const Polynomial& p);
-
 }  // namespace kinetri
 
 #endif  // KINETRI_ALGEBRA_REAL_ROOTS_H

@@ -3,7 +3,7 @@
 // Sturm sequences and the root counts that they give.
 //
 // Sources: C. Sturm, 1829; S. Basu, R. Pollack, M.-F. Roy, Algorithms in Real Algebraic Geometry,
-// 2nd edition, section 2.2 (signed remainder sequences, Tarski queries); T. Vomacka, Computation of
+// 2nd edition, section 2.2 (signed remainder sequences); T. Vomacka, Computation of
 // topologic events in kinetic Delaunay triangulation using Sturm sequences of polynomials,
 // section 5.
 #ifndef KINETRI_ALGEBRA_STURM_SEQUENCE_H
@@ -23,23 +23,18 @@ struct Interval_end {
   bool included = false;  ///< whether it contains its end
 };
 
-/// The signed remainder sequence f_1 = f, f_2, f_3 = -rem(f_1, f_2), ... of a polynomial f that is
-/// not zero. Each term is known up to a positive factor only, and is kept primitive.
+/// The signed remainder sequence f_1 = f, f_2 = f', f_3 = -rem(f_1, f_2), ... of a polynomial f
+/// that is not zero. Each term is known up to a positive factor only, and is kept primitive.
 ///
-/// With f_2 = f' the sequence counts the distinct real roots of f. Where f has multiple roots it is
+/// The sequence counts the distinct real roots of f. Where f has multiple roots it is
 /// a *generalised* Sturm sequence: every term is a multiple of the last one, f_m = gcd(f, f'),
 /// whose roots are the multiple roots of f with multiplicity less one.
-///
-/// With f_2 = f' g it answers *Tarski queries*: the sum of sign(g) over the distinct roots of f.
 ///
 /// Cost, with the degree d: O(d^2) integer operations to make it, and as many to count at one end.
 class Sturm_sequence {
  public:
   /// The sequence of f and f'. Precondition: f is not zero.
   explicit Sturm_sequence(const Polynomial& f);
-
-  /// The sequence of f and f' g. Precondition: f is not zero.
-  Sturm_sequence(const Polynomial& f, const Polynomial& g);
 
   /// The terms f_1, ..., f_m, none of them zero. f_m is the gcd of f_1 and f_2 up to a constant.
   std::span<const Polynomial> terms() const noexcept { return terms_; }
@@ -53,8 +48,8 @@ class Sturm_sequence {
   /// V for all sufficiently large t.
   int sign_changes_at_plus_infinity() const;
 
-  /// The number of distinct real roots of f (for the sequence of f and f') or the Tarski query (for
-  /// that of f and f' g), over the interval between `lower` and `upper`; a missing end is infinite.
+  /// The number of distinct real roots of f in the interval between `lower` and `upper`; a missing
+  /// end is infinite.
   /// Right for every combination of open and closed ends, also where an end is a root, simple or
   /// multiple. An interval whose ends are equal is a point if both are included, else empty.
   /// Precondition: lower <= upper.
@@ -62,11 +57,9 @@ class Sturm_sequence {
             const std::optional<Interval_end>& upper = std::nullopt) const;
 
  private:
-  void build(const Polynomial& first, const Polynomial& second);
   const std::vector<Polynomial>& counted() const;
-  int tarski_contribution_at(const Rational& t) const;
+  bool is_root(const Rational& t) const;
 
-  Polynomial g_;                   // 1 in the sequence of f and f'
   std::vector<Polynomial> terms_;  // the generalised sequence
   // terms_ divided by the last one: the sequence that is counted. Empty where the last term is a
   // constant, since terms_ itself can be counted then.

@@ -8,6 +8,7 @@
 
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "kinetri/kinetic/certificate_polynomials.h"
@@ -92,7 +93,8 @@ class Basic_instantaneous_traits_2 {
 
    private:
     // The interval of the time, if a filter may be asked about these points.
-    const Double_interval* filtered_interval(std::initializer_list<const Point_2*> points) const;
+    std::optional<Double_interval> filtered_interval(
+        std::initializer_list<const Point_2*> points) const;
 
     const State* state_;
   };
