@@ -23,28 +23,28 @@
 
 namespace kinetri {
 
-/// An exact time as it is shown.
+/// An exact time, rounded for display.
 struct Recorded_time {
-  double nearest = 0;           ///< the binary64 number nearest to it
-  Double_interval bounds = {};  ///< that number twice if it is the time, else the two around it
+  double nearest = 0;           ///< the time, rounded to nearest
+  Double_interval bounds = {};  ///< binary64 bounds of the time; equal if it is a binary64 number
 
   friend bool operator==(const Recorded_time&, const Recorded_time&) = default;
 };
 
-/// An event with its time as it is shown.
+/// An event with a rounded time.
 using Recorded_event = Event<Recorded_time>;
 
-/// What a point does from an event on.
+/// The motion of a point from an event on.
 struct Recorded_motion {
-  std::optional<std::size_t> event;           ///< its index in the recording; none: from the start
-  Point_id point = no_point;                  ///< which one
-  std::optional<Polynomial_motion_2> motion;  ///< none: it is not there any more
+  std::optional<std::size_t> event;  ///< index of the event in the recording; none: from the start
+  Point_id point = no_point;         ///< the point
+  std::optional<Polynomial_motion_2> motion;  ///< the new motion; none: the point is erased
 };
 
 /// A triangle that an event removes or adds.
 struct Recorded_triangle {
-  std::size_t event = 0;      ///< its index in the recording
-  bool is_added = false;      ///< else it is removed
+  std::size_t event = 0;      ///< index of the event in the recording
+  bool is_added = false;      ///< whether it is added; else it is removed
   Triangle_ids corners = {};  ///< counterclockwise, the least id first
 
   friend bool operator==(const Recorded_triangle&, const Recorded_triangle&) = default;
@@ -81,11 +81,10 @@ class Recorder : public Event_observer<typename Traits::Time> {
   using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;  ///< what is observed
   using Time = typename Traits::Time;                              ///< of the traits
 
-  /// Records what happens in `triangulation` from its present on, up to the time `until`. To be
-  /// added as its observer, or as one of the simulation that owns it. If there are more than
-  /// `most_rows` events, the recording is thinned to at most that many rows, or, where the first
-  /// and the last triangulation differ in more, to what they differ in. Precondition: until is
-  /// finite; most_rows > 0.
+  /// Records `triangulation` from its current time up to the time `until`. Add the recorder as an
+  /// observer of the triangulation, or of the simulation that owns it. If there are more than
+  /// `most_rows` events, the recording is thinned to at most that many rows, or to the net changes
+  /// of the whole run if these are more. Preconditions: until is finite; most_rows > 0.
   Recorder(const Triangulation& triangulation, double until, std::size_t most_rows);
 
   /// Records the event.
@@ -94,7 +93,8 @@ class Recorder : public Event_observer<typename Traits::Time> {
   /// Records the triangles that have changed.
   void after_rebuild(const Time& time, std::span<const Edge_ids> edges) override;
 
-  /// The recording up to the present of the triangulation. Not to be called within an event.
+  /// The recording up to the current time of the triangulation. Precondition: not called during an
+  /// event.
   Recording recording() const;
 
  private:
