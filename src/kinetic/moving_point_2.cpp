@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
+#include <ostream>
 #include <utility>
 #include <vector>
 
@@ -131,6 +133,19 @@ Coordinates<Polynomial_coordinate> coordinates(const Polynomial_motion_2& motion
   return Coordinates<Polynomial_coordinate>(motion);
 }
 
+std::ostream& operator<<(std::ostream& out, const Vector_2& v) {
+  return out << '(' << v.x << ", " << v.y << ')';
+}
+
+void print(std::ostream& out, const Linear_motion_2& motion) {
+  out << motion.position << " at time " << motion.epoch << ", velocity " << motion.velocity;
+}
+
+void print(std::ostream& out, const Polynomial_motion_2& motion) {
+  out << motion.position << " at time " << motion.epoch << ", velocity " << motion.velocity
+      << ", acceleration " << motion.acceleration << ", jerk " << motion.jerk;
+}
+
 constexpr int no_exponent = 1 << 20;  // above that of every product of binary64 numbers here
 
 template <class Motion>
@@ -168,6 +183,21 @@ Exact_position_2 Basic_moving_point_2<Motion>::position(const Rational& t) const
   return {path.x(t) / w, path.y(t) / w};
 }
 
+template <class Motion>
+std::ostream& operator<<(std::ostream& out, const Basic_moving_point_2<Motion>& point) {
+  const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
+  out << "point ";
+  if (point.id() != no_point) out << point.id() << ' ';
+  if (point.has_motion()) {
+    print(out, point.motion());
+  } else {
+    const Trajectory_2 path = point.trajectory();
+    out << "((" << path.x << ") / (" << path.w << "), (" << path.y << ") / (" << path.w << "))";
+  }
+  out.precision(precision);
+  return out;
+}
+
 template <std::size_t N, class Motion>
 std::array<Trajectory_2, N> common_trajectories(
     const std::array<const Basic_moving_point_2<Motion>*, N>& points) {
@@ -189,6 +219,10 @@ std::array<Trajectory_2, N> common_trajectories(
 
 template class Basic_moving_point_2<Linear_motion_2>;
 template class Basic_moving_point_2<Polynomial_motion_2>;
+template std::ostream& operator<<(std::ostream& out,
+                                  const Basic_moving_point_2<Linear_motion_2>& point);
+template std::ostream& operator<<(std::ostream& out,
+                                  const Basic_moving_point_2<Polynomial_motion_2>& point);
 
 #define KINETRI_INSTANTIATE(N, Motion)                                 \
   template std::array<Trajectory_2, N> common_trajectories<N, Motion>( \

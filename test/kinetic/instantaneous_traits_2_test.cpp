@@ -6,7 +6,10 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <gtest/gtest.h>
 
+#include <concepts>
+#include <ostream>
 #include <set>
+#include <sstream>
 
 #include "kinetri/events/event.h"
 #include "support/brute_force_simulator.h"
@@ -107,6 +110,102 @@ TEST(Instantaneous_traits_2, points_that_pass_through_one_another_are_one_vertex
   EXPECT_EQ(triangulation_at(passing, {one, Side::at}).dimension(), 1);
   EXPECT_EQ(triangulation_at(passing, {one, Side::after}).number_of_vertices(), 4u);
   EXPECT_EQ(triangulation_at(passing, {one, Side::after}).dimension(), 2);
+}
+
+// What CGAL's manual documents of TriangulationTraits_2, of SpatialSortingTraits_2, which it
+// refines, and of DelaunayTriangulationTraits_2, with the return types that it gives; and Equal_2,
+// which the comparison of triangulations takes.
+template <class Traits>
+concept Delaunay_triangulation_traits = std::default_initializable<Traits> &&
+    std::copyable<Traits> && requires(const Traits& traits, const typename Traits::Point_2& p,
+                                      const typename Traits::Line_2& l, std::ostream& out) {
+  typename Traits::Point_2;
+  typename Traits::Segment_2;
+  typename Traits::Triangle_2;
+  typename Traits::Line_2;
+  typename Traits::Ray_2;
+  requires std::default_initializable<typename Traits::Point_2>;
+  requires std::copyable<typename Traits::Point_2>;
+  // What construct_point_2_object() gives is asked for as Construct_point_2, and so on.
+  requires std::same_as<decltype(traits.construct_point_2_object()),
+                        typename Traits::Construct_point_2>;
+  requires std::same_as<decltype(traits.construct_segment_2_object()),
+                        typename Traits::Construct_segment_2>;
+  requires std::same_as<decltype(traits.construct_triangle_2_object()),
+                        typename Traits::Construct_triangle_2>;
+  requires std::same_as<decltype(traits.construct_circumcenter_2_object()),
+                        typename Traits::Construct_circumcenter_2>;
+  requires std::same_as<decltype(traits.construct_bisector_2_object()),
+                        typename Traits::Construct_bisector_2>;
+  requires std::same_as<decltype(traits.construct_ray_2_object()),
+                        typename Traits::Construct_ray_2>;
+  requires std::same_as<decltype(traits.less_x_2_object()), typename Traits::Less_x_2>;
+  requires std::same_as<decltype(traits.less_y_2_object()), typename Traits::Less_y_2>;
+  requires std::same_as<decltype(traits.compare_x_2_object()), typename Traits::Compare_x_2>;
+  requires std::same_as<decltype(traits.compare_y_2_object()), typename Traits::Compare_y_2>;
+  requires std::same_as<decltype(traits.compare_xy_2_object()), typename Traits::Compare_xy_2>;
+  requires std::same_as<decltype(traits.equal_2_object()), typename Traits::Equal_2>;
+  requires std::same_as<decltype(traits.orientation_2_object()), typename Traits::Orientation_2>;
+  requires std::same_as<decltype(traits.side_of_oriented_circle_2_object()),
+                        typename Traits::Side_of_oriented_circle_2>;
+  requires std::same_as<decltype(traits.compare_distance_2_object()),
+                        typename Traits::Compare_distance_2>;
+  { traits.construct_point_2_object()(p) } -> std::convertible_to<typename Traits::Point_2>;
+  { traits.construct_segment_2_object()(p, p) } -> std::same_as<typename Traits::Segment_2>;
+  { traits.construct_triangle_2_object()(p, p, p) } -> std::same_as<typename Traits::Triangle_2>;
+  { traits.construct_circumcenter_2_object()(p, p, p) } -> std::same_as<typename Traits::Point_2>;
+  { traits.construct_bisector_2_object()(p, p) } -> std::same_as<typename Traits::Line_2>;
+  { traits.construct_ray_2_object()(p, l) } -> std::same_as<typename Traits::Ray_2>;
+  { traits.less_x_2_object()(p, p) } -> std::same_as<bool>;
+  { traits.less_y_2_object()(p, p) } -> std::same_as<bool>;
+  { traits.compare_x_2_object()(p, p) } -> std::same_as<CGAL::Comparison_result>;
+  { traits.compare_y_2_object()(p, p) } -> std::same_as<CGAL::Comparison_result>;
+  { traits.compare_xy_2_object()(p, p) } -> std::same_as<CGAL::Comparison_result>;
+  { traits.equal_2_object()(p, p) } -> std::same_as<bool>;
+  { traits.orientation_2_object()(p, p, p) } -> std::same_as<CGAL::Orientation>;
+  { traits.side_of_oriented_circle_2_object()(p, p, p, p) } -> std::same_as<CGAL::Oriented_side>;
+  { traits.compare_distance_2_object()(p, p, p) } -> std::same_as<CGAL::Comparison_result>;
+  { out << p } -> std::same_as<std::ostream&>;  // is_valid prints points
+};
+static_assert(Delaunay_triangulation_traits<Instantaneous_traits_2>);
+static_assert(Delaunay_triangulation_traits<Basic_instantaneous_traits_2<Polynomial_motion_2>>);
+
+TEST(Instantaneous_traits_2, points_are_compared_lexicographically_at_the_instant) {
+  // q passes through p at time 1, on its way to the right and up.
+  const Moving_point_2 p({{1, 1}, {0, 0}, 0});
+  const Moving_point_2 q({{0, 0}, {1, 1}, 0});
+  const Moving_point_2 above({{1, 2}, {0, 0}, 0});
+  const auto at = [](double time, Side side) {
+    return Instantaneous_traits_2({Algebraic_number(time), side});
+  };
+  for (const Side side : {Side::before, Side::at, Side::after}) {
+    const Instantaneous_traits_2 traits = at(1.0, side);
+    const auto compare = traits.compare_xy_2_object();
+    const auto expected = side == Side::before ? CGAL::LARGER
+                          : side == Side::at   ? CGAL::EQUAL
+                                               : CGAL::SMALLER;
+    EXPECT_EQ(compare(p, q), expected);
+    EXPECT_EQ(compare(q, p), CGAL::opposite(expected));
+    EXPECT_EQ(traits.equal_2_object()(p, q), side == Side::at);
+    // Equal in x: y decides.
+    EXPECT_EQ(compare(p, above), CGAL::SMALLER);
+    EXPECT_EQ(compare(above, p), CGAL::LARGER);
+    EXPECT_FALSE(traits.equal_2_object()(p, above));
+  }
+}
+
+TEST(Moving_point_2, is_printed_with_its_id_and_motion) {
+  std::ostringstream out;
+  out << Moving_point_2({{0.5, -1}, {2, 0.25}, 3}, 7) << '\n'
+      << Moving_point_2({{0.1, 0}, {0, 0}, 0}) << '\n'
+      << Basic_moving_point_2<Polynomial_motion_2>({{1, 2}, {3, 4}, {5, 6}, {7, 8}, 9}, 0) << '\n'
+      << Moving_point_2(Trajectory_2({1, 2}, {3}, {0, -1}));
+  EXPECT_EQ(out.str(),
+            "point 7 (0.5, -1) at time 3, velocity (2, 0.25)\n"
+            "point (0.10000000000000001, 0) at time 0, velocity (0, 0)\n"
+            "point 0 (1, 2) at time 9, velocity (3, 4), acceleration (5, 6), jerk (7, 8)\n"
+            "point ((2*t + 1) / (-t), (3) / (-t))");
+  EXPECT_EQ(out.precision(), 6);
 }
 
 TEST(Instantaneous_traits_2, copies_share_the_instant) {

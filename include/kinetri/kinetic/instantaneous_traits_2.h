@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A model of CGAL's DelaunayTriangulationTraits_2 whose points move and whose predicates are
-// evaluated, exactly, at one instant. CGAL::Delaunay_triangulation_2 on top of it inserts, removes,
-// locates and dualises moving points as they stand at that instant, one-sided instants included.
+// A model of CGAL's TriangulationTraits_2 and DelaunayTriangulationTraits_2 whose points move and
+// whose predicates are evaluated, exactly, at one instant. CGAL::Delaunay_triangulation_2 on top of
+// it inserts, removes, locates and dualises moving points as they stand at that instant, one-sided
+// instants included.
 #ifndef KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
 #define KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
 
@@ -24,8 +25,9 @@ enum class Arithmetic {
   exact_only,  ///< exact arithmetic alone: slow, for tests and audits
 };
 
-/// The traits. Copies share the instant, so that a triangulation, which copies its traits, follows
-/// when the instant is set through any copy.
+/// The traits: a model of TriangulationTraits_2 and DelaunayTriangulationTraits_2, as CGAL 5.5 to
+/// 6.1 document and use them. Copies share the instant, so that a triangulation, which copies its
+/// traits, follows when the instant is set through any copy.
 ///
 /// Predicates are exact at every instant. The constructions give moving points or pairs of them:
 /// circumcenter is a point whose coordinates are rational functions of time; a line is the bisector
@@ -67,8 +69,9 @@ class Basic_instantaneous_traits_2 {
 
   /// The instant of the predicates.
   const Instant& instant() const { return state_->instant; }
-  /// Moves this object and all its copies to another instant. Cost: none. What was built on the
-  /// traits stays right only if no certificate failed on the way.
+  /// Moves this object and all its copies to another instant; const, since a triangulation shows
+  /// its traits as const. No other thread may use a copy meanwhile. Cost: none. What was built on
+  /// the traits stays right only if no certificate failed on the way.
   // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved
   void set_instant(Instant instant) const { state_->instant = std::move(instant); }
 
@@ -114,6 +117,23 @@ class Basic_instantaneous_traits_2 {
     /// How y(p) compares with y(q).
     Comparison_result operator()(const Point_2& p, const Point_2& q) const {
       return this->y_order(p, q);
+    }
+  };
+  /// Compares points lexicographically.
+  struct Compare_xy_2 : Predicate {
+    using Predicate::Predicate;
+    /// How x(p) compares with x(q) or, where they are equal, y(p) with y(q).
+    Comparison_result operator()(const Point_2& p, const Point_2& q) const {
+      const Sign s = this->x_order(p, q);
+      return s != CGAL::ZERO ? s : this->y_order(p, q);
+    }
+  };
+  /// Compares places.
+  struct Equal_2 : Predicate {
+    using Predicate::Predicate;
+    /// Whether p and q coincide.
+    bool operator()(const Point_2& p, const Point_2& q) const {
+      return this->x_order(p, q) == CGAL::ZERO && this->y_order(p, q) == CGAL::ZERO;
     }
   };
   /// Orders points by x.
@@ -209,6 +229,8 @@ class Basic_instantaneous_traits_2 {
   /// The function object of the concept, at the instant of this object from then on.
   Compare_x_2 compare_x_2_object() const { return Compare_x_2(*state_); }
   Compare_y_2 compare_y_2_object() const { return Compare_y_2(*state_); }
+  Compare_xy_2 compare_xy_2_object() const { return Compare_xy_2(*state_); }
+  Equal_2 equal_2_object() const { return Equal_2(*state_); }
   Less_x_2 less_x_2_object() const { return Less_x_2(*state_); }
   Less_y_2 less_y_2_object() const { return Less_y_2(*state_); }
   Orientation_2 orientation_2_object() const { return Orientation_2(*state_); }

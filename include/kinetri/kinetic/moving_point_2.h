@@ -9,6 +9,7 @@
 #include <array>
 #include <boost/smart_ptr/intrusive_ptr.hpp>
 #include <boost/smart_ptr/intrusive_ref_counter.hpp>
+#include <iosfwd>
 #include <utility>
 
 #include "kinetri/algebra/polynomial.h"
@@ -41,7 +42,7 @@ struct Exact_position_2 {
 /// The trajectory of a motion as polynomials in time, exactly; w is a positive constant.
 /// Precondition: the numbers of the motion are finite.
 Trajectory_2 trajectory(const Linear_motion_2& motion);
-/// As that of a linear motion.
+/// The trajectory of a polynomial motion; w is a positive constant too.
 Trajectory_2 trajectory(const Polynomial_motion_2& motion);
 
 /// A moving point. A value; equality is not defined, since equal places at an instant are a
@@ -80,8 +81,17 @@ class Basic_moving_point_2 {
   Point_id id_ = no_point;
 };
 
+/// Human-readable, for messages: the id and the motion, or the trajectory of a constructed point.
+/// CGAL's is_valid prints points so. Binary64 numbers are printed with 17 digits.
+template <class Motion>
+std::ostream& operator<<(std::ostream& out, const Basic_moving_point_2<Motion>& point);
+
 extern template class Basic_moving_point_2<Linear_motion_2>;
 extern template class Basic_moving_point_2<Polynomial_motion_2>;
+extern template std::ostream& operator<<(std::ostream& out,
+                                         const Basic_moving_point_2<Linear_motion_2>& point);
+extern template std::ostream& operator<<(std::ostream& out,
+                                         const Basic_moving_point_2<Polynomial_motion_2>& point);
 
 /// A point in linear motion.
 using Moving_point_2 = Basic_moving_point_2<Linear_motion_2>;
