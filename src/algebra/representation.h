@@ -7,7 +7,6 @@
 #ifndef KINETRI_SRC_ALGEBRA_REPRESENTATION_H
 #define KINETRI_SRC_ALGEBRA_REPRESENTATION_H
 
-#include <forward_list>
 #include <mutex>
 #include <optional>
 

@@ -46,9 +46,9 @@ class Root_source {
   /// A polynomial of which the number is a root; not zero.
   virtual Polynomial polynomial() const = 0;
 
-  /// About the value of that polynomial, or of a positive multiple, at high + low, with the sign
-  /// that it certainly has, where that is known without making the polynomial; zero says that it is
-  /// not. For rounding the number.
+  /// An approximation of the value of that polynomial, or of a positive multiple of it, at
+  /// high + low. Its sign is certainly that of the value. Zero where that sign is not known without
+  /// making the polynomial. Used to round the number.
   virtual double certain_value_at(double high, double low) const;
 
  protected:
@@ -99,29 +99,29 @@ class Algebraic_number {
 
   /// The only root of `p` between `lower` and `upper`, ends not included.
   /// Precondition: `p` is square-free and has opposite signs, not zero, at the two ends (checked),
-  /// and exactly one root between them (the caller's word).
+  /// and exactly one root between them (not checked).
   Algebraic_number(const Polynomial& p, const Rational& lower, const Rational& upper);
 
   /// The only root of the polynomial of `source` between the bounds of `bracket`, ends not
   /// included. Precondition: the polynomial has opposite signs, not zero, at the two ends (checked
-  /// when it is made), and exactly one root between them, of odd multiplicity (the caller's word).
+  /// when it is made), and exactly one root between them, of odd multiplicity (not checked).
   Algebraic_number(std::shared_ptr<Root_source> source, const Double_interval& bracket);
 
   /// The same number with a representation of its own, so that threads that refine it do not wait
   /// for one another.
   Algebraic_number detached() const;
 
-  /// The negative of the number. Cost: none, or that of its polynomial if that has not been made.
+  /// The negative of the number. Makes the polynomial of the number if it has not been made.
   Algebraic_number operator-() const;
 
   /// Whether the number is *known* to be rational: constructed as one, or found to be one while it
-  /// was refined. False says nothing.
+  /// was refined. If false, the number may still be rational.
   bool is_known_rational() const;
   /// The number itself. Precondition: is_known_rational().
   Rational rational() const;
 
-  /// A square-free primitive polynomial of which this number is a root. A later comparison may find
-  /// one of lower degree and give that one from then on.
+  /// A square-free primitive polynomial of which this number is a root. A comparison may replace it
+  /// by one of lower degree.
   Polynomial polynomial() const;
 
   /// The present isolating interval: the number alone where that is known to be rational, else
@@ -154,8 +154,8 @@ class Algebraic_number {
   /// Source: J. Abbott, Quadratic interval refinement for real roots, ISSAC 2006 (poster).
   void refine_to(const Rational& width) const;
 
-  /// Makes the isolating interval at least 2^`bits` times narrower than its end nearer to zero is
-  /// far from zero: `bits` correct bits, however small the number is.
+  /// Refines until the width of the isolating interval is at most 2^-`bits` times the absolute
+  /// value of its end nearer to zero: `bits` bits of the number are known, however small it is.
   void refine_to_bits(unsigned bits) const;
 
   /// Makes the isolating interval at least two times narrower.
@@ -165,8 +165,8 @@ class Algebraic_number {
   bool is_root_of(const Polynomial& p) const;
 
   /// @{
-  /// Exact comparison, a total order of the reals; equal roots of different polynomials are found
-  /// equal, by their gcd. First by the binary64 intervals, then by refinement.
+  /// Exact comparison, a total order of the reals: first by the binary64 intervals, then by
+  /// refinement. Equal roots of different polynomials are recognized by the gcd of the polynomials.
   friend Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
   friend Comparison_result compare(const Algebraic_number& a, const Rational& b);
   friend std::strong_ordering operator<=>(const Algebraic_number& a, const Algebraic_number& b);
@@ -213,8 +213,8 @@ Sign sign_at(const Polynomial& p, const Algebraic_number& t);
 
 /// @{
 /// The sign of `p` in a sufficiently small open interval that ends, or begins, at `t`: the sign of
-/// the first derivative that does not vanish at `t`, negated for just before where its order is
-/// odd. Zero for the zero polynomial only. Exact. Cost: a sign_at for each derivative up to that.
+/// the first derivative that does not vanish at `t`, negated for just before if its order is odd.
+/// Zero for the zero polynomial only. Exact. Cost: one sign_at for each of these derivatives.
 Sign sign_just_before(const Polynomial& p, const Algebraic_number& t);
 Sign sign_just_after(const Polynomial& p, const Algebraic_number& t);
 /// @}

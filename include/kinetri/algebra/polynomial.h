@@ -2,10 +2,10 @@
 //
 // Dense univariate polynomials with exact integer coefficients. Only roots and signs matter to
 // Kinetri, so a polynomial over the rationals is represented by a positive integer multiple of it
-// (`primitive_polynomial`); every function below that scales says by which sign it does so.
+// (`primitive_polynomial`); each function that scales says which sign the factor has.
 //
-// Costs are given in integer operations, linear in the degree where nothing is said; the integers
-// grow as exact arithmetic makes them grow. All results are exact.
+// Costs are numbers of integer operations, linear in the degree unless stated otherwise; the size
+// of the integers is not counted. All results are exact.
 #ifndef KINETRI_ALGEBRA_POLYNOMIAL_H
 #define KINETRI_ALGEBRA_POLYNOMIAL_H
 
@@ -51,9 +51,9 @@ class Polynomial {
   /// The sign of the value at `t`; cheaper than the value, since no fraction is reduced.
   Sign sign_at(const Rational& t) const;
   /// The sign on the whole closed interval where interval arithmetic finds it constant; nothing
-  /// where it does not decide, though the sign may be constant all the same. Exact integers
-  /// throughout; as the interval shrinks to a point that is not a root, the answer comes.
-  /// Precondition: lower <= upper. Cost: two times that of `sign_at`.
+  /// where it does not decide, although the sign may be constant. Exact. For intervals that shrink
+  /// to a point that is not a root it gives the sign from some width on. Precondition: lower <=
+  /// upper. Cost: two times that of `sign_at`.
   std::optional<Sign> sign_on(const Rational& lower, const Rational& upper) const;
   /// The sign for all sufficiently large t.
   Sign sign_at_plus_infinity() const;
@@ -111,8 +111,8 @@ Polynomial positive_pseudo_remainder(const Polynomial& a, const Polynomial& b);
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
 
 /// The primitive greatest common divisor with positive leading coefficient. gcd(0, 0) is 0;
-/// gcd(p, 0) is the primitive part of p up to sign. Coprime polynomials, the usual case, are told
-/// by their images modulo a prime, which costs next to nothing. Cost otherwise: O(deg a * deg b).
+/// gcd(p, 0) is the primitive part of p up to sign. Coprime polynomials, the usual case, are
+/// recognized modulo a prime, which costs little. Cost otherwise: O(deg a * deg b).
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
 /// The primitive polynomial with the same roots as `p`, each simple, and with the sign of `p`

@@ -4,11 +4,11 @@
 // and the first time at which a polynomial that must not be negative becomes so.
 //
 // Every function isolates by Sturm's theorem (sturm_sequence.h) and bisection. The functions that
-// look for the first root after a time ask Descartes' rule of signs before, which alone settles the
-// cases of no root and of one.
+// look for the first root after a time try Descartes' rule of signs first, which suffices if there
+// is no root or one.
 //
-// Results are exact. Cost, with the degree d: O(d^2) integer operations for the Sturm sequence, and
-// as many for each bisection, which are about as many as bits tell the roots apart.
+// Results are exact. Cost, with the degree d: O(d^2) integer operations for the Sturm sequence and
+// for each bisection; the number of bisections is about the number of bits that separate the roots.
 #ifndef KINETRI_ALGEBRA_REAL_ROOTS_H
 #define KINETRI_ALGEBRA_REAL_ROOTS_H
 
