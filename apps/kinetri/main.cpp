@@ -24,8 +24,8 @@
 #include "commands/simulate_command.h"
 #include "commands/tracks_command.h"
 #include "commands/wave_command.h"
+#include "io/output_file.h"
 #include "kinetri/base/error.h"
-#include "kinetri/io/output_file.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/version.h"
 

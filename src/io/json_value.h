@@ -5,15 +5,13 @@
 #ifndef KINETRI_SRC_IO_JSON_VALUE_H
 #define KINETRI_SRC_IO_JSON_VALUE_H
 
-#include <fmt/format.h>
-
+#include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
-
-#include "kinetri/base/error.h"
 
 namespace kinetri {
 
@@ -24,32 +22,20 @@ class Json_value {
   /// `file` names the file in messages.
   Json_value(const nlohmann::json& json, const std::string& file) : json_(json), file_(file) {}
 
-  [[noreturn]] void fail(std::string_view problem) const {
-    throw Input_error(file_, 0, fmt::format("{} {}", place(), problem));
-  }
+  [[noreturn]] void fail(std::string_view problem) const;
 
-  bool is_null() const { return json_.is_null(); }
-  bool is_text() const { return json_.is_string(); }
+  bool is_null() const;
+  bool is_text() const;
 
   /// The member `key` of an object.
-  Json_value member(const char* key) const {
-    if (!json_.is_object()) fail("is no object; expected one in braces");
-    const auto found = json_.find(key);
-    if (found == json_.end()) fail(fmt::format("has no member \"{}\"; expected one", key));
-    return Json_value(*found, *this, key, 0);
-  }
+  Json_value member(const char* key) const;
 
   /// The number of elements of a list.
-  std::size_t size() const {
-    if (!json_.is_array()) fail("is no list; expected one in brackets");
-    return json_.size();
-  }
-  void expect_size(std::size_t expected) const {
-    if (size() != expected) fail(fmt::format("has {} elements; expected {}", size(), expected));
-  }
+  std::size_t size() const;
+  void expect_size(std::size_t expected) const;
 
   /// Precondition: i < size().
-  Json_value element(std::size_t i) const { return Json_value(json_[i], *this, nullptr, i); }
+  Json_value element(std::size_t i) const;
 
   template <class Function>
   void for_each(Function function) const {
@@ -57,56 +43,53 @@ class Json_value {
     for (std::size_t i = 0; i < elements; ++i) function(element(i));
   }
 
-  double number() const {
-    if (!json_.is_number_float()) fail("is no number; expected one with a decimal point");
-    return json_.get<double>();
-  }
+  double number() const;
 
   /// A whole number from 0 to that limit.
   template <class Unsigned>
   Unsigned whole_number(Unsigned limit = std::numeric_limits<Unsigned>::max()) const {
-    if (!json_.is_number_unsigned() || json_.get<std::uint64_t>() > limit) {
-      fail(fmt::format("is no whole number from 0 to {}; expected one", limit));
-    }
-    return static_cast<Unsigned>(json_.get<std::uint64_t>());
+    return static_cast<Unsigned>(whole_number_up_to(limit));
   }
 
   /// A whole number from `lowest` to `highest`.
-  int small_number(int lowest, int highest) const {
-    const bool is_whole = json_.is_number_integer();
-    if (!is_whole || json_ < lowest || json_ > highest) {
-      fail(fmt::format("is no whole number from {} to {}; expected one", lowest, highest));
-    }
-    return json_.get<int>();
-  }
+  int small_number(int lowest, int highest) const;
 
-  bool truth() const {
-    if (!json_.is_boolean()) fail("is neither true nor false; expected one of the two");
-    return json_.get<bool>();
-  }
+  bool truth() const;
 
-  const std::string& text() const {
-    if (!json_.is_string()) fail("is no text; expected one in quotes");
-    return json_.get_ref<const std::string&>();
-  }
+  const std::string& text() const;
 
  private:
   Json_value(const nlohmann::json& json, const Json_value& parent, const char* key,
              std::size_t index)
       : json_(json), file_(parent.file_), parent_(&parent), key_(key), index_(index) {}
 
-  // As in state.points[3].
-  std::string place() const {
-    if (parent_ == nullptr) return "state";
-    return key_ != nullptr ? fmt::format("{}.{}", parent_->place(), key_)
-                           : fmt::format("{}[{}]", parent_->place(), index_);
-  }
+  std::uint64_t whole_number_up_to(std::uint64_t limit) const;
+  std::string place() const;
 
   const nlohmann::json& json_;
   const std::string& file_;
   const Json_value* parent_ = nullptr;
   const char* key_ = nullptr;
   std::size_t index_ = 0;
+};
+
+/// A JSON text that has been read.
+class Json_document {
+ public:
+  explicit Json_document(std::string_view text);
+  ~Json_document();
+
+  Json_document(const Json_document&) = delete;
+  Json_document& operator=(const Json_document&) = delete;
+
+  /// Whether the text is JSON.
+  bool is_valid() const;
+
+  /// Precondition: is_valid(). `file` must outlive the value.
+  Json_value value(const std::string& file) const { return Json_value(*json_, file); }
+
+ private:
+  std::unique_ptr<nlohmann::json> json_;
 };
 
 }  // namespace kinetri

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/io/output_directory.h"
+#include "output_directory.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "kinetri/io/output_file.h"
+#include "output_file.h"
 
 namespace kinetri {
 

@@ -1,69 +1,93 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/io/stats_file.h"
+#include "stats_file.h"
 
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
 
+#include "counters.h"
+#include "json_writer.h"
+
 namespace kinetri {
+namespace {
+
+template <class Counters, std::size_t n>
+void write_counters(Json_writer& json, const Counters& counters,
+                    const std::array<Named_counter<Counters>, n>& names) {
+  for (const auto& [name, counter] : names) json.member(name, counters.*counter);
+}
+
+template <class Counters, std::size_t n>
+void write_object(Json_writer& json, const char* key, const Counters& counters,
+                  const std::array<Named_counter<Counters>, n>& names) {
+  json.key(key);
+  json.begin_object();
+  write_counters(json, counters, names);
+  json.end_object();
+}
+
+void write_events(Json_writer& json, const char* key,
+                  const std::array<std::uint64_t, event_kinds>& counts) {
+  json.key(key);
+  json.begin_object();
+  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
+    json.member(name(static_cast<Event_kind>(kind)), counts[kind]);
+  }
+  json.end_object();
+}
+
+void write_all_counters(Json_writer& json, const Run_statistics& statistics) {
+  const Contact_counters& contacts = statistics.contacts;
+  Triangulation_counters triangulation = statistics.triangulation;
+  triangulation.instants += contacts.instants;
+  triangulation.discarded[static_cast<std::size_t>(Event_kind::wall)] = contacts.discarded_walls;
+  triangulation.discarded[static_cast<std::size_t>(Event_kind::collision)] =
+      contacts.discarded_collisions;
+  write_events(json, "events", triangulation.events);
+  json.member("events_total", triangulation.number_of_events());
+  write_events(json, "events_discarded", triangulation.discarded);
+  write_counters(json, triangulation, triangulation_counters);
+  write_object(json, "certificates", statistics.certificates, certificate_counters);
+  write_object(json, "queue", statistics.queue, queue_counters);
+  json.key("contacts");
+  json.begin_object();
+  write_counters(json, contacts.queue, queue_counters);
+  json.member("most_at_one_time", contacts.most_at_one_time);
+  json.end_object();
+}
+
+void write_seconds(Json_writer& json, const Run_seconds& seconds) {
+  json.key("seconds");
+  json.begin_object();
+  json.member("read", seconds.read);
+  json.member("build", seconds.build);
+  json.member("initialize", seconds.initialize);
+  json.member("run", seconds.run);
+  json.member("audit", seconds.audit);
+  json.member("write", seconds.write);
+  json.end_object();
+}
+
+}  // namespace
 
 void write_stats(std::ostream& out, const Run_statistics& statistics) {
-  using Json = nlohmann::ordered_json;
-  const Triangulation_counters& triangulation = statistics.triangulation;
-  const Certificate_counters& certificates = statistics.certificates;
-  const Queue_counters& queue = statistics.queue;
-  const Contact_counters& contacts = statistics.contacts;
-  const Run_seconds& seconds = statistics.seconds;
-
-  Json events = Json::object();
-  Json discarded = Json::object();
-  std::uint64_t total = 0;
-  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
-    events[std::string(name(static_cast<Event_kind>(kind)))] = triangulation.events[kind];
-    total += triangulation.events[kind];
-    discarded[std::string(name(static_cast<Event_kind>(kind)))] = triangulation.discarded[kind];
-  }
-  discarded["wall"] = contacts.discarded_walls;
-  discarded["collision"] = contacts.discarded_collisions;
-  const Json document = {
-      {"points", statistics.points},
-      {"from", statistics.from},
-      {"until", statistics.until},
-      {"reached", statistics.reached},
-      {"interrupted", statistics.interrupted},
-      {"events", events},
-      {"events_total", total},
-      {"events_discarded", discarded},
-      {"instants", triangulation.instants + contacts.instants},
-      {"largest_instant", triangulation.largest_instant},
-      {"batches", triangulation.batches},
-      {"flat_hulls", triangulation.flat_hulls},
-      {"points_set_aside", triangulation.points_set_aside},
-      {"rebuilds", triangulation.rebuilds},
-      {"looks_again", triangulation.looks_again},
-      {"certificates",
-       {{"created", certificates.created},
-        {"root_solves", certificates.root_solves},
-        {"filter_decided", certificates.filter_decided},
-        {"refined_decided", certificates.refined_decided},
-        {"exact_decided", certificates.exact_decided}}},
-      {"queue", {{"pushed", queue.pushed}, {"discarded", queue.discarded}, {"peak", queue.peak}}},
-      {"contacts",
-       {{"pushed", contacts.queue.pushed},
-        {"discarded", contacts.queue.discarded},
-        {"peak", contacts.queue.peak},
-        {"most_at_one_time", contacts.most_at_one_time}}},
-      {"seconds",
-       {{"read", seconds.read},
-        {"build", seconds.build},
-        {"initialize", seconds.initialize},
-        {"run", seconds.run},
-        {"audit", seconds.audit},
-        {"write", seconds.write}}},
-      {"peak_rss_bytes", statistics.peak_rss_bytes},
-      {"audits", {{"run", statistics.audits_run}, {"failed", statistics.audits_failed}}},
-  };
-  out << document.dump(2) << '\n';
+  std::string text;
+  Json_writer json(text, 2);
+  json.begin_object();
+  json.member("points", statistics.points);
+  json.member("from", statistics.from);
+  json.member("until", statistics.until);
+  json.member("reached", statistics.reached);
+  json.member("interrupted", statistics.interrupted);
+  write_all_counters(json, statistics);
+  write_seconds(json, statistics.seconds);
+  json.member("peak_rss_bytes", statistics.peak_rss_bytes);
+  json.key("audits");
+  json.begin_object();
+  json.member("run", statistics.audits_run);
+  json.member("failed", statistics.audits_failed);
+  json.end_object();
+  json.end_object();
+  out << text << '\n';
 }
 
 }  // namespace kinetri

@@ -4,19 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <ostream>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "bytes.h"
+#include "json_writer.h"
 #include "kinetri/version.h"
 #include "viewer_assets.h"
 
 namespace kinetri {
 namespace {
-
-using nlohmann::json;
 
 // Point ids, each as short as the number of points allows.
 class Id_bytes {
@@ -62,7 +61,7 @@ int degree(const Recording& recording) {
 }
 
 // Of the edges at the start, those that are sides of no triangle.
-json initial_edges(const Recording& recording, std::size_t points) {
+std::string initial_edges(const Recording& recording, std::size_t points) {
   std::vector<Edge_ids> sides;
   for (const auto& [a, b, c] : recording.initial_triangles) {
     sides.insert(sides.end(), {edge_ids(a, b), edge_ids(b, c), edge_ids(c, a)});
@@ -76,7 +75,7 @@ json initial_edges(const Recording& recording, std::size_t points) {
 }
 
 // The triangles that a flip changes follow from its edges.
-json triangles(const Recording& recording, std::size_t points) {
+void write_triangles(Json_writer& json, const Recording& recording, std::size_t points) {
   Id_bytes initial(points);
   for (const Triangle_ids& corners : recording.initial_triangles) initial.add(corners);
   Bytes event;
@@ -100,11 +99,17 @@ json triangles(const Recording& recording, std::size_t points) {
     removed.add(numbers[0]);
     added.add(numbers[1]);
   }
-  return {{"initial", initial.base64()}, {"count", count},          {"event", event.base64()},
-          {"removed", removed.base64()}, {"added", added.base64()}, {"ids", ids.base64()}};
+  json.begin_object();
+  json.member("initial", initial.base64());
+  json.member("count", count);
+  json.member("event", event.base64());
+  json.member("removed", removed.base64());
+  json.member("added", added.base64());
+  json.member("ids", ids.base64());
+  json.end_object();
 }
 
-json motions(const Recording& recording, std::size_t points) {
+void write_motions(Json_writer& json, const Recording& recording, std::size_t points) {
   const int terms = degree(recording);
   std::size_t starting = 0;
   Bytes event;
@@ -125,13 +130,15 @@ json motions(const Recording& recording, std::size_t points) {
       data.add(derivatives[static_cast<std::size_t>(i)].y);
     }
   }
-  return {{"count", recording.motions.size()},
-          {"degree", terms},
-          {"starting", starting},
-          {"event", event.base64()},
-          {"point", point.base64()},
-          {"there", there.base64()},
-          {"data", data.base64()}};
+  json.begin_object();
+  json.member("count", recording.motions.size());
+  json.member("degree", terms);
+  json.member("starting", starting);
+  json.member("event", event.base64());
+  json.member("point", point.base64());
+  json.member("there", there.base64());
+  json.member("data", data.base64());
+  json.end_object();
 }
 
 std::uint8_t fields(const Recorded_event& event) {
@@ -142,11 +149,9 @@ std::uint8_t fields(const Recorded_event& event) {
                                    (nearest > bounds.lower ? 32 : 0));
 }
 
-json events(const Recording& recording, std::size_t points) {
+void write_events(Json_writer& json, const Recording& recording, std::size_t points) {
   const bool are_all_there = !recording.events.empty() && !recording.is_thinned;
   const std::uint64_t first = are_all_there ? recording.events.front().number : 0;
-  json kinds = json::array();
-  for (std::size_t i = 0; i < event_kinds; ++i) kinds.push_back(name(static_cast<Event_kind>(i)));
   Bytes kind;
   Bytes present;
   Bytes time;
@@ -160,47 +165,81 @@ json events(const Recording& recording, std::size_t points) {
     if (event.point_a) ids.add(*event.point_a);
     if (event.point_b) ids.add(*event.point_b);
   }
-  return {{"count", recording.events.size()},
-          {"first", first},
-          {"kinds", kinds},
-          {"kind", kind.base64()},
-          {"fields", present.base64()},
-          {"time", time.base64()},
-          {"ids", ids.base64()}};
+  json.begin_object();
+  json.member("count", recording.events.size());
+  json.member("first", first);
+  json.key("kinds");
+  json.begin_list();
+  for (std::size_t i = 0; i < event_kinds; ++i) json.value(name(static_cast<Event_kind>(i)));
+  json.end_list();
+  json.member("kind", kind.base64());
+  json.member("fields", present.base64());
+  json.member("time", time.base64());
+  json.member("ids", ids.base64());
+  json.end_object();
 }
 
-json page_data(const Recording& recording, const Viewer_settings& settings) {
+void write_box(Json_writer& json, const std::optional<Box_2>& box) {
+  json.key("box");
+  if (!box) return json.null();
+  json.begin_list();
+  for (const double side : {box->xmin, box->ymin, box->xmax, box->ymax}) json.value(side);
+  json.end_list();
+}
+
+void write_wave(Json_writer& json, const std::optional<Wave_shape>& wave) {
+  json.key("wave");
+  if (!wave) return json.null();
+  json.begin_object();
+  json.member("height", wave->height);
+  json.member("width", wave->width);
+  json.end_object();
+}
+
+void write_thinned(Json_writer& json, const Recording& recording) {
+  json.key("thinned");
+  if (!recording.is_thinned) return json.null();
+  json.begin_object();
+  json.member("events", recording.events_in_all);
+  json.end_object();
+}
+
+std::string page_data(const Recording& recording, const Viewer_settings& settings) {
   const std::size_t points = number_of_points(recording);
-  json result = {{"format", 2},
-                 {"program", std::string("kinetri ") + version},
-                 {"title", settings.title},
-                 {"from", recording.from},
-                 {"until", recording.until},
-                 {"points", points},
-                 {"box", nullptr},
-                 {"radius", settings.radius},
-                 {"thinned", nullptr},
-                 {"wave", nullptr},
-                 {"initial_edges", initial_edges(recording, points)},
-                 {"triangles", triangles(recording, points)},
-                 {"motions", motions(recording, points)},
-                 {"events", events(recording, points)}};
-  if (!settings.names.empty()) result["names"] = settings.names;
-  if (settings.box) {
-    const auto& [xmin, ymin, xmax, ymax] = *settings.box;
-    result["box"] = {xmin, ymin, xmax, ymax};
+  std::string text;
+  Json_writer json(text);
+  json.begin_object();
+  json.member("format", 2);
+  json.member("program", std::string("kinetri ") + version);
+  json.member("title", settings.title);
+  json.member("from", recording.from);
+  json.member("until", recording.until);
+  json.member("points", points);
+  write_box(json, settings.box);
+  json.member("radius", settings.radius);
+  write_thinned(json, recording);
+  write_wave(json, settings.wave);
+  json.member("initial_edges", initial_edges(recording, points));
+  json.key("triangles");
+  write_triangles(json, recording, points);
+  json.key("motions");
+  write_motions(json, recording, points);
+  json.key("events");
+  write_events(json, recording, points);
+  if (!settings.names.empty()) {
+    json.key("names");
+    json.begin_list();
+    for (const std::string& name : settings.names) json.value(name);
+    json.end_list();
   }
-  if (recording.is_thinned) result["thinned"] = {{"events", recording.events_in_all}};
-  if (settings.wave) {
-    result["wave"] = {{"height", settings.wave->height}, {"width", settings.wave->width}};
-  }
-  return result;
+  json.end_object();
+  return text;
 }
 
 // The text of a JSON object that nothing in it can end the element that it stands in.
-std::string embedded(const json& data) {
+std::string embedded(std::string_view json) {
   std::string result;
-  for (const char c : data.dump(-1, ' ', true, json::error_handler_t::replace)) {
+  for (const char c : json) {
     c == '<' ? result += "\\u003c" : result += c;
   }
   return result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/simulation/wave.h"
+#include "wave.h"
 
 #include "kinetri/base/check.h"
 #include "kinetri/simulation/scenarios.h"

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
+#include "io/output_file.h"
 #include "kinetri/base/error.h"
 #include "kinetri/io/event_log.h"
-#include "kinetri/io/output_file.h"
 #include "kinetri/simulation/scenarios.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "support/disc_runs.h"

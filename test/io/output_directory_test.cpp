@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Output directories are whole or not there, and every failure is reported.
-#include "kinetri/io/output_directory.h"
+#include "io/output_directory.h"
 #include "support/precondition_error.h"
 
 #include <gtest/gtest.h>

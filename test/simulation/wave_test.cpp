@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/simulation/wave.h"
+#include "simulation/wave.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "cli/exit_code.h"
-#include "kinetri/io/output_directory.h"
-#include "kinetri/io/output_file.h"
+#include "io/output_directory.h"
+#include "io/output_file.h"
 
 namespace kinetri::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/command_table.h"
 #include "cli/completions.h"
-#include "kinetri/io/output_file.h"
+#include "io/output_file.h"
 
 namespace kinetri::app {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "cli/arguments.h"
 #include "cli/command_line.h"
-#include "kinetri/io/output_file.h"
+#include "io/output_file.h"
 #include "kinetri/io/points_file.h"
 #include "kinetri/simulation/scenarios.h"
 

@@ -11,7 +11,7 @@
 
 #include "cli/command_line.h"
 #include "cli/command_table.h"
-#include "kinetri/io/output_file.h"
+#include "io/output_file.h"
 #include "kinetri/version.h"
 
 namespace kinetri::app {

@@ -10,7 +10,7 @@
 
 #include "cli/exit_code.h"
 #include "commands/run_options.h"
-#include "kinetri/simulation/wave.h"
+#include "simulation/wave.h"
 #include "sources/generated_source.h"
 
 namespace kinetri::app {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/io/output_directory.h"
+#include "io/output_directory.h"
 #include "kinetri/io/svg_frame.h"
 #include "kinetri/io/vtu_file.h"
 #include "sources/run_source.h"

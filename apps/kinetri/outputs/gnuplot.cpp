@@ -14,7 +14,7 @@
 #include <system_error>
 
 #include "cli/arguments.h"
-#include "kinetri/io/output_file.h"
+#include "io/output_file.h"
 
 extern char** environ;
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "kinetri/io/output_directory.h"
-#include "kinetri/io/output_file.h"
+#include "io/output_directory.h"
+#include "io/output_file.h"
 #include "runs/simulation_run.h"
 
 namespace kinetri::app {

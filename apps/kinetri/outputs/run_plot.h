@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "kinetri/io/stats_file.h"
+#include "io/stats_file.h"
 #include "kinetri/simulation/event_statistics.h"
 #include "sources/run_source.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cli/interrupt.h"
-#include "kinetri/io/output_file.h"
+#include "io/output_file.h"
 #include "outputs/gnuplot.h"
 
 namespace kinetri::app {

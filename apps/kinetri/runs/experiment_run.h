@@ -9,7 +9,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/progress.h"
-#include "kinetri/simulation/experiment.h"
+#include "simulation/experiment.h"
 
 namespace kinetri::app {
 

@@ -16,10 +16,10 @@
 
 #include "cli/arguments.h"
 #include "cli/interrupt.h"
+#include "io/stats_file.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
-#include "kinetri/io/stats_file.h"
 #include "kinetri/simulation/closest_approaches.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "outputs/run_outputs.h"

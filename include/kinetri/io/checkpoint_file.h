@@ -10,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "kinetri/io/output_error.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_snapshot.h"
 
@@ -31,7 +32,8 @@ struct Checkpoint {
 /// point.
 void write_checkpoint(std::ostream& out, const Checkpoint& checkpoint);
 
-/// Writes the file `path` whole, or not at all; see Output_file. Throws Output_error.
+/// Writes the file `path` whole, or not at all: it is written under a temporary name beside its
+/// place, which it then takes. Throws Output_error.
 void write_checkpoint_file(const std::string& path, const Checkpoint& checkpoint);
 
 /// Reads a checkpoint. Throws Input_error `name: what is wrong, what was expected` if it is none,

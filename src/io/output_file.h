@@ -2,24 +2,18 @@
 //
 // Output files that are whole or not there: written under a temporary name beside the target, which
 // takes the target's place when everything has been written.
-#ifndef KINETRI_IO_OUTPUT_FILE_H
-#define KINETRI_IO_OUTPUT_FILE_H
+#ifndef KINETRI_SRC_IO_OUTPUT_FILE_H
+#define KINETRI_SRC_IO_OUTPUT_FILE_H
 
 #include <memory>
 #include <ostream>
 #include <string>
 
-#include "kinetri/base/error.h"
+#include "kinetri/io/output_error.h"
 
 struct stat;
 
 namespace kinetri {
-
-/// A file cannot be written. `what()` reads `FILE: what is wrong, what was expected`.
-class Output_error : public Error {
- public:
-  using Error::Error;
-};
 
 /// An output file. Until `commit` the target is untouched; without `commit` it stays so.
 ///
@@ -78,4 +72,4 @@ class Output_file {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IO_OUTPUT_FILE_H
+#endif  // KINETRI_SRC_IO_OUTPUT_FILE_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The statistics of a run, and the JSON file that holds them.
-#ifndef KINETRI_IO_STATS_FILE_H
-#define KINETRI_IO_STATS_FILE_H
+#ifndef KINETRI_SRC_IO_STATS_FILE_H
+#define KINETRI_SRC_IO_STATS_FILE_H
 
 #include <cstddef>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 #include "kinetri/events/indexed_queue.h"
 #include "kinetri/kinetic/kinetic_traits_2.h"
-#include "kinetri/simulation/simulation_2.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/simulation/simulation_options.h"
+#include "kinetri/triangulation/triangulation_counters.h"
 
 namespace kinetri {
 
@@ -51,4 +51,4 @@ void write_stats(std::ostream& out, const Run_statistics& statistics);
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IO_STATS_FILE_H
+#endif  // KINETRI_SRC_IO_STATS_FILE_H

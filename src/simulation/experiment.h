@@ -4,8 +4,8 @@
 // Delaunay Triangulation using Sturm Sequences of Polynomials, section 6.1): discs in a square box,
 // of which some move. For comparison, the discrete approach of its section 2: at each time step
 // every point that has moved is removed and inserted again.
-#ifndef KINETRI_SIMULATION_EXPERIMENT_H
-#define KINETRI_SIMULATION_EXPERIMENT_H
+#ifndef KINETRI_SRC_SIMULATION_EXPERIMENT_H
+#define KINETRI_SRC_SIMULATION_EXPERIMENT_H
 
 #include <cstddef>
 #include <cstdint>
@@ -67,4 +67,4 @@ std::vector<Discrete_comparison> compare_with_discrete_steps(const Experiment_se
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SIMULATION_EXPERIMENT_H
+#endif  // KINETRI_SRC_SIMULATION_EXPERIMENT_H

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Directories of output files that are whole or not there: as Output_file, for many files at once.
-#ifndef KINETRI_IO_OUTPUT_DIRECTORY_H
-#define KINETRI_IO_OUTPUT_DIRECTORY_H
+#ifndef KINETRI_SRC_IO_OUTPUT_DIRECTORY_H
+#define KINETRI_SRC_IO_OUTPUT_DIRECTORY_H
 
 #include <memory>
 #include <string>
 #include <string_view>
 
-#include "kinetri/io/output_file.h"
+#include "output_file.h"
 
 namespace kinetri {
 
@@ -61,4 +61,4 @@ class Output_directory {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IO_OUTPUT_DIRECTORY_H
+#endif  // KINETRI_SRC_IO_OUTPUT_DIRECTORY_H

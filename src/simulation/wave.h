@@ -4,8 +4,8 @@
 // Delaunay Triangulation using Sturm Sequences of Polynomials, section 6.3): one row of a lattice
 // moves, hits the next row, and passes its velocity on, so that a crest runs across the area and
 // back.
-#ifndef KINETRI_SIMULATION_WAVE_H
-#define KINETRI_SIMULATION_WAVE_H
+#ifndef KINETRI_SRC_SIMULATION_WAVE_H
+#define KINETRI_SRC_SIMULATION_WAVE_H
 
 #include <cstddef>
 #include <cstdint>
@@ -43,4 +43,4 @@ Simulation_options wave_options(const Wave_setting& setting);
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SIMULATION_WAVE_H
+#endif  // KINETRI_SRC_SIMULATION_WAVE_H

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "checkpoint_format.h"
+#include "checkpoint_motion.h"
+#include "counters.h"
+#include "json_value.h"
+#include "kinetri/algebra/sturm_sequence.h"
+#include "kinetri/base/error.h"
+#include "kinetri/io/checkpoint_file.h"
+#include "text.h"
+#include "text_table.h"
+
+namespace kinetri {
+namespace {
+
+// The kinds of scheduled changes, by the names that events have in files.
+constexpr std::array<Event_kind, 3> change_kinds = {Event_kind::insert, Event_kind::erase,
+                                                    Event_kind::trajectory};
+
+bool is_decimal(std::string_view text) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  return !text.empty() && (text.size() == 1 || text.front() != '0') &&
+         text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+Integer integer(const Json_value& value) {
+  if (!is_decimal(value.text())) value.fail("is no integer; expected one in decimal digits");
+  return Integer(value.text());
+}
+
+Rational rational(const Json_value& value) {
+  const std::string& text = value.text();
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const std::string numerator = text.substr(0, slash);
+  const std::string denominator = slash == text.size() ? "1" : text.substr(slash + 1);
+  if (!is_decimal(numerator) || !is_decimal(denominator) || denominator.starts_with('-') ||
+      denominator == "0") {
+    value.fail("is no fraction; expected an integer, or two and a slash, in decimal digits");
+  }
+  return Rational(Integer(numerator), Integer(denominator));
+}
+
+Algebraic_number exact_time(const Json_value& value) {
+  if (value.is_text()) return rational(value);
+  const Json_value ends = value.member("between");
+  ends.expect_size(2);
+  const Rational lower = rational(ends.element(0));
+  const Rational upper = rational(ends.element(1));
+  std::vector<Integer> coefficients;
+  value.member("root_of").for_each(
+      [&](const Json_value& c) { coefficients.push_back(integer(c)); });
+  const Polynomial p(std::move(coefficients));
+  const auto isolates = [&] {
+    if (p.degree() < 1 || lower >= upper) return false;
+    if (p.sign_at(lower) * p.sign_at(upper) != CGAL::NEGATIVE) return false;
+    const Sturm_sequence sequence(p);
+    return sequence.terms().back().degree() == 0 &&
+           sequence.count(Interval_end{lower}, Interval_end{upper}) == 1;
+  };
+  if (!isolates()) {
+    value.fail("is no root; expected a square-free polynomial that has one root between the two");
+  }
+  return {p, lower, upper};
+}
+
+std::uint64_t count(const Json_value& value) {
+  return value.whole_number<std::uint64_t>();
+}
+
+template <class Counters, std::size_t n>
+void read_counters(const Json_value& value, Counters& counters,
+                   const std::array<Named_counter<Counters>, n>& names) {
+  for (const auto& [name, counter] : names) counters.*counter = count(value.member(name));
+}
+
+void read_counts(const Json_value& value, std::array<std::uint64_t, event_kinds>& counts) {
+  value.expect_size(event_kinds);
+  for (std::size_t i = 0; i < event_kinds; ++i) counts[i] = count(value.element(i));
+}
+
+Point_id point_id(const Json_value& value) {
+  return value.whole_number<Point_id>(no_point - 1);
+}
+
+template <class Motion>
+std::optional<Motion> motion(const Json_value& value) {
+  if (value.is_null()) return std::nullopt;
+  std::vector<double> numbers;
+  value.for_each([&](const Json_value& number) { numbers.push_back(number.number()); });
+  std::optional<Motion> result = Checkpoint_motion<Motion>::from_numbers(numbers);
+  if (!result) {
+    value.fail(
+        joined("has ", numbers.size(), " numbers; expected ", Checkpoint_motion<Motion>::expected));
+  }
+  return result;
+}
+
+Simulation_options options(const Json_value& state) {
+  Simulation_options result;
+  const Json_value box = state.member("box");
+  if (!box.is_null()) {
+    box.expect_size(4);
+    result.box = Box_2{box.element(0).number(), box.element(1).number(), box.element(2).number(),
+                       box.element(3).number()};
+  }
+  result.rim_touches = state.member("rim_touches").truth();
+  result.radius = state.member("radius").number();
+  result.contacts_at_one_time = count(state.member("contacts_at_one_time"));
+  return result;
+}
+
+template <class Traits>
+void read_faces(const Json_value& state, Triangulation_snapshot<Traits>& topology) {
+  const auto vertices = static_cast<std::size_t>(std::max(topology.dimension, 0) + 1);
+  const auto neighbors = static_cast<std::size_t>(topology.dimension + 1);
+  const auto face_number = [](const Json_value& value) {
+    return value.whole_number<std::size_t>();
+  };
+  const Json_value faces = state.member("faces");
+  topology.faces.reserve(faces.size());
+  faces.for_each([&](const Json_value& lists) {
+    lists.expect_size(2);
+    lists.element(0).expect_size(vertices);
+    lists.element(1).expect_size(neighbors);
+    auto& face = topology.faces.emplace_back();
+    for (std::size_t i = 0; i < vertices; ++i) {
+      const Json_value list = lists.element(0);
+      face.vertices[i] = list.element(i).is_null() ? no_point : point_id(list.element(i));
+    }
+    for (std::size_t i = 0; i < neighbors; ++i) {
+      const Json_value list = lists.element(1);
+      face.neighbors[i] = face_number(list.element(i));
+    }
+  });
+  state.member("vertex_faces").for_each([&](const Json_value& face) {
+    topology.vertex_faces.push_back(face_number(face));
+  });
+  topology.infinite_vertex_face = face_number(state.member("infinite_vertex_face"));
+}
+
+template <class Traits>
+typename Simulation_snapshot<Traits>::Change scheduled_change(const Json_value& value) {
+  const Json_value kind = value.member("kind");
+  const auto* const found =
+      std::ranges::find_if(change_kinds, [&](Event_kind k) { return name(k) == kind.text(); });
+  if (found == change_kinds.end()) {
+    kind.fail("is no change of a point; expected insert, erase or trajectory");
+  }
+  return {exact_time(value.member("time")), *found, point_id(value.member("point")),
+          motion<typename Traits::Motion>(value.member("motion"))};
+}
+
+template <class Traits>
+Simulation_snapshot<Traits> simulation_snapshot(const Json_value& state) {
+  using Motion = typename Traits::Motion;
+  Simulation_snapshot<Traits> result;
+  Triangulation_snapshot<Traits>& topology = result.triangulation;
+  topology.time = exact_time(state.member("time"));
+  result.options = options(state);
+  result.has_response = state.member("has_response").truth();
+  const Json_value counters = state.member("counters");
+  read_counts(counters.member("events"), topology.counters.events);
+  read_counts(counters.member("discarded"), topology.counters.discarded);
+  read_counters(counters, topology.counters, triangulation_counters);
+  read_counters(state.member("certificates"), topology.certificates, certificate_counters);
+  read_counters(state.member("contact_counters"), result.counters, contact_counters);
+  read_counters(state.member("contact_certificates"), result.certificates, certificate_counters);
+  state.member("points").for_each(
+      [&](const Json_value& point) { topology.motions.push_back(motion<Motion>(point)); });
+  topology.dimension = state.member("dimension").small_number(-1, 2);
+  read_faces(state, topology);
+  state.member("in_contact").for_each([&](const Json_value& pair) {
+    pair.expect_size(2);
+    result.in_contact.push_back({point_id(pair.element(0)), point_id(pair.element(1))});
+  });
+  state.member("scheduled").for_each([&](const Json_value& change) {
+    result.scheduled.push_back(scheduled_change<Traits>(change));
+  });
+  return result;
+}
+
+std::string content(std::istream& in, const std::string& name) {
+  std::string result;
+  std::array<char, 1U << 16U> buffer;
+  while (in.read(buffer.data(), buffer.size()), in.gcount() > 0) {
+    result.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) throw Input_error(name, 0, "cannot be read to its end; expected a readable file");
+  return result;
+}
+
+}  // namespace
+
+Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
+  const std::string file = content(in, name);
+  const Json_document document(checkpoint_state(file, name));
+  if (!document.is_valid()) {
+    throw Input_error(
+        name, 0, "is no JSON between its first and last line; expected the file as it was written");
+  }
+  const Json_value state = document.value(name);
+  const Json_value motion = state.member("motion");
+  const std::string response = state.member("response").text();
+  if (motion.text() == Checkpoint_motion<Linear_motion_2>::name) {
+    return {simulation_snapshot<Linear_kinetic_traits_2>(state), response};
+  }
+  if (motion.text() == Checkpoint_motion<Polynomial_motion_2>::name) {
+    return {simulation_snapshot<Polynomial_kinetic_traits_2>(state), response};
+  }
+  motion.fail(joined("is ", kinetri::quoted(motion.text()), "; expected '",
+                     Checkpoint_motion<Linear_motion_2>::name, "' or '",
+                     Checkpoint_motion<Polynomial_motion_2>::name, "'"));
+}
+
+Checkpoint read_checkpoint_file(const std::string& path) {
+  if (path == "-") return read_checkpoint(std::cin, "standard input");
+  std::ifstream in = open_table(path, {"a simulation's state", ""});
+  return read_checkpoint(in, path);
+}
+
+}  // namespace kinetri

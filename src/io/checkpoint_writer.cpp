@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <ostream>
+#include <utility>
+
+#include "checkpoint_format.h"
+#include "checkpoint_motion.h"
+#include "counters.h"
+#include "json_writer.h"
+#include "kinetri/io/checkpoint_file.h"
+#include "output_file.h"
+
+namespace kinetri {
+namespace {
+
+void write(Json_writer& json, const Algebraic_number& time) {
+  if (time.is_known_rational()) return json.value(time.rational().str());
+  json.begin_object();
+  json.key("root_of");
+  json.begin_list();
+  const Polynomial polynomial = time.polynomial();
+  for (const Integer& c : polynomial.coefficients()) json.value(c.str());
+  json.end_list();
+  const Rational_interval between = time.isolating_interval();
+  json.key("between");
+  json.begin_list();
+  json.value(between.lower.str());
+  json.value(between.upper.str());
+  json.end_list();
+  json.end_object();
+}
+
+template <class List>
+void write_list(Json_writer& json, const List& list) {
+  json.begin_list();
+  for (const auto& element : list) json.value(element);
+  json.end_list();
+}
+
+template <class Counters, std::size_t n>
+void write_counters(Json_writer& json, const Counters& counters,
+                    const std::array<Named_counter<Counters>, n>& names) {
+  for (const auto& [name, counter] : names) json.member(name, counters.*counter);
+}
+
+template <class Counters, std::size_t n>
+void write(Json_writer& json, const Counters& counters,
+           const std::array<Named_counter<Counters>, n>& names) {
+  json.begin_object();
+  write_counters(json, counters, names);
+  json.end_object();
+}
+
+void write(Json_writer& json, const Triangulation_counters& counters) {
+  json.begin_object();
+  json.key("events");
+  write_list(json, counters.events);
+  json.key("discarded");
+  write_list(json, counters.discarded);
+  write_counters(json, counters, triangulation_counters);
+  json.end_object();
+}
+
+template <class Motion>
+void write(Json_writer& json, const std::optional<Motion>& motion) {
+  if (!motion) return json.null();
+  write_list(json, Checkpoint_motion<Motion>::numbers(*motion));
+}
+
+template <class Traits>
+class Checkpoint_writer {
+ public:
+  explicit Checkpoint_writer(std::string& text) : text_(text) {}
+
+  void write_state(const Simulation_snapshot<Traits>& snapshot, const std::string& response) {
+    const Triangulation_snapshot<Traits>& topology = snapshot.triangulation;
+    text_ += '{';
+    add("motion", Checkpoint_motion<typename Traits::Motion>::name);
+    add_written("time", topology.time);
+    add("response", std::string_view(response));
+    write_options(snapshot);
+    add_written("counters", topology.counters);
+    add_written("certificates", topology.certificates, certificate_counters);
+    add_written("contact_counters", snapshot.counters, contact_counters);
+    add_written("contact_certificates", snapshot.certificates, certificate_counters);
+    add_list("points", topology.motions,
+             [](Json_writer& json, const auto& motion) { write(json, motion); });
+    add("dimension", topology.dimension);
+    write_faces(topology);
+    add_list("in_contact", snapshot.in_contact,
+             [](Json_writer& json, const Edge_ids& pair) { write_list(json, pair); });
+    add_list("scheduled", snapshot.scheduled, [](Json_writer& json, const auto& change) {
+      json.begin_object();
+      json.key("time");
+      write(json, change.time);
+      json.member("kind", name(change.kind));
+      json.member("point", change.point);
+      json.key("motion");
+      write(json, change.motion);
+      json.end_object();
+    });
+    text_ += "\n}\n";
+  }
+
+ private:
+  void write_options(const Simulation_snapshot<Traits>& snapshot) {
+    const Simulation_options& options = snapshot.options;
+    Json_writer json = begin("box");
+    if (options.box) {
+      const auto& [xmin, ymin, xmax, ymax] = *options.box;
+      write_list(json, std::array{xmin, ymin, xmax, ymax});
+    } else {
+      json.null();
+    }
+    add("rim_touches", options.rim_touches);
+    add("radius", options.radius);
+    add("has_response", snapshot.has_response);
+    add("contacts_at_one_time", options.contacts_at_one_time);
+  }
+
+  // Of each face the vertices (null for the infinite one) and the neighbors, as many as the
+  // dimension has.
+  void write_faces(const Triangulation_snapshot<Traits>& topology) {
+    const auto vertices = static_cast<std::size_t>(std::max(topology.dimension, 0) + 1);
+    const auto neighbors = static_cast<std::size_t>(topology.dimension + 1);
+    add_list("faces", topology.faces, [&](Json_writer& json, const auto& face) {
+      json.begin_list();
+      json.begin_list();
+      for (std::size_t i = 0; i < vertices; ++i) {
+        const Point_id id = face.vertices[i];
+        id == no_point ? json.null() : json.value(id);
+      }
+      json.end_list();
+      json.begin_list();
+      for (std::size_t i = 0; i < neighbors; ++i) json.value(face.neighbors[i]);
+      json.end_list();
+      json.end_list();
+    });
+    add_list("vertex_faces", topology.vertex_faces,
+             [](Json_writer& json, std::size_t face) { json.value(face); });
+    add("infinite_vertex_face", topology.infinite_vertex_face);
+  }
+
+  // What writes the value of the member.
+  Json_writer begin(const char* key) {
+    if (!std::exchange(is_first_, false)) text_ += ',';
+    text_ += "\n\"";
+    text_ += key;
+    text_ += "\":";
+    return Json_writer(text_);
+  }
+
+  template <class Value>
+  void add(const char* key, const Value& value) {
+    begin(key).value(value);
+  }
+
+  // The same of what `write` writes.
+  template <class... Values>
+  void add_written(const char* key, const Values&... values) {
+    Json_writer json = begin(key);
+    write(json, values...);
+  }
+
+  template <class List, class Function>
+  void add_list(const char* key, const List& list, Function write_element) {
+    begin(key);
+    text_ += '[';
+    for (bool is_first = true; const auto& element : list) {
+      text_ += std::exchange(is_first, false) ? "\n" : ",\n";
+      Json_writer json(text_);
+      write_element(json, element);
+    }
+    text_ += ']';
+  }
+
+  std::string& text_;
+  bool is_first_ = true;
+};
+
+}  // namespace
+
+void write_checkpoint(std::ostream& out, const Checkpoint& checkpoint) {
+  std::string state;
+  std::visit(
+      [&]<class Traits>(const Simulation_snapshot<Traits>& snapshot) {
+        Checkpoint_writer<Traits>(state).write_state(snapshot, checkpoint.response);
+      },
+      checkpoint.simulation);
+  out << checkpoint_text(state);
+}
+
+void write_checkpoint_file(const std::string& path, const Checkpoint& checkpoint) {
+  Output_file file(path);
+  write_checkpoint(file.stream(), checkpoint);
+  file.commit();
+}
+
+}  // namespace kinetri
