@@ -67,6 +67,11 @@ def name(path, anchor):
     return re.sub(r"\W", "_", path.with_suffix("").as_posix()) + "-" + anchor
 
 
+def first_heading(file):
+    return next(match.group(1) for line in file.read_text(encoding="utf-8").split("\n")
+                if (match := HEADING.match(line)))
+
+
 def document(lines, path, root):
     """The lines of a Markdown document with the path from the root."""
 
@@ -75,9 +80,11 @@ def document(lines, path, root):
         file = (root / path.parent / target).resolve() if target else root / path
         if file.suffix != ".md":
             return text
-        if anchor:
-            return f"[{text}](@ref {name(file.relative_to(root), anchor[1:])})"
-        return match.group()
+        # Of a path with a space Doxygen makes no link: a document is named by its first heading.
+        if not anchor and file == root / "README.md":
+            return f"[{text}](@ref index)"
+        anchor = anchor[1:] if anchor else slug(first_heading(file))
+        return f"[{text}](@ref {name(file.relative_to(root), anchor)})"
 
     def code(match):
         # Doxygen takes an apostrophe for the end of a quotation, unless the marks are double.

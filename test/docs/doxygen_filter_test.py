@@ -68,10 +68,11 @@ class Filter(Tree):
 
     def test_headings_are_named_by_the_document_and_links_to_them_follow(self):
         self.write("README.md", "")
+        self.write("docs/B.md", "<!-- no heading -->\n# The other\n")
         self.assert_filtered(
-            "docs/A.md", "# What `it` is, and why\n[other](../README.md#the-end) [a](#b) [c](B.md)\n",
+            "docs/A.md", "# What `it` is, and why\n[other](../README.md#the-end) [a](#b) [c](B.md)\n[d](../README.md)\n",
             "# What `it` is, and why {#docs_A-what-it-is-and-why}\n"
-            "[other](@ref README-the-end) [a](@ref docs_A-b) [c](B.md)\n")
+            "[other](@ref README-the-end) [a](@ref docs_A-b) [c](@ref docs_B-the-other)\n[d](@ref index)\n")
 
     def test_links_to_other_files_are_text_and_pictures_and_addresses_stay(self):
         self.assert_filtered("A.md", "[licence](LICENSE) ![p](p.png) [w](https://a.b/c.html#d)\n",
