@@ -48,7 +48,7 @@ LIBRARIES = {
     "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/"),
     "simulation": ("CGAL/",),
     "io": ("nlohmann/", "fmt/", "boost/crc.hpp"),
-    "apps": ("CLI/", "nlohmann/", "fmt/"),
+    "apps": ("CLI/",),
 }
 
 # CGAL's triangulations are below `triangulation` only.

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,72 @@ TEST_F(Program, PrintsItsVersion) {
   EXPECT_EQ(outcome.out, std::string("kinetri ") + version + "\n");
 }
 
+TEST_F(Program, HelpIsShownInThreeWays) {
+  const std::string help = run({"generate", "uniform", "--help"}).out;
+  EXPECT_NE(help.find("Usage: kinetri generate uniform --points N [OPTIONS]\n"), std::string::npos)
+      << help;
+  EXPECT_EQ(run({"generate", "uniform", "-h"}).out, help);
+  EXPECT_EQ(run({"help", "generate", "uniform"}).out, help);
+  EXPECT_EQ(run({"help"}).out, run({"--help"}).out);
+  EXPECT_NE(run({"help"}).out.find("\n  tracks "), std::string::npos);
+  EXPECT_NE(run({"help", "--help"}).out.find("Usage: kinetri help [COMMAND]"), std::string::npos);
+}
+
+TEST_F(Program, LinesOfHelpFitATerminal) {
+  for (const char* command : {"simulate", "tracks", "wave", "experiment", "completion"}) {
+    std::istringstream help(run({command, "--help"}).out);
+    for (std::string line; std::getline(help, line);) {
+      // Examples and names of types are not broken.
+      if (line.starts_with("  kinetri") || line.starts_with("  -")) continue;
+      EXPECT_LE(line.size(), 80U) << line;
+    }
+  }
+}
+
+TEST_F(Program, UnknownWordIsNamedBeforeWhatIsMissing) {
+  const auto problem = [&](const Arguments& arguments) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    return outcome.err.substr(0, outcome.err.find('\n'));
+  };
+  EXPECT_EQ(problem({"simulate", "p.csv", "--util", "5"}),
+            "kinetri simulate: '--util' is unknown; did you mean --until?");
+  EXPECT_EQ(problem({"simulate", "--util", "5", "p.csv"}),
+            "kinetri simulate: '--util' is unknown; did you mean --until?");
+  EXPECT_EQ(problem({"simulate", "p.csv", "--until", "5", "--even", "e.csv"}),
+            "kinetri simulate: '--even' is unknown; did you mean --events?");
+  EXPECT_EQ(problem({"simulate", "p.csv", "--nonsense"}),
+            "kinetri simulate: '--nonsense' is unknown; expected only what --help lists");
+  EXPECT_EQ(problem({"simulte", "p.csv"}), "kinetri: 'simulte' is unknown; did you mean simulate?");
+  EXPECT_EQ(problem({"help", "simulte"}),
+            "kinetri help: 'simulte' is unknown; did you mean simulate?");
+}
+
+TEST_F(Program, ShortOptionsAreThoseOfTheLongOnes) {
+  EXPECT_EQ(run({"generate", "uniform", "--points", "20", "-o", "p.csv"}).exit_code, 0);
+  const Outcome outcome = run({"simulate", "p.csv", "--until", "2", "-q", "-o", "events.csv"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(read("events.csv"),
+            run({"simulate", "p.csv", "--until", "2", "--quiet", "--events", "-"}).out);
+}
+
+TEST_F(Program, SummaryCountsInTheSingularAndInThePlural) {
+  write("one.csv", "x,y,vx,vy\n0,0,0,0\n");
+  EXPECT_EQ(run({"simulate", "one.csv", "--until", "1"}).err.rfind("kinetri: 1 point from t", 0),
+            0U);
+  write("p.csv", one_flip);
+  const std::string none = run({"simulate", "p.csv", "--until", "0.5"}).err;
+  EXPECT_NE(none.find("\n  events       none\n"), std::string::npos) << none;
+  const std::string one = run({"simulate", "p.csv", "--until", "3"}).err;
+  EXPECT_NE(one.find("\n  events       1 at 1 instant (1 flip)\n"), std::string::npos) << one;
+}
+
 TEST_F(Program, EveryHelpHasAnExample) {
   std::vector<Arguments> commands = {{},         {"simulate"}, {"resume"},     {"generate"},
                                      {"tracks"}, {"wave"},     {"experiment"}, {"completion"},
-                                     {"manual"}};
+                                     {"manual"}, {"help"}};
   for (const char* scenario :
        {"uniform", "gaussian", "constant-speed", "one-mover", "lattice", "lattice-jitter"}) {
     commands.push_back({"generate", scenario});

@@ -43,7 +43,7 @@ DISCS = "x,y,vx,vy,radius\n0,0,1,0,1\n5,0,0,0,1\n0,9,0,0,1\n"
 TRACKS = "t,id,x,y\n0,a,0,0\n0,b,9,0\n5,a,1,1\n5,b,9,1\n"
 FILES = {"p.csv": ONE_FLIP, "d.csv": DISCS, "t.csv": TRACKS, "old.csv": "before"}
 
-COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion or manual"
+COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion, manual or help"
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice or lattice-jitter"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"
 TRACKS_COLUMNS = "t,id,x,y, in any order"
@@ -90,7 +90,11 @@ def tracks(content, more="", **options):
 
 def usage_cases():
     yield case("", commands=COMMANDS)
-    yield case("stimulate", word="stimulate", commands=COMMANDS)
+    yield case("stimulate", word="stimulate", name="simulate")
+    yield case("arrange", word="arrange", commands=COMMANDS)
+    yield case("help arrange", word="arrange", commands=COMMANDS)
+    yield case("generate uniform --point 5", word="--point", name="--points")
+    yield simulate("--evnets e.csv", word="--evnets", name="--events")
     yield case("--wrong", word="--wrong", commands=COMMANDS)
     yield case("--quiet simulate p.csv --until 1", word="--quiet")
     yield case("--points 5 generate uniform --points 5", word="--points")
@@ -228,8 +232,15 @@ def table_cases():
     yield tracks("", columns=TRACKS_COLUMNS)
     yield points("x,y,vx,vy\n" + "1" * (1 << 20) + ",2,3,4\n", line=2, row="point")
     yield tracks("t,id,x,y\n" + "1" * (1 << 20) + ",2,3,4\n", line=2, row="observation")
-    yield points("x,y,vx,vy,z\n", line=1, column="z", columns=POINTS_COLUMNS)
-    yield points("x;y;vx;vy\n", line=1, column="x;y;vx;vy", columns=POINTS_COLUMNS)
+    yield tracks("t,id,x,y,z\n", line=1, column="z", columns=TRACKS_COLUMNS)
+    yield tracks("t;id;x;y\n", line=1, column="t;id;x;y", columns=TRACKS_COLUMNS)
+    yield points("x,y,vx,vy,id\n1,2,3,4,\n", line=2, column="id")
+    yield points("x,y,vx,vy,id\n1,2,3,4,a\n2,2,3,4,a\n", line=3, id="a", first=2)
+    yield points('x,y,vx,vy\n"1,2,3,4\n', line=2, text='"1,2,3,4')
+    yield points('x,y,vx,vy\n"1"2,2,3,4\n', line=2, text="2", separator=",")
+    yield points("x;y;vx;vy\n1,5;2;3;4\n", line=2, column="x", text="1,5")
+    yield tracks("# id frame x y\n1 1 0 0\n", "--format frames", line=1, columns="id frame x y")
+    yield tracks("# framerate: 16\n1 1 0 0\n", "--format frames --fps 25", line=1, rate=16, fps=25)
     yield points("\n# c\nx,y,x,vx,vy\n", line=3, column="x", columns=POINTS_COLUMNS)
     yield points("x,y,vx\n1,2,3\n", line=1, column="vy", columns=POINTS_COLUMNS)
     yield tracks("t,id,x\n", line=1, column="y", columns=TRACKS_COLUMNS)

@@ -34,7 +34,7 @@ TEST(ProgressText, PromisesNothingBeforeItCanTell) {
 
 TEST(ProgressText, SurvivesExtremeTimes) {
   EXPECT_EQ(progress_text(-1.7e308, 1.7e308, 0, 1, 1),
-            " 50 %, t = 0 of 1.7e+308, 1 events, 1 events/s, 1 s left");
+            " 50 %, t = 0 of 1.7e+308, 1 event, 1 events/s, 1 s left");
   EXPECT_EQ(progress_text(5, 5, 5, 0, 0), "100 %, t = 5 of 5, 0 events, 0 events/s");
 }
 

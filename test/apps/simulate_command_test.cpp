@@ -74,7 +74,7 @@ TEST_F(Simulate, SummaryGoesToStandardErrorUnlessQuiet) {
   const Outcome outcome =
       simulate(one_flip, {"--until", "3", "--audit", "end", "--edges", "e.csv"});
   EXPECT_EQ(outcome.out, "");
-  for (const char* part : {"4 points from t = 0 to 3", "1 at 1 instants (1 flip)", "certificates",
+  for (const char* part : {"4 points from t = 0 to 3", "1 at 1 instant (1 flip)", "certificates",
                            "queue", "1 run, 0 failed", "e.csv"}) {
     EXPECT_NE(outcome.err.find(part), std::string::npos) << part << " in " << outcome.err;
   }

@@ -74,9 +74,10 @@ TEST_F(Tracks, MayBeCutByTimeAndByGaps) {
 TEST_F(Tracks, TellWhatWasLeftOut) {
   const Outcome outcome = tracks("t,id,x,y\n2,a,1,0\n1,a,0,0\n1,a,0,0\n5,once,3,3\n");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("1 rows that repeat another are left out"), std::string::npos);
-  EXPECT_NE(outcome.err.find("1 rows were not in the order of time"), std::string::npos);
-  EXPECT_NE(outcome.err.find("1 ids with one observation"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("1 row left out, being a copy of another"), std::string::npos);
+  EXPECT_NE(outcome.err.find("1 row out of the order of time"), std::string::npos);
+  EXPECT_NE(outcome.err.find("1 id left out, having one observation"), std::string::npos)
+      << outcome.err;
 }
 
 TEST_F(Tracks, ThatAreEmptyAreARunOfNothing) {

@@ -21,8 +21,8 @@ import unittest
 SKIPPED = 77
 FILES = ["one", "one folder/"]  # What completes a file of `one`; a directory: the second.
 
-# `  --name,--other TYPE REQUIRED   Description`, where the description may be on the next line.
-OPTION = re.compile(r"^  (-\S+|[A-Z]+)(?: (?!REQUIRED|Needs|Excludes)(\S+))?(?: |$)")
+# `  -n, --name TYPE   Description`, where the description may be on the next line.
+OPTION = re.compile(r"^  ((?:-\S, )?(?:--\S+, )*--\S+|[A-Z]+)(?: (\S+))?(?: |$)")
 
 
 class Command:
@@ -34,18 +34,19 @@ class Command:
         self.commands, self.options, self.positional = [], {}, None
         section = None
         for line in text.splitlines():
-            if line in ("Positionals:", "Options:", "Subcommands:"):
+            if re.fullmatch(r"[A-Z].*:", line):
                 section = line
-            elif not line.startswith("  "):
+            elif not line.startswith("  ") or section == "Example:":
                 section = None
-            elif section == "Subcommands:":
-                self.commands.append(line.split()[0])
+            elif section == "Commands:":
+                if not line.startswith("   "):
+                    self.commands.append(line.split()[0])
             elif section and (found := OPTION.match(line)):
                 names, kind = found.groups()
-                if section == "Positionals:":
+                if section == "Arguments:":
                     self.positional = (names, kind)
                 else:
-                    self.options.update((name, kind) for name in names.split(","))
+                    self.options.update((name, kind) for name in names.split(", "))
 
     @property
     def line(self):

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 
+#include "cli/text.h"
 #include "kinetri/io/points_file.h"
 
 namespace kinetri::app {
@@ -13,7 +12,7 @@ namespace kinetri::app {
 double number_argument(std::string_view option, std::string_view text) {
   const Parsed_number parsed = parse_number(text);
   if (!parsed.problem.empty()) {
-    throw Usage_error(fmt::format("{}: '{}' {}", option, text, parsed.problem));
+    throw Usage_error(concat({option, ": '", text, "' ", parsed.problem}));
   }
   return parsed.value;
 }
@@ -22,15 +21,15 @@ double positive_argument(std::string_view option, std::string_view text) {
   const double value = number_argument(option, text);
   if (value > 0) return value;
   throw Usage_error(
-      fmt::format("{}: {} cannot be used; expected a number greater than 0", option, text));
+      concat({option, ": ", text, " cannot be used; expected a number greater than 0"}));
 }
 
 double size_argument(std::string_view option, std::string_view text, double lowest, double highest,
                      bool zero_allowed) {
   const double value = number_argument(option, text);
   if ((value >= lowest && value <= highest) || (value == 0 && zero_allowed)) return value;
-  throw Usage_error(fmt::format("{}: {} is out of range; expected a number from {} to {}{}", option,
-                                text, lowest, highest, zero_allowed ? ", or 0" : ""));
+  throw Usage_error(concat({option, ": ", text, " is out of range; expected a number from ", lowest,
+                            " to ", highest, zero_allowed ? ", or 0" : ""}));
 }
 
 std::uint64_t count_argument(std::string_view option, std::string_view text,
@@ -39,8 +38,8 @@ std::uint64_t count_argument(std::string_view option, std::string_view text,
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || value > highest) {
-    throw Usage_error(fmt::format("{}: '{}' cannot be used; expected a whole number from 0 to {}",
-                                  option, text, highest));
+    throw Usage_error(concat(
+        {option, ": '", text, "' cannot be used; expected a whole number from 0 to ", highest}));
   }
   return value;
 }
@@ -50,9 +49,13 @@ std::size_t choice_argument(std::string_view option, std::string_view text,
   const auto found = std::find(choices.begin(), choices.end(), text);
   if (found == choices.end()) {
     throw Usage_error(
-        fmt::format("{}: '{}' is unknown; expected {}", option, text, alternatives(choices)));
+        concat({option, ": '", text, "' is unknown; expected ", alternatives(choices)}));
   }
   return static_cast<std::size_t>(found - choices.begin());
+}
+
+std::string alternatives(const std::vector<std::string>& choices) {
+  return alternatives(std::vector<std::string_view>(choices.begin(), choices.end()));
 }
 
 std::string alternatives(std::span<const std::string_view> choices) {

@@ -11,11 +11,19 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kinetri::app {
 
 /// The command line cannot be used. `what()` reads `OPTION: what is wrong; what was expected`.
 class Usage_error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A run cannot go on, or cannot begin, for a reason that lies in what the user has asked for.
+/// `what()` says it.
+class Run_error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
@@ -37,8 +45,11 @@ std::uint64_t count_argument(std::string_view option, std::string_view text, std
 std::size_t choice_argument(std::string_view option, std::string_view text,
                             std::span<const std::string_view> choices);
 
+/// @{
 /// "a, b or c".
 std::string alternatives(std::span<const std::string_view> choices);
+std::string alternatives(const std::vector<std::string>& choices);
+/// @}
 
 }  // namespace kinetri::app
 

@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How commands declare what they take on the command line. Compiled once: CLI11 is all in headers.
+// From the words of the command line to the command that they name. CLI11, which is all in headers,
+// is compiled for this alone.
 #ifndef KINETRI_APPS_COMMAND_LINE_H
 #define KINETRI_APPS_COMMAND_LINE_H
 
-#include <CLI/App.hpp>
-#include <optional>
 #include <string>
+
+#include "cli/command.h"
 
 namespace kinetri::app {
 
-/// A command of the program, or of a command.
-CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& help);
+/// What a command line asks for.
+struct Invocation {
+  enum class Request { run, help, version, nothing };
 
-/// An option, or a positional argument where `names` has no dashes, whose value is kept as it
-/// stands on the command line. `type` is what --help shows, and says what is completed
-/// (command_table.h).
-CLI::Option* add_option(CLI::App& command, const std::string& names, std::string& value,
-                        const std::string& type, const std::string& help);
-CLI::Option* add_option(CLI::App& command, const std::string& names,
-                        std::optional<std::string>& value, const std::string& type,
-                        const std::string& help);
+  const Command* command;  ///< the one that is named, or the program
+  std::string name;        ///< in full: `kinetri generate uniform`
+  Request request = Request::nothing;
+  std::string problem = {};  ///< why the command line cannot be used, if the request is nothing
+};
 
-/// An option without a value.
-CLI::Option* add_flag(CLI::App& command, const std::string& name, bool& value,
-                      const std::string& help);
+/// Reads a command line. The values of the options stand in their targets afterwards.
+Invocation parse(const Command& program, int argc, const char* const* argv);
 
 }  // namespace kinetri::app
 

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/completions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <ostream>
 #include <string>
 #include <string_view>
 
+#include "cli/text.h"
+
 namespace kinetri::app {
 namespace {
-
-std::string joined(const std::vector<std::string>& words) {
-  return fmt::format("{}", fmt::join(words, " "));
-}
 
 // The text with a backslash before each of the characters.
 std::string escaped(std::string_view text, std::string_view characters) {
@@ -39,26 +36,22 @@ std::string shell_quoted(std::string_view text) {
 
 // One word of fish's language.
 std::string fish_quoted(std::string_view text) {
-  return fmt::format("'{}'", escaped(text, R"(\')"));
+  return concat({"'", escaped(text, R"(\')"), "'"});
 }
 
-std::vector<std::string> last_words(const std::vector<std::string>& names) {
+std::vector<std::string> names_of_commands(const Command& command) {
   std::vector<std::string> result;
-  for (const std::string& name : names) result.push_back(last_word(name));
+  for (const Command& inner : command.commands) result.push_back(inner.name);
   return result;
-}
-
-const Command_entry& entry_named(const std::vector<Command_entry>& table, const std::string& name) {
-  return *std::ranges::find(table, name, &Command_entry::name);
 }
 
 // ---- bash ----
 
 // What completes a value: assignments to the script's variables.
-std::string bash_value(const Option_entry& option) {
+std::string bash_value(const Option& option) {
   switch (option.kind()) {
     case Value_kind::choice:
-      return "words=" + shell_quoted(joined(option.choices()));
+      return "words=" + shell_quoted(joined(option.choices(), " "));
     case Value_kind::file:
       return "files=default";
     case Value_kind::directory:
@@ -70,18 +63,18 @@ std::string bash_value(const Option_entry& option) {
   return ":";
 }
 
-void write_bash_command(std::ostream& out, const Command_entry& command) {
+void write_bash_command(std::ostream& out, const Command& command, const std::string& name) {
   std::vector<std::string> options;
-  std::string value = "words=" + shell_quoted(joined(last_words(command.commands)));
-  for (const Option_entry& option : command.options) {
-    if (option.positional) {
+  std::string value = "words=" + shell_quoted(joined(names_of_commands(command), " "));
+  for (const Option& option : command.options) {
+    if (option.positional()) {
       value = bash_value(option);
     } else {
       options.insert(options.end(), option.names.begin(), option.names.end());
     }
   }
-  out << "        " << shell_quoted(command.name)
-      << ")\n          if [[ $current == -* ]]; then words=" << shell_quoted(joined(options))
+  out << "        " << shell_quoted(name)
+      << ")\n          if [[ $current == -* ]]; then words=" << shell_quoted(joined(options, " "))
       << "; else " << value << "; fi ;;\n";
 }
 
@@ -94,10 +87,10 @@ std::string zsh_function(const std::string& name) {
 }
 
 // What completes a value: the last part of a specification of _arguments.
-std::string zsh_value(const Option_entry& option) {
+std::string zsh_value(const Option& option) {
   switch (option.kind()) {
     case Value_kind::choice:
-      return fmt::format("({})", joined(option.choices()));
+      return concat({"(", joined(option.choices(), " "), ")"});
     case Value_kind::file:
       return "_files";
     case Value_kind::directory:
@@ -110,26 +103,27 @@ std::string zsh_value(const Option_entry& option) {
 }
 
 // The specifications of one option for _arguments, one for each of its names.
-std::vector<std::string> zsh_specifications(const Option_entry& option) {
+std::vector<std::string> zsh_specifications(const Option& option) {
   std::string value;
   if (option.kind() != Value_kind::none) {
-    value = fmt::format(":{}:{}", escaped(option.type, ":\\"), zsh_value(option));
+    value = concat({":", escaped(option.type, ":\\"), ":", zsh_value(option)});
   }
-  if (option.positional) return {fmt::format("1{}", value)};
+  if (option.positional()) return {"1" + value};
   std::vector<std::string> result;
   for (const std::string& name : option.names) {
-    result.push_back(fmt::format("({}){}{}[{}]{}", joined(option.names), name,
-                                 value.empty() ? "" : "=", escaped(option.help, "[]:\\"), value));
+    // A long name takes its value after `=` or in the next word, a short one also directly.
+    const std::string_view separator = value.empty() ? "" : name.starts_with("--") ? "=" : "+";
+    result.push_back(concat({"(", joined(option.names, " "), ")", name, separator, "[",
+                             escaped(option.help, "[]:\\"), "]", value}));
   }
   return result;
 }
 
-void write_zsh_function(std::ostream& out, const std::vector<Command_entry>& table,
-                        const Command_entry& command) {
-  out << zsh_function(command.name) << "() {\n";
+void write_zsh_function(std::ostream& out, const Command& command, const std::string& name) {
+  out << zsh_function(name) << "() {\n";
   if (!command.commands.empty()) out << "  local context line state state_descr\n";
   out << "  _arguments -S" << (command.commands.empty() ? "" : " -C");
-  for (const Option_entry& option : command.options) {
+  for (const Option& option : command.options) {
     for (const std::string& text : zsh_specifications(option))
       out << " \\\n    " << shell_quoted(text);
   }
@@ -138,27 +132,25 @@ void write_zsh_function(std::ostream& out, const std::vector<Command_entry>& tab
     return;
   }
   std::string commands;
-  for (const std::string& name : command.commands) {
-    commands += fmt::format(" {}\\:{}", last_word(name),
-                            shell_quoted(escaped(entry_named(table, name).help, ":\\")));
+  for (const Command& inner : command.commands) {
+    commands += concat({" ", inner.name, "\\:", shell_quoted(escaped(inner.summary, ":\\"))});
   }
-  out << " \\\n    " << shell_quoted(fmt::format("1:command:(({}))", commands))
+  out << " \\\n    " << shell_quoted(concat({"1:command:((", commands, "))"}))
       << " \\\n    '*::argument:->arguments'\n"
          "  [[ $state == arguments ]] || return\n"
          "  case $words[1] in\n";
-  for (const std::string& name : command.commands) {
-    out << "    " << last_word(name) << ") " << zsh_function(name) << " ;;\n";
+  for (const Command& inner : command.commands) {
+    out << "    " << inner.name << ") " << zsh_function(name + " " + inner.name) << " ;;\n";
   }
   out << "  esac\n}\n\n";
 }
 
 // ---- fish ----
 
-void write_fish_option(std::ostream& out, const std::string& condition,
-                       const Option_entry& option) {
+void write_fish_option(std::ostream& out, const std::string& condition, const Option& option) {
   out << "complete -c kinetri -n " << condition;
   for (const std::string& name : option.names) {
-    if (option.positional) break;
+    if (option.positional()) break;
     const bool is_long = name.starts_with("--");
     out << (is_long ? " -l " : " -s ") << name.substr(is_long ? 2 : 1);
   }
@@ -166,10 +158,10 @@ void write_fish_option(std::ostream& out, const std::string& condition,
     case Value_kind::none:
       break;
     case Value_kind::choice:
-      out << " -x -a " << fish_quoted(joined(option.choices()));
+      out << " -x -a " << fish_quoted(joined(option.choices(), " "));
       break;
     case Value_kind::file:
-      out << (option.positional ? " -F" : " -r -F");
+      out << (option.positional() ? " -F" : " -r -F");
       break;
     case Value_kind::directory:
       out << " -x -a '(__fish_complete_directories)'";
@@ -183,7 +175,8 @@ void write_fish_option(std::ostream& out, const std::string& condition,
 
 }  // namespace
 
-void write_bash_completion(std::ostream& out, const std::vector<Command_entry>& table) {
+void write_bash_completion(std::ostream& out, const Command& program) {
+  const std::vector<Named_command> table = all_commands(program);
   out << R"(# Completion for kinetri in bash, made by `kinetri completion bash`.
 _kinetri() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
@@ -197,23 +190,22 @@ _kinetri() {
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case "$command $word" in
 )";
-  for (const Command_entry& command : table) {
-    for (const std::string& name : command.commands) {
-      out << "      " << shell_quoted(name) << ") command+=\" $word\" ;;\n";
+  for (const auto& [name, command] : table) {
+    for (const std::string& inner : names_of_commands(*command)) {
+      out << "      " << shell_quoted(name + " " + inner) << ") command+=\" $word\" ;;\n";
     }
   }
   out << "    esac\n  done\n  case \"$command $previous\" in\n";
-  for (const Command_entry& command : table) {
-    for (const Option_entry& option : command.options) {
-      if (option.positional || option.kind() == Value_kind::none) continue;
-      for (const std::string& name : option.names) {
-        out << "    " << shell_quoted(command.name + " " + name) << ") " << bash_value(option)
-            << " ;;\n";
+  for (const auto& [name, command] : table) {
+    for (const Option& option : command->options) {
+      if (option.positional() || option.kind() == Value_kind::none) continue;
+      for (const std::string& word : option.names) {
+        out << "    " << shell_quoted(name + " " + word) << ") " << bash_value(option) << " ;;\n";
       }
     }
   }
   out << "    *)\n      case $command in\n";
-  for (const Command_entry& command : table) write_bash_command(out, command);
+  for (const auto& [name, command] : table) write_bash_command(out, *command, name);
   out << R"(      esac ;;
   esac
   COMPREPLY=()
@@ -228,9 +220,10 @@ complete -F _kinetri kinetri
 )";
 }
 
-void write_zsh_completion(std::ostream& out, const std::vector<Command_entry>& table) {
+void write_zsh_completion(std::ostream& out, const Command& program) {
+  const std::vector<Named_command> table = all_commands(program);
   out << "#compdef kinetri\n# Completion for kinetri in zsh, made by `kinetri completion zsh`.\n\n";
-  for (const Command_entry& command : table) write_zsh_function(out, table, command);
+  for (const auto& [name, command] : table) write_zsh_function(out, *command, name);
   out << R"(# Loaded from $fpath this is the function itself, at its first call; else it is being sourced.
 if [[ $funcstack[1] == _kinetri ]]; then
   _kinetri "$@"
@@ -240,7 +233,8 @@ fi
 )";
 }
 
-void write_fish_completion(std::ostream& out, const std::vector<Command_entry>& table) {
+void write_fish_completion(std::ostream& out, const Command& program) {
+  const std::vector<Named_command> table = all_commands(program);
   out << R"(# Completion for kinetri in fish, made by `kinetri completion fish`.
 
 # Whether the command line has got to the command that is named.
@@ -249,8 +243,10 @@ function __kinetri_is_at
   for word in (commandline -opc)[2..]
     switch "$command $word"
       case)";
-  for (const Command_entry& command : table) {
-    for (const std::string& name : command.commands) out << " " << fish_quoted(name);
+  for (const auto& [name, command] : table) {
+    for (const std::string& inner : names_of_commands(*command)) {
+      out << " " << fish_quoted(name + " " + inner);
+    }
   }
   out << R"(
         set command "$command $word"
@@ -261,15 +257,13 @@ end
 
 complete -c kinetri -f
 )";
-  for (const Command_entry& command : table) {
-    const std::string condition = fish_quoted(fmt::format("__kinetri_is_at {}", command.name));
-    for (const std::string& name : command.commands) {
-      out << "complete -c kinetri -n " << condition << " -a " << last_word(name) << " -d "
-          << fish_quoted(entry_named(table, name).help) << "\n";
+  for (const auto& [name, command] : table) {
+    const std::string condition = fish_quoted("__kinetri_is_at " + name);
+    for (const Command& inner : command->commands) {
+      out << "complete -c kinetri -n " << condition << " -a " << inner.name << " -d "
+          << fish_quoted(inner.summary) << "\n";
     }
-    for (const Option_entry& option : command.options) {
-      write_fish_option(out, condition, option);
-    }
+    for (const Option& option : command->options) write_fish_option(out, condition, option);
   }
 }
 

@@ -5,21 +5,20 @@
 #ifndef KINETRI_APPS_COMPLETIONS_H
 #define KINETRI_APPS_COMPLETIONS_H
 
-#include <ostream>
-#include <vector>
+#include <iosfwd>
 
-#include "cli/command_table.h"
+#include "cli/command.h"
 
 namespace kinetri::app {
 
 /// For bash 4 or newer; needs nothing of the package bash-completion.
-void write_bash_completion(std::ostream& out, const std::vector<Command_entry>& table);
+void write_bash_completion(std::ostream& out, const Command& program);
 
 /// For zsh: works as a file `_kinetri` in $fpath and, after compinit, sourced.
-void write_zsh_completion(std::ostream& out, const std::vector<Command_entry>& table);
+void write_zsh_completion(std::ostream& out, const Command& program);
 
 /// For fish 3 or newer.
-void write_fish_completion(std::ostream& out, const std::vector<Command_entry>& table);
+void write_fish_completion(std::ostream& out, const Command& program);
 
 }  // namespace kinetri::app
 

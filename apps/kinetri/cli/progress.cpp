@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/progress.h"
 
-#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
+
+#include "cli/terminal.h"
+#include "cli/text.h"
 
 namespace kinetri::app {
 namespace {
@@ -16,7 +17,7 @@ constexpr const char* erase_line = "\r\x1b[K";
 
 bool is_enabled(Progress_mode mode) {
   return mode == Progress_mode::always ||
-         (mode == Progress_mode::automatic && ::isatty(STDERR_FILENO) == 1);
+         (mode == Progress_mode::automatic && is_terminal(Stream::error));
 }
 
 // The columns of the terminal; 0 if standard error is none.
@@ -31,9 +32,12 @@ std::string readable_duration(double seconds) {
   constexpr double longest = 1e9;
   if (!(seconds < longest)) return "very long";
   const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+  const auto two_digits = [](std::int64_t number) {
+    return concat({number < 10 ? "0" : "", number});
+  };
+  if (whole < 60) return concat({whole, " s"});
+  if (whole < 3600) return concat({whole / 60, " min ", two_digits(whole % 60), " s"});
+  return concat({whole / 3600, " h ", two_digits(whole / 60 % 60), " min"});
 }
 
 std::string progress_text(double from, double until, double time, std::uint64_t events,
@@ -41,12 +45,13 @@ std::string progress_text(double from, double until, double time, std::uint64_t 
   // Halved, so that no difference of finite numbers overflows.
   const double span = until / 2 - from / 2;
   const double share = span > 0 ? (time / 2 - from / 2) / span : 1;
-  std::string text = fmt::format("{:3.0f} %, t = {:.6g} of {:g}, {} events, {:.0f} events/s",
-                                 std::floor(100 * share), time, until, events,
-                                 seconds > 0 ? static_cast<double>(events) / seconds : 0);
+  const double rate = seconds > 0 ? static_cast<double>(events) / seconds : 0;
+  std::string text = concat({right_aligned(fixed(std::floor(100 * share), 0), 3),
+                             " %, t = ", significant(time, 6), " of ", significant(until, 6), ", ",
+                             counted(events, "event"), ", ", fixed(rate, 0), " events/s"});
   constexpr double settled = 1;  // what came before says nothing about the rate
   if (share > 0 && seconds >= settled) {
-    text += ", " + readable_duration(seconds * (1 - share) / share) + " left";
+    text += concat({", ", readable_duration(seconds * (1 - share) / share), " left"});
   }
   return text;
 }
@@ -65,7 +70,7 @@ bool Progress::due() const {
 void Progress::show_stage(std::string_view stage) {
   start_ = Clock::now();
   next_ = start_ + period;
-  show_line(fmt::format("{} ...", stage));
+  show_line(concat({stage, " ..."}));
 }
 
 void Progress::show(double time, std::uint64_t events) {
@@ -81,15 +86,13 @@ void Progress::show_line(std::string text) {
   if (const std::size_t width = terminal_width(); width > 1 && text.size() >= width) {
     text.resize(width - 1);
   }
-  fmt::print(stderr, "{}{}", erase_line, text);
-  std::fflush(stderr);
+  print_error(erase_line + text);
   shown_ = true;
 }
 
 void Progress::clear() {
   if (!shown_) return;
-  std::fputs(erase_line, stderr);
-  std::fflush(stderr);
+  print_error(erase_line);
   shown_ = false;
 }
 

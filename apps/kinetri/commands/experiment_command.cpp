@@ -1,125 +1,156 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/experiment_command.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
+#include <memory>
 #include <string_view>
 
 #include "cli/arguments.h"
-#include "cli/command_line.h"
+#include "commands/commands.h"
+#include "commands/run_options.h"
 #include "kinetri/simulation/scenarios.h"
 #include "outputs/gnuplot.h"
+#include "runs/experiment_run.h"
+#include "runs/simulation_run.h"
+#include "sources/generated_source.h"
 
 namespace kinetri::app {
 namespace {
 
-constexpr std::uint64_t most_points = 1'000'000;
+constexpr std::uint64_t most_experiment_points = 1'000'000;
 constexpr std::uint64_t most_seeds = 1000;
 
-}  // namespace
+// The options' values as they stand on the command line.
+struct Experiment_options {
+  std::optional<std::string> output;
+  std::string points = "100";
+  std::string seeds = "5";
+  std::string until = "10";
+  std::string speed = "5";
+  std::string radius = "0.5";
+  std::optional<std::string> side;
+  std::string collisions = "swap";
+  bool compare = false;
+  bool no_plots = false;
+  std::optional<std::string> single;
+  std::string seed = "1";
+  Run_options run;
+};
 
-Experiment_command::Experiment_command(CLI::App& program)
-    : command_(add_command(program, "experiment",
-                           "Measure run time and events against the share of points that move")) {
-  const auto add = [this](const char* option, auto& value, const char* type, const char* help) {
-    return add_option(*command_, option, value, type, help);
-  };
-  const std::initializer_list<CLI::Option*> for_all_runs = {
-      add("--output", output_, "DIR",
-          "Write tables and plots into this directory, made if need be; needed but for --single"),
-      add("--seeds", seeds_, "K", "Repeat with K sets of random points (default 5)"),
-      add_flag(*command_, "--compare", compare_,
-               "Compare with the discrete approach too, which removes and reinserts "
-               "points at time steps"),
-      add_flag(*command_, "--no-plots", no_plots_, "Only tables, for which gnuplot is not needed")};
-  add("--points", points_, "N", "Number of points (default 100)");
-  add("--until", until_, "T", "Length of each run (default 10)");
-  add("--speed", speed_, "V", "Largest velocity component (default 5)");
-  add("--radius", radius_, "R", "Radius of the discs (default 0.5)");
-  add("--side", side_, "L", "Side of the box (default 10 sqrt(N))");
-  add("--collisions", collisions_, "log|swap|elastic|stop|remove",
-      "What discs do that touch (default swap)");
-  CLI::Option* const single =
-      add("--single", single_, "P", "Instead of all, one run in which P % of the points move");
-  for (CLI::Option* const option : for_all_runs) option->excludes(single);
-  add("--seed", seed_, "S", "Which set of random points that is (default 1)")->needs(single);
-  for (CLI::Option* const option : run_options_.add_to(*command_)) option->needs(single);
-  command_->footer(
-      "The defaults are those of the paper: 100 discs of diameter 1 in a box of 100 x 100, of "
-      "which\n"
-      "0 %, 10 %, ..., 100 % move, for 10 units of time.\n\n"
-      "Written: experiment.csv (a row for each run), runtime.svg and .png, events.svg and .png;\n"
-      "with --compare also comparison.csv, comparison.svg and .png.\n\n"
-      "Example:\n"
-      "  kinetri experiment --output results --compare\n"
-      "  kinetri experiment --single 50 --seed 3 --html run.html");
+double experiment_size(std::string_view option, const std::string& text) {
+  return size_argument(option, text, smallest_scenario_size, largest_scenario_size, false);
 }
 
-Exit_code Experiment_command::run() const {
-  if (!single_) return run_experiments(plan());
-  Generated_source source(single_run());
-  return run_simulation(run_options_.settings(), source);
-}
-
-Experiment_setting Experiment_command::setting() const {
-  Experiment_setting result;
-  result.points = count_argument("--points", points_, most_points);
-  if (result.points == 0) {
-    throw Usage_error("--points: 0 points do nothing; expected a number from 1 to 1000000");
-  }
-  const auto size = [](std::string_view option, const std::string& text) {
-    return size_argument(option, text, smallest_scenario_size, largest_scenario_size, false);
-  };
-  result.duration = size("--until", until_);
-  result.speed = size("--speed", speed_);
-  result.diameter = 2 * size("--radius", radius_);
-  result.side = side_ ? size("--side", *side_) : 10 * std::sqrt(static_cast<double>(result.points));
-  result.response = response().response;
-  return result;
-}
-
-const Named_response& Experiment_command::response() const {
+const Named_response& response(const Experiment_options& options) {
   std::array<std::string_view, named_responses.size() - 1> names;
   std::ranges::transform(named_responses.begin() + 1, named_responses.end(), names.begin(),
                          &Named_response::name);
-  return named_responses[1 + choice_argument("--collisions", collisions_, names)];
+  return named_responses[1 + choice_argument("--collisions", options.collisions, names)];
 }
 
-Experiment_plan Experiment_command::plan() const {
-  if (!output_) {
-    throw Usage_error("--output: there is none; expected a directory for the tables, or --single");
+Experiment_run experiment_run(const Experiment_options& options) {
+  Experiment_run result;
+  result.points = count_argument("--points", options.points, most_experiment_points);
+  if (result.points == 0) {
+    throw Usage_error("--points: 0 points do nothing; expected a number from 1 to 1000000");
   }
-  Experiment_plan result;
-  result.directory = *output_;
-  result.setting = setting();
-  result.seeds = count_argument("--seeds", seeds_, most_seeds);
-  if (result.seeds == 0) throw Usage_error("--seeds: 0 runs show nothing; expected 1 or more");
-  result.compares = compare_;
-  result.plots = !no_plots_;
-  if (result.plots) require_gnuplot("--no-plots");
-  const Run_settings run_settings = run_options_.settings();
-  result.progress = run_settings.progress;
-  result.quiet = run_settings.quiet;
+  result.duration = experiment_size("--until", options.until);
+  result.speed = experiment_size("--speed", options.speed);
+  result.radius = experiment_size("--radius", options.radius);
+  result.side = options.side ? experiment_size("--side", *options.side)
+                             : 10 * std::sqrt(static_cast<double>(result.points));
+  result.collisions = response(options);
   return result;
 }
 
-Generated_run Experiment_command::single_run() const {
-  Experiment_setting setting = this->setting();
-  const std::uint64_t percentage = count_argument("--single", *single_, 100);
-  setting.movers = setting.points * static_cast<std::size_t>(percentage) / 100;
-  setting.seed = count_argument("--seed", seed_, std::numeric_limits<std::uint64_t>::max());
-  Generated_run result;
-  result.title = fmt::format("experiment: {} points, {} % moving, seed {}", setting.points,
-                             percentage, setting.seed);
-  result.motions = experiment_motions(setting);
-  result.options = experiment_options(setting);
-  result.response = response().name;
-  result.until = setting.duration;
+Experiment_run single_run(const Experiment_options& options) {
+  Experiment_run result = experiment_run(options);
+  result.percentage = count_argument("--single", *options.single, 100);
+  result.seed = count_argument("--seed", options.seed, std::numeric_limits<std::uint64_t>::max());
+  return result;
+}
+
+Experiment_plan experiment_plan(const Experiment_options& options) {
+  if (!options.output) {
+    throw Usage_error("--output: there is none; expected a directory for the tables, or --single");
+  }
+  Experiment_plan result;
+  result.directory = *options.output;
+  result.run = experiment_run(options);
+  result.seeds = count_argument("--seeds", options.seeds, most_seeds);
+  if (result.seeds == 0) throw Usage_error("--seeds: 0 runs show nothing; expected 1 or more");
+  result.compares = options.compare;
+  result.plots = !options.no_plots;
+  if (result.plots) require_gnuplot("--no-plots");
+  const Run_settings settings = run_settings(options.run);
+  result.progress = settings.progress;
+  result.quiet = settings.quiet;
+  return result;
+}
+
+void add_options_of_all_runs(Command& command, Experiment_options& options) {
+  const std::size_t first = command.options.size();
+  command.add("-o,--output", &options.output, "DIR",
+              "Write the tables and plots into this directory (needed without --single)");
+  command.add("--seeds", &options.seeds, "K", "Repeat with K sets of random points (default 5)");
+  command.add_flag("--compare", options.compare,
+                   "Compare with the discrete approach, which removes and reinserts the points at "
+                   "fixed time steps");
+  command.add_flag("--no-plots", options.no_plots, "Write tables only; gnuplot is not needed");
+  for (std::size_t i = first; i < command.options.size(); ++i) {
+    command.options[i].heading = "All runs";
+    command.options[i].excludes = "--single";
+  }
+}
+
+void add_options_of_single_run(Command& command, Experiment_options& options) {
+  command
+      .add("--single", &options.single, "P",
+           "Make only one run, in which P percent of the points move")
+      .heading = "One run";
+  const std::size_t first = command.options.size();
+  command.add("--seed", &options.seed, "S", "Number of the set of random points (default 1)")
+      .heading = "One run";
+  add_run_options(command, options.run);
+  for (std::size_t i = first; i < command.options.size(); ++i) {
+    Option& option = command.options[i];
+    if (option.name() != "--progress" && option.name() != "--quiet") option.needs = "--single";
+  }
+}
+
+}  // namespace
+
+Command experiment_command() {
+  const auto options = std::make_shared<Experiment_options>();
+  Command result;
+  result.name = "experiment";
+  result.summary = "Measure run time and number of events against the share of moving points";
+  result.add("--points", &options->points, "N", "Number of points (default 100)");
+  result.add("--until", &options->until, "T", "Length of each run (default 10)");
+  result.add("--speed", &options->speed, "V", "Largest component of a velocity (default 5)");
+  result.add("--radius", &options->radius, "R", "Radius of the discs (default 0.5)");
+  result.add("--side", &options->side, "L", "Side of the box (default 10 sqrt(N))");
+  result.add("--collisions", &options->collisions, "log|swap|elastic|stop|remove",
+             "What happens when two discs touch (default swap), see kinetri simulate");
+  add_options_of_all_runs(result, *options);
+  add_options_of_single_run(result, *options);
+  result.description = {
+      "The defaults are those of the paper: 100 discs of diameter 1 in a box of 100 x 100, of "
+      "which "
+      "0 %, 10 %, ..., 100 % move, for 10 units of time.",
+      "The directory of --output gets experiment.csv (a row for each run), runtime.svg and .png, "
+      "events.svg and .png, and with --compare comparison.csv, comparison.svg and .png. The "
+      "options "
+      "under \"Outputs\", --audit and --exact-only are for --single.",
+      "Exit codes: see kinetri simulate."};
+  result.examples = {"kinetri experiment --output results --compare",
+                     "kinetri experiment --single 50 --seed 3 --html run.html"};
+  result.run = [options](const Command& /*program*/) {
+    if (!options->single) return run_experiments(experiment_plan(*options));
+    const auto source = experiment_source(single_run(*options));
+    return run_simulation(run_settings(options->run), *source);
+  };
   return result;
 }
 

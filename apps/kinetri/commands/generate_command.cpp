@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/generate_command.h"
-
-#include <fmt/format.h>
-
 #include <array>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/command_line.h"
+#include "cli/text.h"
+#include "commands/commands.h"
 #include "io/output_file.h"
 #include "kinetri/io/points_file.h"
 #include "kinetri/simulation/scenarios.h"
@@ -17,31 +16,37 @@
 namespace kinetri::app {
 namespace {
 
-constexpr std::uint64_t most_points = 100'000'000;
+constexpr std::uint64_t most_generated_points = 100'000'000;
 constexpr double fastest_lattice = 0x1p53;
 
-std::string_view description(Scenario scenario) {
+// The options' values as they stand on the command line.
+struct Generate_options {
+  std::string points;
+  std::string seed = "1";
+  std::optional<std::string> side;
+  std::string speed = "5";
+  std::string spacing = "10";
+  std::string jitter = "0.1";
+  std::string movers = "all";
+  std::string output = "-";
+};
+
+std::string_view summary(Scenario scenario) {
   switch (scenario) {
     case Scenario::uniform:
-      return "random places in a square, random velocities";
+      return "Uniformly random positions in a square, random velocities";
     case Scenario::gaussian:
-      return "normally distributed places, random velocities";
+      return "Normally distributed positions, random velocities";
     case Scenario::constant_speed:
-      return "random places in a square, random directions, exactly one speed";
+      return "Random positions in a square, random directions, the same speed for all";
     case Scenario::one_mover:
-      return "random places in a square, all points but the first at rest";
+      return "Random positions in a square; only the first point moves";
     case Scenario::lattice:
-      return "an exact lattice, whole-numbered velocities: degenerate on purpose";
+      return "An exact lattice with integer velocities: many degenerate positions";
     case Scenario::lattice_jitter:
-      return "a lattice with small random offsets, random velocities";
+      return "A lattice with small random offsets, random velocities";
   }
   return "";
-}
-
-std::string example(Scenario scenario) {
-  const std::string_view options = scenario == Scenario::lattice ? " --movers one" : "";
-  return fmt::format("Example:\n  kinetri generate {} --points 100 --seed 1{} > points.csv",
-                     name(scenario), options);
 }
 
 template <std::size_t N, class Enumeration>
@@ -51,67 +56,83 @@ std::array<std::string_view, N> names(const std::array<Enumeration, N>& values) 
   return result;
 }
 
-double length(std::string_view option, const std::string& text, bool zero_allowed) {
+double scenario_size(std::string_view option, const std::string& text, bool zero_allowed) {
   return size_argument(option, text, smallest_scenario_size, largest_scenario_size, zero_allowed);
+}
+
+Exit_code generate(Scenario scenario, const Generate_options& given) {
+  Scenario_options options;
+  options.points = count_argument("--points", given.points, most_generated_points);
+  options.seed = count_argument("--seed", given.seed, std::numeric_limits<std::uint64_t>::max());
+  if (given.side) options.side = scenario_size("--side", *given.side, false);
+  options.speed = scenario_size("--speed", given.speed, true);
+  options.spacing = scenario_size("--spacing", given.spacing, false);
+  options.jitter = scenario_size("--jitter", given.jitter, true);
+  options.movers =
+      all_lattice_movers[choice_argument("--movers", given.movers, names(all_lattice_movers))];
+  if (scenario == Scenario::lattice && options.movers != Lattice_movers::none) {
+    options.speed = size_argument("--speed", given.speed, 1, fastest_lattice, false);
+  }
+
+  Output_file output(given.output);
+  write_points(output.stream(), make_scenario(scenario, options));
+  output.commit();
+  return Exit_code::done;
+}
+
+Command scenario_command(Scenario scenario) {
+  const auto options = std::make_shared<Generate_options>();
+  Command result;
+  result.name = name(scenario);
+  result.summary = summary(scenario);
+  result
+      .add("--points", &options->points, "N",
+           concat({"Number of points, from 0 to ", most_generated_points}))
+      .required = true;
+  result.add("--seed", &options->seed, "S",
+             "Seed of the random numbers, from 0 to 2^64 - 1 (default 1)");
+  if (scenario == Scenario::lattice || scenario == Scenario::lattice_jitter) {
+    result.add("--spacing", &options->spacing, "D",
+               "Distance of neighbors in the lattice (default 10)");
+  } else {
+    result.add("--side", &options->side, "L", "Side of the square (default 10 sqrt(N))");
+  }
+  const bool has_one_speed =
+      scenario == Scenario::constant_speed || scenario == Scenario::one_mover;
+  result.add("--speed", &options->speed, "V",
+             has_one_speed ? "Speed of the points that move (default 5)"
+                           : "Largest component of a velocity (default 5)");
+  if (scenario == Scenario::lattice_jitter) {
+    result.add("--jitter", &options->jitter, "D", "Largest offset of a coordinate (default 0.1)");
+  }
+  if (scenario == Scenario::lattice) {
+    result.add("--movers", &options->movers, "none|one|columns|all",
+               "Which points move (default all)");
+  }
+  result.add("-o,--output", &options->output, "FILE",
+             "Write the points here; - (default) is standard output");
+  const std::string_view more = scenario == Scenario::lattice ? " --movers one" : "";
+  result.examples = {
+      concat({"kinetri generate ", result.name, " --points 100 --seed 1", more, " > points.csv"})};
+  result.run = [options, scenario](const Command& /*program*/) {
+    return generate(scenario, *options);
+  };
+  return result;
 }
 
 }  // namespace
 
-Generate_command::Generate_command(CLI::App& program)
-    : command_(add_command(program, "generate", "Write moving points to simulate")) {
-  command_->require_subcommand(1);
-  command_->footer(
-      "Each scenario has its own options: see kinetri generate uniform --help.\n\n"
-      "Example:\n  kinetri generate uniform --points 100 --seed 1 > points.csv");
+Command generate_command() {
+  Command result;
+  result.name = "generate";
+  result.summary = "Write random or regular moving points, to try things out with";
+  result.description = {
+      "Each scenario has options of its own: see kinetri help generate uniform, for example."};
+  result.examples = {"kinetri generate uniform --points 100 --seed 1 > points.csv"};
   for (const Scenario scenario : all_scenarios) {
-    CLI::App& app =
-        *add_command(*command_, std::string(name(scenario)), std::string(description(scenario)));
-    app.footer(example(scenario));
-    const auto add = [&app](const char* option, auto& value, const char* type,
-                            const std::string& help) {
-      return add_option(app, option, value, type, help);
-    };
-    add("--points", points_, "N", fmt::format("Number of points, from 0 to {}", most_points))
-        ->required();
-    add("--seed", seed_, "S", "Start of the random numbers, from 0 to 2^64 - 1 (default 1)");
-    const bool lattice = scenario == Scenario::lattice || scenario == Scenario::lattice_jitter;
-    if (lattice) {
-      add("--spacing", spacing_, "D", "Distance of neighbors in the lattice (default 10)");
-    } else {
-      add("--side", side_, "L", "Side of the square (default 10 sqrt(N))");
-    }
-    add("--speed", speed_, "V", "Largest velocity component, or the speed (default 5)");
-    if (scenario == Scenario::lattice_jitter) {
-      add("--jitter", jitter_, "D", "Largest offset of a coordinate (default 0.1)");
-    }
-    if (scenario == Scenario::lattice) {
-      add("--movers", movers_, "none|one|columns|all", "Which points move (default all)");
-    }
-    add("--output", output_, "FILE", "Where to write; - is standard output (default)");
+    result.commands.push_back(scenario_command(scenario));
   }
-}
-
-Exit_code Generate_command::run() const {
-  const std::string scenario_name = command_->get_subcommands().front()->get_name();
-  const Scenario scenario =
-      all_scenarios[choice_argument("generate", scenario_name, names(all_scenarios))];
-  Scenario_options options;
-  options.points = count_argument("--points", points_, most_points);
-  options.seed = count_argument("--seed", seed_, std::numeric_limits<std::uint64_t>::max());
-  if (side_) options.side = length("--side", *side_, false);
-  options.speed = length("--speed", speed_, true);
-  options.spacing = length("--spacing", spacing_, false);
-  options.jitter = length("--jitter", jitter_, true);
-  options.movers =
-      all_lattice_movers[choice_argument("--movers", movers_, names(all_lattice_movers))];
-  if (scenario == Scenario::lattice && options.movers != Lattice_movers::none) {
-    options.speed = size_argument("--speed", speed_, 1, fastest_lattice, false);
-  }
-
-  Output_file output(output_);
-  write_points(output.stream(), make_scenario(scenario, options));
-  output.commit();
-  return Exit_code::done;
+  return result;
 }
 
 }  // namespace kinetri::app

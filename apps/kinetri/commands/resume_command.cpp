@@ -1,38 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/resume_command.h"
+#include <memory>
 
 #include "cli/arguments.h"
-#include "cli/command_line.h"
+#include "commands/commands.h"
+#include "commands/run_options.h"
+#include "runs/simulation_run.h"
 #include "sources/checkpoint_source.h"
 
 namespace kinetri::app {
+namespace {
 
-Resume_command::Resume_command(CLI::App& program)
-    : command_(add_command(program, "resume", "Go on with a run from its checkpoint")) {
-  const auto add = [this](const char* option, auto& value, const char* type, const char* help) {
-    return add_option(*command_, option, value, type, help);
+// The options' values as they stand on the command line.
+struct Resume_options {
+  std::string checkpoint;
+  std::string until;
+  Run_options run;
+};
+
+}  // namespace
+
+Command resume_command() {
+  const auto options = std::make_shared<Resume_options>();
+  Command result;
+  result.name = "resume";
+  result.summary = "Continue a run from a checkpoint";
+  result
+      .add("CHECKPOINT", &options->checkpoint, "FILE",
+           "A file that --checkpoint has written; - is standard input")
+      .required = true;
+  result.add("--until", &options->until, "T", "Run to this time, events at this time included")
+      .required = true;
+  add_run_options(result, options->run, {Output::checkpoint});
+  result.description = {
+      "The run continues as if it had never stopped: the event log of the first part and that of "
+      "this one together are the log of one long run, byte for byte, and events keep counting. "
+      "Box, "
+      "discs and collisions are those of the checkpoint. Counts in --stats include the first part.",
+      "Exit codes: see kinetri simulate."};
+  result.examples = {"kinetri resume run.kinetri --until 20 --events more.csv --edges edges.csv",
+                     "kinetri resume run.kinetri --until 20 --checkpoint later.kinetri"};
+  result.run = [options](const Command& /*program*/) {
+    const auto source =
+        checkpoint_source(options->checkpoint, number_argument("--until", options->until));
+    return run_simulation(run_settings(options->run), *source);
   };
-  add("CHECKPOINT", checkpoint_, "FILE",
-      "What kinetri simulate --checkpoint has written; - is standard input")
-      ->required();
-  add("--until", until_, "T", "Execute every event at or before this time")->required();
-  run_options_.add_to(*command_);
-  run_options_.add_checkpoint_to(*command_);
-  command_->footer(
-      "The run goes on as if it had not been broken off: the events are the same, byte for byte, "
-      "and\n"
-      "so are their numbers. Box, discs and collisions are those of the checkpoint; so are the "
-      "counts\n"
-      "that go into --stats.\n\n"
-      "Exit codes: as those of kinetri simulate.\n\n"
-      "Example:\n"
-      "  kinetri resume run.kinetri --until 20 --events more.csv --edges edges.csv\n"
-      "  kinetri resume run.kinetri --until 20 --checkpoint later.kinetri");
-}
-
-Exit_code Resume_command::run() const {
-  Checkpoint_source source(checkpoint_, number_argument("--until", until_));
-  return run_simulation(run_options_.settings(), source);
+  return result;
 }
 
 }  // namespace kinetri::app

@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/simulate_command.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string_view>
 
 #include "cli/arguments.h"
-#include "cli/command_line.h"
+#include "cli/text.h"
+#include "commands/commands.h"
+#include "commands/run_options.h"
+#include "runs/simulation_run.h"
+#include "sources/points_source.h"
 
 namespace kinetri::app {
 namespace {
+
+// The options' values as they stand on the command line.
+struct Simulate_options {
+  std::string points;
+  std::string from = "0";
+  std::string until;
+  std::optional<std::string> box;
+  bool rim = false;
+  std::string collisions = "none";
+  std::optional<std::string> radius;
+  Run_options run;
+};
 
 Box_2 box_argument(const std::string& text) {
   std::array<double, 4> sides = {};
@@ -23,79 +36,89 @@ Box_2 box_argument(const std::string& text) {
     start = comma + 1;
   }
   if (number != sides.size()) {
-    throw Usage_error(fmt::format("--box: '{}' has {} numbers; expected four, XMIN,YMIN,XMAX,YMAX",
-                                  text, number));
+    throw Usage_error(concat(
+        {"--box: '", text, "' has ", number, " numbers; expected four, XMIN,YMIN,XMAX,YMAX"}));
   }
   const auto& [xmin, ymin, xmax, ymax] = sides;
   if (xmin < xmax && ymin < ymax) return {xmin, ymin, xmax, ymax};
   throw Usage_error(
-      fmt::format("--box: '{}' has no area; expected XMIN,YMIN,XMAX,YMAX with XMIN < XMAX and "
-                  "YMIN < YMAX",
-                  text));
+      concat({"--box: '", text,
+              "' has no area; expected XMIN,YMIN,XMAX,YMAX with XMIN < XMAX and YMIN < YMAX"}));
 }
 
-}  // namespace
-
-Simulate_command::Simulate_command(CLI::App& program)
-    : command_(
-          add_command(program, "simulate",
-                      "Keep the Delaunay triangulation of moving points, and log its events")) {
-  const auto add = [this](const char* option, auto& value, const char* type, const char* help) {
-    return add_option(*command_, option, value, type, help);
-  };
-  add("POINTS", points_, "FILE", "The moving points, at time 0; - is standard input")->required();
-  add("--until", until_, "T", "Execute every event at or before this time")->required();
-  add("--from", from_, "T", "Start just after this time (default 0)");
-  add("--box", box_, "XMIN,YMIN,XMAX,YMAX",
-      "Reflect points at the sides of this box, in which all start");
-  add_flag(*command_, "--rim", rim_, "What touches the box is the rim of a disc, not its centre");
-  add("--collisions", collisions_, "none|log|swap|elastic|stop|remove",
-      "What discs do that touch: nothing (default); be logged; exchange velocities; collide "
-      "elastically; stop, both; vanish, both");
-  add("--radius", radius_, "R", "Radius of all discs, for points without a column radius");
-  run_options_.add_to(*command_);
-  run_options_.add_checkpoint_to(*command_);
-  command_->footer(
-      "The file POINTS has a header line x,y,vx,vy, and one point a line. Further columns may be\n"
-      "radius, with all radii equal; ax,ay, accelerations; jx,jy, their derivatives. Interrupted, "
-      "the command stops at the next event and writes what it "
-      "has.\n\n"
-      "Exit codes: 0 done; 1 an audit failed; 2 bad usage or input; 3 an internal check failed;\n"
-      "130 interrupted.\n\n"
-      "Example:\n"
-      "  kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv --audit end\n"
-      "  kinetri simulate points.csv --until 10 --box 0,0,100,100 --collisions elastic --radius 1\n"
-      "  kinetri simulate points.csv --until 10 --html run.html\n"
-      "  kinetri simulate points.csv --until 10 --checkpoint run.kinetri");
-}
-
-Exit_code Simulate_command::run() const {
-  Points_source source(settings());
-  return run_simulation(run_options_.settings(), source);
-}
-
-Points_settings Simulate_command::settings() const {
+Points_settings points_settings(const Simulate_options& options) {
   Points_settings result;
-  result.points = points_;
-  result.from = number_argument("--from", from_);
-  result.until = number_argument("--until", until_);
+  result.points = options.points;
+  result.from = number_argument("--from", options.from);
+  result.until = number_argument("--until", options.until);
   if (result.until < result.from) {
-    throw Usage_error(fmt::format(
-        "--until: {} is before the start; expected at least {}, which is --from", until_, from_));
+    throw Usage_error(
+        concat({"--until: ", options.until, " is before the start; expected at least ",
+                options.from, ", which is --from"}));
   }
-  if (box_) result.box = box_argument(*box_);
-  result.rim_touches = rim_;
-  if (rim_ && !box_) throw Usage_error("--rim: there is no box to touch; expected --box as well");
+  if (options.box) result.box = box_argument(*options.box);
+  result.rim_touches = options.rim;
+  if (options.rim && !options.box) {
+    throw Usage_error("--rim: there is no box to touch; expected --box as well");
+  }
   std::array<std::string_view, named_responses.size()> responses;
   std::ranges::transform(named_responses, responses.begin(), &Named_response::name);
-  result.collisions = named_responses[choice_argument("--collisions", collisions_, responses)];
-  if (radius_) {
-    result.radius = positive_argument("--radius", *radius_);
-    if (result.collisions.response == nullptr && !rim_) {
+  result.collisions =
+      named_responses[choice_argument("--collisions", options.collisions, responses)];
+  if (options.radius) {
+    result.radius = positive_argument("--radius", *options.radius);
+    if (result.collisions.response == nullptr && !options.rim) {
       throw Usage_error(
           "--radius: nothing touches a disc; expected --collisions or --rim as well, or no radius");
     }
   }
+  return result;
+}
+
+}  // namespace
+
+Command simulate_command() {
+  const auto options = std::make_shared<Simulate_options>();
+  Command result;
+  result.name = "simulate";
+  result.summary = "Keep the Delaunay triangulation of moving points, and log its events";
+  result
+      .add("POINTS", &options->points, "FILE",
+           "The moving points, one a line, as CSV; - is standard input")
+      .required = true;
+  result.add("--until", &options->until, "T", "Run to this time, events at this time included")
+      .required = true;
+  result.add("--from", &options->from, "T",
+             "Start just after this time (default 0, the time of the positions in POINTS)");
+  result.add("--box", &options->box, "XMIN,YMIN,XMAX,YMAX",
+             "Keep the points in this box: its sides reflect them. All points start inside");
+  result.add_flag("--rim", options->rim,
+                  "Discs are reflected when their rim touches the box, not their centre");
+  result.add("--collisions", &options->collisions, "none|log|swap|elastic|stop|remove",
+             "What happens when two discs touch: none (default), nothing; log, a row in the event "
+             "log; swap, they exchange velocities; elastic, they collide elastically; stop, both "
+             "stop; remove, both vanish");
+  result.add("--radius", &options->radius, "R",
+             "Radius of all discs, if POINTS has no column radius");
+  add_run_options(result, options->run, {Output::checkpoint});
+  result.description = {
+      "The first line of POINTS names its columns: x,y,vx,vy (position at time 0, and velocity), "
+      "and optionally radius (the same for all points), ax,ay (acceleration) and jx,jy (jerk, the "
+      "rate of change of the acceleration). A column id has labels; other columns are ignored.",
+      "Ctrl-C stops the run after the current event, and the outputs hold what happened until "
+      "then.",
+      "Exit codes: 0 done; 1 an audit failed; 2 bad usage or bad input; 3 an internal check "
+      "failed; "
+      "130 interrupted."};
+  result.examples = {"kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv",
+                     "kinetri simulate points.csv --until 10 --html run.html",
+                     "kinetri simulate points.csv --until 10 --box 0,0,100,100 \\",
+                     "    --collisions elastic --radius 0.5 --events -",
+                     "kinetri simulate points.csv --until 10 --checkpoint run.kinetri"};
+  result.run = [options](const Command& /*program*/) {
+    const auto source = points_source(points_settings(*options));
+    return run_simulation(run_settings(options->run), *source);
+  };
   return result;
 }
 

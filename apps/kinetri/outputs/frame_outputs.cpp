@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs/frame_outputs.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
 #include "outputs/regular_times.h"
 
 namespace kinetri::app {
@@ -35,32 +35,31 @@ Box_2 extent_of(const Kinetic_delaunay_triangulation_2<Traits>& kinetic, double 
 }
 
 std::string frame_name(std::size_t number, const char* extension) {
-  return fmt::format("frame_{:06}.{}", number, extension);
+  const std::string digits = std::to_string(number);
+  const std::string zeros(digits.size() < 6 ? 6 - digits.size() : 0, '0');
+  return concat({"frame_", zeros, digits, ".", extension});
 }
 
 }  // namespace
 
 void Frame_outputs::start(const Run_source& source, const Any_simulation& simulation) {
   const double until = source.until();
-  std::visit(
-      [&](const auto& s) {
-        const double from = s->current_time().tight_interval().upper;
-        auto times = rate_ ? regular_times(from, until, rate_->per_time, most_frames)
-                           : evenly_spaced_times(from, until, usual_intervals);
-        if (!times) {
-          throw Usage_error(
-              fmt::format("{}: {} from t = {} to {} are more than {} frames; expected fewer",
-                          rate_->option, rate_->per_time, from, until, most_frames));
-        }
-        times_ = std::move(*times);
-        const std::optional<Box_2>& box = s->options().box;
-        const std::optional<Box_2> known = box ? box : source.extent();
-        view_.extent = known ? *known : extent_of(s->triangulation(), from, until);
-        view_.box = box;
-        view_.radius = s->options().radius;
-        view_.points = s->triangulation().number_of_points();
-      },
-      simulation);
+  simulation.visit([&](const auto& s) {
+    const double from = s.current_time().tight_interval().upper;
+    auto times = rate_ ? regular_times(from, until, rate_->per_time, most_frames)
+                       : evenly_spaced_times(from, until, usual_intervals);
+    if (!times) {
+      throw Usage_error(concat({rate_->option, ": ", rate_->per_time, " from t = ", from, " to ",
+                                until, " are more than ", most_frames, " frames; expected fewer"}));
+    }
+    times_ = std::move(*times);
+    const std::optional<Box_2>& box = s.options().box;
+    const std::optional<Box_2> known = box ? box : source.extent();
+    view_.extent = known ? *known : extent_of(s.triangulation(), from, until);
+    view_.box = box;
+    view_.radius = s.options().radius;
+    view_.points = s.triangulation().number_of_points();
+  });
 }
 
 std::optional<double> Frame_outputs::next_time() const {
@@ -69,8 +68,7 @@ std::optional<double> Frame_outputs::next_time() const {
 }
 
 void Frame_outputs::write(const Any_simulation& simulation) {
-  const Frame_2 frame =
-      std::visit([](const auto& s) { return frame_of(s->triangulation()); }, simulation);
+  const Frame_2 frame = simulation.visit([](const auto& s) { return frame_of(s.triangulation()); });
   if (svg_ != nullptr) {
     std::ostringstream picture;
     write_svg_frame(picture, frame, view_);

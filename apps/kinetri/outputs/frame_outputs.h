@@ -6,22 +6,17 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "io/output_directory.h"
 #include "kinetri/io/svg_frame.h"
 #include "kinetri/io/vtu_file.h"
+#include "runs/run_settings.h"
+#include "sources/any_simulation.h"
 #include "sources/run_source.h"
 
 namespace kinetri::app {
-
-/// How many frames there are.
-struct Frame_rate {
-  double per_time = 0;  ///< how many in a unit of time
-  std::string option;   ///< what asked for it, as messages name it
-};
 
 /// The frames: frame_000000.svg and so on in one directory, frame_000000.vtu and so on and
 /// frames.pvd in the other.

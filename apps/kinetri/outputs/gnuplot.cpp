@@ -2,7 +2,6 @@
 #include "outputs/gnuplot.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +13,7 @@
 #include <system_error>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
 #include "io/output_file.h"
 
 extern char** environ;
@@ -30,10 +30,9 @@ using File = std::unique_ptr<std::FILE, Closer>;
 File temporary_file() {
   File file(std::tmpfile());
   if (file) return file;
-  throw Output_error(fmt::format(
-      "/tmp: no temporary file can be made: {}; expected a directory in which files can "
-      "be created",
-      std::generic_category().message(errno)));
+  throw Output_error(
+      concat({"/tmp: no temporary file can be made: ", std::generic_category().message(errno),
+              "; expected a directory in which files can be created"}));
 }
 
 std::string content(std::FILE* file) {
@@ -79,7 +78,7 @@ Result run_gnuplot(const std::string& script, const char* option = nullptr) {
 }
 
 // Colors of M. Okabe and K. Ito, Color universal design, 2008.
-constexpr const char* style = R"(
+constexpr const char* plot_style = R"(
 set encoding utf8
 set style line 1 lc rgb '#0072b2' lw 2 pt 7 ps 0.7
 set style line 2 lc rgb '#d55e00' lw 2 pt 5 ps 0.7
@@ -95,12 +94,12 @@ set key outside right top vertical Left reverse samplen 3
 )";
 
 std::string drawn(const std::string& terminal, const std::string& script) {
-  const Result result = run_gnuplot("set terminal " + terminal + "\n" + style + script);
+  const Result result = run_gnuplot("set terminal " + terminal + "\n" + plot_style + script);
   if (!result.ran || result.status != 0 || result.out.empty()) {
     throw Output_error(
-        fmt::format("gnuplot: drawing failed; expected a gnuplot with the terminals svg and "
-                    "pngcairo (Debian: gnuplot-nox); it said: {}",
-                    result.err.substr(0, result.err.find_last_not_of('\n') + 1)));
+        concat({"gnuplot: drawing failed; expected a gnuplot with the terminals svg and pngcairo "
+                "(Debian: gnuplot-nox); it said: ",
+                result.err.substr(0, result.err.find_last_not_of('\n') + 1)}));
   }
   return result.out;
 }
@@ -111,22 +110,22 @@ void require_gnuplot(std::string_view otherwise) {
   const Result result = run_gnuplot("", "--version");
   if (result.ran && result.status == 0) return;
   throw Usage_error(
-      fmt::format("plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
-                  "gnuplot-nox), or {}",
-                  otherwise));
+      concat({"plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
+              "gnuplot-nox), or ",
+              otherwise}));
 }
 
 std::string draw_svg(const std::string& script, int width, int height) {
-  return drawn(fmt::format("svg size {},{} dynamic font 'sans-serif,14' background '#ffffff'",
-                           width, height),
+  return drawn(concat({"svg size ", width, ",", height,
+                       " dynamic font 'sans-serif,14' background '#ffffff'"}),
                script);
 }
 
 Plot draw(const std::string& script, int width, int height) {
   return {draw_svg(script, width, height),
-          drawn(fmt::format("pngcairo size {},{} font 'sans,14' background '#ffffff'", 2 * width,
-                            2 * height) +
-                    " fontscale 1.8 linewidth 2 pointscale 2",
+          drawn(concat({"pngcairo size ", 2 * width, ",", 2 * height,
+                        " font 'sans,14' background '#ffffff' fontscale 1.8 linewidth 2 "
+                        "pointscale 2"}),
                 script)};
 }
 

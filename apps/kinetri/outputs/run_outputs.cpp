@@ -1,44 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs/run_outputs.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
 
 namespace kinetri::app {
 
-Run_outputs::Run_outputs(const Run_settings& settings, const std::string& input_path) {
-  // First, as the temporary of a file would be found in a directory.
-  directories_.reserve(2);
-  frames = open_directory("--frames", settings.frames.svg);
-  vtu = open_directory("--vtu", settings.frames.vtu);
-  files_.reserve(9);
-  events = open("--events", settings.events);
-  initial_edges = open("--initial-edges", settings.initial_edges);
-  edges = open("--edges", settings.edges);
-  stats = open("--stats", settings.stats);
-  points = open("--ids", settings.points);
-  checkpoint = open("--checkpoint", settings.checkpoint);
-  html = open("--html", settings.html);
-  plot = open("--plot", settings.plot);
-  if (settings.closest > 0) closest = open("--closest", "-");
+Run_outputs::Run_outputs(const Output_paths& paths, const std::string& input_path) {
+  // Pointers to what is open must stay valid.
+  files_.reserve(number_of_outputs);
+  directories_.reserve(number_of_outputs);
+  // Directories first, as the temporary of a file would be found in a directory.
+  for (const bool opens_directories : {true, false}) {
+    for (const Output_row& row : output_table) {
+      const auto& path = paths[row.output];
+      if (path && row.is_directory() == opens_directories) open(row, *path);
+    }
+  }
   check_files(input_path);
   check_directories();
 }
 
-Output_file* Run_outputs::open(std::string_view option, const std::optional<std::string>& path) {
-  if (!path) return nullptr;
-  options_.push_back(option);
-  return &files_.emplace_back(*path);
-}
-
-Output_directory* Run_outputs::open_directory(std::string_view option,
-                                              const std::optional<std::string>& path) {
-  if (!path) return nullptr;
-  directory_options_.push_back(option);
-  return &directories_.emplace_back(*path);
+void Run_outputs::open(const Output_row& row, const std::string& path) {
+  const auto index = static_cast<std::size_t>(row.output);
+  if (row.is_directory()) {
+    directory_options_.push_back(row.option);
+    directories_of_[index] = &directories_.emplace_back(path);
+  } else {
+    options_.push_back(row.option);
+    files_of_[index] = &files_.emplace_back(path);
+  }
 }
 
 void Run_outputs::check_files(const std::string& input_path) const {
@@ -48,12 +41,12 @@ void Run_outputs::check_files(const std::string& input_path) const {
     if (files_[i].identity().empty()) continue;
     if (files_[i].identity() == input) {
       throw Usage_error(
-          fmt::format("{}: {} is the input; expected another file", options_[i], files_[i].path()));
+          concat({options_[i], ": ", files_[i].path(), " is the input; expected another file"}));
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (files_[i].identity() != files_[j].identity()) continue;
-      throw Usage_error(fmt::format("{} and {} name the same file, {}; expected different files",
-                                    options_[j], options_[i], files_[i].path()));
+      throw Usage_error(concat({options_[j], " and ", options_[i], " name the same file, ",
+                                files_[i].path(), "; expected different files"}));
     }
   }
 }
@@ -61,11 +54,11 @@ void Run_outputs::check_files(const std::string& input_path) const {
 // Nothing else may be written into a directory, or be it.
 void Run_outputs::check_directories() const {
   for (std::size_t i = 0; i < directories_.size(); ++i) {
-    const auto check = [&](std::string_view option, const auto& other) {
+    const auto check = [&](const char* option, const auto& other) {
       if (!(other.identity() + '/').starts_with(directories_[i].identity() + '/')) return;
-      throw Usage_error(
-          fmt::format("{}: {} is, or is in, the directory of {}, {}; expected a path elsewhere",
-                      option, other.path(), directory_options_[i], directories_[i].path()));
+      throw Usage_error(concat({option, ": ", other.path(), " is, or is in, the directory of ",
+                                directory_options_[i], ", ", directories_[i].path(),
+                                "; expected a path elsewhere"}));
     };
     for (std::size_t j = 0; j < files_.size(); ++j) check(options_[j], files_[j]);
     for (std::size_t j = 0; j < directories_.size(); ++j) {

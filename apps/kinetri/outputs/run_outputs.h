@@ -4,35 +4,31 @@
 #ifndef KINETRI_APPS_RUN_OUTPUTS_H
 #define KINETRI_APPS_RUN_OUTPUTS_H
 
-#include <optional>
+#include <array>
+#include <ostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/output_directory.h"
 #include "io/output_file.h"
-#include "runs/simulation_run.h"
+#include "outputs/output_table.h"
 
 namespace kinetri::app {
 
-/// Opens what the settings name; what they do not is null.
+/// Opens what has a path; what has none is null.
 class Run_outputs {
  public:
   /// `input_path` may be empty. Throws Usage_error if two outputs, or an output and the input, are
   /// in each other's way; Output_error if one cannot be written.
-  Run_outputs(const Run_settings& settings, const std::string& input_path);
+  Run_outputs(const Output_paths& paths, const std::string& input_path);
 
-  Output_file* events;
-  Output_file* initial_edges;
-  Output_file* edges;
-  Output_file* stats;
-  Output_file* points;
-  Output_file* checkpoint;
-  Output_file* html;
-  Output_file* plot;
-  Output_file* closest = nullptr;
-  Output_directory* frames;
-  Output_directory* vtu;
+  Output_file* file(Output output) { return files_of_[static_cast<std::size_t>(output)]; }
+  Output_directory* directory(Output output) {
+    return directories_of_[static_cast<std::size_t>(output)];
+  }
+  bool has(Output output) { return file(output) != nullptr || directory(output) != nullptr; }
+  /// Precondition: the output is an open file.
+  std::ostream& stream(Output output) { return file(output)->stream(); }
 
   /// All are complete before the first takes its place. Throws Output_error.
   void commit();
@@ -41,15 +37,17 @@ class Run_outputs {
   std::vector<std::string> paths() const;
 
  private:
-  Output_file* open(std::string_view option, const std::optional<std::string>& path);
-  Output_directory* open_directory(std::string_view option, const std::optional<std::string>& path);
+  void open(const Output_row& row, const std::string& path);
   void check_files(const std::string& input_path) const;
   void check_directories() const;
 
+  // Of the same length: what is open, and the option that named it.
   std::vector<Output_file> files_;
-  std::vector<std::string_view> options_;  // that named them
+  std::vector<const char*> options_;
   std::vector<Output_directory> directories_;
-  std::vector<std::string_view> directory_options_;
+  std::vector<const char*> directory_options_;
+  std::array<Output_file*, number_of_outputs> files_of_ = {};
+  std::array<Output_directory*, number_of_outputs> directories_of_ = {};
 };
 
 }  // namespace kinetri::app

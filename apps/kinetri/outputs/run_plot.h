@@ -11,7 +11,7 @@
 
 #include "io/stats_file.h"
 #include "kinetri/simulation/event_statistics.h"
-#include "sources/run_source.h"
+#include "sources/any_simulation.h"
 
 namespace kinetri::app {
 

@@ -17,26 +17,21 @@ std::size_t most_rows(std::size_t points) {
 
 }  // namespace
 
-Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source& source)
-    : source_(source) {
-  const auto record = [&]<class Traits>(const std::unique_ptr<Simulation_2<Traits>>& s) {
-    settings_.box = s->options().box;
-    settings_.radius = s->options().radius;
-    auto recorder = std::make_unique<Recorder<Traits>>(s->triangulation(), source.until(),
+Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source& source) {
+  source.describe(settings_);
+  simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) {
+    settings_.box = s.options().box;
+    settings_.radius = s.options().radius;
+    auto recorder = std::make_unique<Recorder<Traits>>(s.triangulation(), source.until(),
                                                        most_rows(source.number_of_points()));
-    s->add_observer(*recorder);
+    s.add_observer(*recorder);
     recorder_ = std::move(recorder);
-  };
-  std::visit(record, simulation);
+  });
 }
 
 void Viewer_output::write(std::ostream& out) const {
-  Viewer_settings settings = settings_;
-  settings.title = source_.title();
-  settings.names = source_.names();
-  settings.wave = source_.wave();
   write_viewer_page(out, std::visit([](const auto& r) { return r->recording(); }, recorder_),
-                    settings);
+                    settings_);
 }
 
 }  // namespace kinetri::app

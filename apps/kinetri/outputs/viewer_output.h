@@ -8,7 +8,9 @@
 #include <memory>
 #include <variant>
 
+#include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/recording.h"
+#include "sources/any_simulation.h"
 #include "sources/run_source.h"
 
 namespace kinetri::app {
@@ -25,7 +27,6 @@ class Viewer_output {
   template <class Traits>
   using Recorder_of = std::unique_ptr<Recorder<Traits>>;
 
-  const Run_source& source_;
   Viewer_settings settings_;
   std::variant<Recorder_of<Linear_kinetic_traits_2>, Recorder_of<Polynomial_kinetic_traits_2>>
       recorder_;

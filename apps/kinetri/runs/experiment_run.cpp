@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "runs/experiment_run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -12,9 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "cli/arguments.h"
 #include "cli/interrupt.h"
+#include "cli/terminal.h"
+#include "cli/text.h"
 #include "io/output_file.h"
 #include "outputs/gnuplot.h"
+#include "simulation/experiment.h"
 
 namespace kinetri::app {
 namespace {
@@ -72,7 +74,8 @@ Spread spread(std::vector<double> values) {
 
 class Experiments {
  public:
-  explicit Experiments(const Experiment_plan& plan) : plan_(plan), progress_(plan.progress) {}
+  explicit Experiments(const Experiment_plan& plan)
+      : plan_(plan), setting_(experiment_setting(plan.run)), progress_(plan.progress) {}
 
   Exit_code run();
 
@@ -84,6 +87,7 @@ class Experiments {
   void write_runs(std::ostream& out) const;
   void write_comparisons(std::ostream& out) const;
   void plot(const std::string& name, const std::string& script, int width) const;
+  std::string title() const;
   std::string run_time_plot() const;
   std::string events_plot() const;
   std::string comparison_plot() const;
@@ -95,6 +99,7 @@ class Experiments {
   Spread over_seeds(double step, Value value) const;
 
   const Experiment_plan& plan_;
+  Experiment_setting setting_;  // but for movers and seed
   Progress progress_;
   std::vector<Run> runs_;
   std::vector<Comparison> comparisons_;
@@ -104,10 +109,8 @@ Exit_code Experiments::run() {
   std::error_code failure;
   std::filesystem::create_directories(plan_.directory, failure);
   if (failure) {
-    throw Output_error(
-        fmt::format("{}: the directory cannot be made: {}; expected a path where "
-                    "that is possible",
-                    plan_.directory, failure.message()));
+    throw Output_error(concat({plan_.directory, ": the directory cannot be made: ",
+                               failure.message(), "; expected a path where that is possible"}));
   }
   stop_gracefully_from_now_on();
   measure();
@@ -120,7 +123,7 @@ Exit_code Experiments::run() {
 }
 
 void Experiments::measure() {
-  Experiment_setting setting = plan_.setting;
+  Experiment_setting setting = setting_;
   setting.movers = setting.points;
   run_experiment(setting);  // warms up
   // One seed after another, so that a slow moment of the machine is not that of one percentage.
@@ -128,7 +131,7 @@ void Experiments::measure() {
     for (const int percentage : percentages) {
       if (interrupted()) return;
       progress_.show_stage(
-          fmt::format("seed {} of {}, {} % moving", setting.seed, plan_.seeds, percentage));
+          concat({"seed ", setting.seed, " of ", plan_.seeds, ", ", percentage, " % moving"}));
       setting.movers = setting.points * static_cast<std::size_t>(percentage) / 100;
       runs_.push_back({percentage, setting.seed, run_experiment(setting)});
     }
@@ -137,13 +140,12 @@ void Experiments::measure() {
 
 void Experiments::compare() {
   std::vector<double> times;
-  for (const double step : steps) times.push_back(step * plan_.setting.duration);
-  Experiment_setting setting = plan_.setting;
+  for (const double step : steps) times.push_back(step * setting_.duration);
+  Experiment_setting setting = setting_;
   setting.movers = setting.points;
   for (setting.seed = 1; setting.seed <= plan_.seeds; ++setting.seed) {
     if (interrupted()) return;
-    progress_.show_stage(
-        fmt::format("discrete approach, seed {} of {}", setting.seed, plan_.seeds));
+    progress_.show_stage(concat({"discrete approach, seed ", setting.seed, " of ", plan_.seeds}));
     for (const auto& result : compare_with_discrete_steps(setting, times)) {
       comparisons_.push_back({setting.seed, result});
     }
@@ -196,15 +198,14 @@ void Experiments::write_runs(std::ostream& out) const {
   }
   out << ",certificates,root_solves,exact_decided\n";
   for (const Run& run : runs_) {
-    out << fmt::format("{},{},{},{}", run.percentage, run.seed, plan_.setting.points,
-                       run.result.seconds);
+    out << concat({run.percentage, ",", run.seed, ",", setting_.points, ",", run.result.seconds});
     for (std::size_t i = 0; i <= static_cast<std::size_t>(Event_kind::collision); ++i) {
       const auto kind = static_cast<Event_kind>(i);
       out << ',' << executed(run, {kind}) << ',' << discarded(run, {kind});
     }
     const Certificate_counters& certificates = run.result.certificates;
-    out << fmt::format(",{},{},{}\n", certificates.created, certificates.root_solves,
-                       certificates.exact_decided);
+    out << concat({",", certificates.created, ",", certificates.root_solves, ",",
+                   certificates.exact_decided, "\n"});
   }
 }
 
@@ -212,9 +213,26 @@ void Experiments::write_comparisons(std::ostream& out) const {
   out << "step,seed,points,seconds,kinetic_seconds,topologic_events,edge_changes,"
          "edge_changes_missed,contacts,contacts_missed\n";
   for (const auto& [seed, c] : comparisons_) {
-    out << fmt::format("{},{},{},{},{},{},{},{},{},{}\n", c.step, seed, plan_.setting.points,
-                       c.seconds, c.kinetic_seconds, c.topologic_events, c.edge_changes,
-                       c.edge_changes_missed, c.contacts, c.contacts_missed);
+    out << concat({c.step,
+                   ",",
+                   seed,
+                   ",",
+                   setting_.points,
+                   ",",
+                   c.seconds,
+                   ",",
+                   c.kinetic_seconds,
+                   ",",
+                   c.topologic_events,
+                   ",",
+                   c.edge_changes,
+                   ",",
+                   c.edge_changes_missed,
+                   ",",
+                   c.contacts,
+                   ",",
+                   c.contacts_missed,
+                   "\n"});
   }
 }
 
@@ -228,15 +246,19 @@ void Experiments::plot(const std::string& name, const std::string& script, int w
 }
 
 std::string data_row(double x, const Spread& s) {
-  return fmt::format("{} {} {} {}\n", x, s.median, s.least, s.greatest);
+  return concat({x, " ", s.median, " ", s.least, " ", s.greatest, "\n"});
 }
 
 // Median with the spread over seeds.
 std::string curve(std::string_view block, std::string_view title, int style, bool dashed) {
-  return fmt::format(
-      "${0} using 1:2:3:4 with yerrorbars ls {2} lw 1 pt 0 notitle, "
-      "${0} using 1:2 with linespoints ls {2}{3} title '{1}'",
-      block, title, style, dashed ? " dt 2" : "");
+  return concat({"$", block, " using 1:2:3:4 with yerrorbars ls ", style, " lw 1 pt 0 notitle, $",
+                 block, " using 1:2 with linespoints ls ", style, dashed ? " dt 2" : "", " title '",
+                 title, "'"});
+}
+
+std::string Experiments::title() const {
+  return concat({counted(setting_.points, "point"), ", ", setting_.duration,
+                 " units of time: median and range of ", counted(plan_.seeds, "seed")});
 }
 
 std::string Experiments::run_time_plot() const {
@@ -246,21 +268,18 @@ std::string Experiments::run_time_plot() const {
         data_row(percentage,
                  over_seeds(percentage, [](const Run& run) { return 1000 * run.result.seconds; }));
   }
-  return script +
-         fmt::format(
-             "END\nset title '{} points, {} units of time: median and range of {} seeds'\n"
-             "set xlabel 'moving points (%)'\nset ylabel 'run time (ms)'\nset yrange [0:*]\n"
-             "set xrange [-2:102]\nunset key\nplot {}\n",
-             plan_.setting.points, plan_.setting.duration, plan_.seeds,
-             curve("time", "run time", 1, false));
+  return script + concat({"END\nset title '", title(),
+                          "'\nset xlabel 'moving points (%)'\nset ylabel 'run time (ms)'\n"
+                          "set yrange [0:*]\nset xrange [-2:102]\nunset key\nplot ",
+                          curve("time", "run time", 1, false), "\n"});
 }
 
 std::string Experiments::events_plot() const {
-  struct Group {
+  struct Kinds {
     const char* name;
     std::initializer_list<Event_kind> kinds;
   };
-  const std::array<Group, 4> groups = {
+  const std::array<Kinds, 4> curves_of = {
       {{"flips", {Event_kind::flip}},
        {"hull events", {Event_kind::hull_insert, Event_kind::hull_remove}},
        {"walls", {Event_kind::wall}},
@@ -268,29 +287,27 @@ std::string Experiments::events_plot() const {
   std::string script;
   std::array<std::string, 2> curves;  // of flips, and of the others, which are fewer
   int style = 0;
-  for (const Group& group : groups) {
+  for (const Kinds& group : curves_of) {
     ++style;
     const auto add = [&](std::string_view fate, bool dashed, const auto& count) {
-      const std::string block = fmt::format("{}{}", fate, style);
-      script += fmt::format("${} << END\n", block);
+      const std::string block = concat({fate, style});
+      script += concat({"$", block, " << END\n"});
       for (const int percentage : percentages) {
         script += data_row(percentage, over_seeds(percentage, count));
       }
       script += "END\n";
       std::string& panel = curves[style == 1 ? 0 : 1];
       if (!panel.empty()) panel += ", ";
-      panel += curve(block, fmt::format("{}, {}", group.name, fate), style, dashed);
+      panel += curve(block, concat({group.name, ", ", fate}), style, dashed);
     };
     add("executed", false, [&group](const Run& run) { return executed(run, group.kinds); });
     add("discarded", true, [&group](const Run& run) { return discarded(run, group.kinds); });
   }
   return script +
-         fmt::format(
-             "set multiplot layout 1,2 title '{} points, {} units of time: median and range of {} "
-             "seeds'\n"
-             "set xlabel 'moving points (%)'\nset ylabel 'events'\nset yrange [0:*]\n"
-             "set xrange [-2:102]\nset key inside left top\nplot {}\nplot {}\nunset multiplot\n",
-             plan_.setting.points, plan_.setting.duration, plan_.seeds, curves[0], curves[1]);
+         concat({"set multiplot layout 1,2 title '", title(),
+                 "'\nset xlabel 'moving points (%)'\nset ylabel 'events'\nset yrange [0:*]\n"
+                 "set xrange [-2:102]\nset key inside left top\nplot ",
+                 curves[0], "\nplot ", curves[1], "\nunset multiplot\n"});
 }
 
 std::string Experiments::comparison_plot() const {
@@ -302,7 +319,7 @@ std::string Experiments::comparison_plot() const {
     return all == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(all);
   };
   for (const double relative : steps) {
-    const double step = relative * plan_.setting.duration;
+    const double step = relative * setting_.duration;
     edges += data_row(step, over_seeds(step, [&](const Discrete_comparison& c) {
                         return share(c.edge_changes_missed, c.edge_changes);
                       }));
@@ -316,25 +333,26 @@ std::string Experiments::comparison_plot() const {
                         }));
   }
   return edges + contacts + seconds + kinetic +
-         fmt::format(
-             "END\nset multiplot layout 1,2 title '{} moving points: the discrete approach, median "
-             "and range of {} seeds'\n"
-             "set logscale x\nset xlabel 'time step (units of time)'\nset key inside left top\n"
-             "set ylabel 'missed (%)'\nset yrange [0:100]\nplot {}, {}\n"
-             "set logscale y\nset yrange [*:*]\nset ylabel 'run time (ms)'\nset key inside right "
-             "top\n"
-             "plot {}, {}\nunset multiplot\n",
-             plan_.setting.points, plan_.seeds, curve("edges", "edge changes", 1, false),
-             curve("contacts", "contacts of discs", 2, false),
-             curve("discrete", "discrete", 1, false), curve("kinetic", "kinetic", 3, false));
+         concat({"END\nset multiplot layout 1,2 title '", setting_.points,
+                 " moving points: the discrete approach, median and range of ",
+                 counted(plan_.seeds, "seed"),
+                 "'\nset logscale x\nset xlabel 'time step (units of time)'\n"
+                 "set key inside left top\nset ylabel 'missed (%)'\nset yrange [0:100]\nplot ",
+                 curve("edges", "edge changes", 1, false), ", ",
+                 curve("contacts", "contacts of discs", 2, false),
+                 "\nset logscale y\nset yrange [*:*]\nset ylabel 'run time (ms)'\n"
+                 "set key inside right top\nplot ",
+                 curve("discrete", "discrete", 1, false), ", ",
+                 curve("kinetic", "kinetic", 3, false), "\nunset multiplot\n"});
 }
 
 // ---- summary ----
 
 void Experiments::summarize() const {
-  fmt::print(stderr, "kinetri experiment: {} points, {} runs{}\n", plan_.setting.points,
-             runs_.size(), interrupted() ? ", interrupted" : "");
-  fmt::print(stderr, "  moving   run time    events   discarded\n");
+  print_error(
+      concat({heading("kinetri experiment:", Stream::error), " ", counted(setting_.points, "point"),
+              ", ", counted(runs_.size(), "run"), interrupted() ? ", interrupted" : "", "\n"}));
+  print_error(heading("  moving   run time    events   discarded", Stream::error) + "\n");
   for (const int percentage : {0, 50, 100}) {
     const Spread time = over_seeds(percentage, [](const Run& run) { return run.result.seconds; });
     const Spread events =
@@ -343,11 +361,15 @@ void Experiments::summarize() const {
       return discarded(run, {Event_kind::rebuild, Event_kind::hull_insert, Event_kind::hull_remove,
                              Event_kind::flip, Event_kind::wall, Event_kind::collision});
     });
-    fmt::print(stderr, "  {:4} %  {:6.1f} ms  {:8.0f}   {:8.0f}\n", percentage, 1000 * time.median,
-               events.median, lost.median);
+    const auto column = [](double number, int decimals, std::size_t width) {
+      return right_aligned(fixed(number, decimals), width);
+    };
+    print_error(
+        concat({"  ", column(percentage, 0, 4), " %  ", column(1000 * time.median, 1, 6), " ms  ",
+                column(events.median, 0, 8), "   ", column(lost.median, 0, 8), "\n"}));
   }
   for (const double relative : {steps.front(), steps.back()}) {
-    const double step = relative * plan_.setting.duration;
+    const double step = relative * setting_.duration;
     if (comparisons_.empty()) break;
     const auto missed = [&](auto part, auto all) {
       return over_seeds(step,
@@ -358,18 +380,24 @@ void Experiments::summarize() const {
                         })
           .median;
     };
-    fmt::print(
-        stderr, "  steps of {}: {:.0f} % of edge changes and {:.0f} % of contacts missed\n", step,
-        missed(&Discrete_comparison::edge_changes_missed, &Discrete_comparison::edge_changes),
-        missed(&Discrete_comparison::contacts_missed, &Discrete_comparison::contacts));
+    const double edges =
+        missed(&Discrete_comparison::edge_changes_missed, &Discrete_comparison::edge_changes);
+    const double contacts =
+        missed(&Discrete_comparison::contacts_missed, &Discrete_comparison::contacts);
+    print_error(concat({"  steps of ", step, ": ", fixed(edges, 0), " % of edge changes and ",
+                        fixed(contacts, 0), " % of contacts missed\n"}));
   }
-  fmt::print(stderr, "  written      {}\n", plan_.directory);
+  print_error(concat({"  ", heading("written", Stream::error), "      ", plan_.directory, "\n"}));
 }
 
 }  // namespace
 
 Exit_code run_experiments(const Experiment_plan& plan) {
-  return Experiments(plan).run();
+  try {
+    return Experiments(plan).run();
+  } catch (const Endless_contacts_error& error) {
+    throw Run_error(error.what());
+  }
 }
 
 }  // namespace kinetri::app

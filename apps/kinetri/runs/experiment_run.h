@@ -9,15 +9,15 @@
 
 #include "cli/exit_code.h"
 #include "cli/progress.h"
-#include "simulation/experiment.h"
+#include "sources/generated_source.h"
 
 namespace kinetri::app {
 
 struct Experiment_plan {
-  Experiment_setting setting;  ///< but for movers and seed
-  std::uint64_t seeds = 5;     ///< from 1 to this number
-  std::string directory;       ///< where to write
-  bool compares = false;       ///< with discrete steps
+  Experiment_run run;       ///< all runs are like this one, but for share of movers and seed
+  std::uint64_t seeds = 5;  ///< from 1 to this number
+  std::string directory;    ///< where to write
+  bool compares = false;    ///< with discrete steps
   bool plots = true;
   Progress_mode progress = Progress_mode::automatic;
   bool quiet = false;

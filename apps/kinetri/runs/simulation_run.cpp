@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "runs/simulation_run.h"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <cstdio>
 #include <initializer_list>
 #include <memory>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "cli/arguments.h"
 #include "cli/interrupt.h"
+#include "cli/terminal.h"
+#include "cli/text.h"
 #include "io/stats_file.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/simulation/closest_approaches.h"
-#include "kinetri/simulation/simulation_2.h"
+#include "outputs/frame_outputs.h"
 #include "outputs/run_outputs.h"
 #include "outputs/run_plot.h"
 #include "outputs/viewer_output.h"
@@ -58,32 +58,25 @@ class Simulation_run {
   Simulation_run(const Run_settings& settings, Run_source& source)
       : settings_(settings),
         source_(source),
-        outputs_(settings, source.path()),
+        outputs_(settings.outputs, source.path()),
         progress_(settings.progress) {
-    if (outputs_.frames != nullptr || outputs_.vtu != nullptr) {
-      frames_.emplace(outputs_.frames, outputs_.vtu, settings.frames.rate);
+    if (outputs_.has(Output::frames) || outputs_.has(Output::vtu)) {
+      frames_.emplace(outputs_.directory(Output::frames), outputs_.directory(Output::vtu),
+                      settings.frame_rate);
     }
-    if (outputs_.plot != nullptr) sampler_ = std::make_unique<Run_sampler>();
+    if (outputs_.has(Output::plot)) sampler_ = std::make_unique<Run_sampler>();
   }
 
   Exit_code run();
 
  private:
   void build();
-  // What `function` says of the simulation, whichever it is.
-  template <class Function>
-  auto with_simulation(Function function) const {
-    return std::visit([&](const auto& simulation) { return function(*simulation); }, simulation_);
-  }
-  std::vector<Edge_ids> edges() const {
-    return with_simulation([](const auto& s) { return s.triangulation().finite_edge_ids(); });
-  }
   std::uint64_t number_of_events() const {
-    return with_simulation(
+    return simulation_.visit(
         [](const auto& s) { return s.triangulation().counters().number_of_events(); });
   }
   double time() const {
-    return with_simulation([](const auto& s) { return s.current_time().to_double(); });
+    return simulation_.visit([](const auto& s) { return s.current_time().to_double(); });
   }
   void advance();
   bool go_to(double end);
@@ -92,7 +85,13 @@ class Simulation_run {
   std::size_t step(const Algebraic_number& until);
   void audit(Audit_level level);
   void write_outputs();
+  void write_edges_now(std::ostream& out);
+  void write_ids(std::ostream& out);
+  void write_state(std::ostream& out);
+  void write_page(std::ostream& out);
   void write_approaches(std::ostream& out);
+  void write_plot(std::ostream& out);
+  void write_statistics(std::ostream& out);
   void summarize() const;
 
   const Run_settings& settings_;
@@ -126,10 +125,8 @@ Exit_code Simulation_run::run() {
   progress_.clear();
   if (!settings_.quiet) summarize();
   if (statistics_.audits_failed > 0) {
-    fmt::print(
-        stderr,
-        "kinetri: {} of {} audits failed; please report this with the input that caused it\n",
-        statistics_.audits_failed, statistics_.audits_run);
+    report("kinetri", concat({statistics_.audits_failed, " of ", statistics_.audits_run,
+                              " audits failed; please report this with the input that caused it"}));
     return Exit_code::audit_failed;
   }
   return statistics_.interrupted ? Exit_code::interrupted : Exit_code::done;
@@ -143,24 +140,23 @@ void Simulation_run::build() {
   statistics_.from = source_.from();
   statistics_.until = source_.until();
   progress_.set_range(source_.from(), source_.until());
-  progress_.show_stage(fmt::format("triangulating {} points", statistics_.points));
+  progress_.show_stage(concat({"triangulating ", counted(statistics_.points, "point")}));
   statistics_.seconds.read = stopwatch_.lap();
-  simulation_ = source_.make_simulation(settings_.arithmetic);
+  simulation_ =
+      source_.make_simulation(settings_.exact_only ? Arithmetic::exact_only : Arithmetic::filtered);
   events_before_ = number_of_events();
   const Construction_seconds construction =
-      with_simulation([](const auto& s) { return s.triangulation().construction_seconds(); });
+      simulation_.visit([](const auto& s) { return s.triangulation().construction_seconds(); });
   statistics_.seconds.initialize = construction.initialize;
   statistics_.seconds.build = stopwatch_.lap() - construction.initialize;
-  if (outputs_.initial_edges != nullptr) {
-    write_edges(outputs_.initial_edges->stream(), edges());
+  if (outputs_.has(Output::initial_edges)) write_edges_now(outputs_.stream(Output::initial_edges));
+  if (outputs_.has(Output::events)) {
+    log_.emplace(outputs_.stream(Output::events));
+    simulation_.visit([this](auto& s) { s.add_observer(*log_); });
   }
-  if (outputs_.events != nullptr) {
-    log_.emplace(outputs_.events->stream());
-    with_simulation([this](auto& s) { s.add_observer(*log_); });
-  }
-  if (outputs_.html != nullptr) viewer_.emplace(simulation_, source_);
+  if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_);
   // Asked for with recorded tracks only, which are linear.
-  if (settings_.closest > 0) closest_.emplace(*std::get<0>(simulation_), settings_.closest);
+  if (settings_.closest > 0) closest_.emplace(*simulation_.linear(), settings_.closest);
   if (frames_) frames_->start(source_, simulation_);
   if (sampler_) sampler_->start(source_.until(), simulation_);
   statistics_.seconds.write += stopwatch_.lap();
@@ -168,7 +164,7 @@ void Simulation_run::build() {
 
 std::size_t Simulation_run::step(const Algebraic_number& until) {
   try {
-    return with_simulation([&](auto& s) { return s.step(until); });
+    return simulation_.visit([&](auto& s) { return s.step(until); });
   } catch (const Coincident_trajectories_error& error) {
     throw source_.coincidence(error, time());
   }
@@ -201,32 +197,32 @@ void Simulation_run::advance() {
 bool Simulation_run::go_to(double end) {
   const Algebraic_number until(end);
   while (!interrupted() && step(until) > 0) {
-    if (outputs_.events != nullptr && !outputs_.events->stream()) outputs_.events->finish();
+    if (log_ && !outputs_.stream(Output::events)) outputs_.file(Output::events)->finish();
     if (progress_.due()) progress_.show(time(), number_of_events());
     // Recomputing all certificates exactly is left to the audits at the two ends: it would take
     // nearly all the time of the run.
     if (settings_.audit == Audit_mode::events) audit(Audit_level::reference);
   }
   if (interrupted()) return false;
-  with_simulation([&](auto& s) { s.advance_to(until); });
+  simulation_.visit([&](auto& s) { s.advance_to(until); });
   return true;
 }
 
 void Simulation_run::audit(Audit_level level) {
   constexpr std::size_t most_messages = 100;
   statistics_.seconds.run += stopwatch_.lap();
-  const Audit_report report = with_simulation([&](const auto& s) { return s.audit(level); });
+  const Audit_report audited = simulation_.visit([&](const auto& s) { return s.audit(level); });
   ++statistics_.audits_run;
-  if (!report.passed()) {
+  if (!audited.passed()) {
     ++statistics_.audits_failed;
     progress_.clear();
   }
-  for (const std::string& failure : report.failures) {
+  for (const std::string& failure : audited.failures) {
     ++failures_;
     if (failures_ > most_messages) break;
-    fmt::print(stderr, "kinetri: audit just after t = {}: {}\n", time(), failure);
+    report("kinetri", concat({"audit just after t = ", time(), ": ", failure}));
     if (failures_ == most_messages) {
-      fmt::print(stderr, "kinetri: further failures of audits are counted, not shown\n");
+      report("kinetri", "further failures of audits are counted, not shown");
     }
   }
   statistics_.seconds.audit += stopwatch_.lap();
@@ -236,38 +232,66 @@ void Simulation_run::write_approaches(std::ostream& out) {
   out << "id_a,id_b,time,time_lo,time_hi,distance\n";
   for (const Approach& approach : closest_->approaches()) {
     const Double_interval time = approach.time.tight_interval();
-    out << fmt::format("{},{},{},{},{},{}\n", source_.name(approach.points[0]),
-                       source_.name(approach.points[1]), approach.time.to_double(), time.lower,
-                       time.upper, approach.distance);
+    out << concat({source_.name(approach.points[0]), ",", source_.name(approach.points[1]), ",",
+                   approach.time.to_double(), ",", time.lower, ",", time.upper, ",",
+                   approach.distance, "\n"});
   }
 }
 
+void Simulation_run::write_edges_now(std::ostream& out) {
+  write_edges(out,
+              simulation_.visit([](const auto& s) { return s.triangulation().finite_edge_ids(); }));
+}
+
+void Simulation_run::write_ids(std::ostream& out) {
+  source_.write_points(out);
+}
+
+void Simulation_run::write_state(std::ostream& out) {
+  simulation_.visit([&](const auto& s) {
+    write_checkpoint(out, {s.snapshot(), source_.response()});
+  });
+}
+
+void Simulation_run::write_page(std::ostream& out) {
+  viewer_->write(out);
+}
+
+void Simulation_run::write_plot(std::ostream& out) {
+  sampler_->finish(simulation_);
+  out << draw_run(sampler_->samples(), statistics_);
+}
+
+void Simulation_run::write_statistics(std::ostream& out) {
+  statistics_.peak_rss_bytes = peak_rss_bytes();
+  write_stats(out, statistics_);
+}
+
 void Simulation_run::write_outputs() {
-  if (outputs_.edges != nullptr) {
-    write_edges(outputs_.edges->stream(), edges());
-  }
-  if (outputs_.points != nullptr) source_.write_points(outputs_.points->stream());
-  if (outputs_.checkpoint != nullptr) {
-    with_simulation([&](const auto& s) {
-      write_checkpoint(outputs_.checkpoint->stream(), {s.snapshot(), source_.response()});
-    });
-  }
-  if (viewer_) viewer_->write(outputs_.html->stream());
-  if (outputs_.closest != nullptr) write_approaches(outputs_.closest->stream());
-  if (frames_) frames_->finish();
-  with_simulation([&](const auto& s) {
+  struct Writer {
+    Output output;
+    void (Simulation_run::*write)(std::ostream&);
+  };
+  // The plot and the statistics say how long writing the others took. The edges at the start and
+  // the events have been written before.
+  constexpr std::array<Writer, 7> writers = {{{Output::edges, &Simulation_run::write_edges_now},
+                                              {Output::ids, &Simulation_run::write_ids},
+                                              {Output::checkpoint, &Simulation_run::write_state},
+                                              {Output::html, &Simulation_run::write_page},
+                                              {Output::closest, &Simulation_run::write_approaches},
+                                              {Output::plot, &Simulation_run::write_plot},
+                                              {Output::stats, &Simulation_run::write_statistics}}};
+  simulation_.visit([&](const auto& s) {
     statistics_.triangulation = s.triangulation().counters();
     statistics_.certificates = s.certificate_counters();
     statistics_.queue = s.triangulation().queue_counters();
     statistics_.contacts = s.contact_counters();
   });
-  statistics_.seconds.write += stopwatch_.lap();
-  if (sampler_) {
-    sampler_->finish(simulation_);
-    outputs_.plot->stream() << draw_run(sampler_->samples(), statistics_);
+  if (frames_) frames_->finish();
+  for (const auto& [output, write] : writers) {
+    statistics_.seconds.write += stopwatch_.lap();
+    if (outputs_.has(output)) (this->*write)(outputs_.stream(output));
   }
-  statistics_.peak_rss_bytes = peak_rss_bytes();
-  if (outputs_.stats != nullptr) write_stats(outputs_.stats->stream(), statistics_);
   outputs_.commit();
 }
 
@@ -276,9 +300,9 @@ std::string events_per_kind(const Triangulation_counters& counters) {
   for (std::size_t kind = 0; kind < event_kinds; ++kind) {
     if (counters.events[kind] == 0) continue;
     if (!result.empty()) result += ", ";
-    result += fmt::format("{} {}", counters.events[kind], name(static_cast<Event_kind>(kind)));
+    result += concat({counters.events[kind], " ", name(static_cast<Event_kind>(kind))});
   }
-  return result.empty() ? "none" : result;
+  return result;
 }
 
 std::string stage_shares(const Run_seconds& seconds) {
@@ -290,44 +314,58 @@ std::string stage_shares(const Run_seconds& seconds) {
     const double share = seconds.total() > 0 ? 100 * time / seconds.total() : 0;
     if (share < 0.5) continue;
     if (!result.empty()) result += ", ";
-    result += fmt::format("{} {:.0f} %", stage, share);
+    result += concat({stage, " ", fixed(share, 0), " %"});
   }
   return result;
 }
 
+// "5 at 4 instants (3 flip, 2 wall)".
+std::string events_summary(const Run_statistics& statistics) {
+  const std::uint64_t events = statistics.triangulation.number_of_events();
+  if (events == 0) return "none";
+  return concat(
+      {events, " at ",
+       counted(statistics.triangulation.instants + statistics.contacts.instants, "instant"), " (",
+       events_per_kind(statistics.triangulation), ")"});
+}
+
 void Simulation_run::summarize() const {
   const Run_statistics& s = statistics_;
-  const auto events = s.triangulation.number_of_events();
-  const auto executed = static_cast<double>(events - events_before_);
+  const auto executed = static_cast<double>(s.triangulation.number_of_events() - events_before_);
   const double rate = s.seconds.run > 0 ? executed / s.seconds.run : 0;
   const auto print = [](std::string_view label, const std::string& text) {
-    fmt::print(stderr, "  {:<13}{}\n", label, text);
+    constexpr std::size_t width = 13;
+    const std::string blanks(width - label.size(), ' ');
+    print_error(concat({"  ", heading(label, Stream::error), blanks, text, "\n"}));
   };
-  fmt::print(stderr, "kinetri: {} points from t = {} to {}{}\n", s.points, s.from, s.reached,
-             s.interrupted ? ", interrupted" : "");
+  print_error(concat({heading("kinetri:", Stream::error), " ", counted(s.points, "point"),
+                      " from t = ", s.from, " to ", s.reached, s.interrupted ? ", interrupted" : "",
+                      "\n"}));
   for (const std::string& remark : source_.remarks()) print("input", remark);
-  print("events", fmt::format("{} at {} instants ({})", events,
-                              s.triangulation.instants + s.contacts.instants,
-                              events_per_kind(s.triangulation)));
-  print("time", fmt::format("{:.3g} s ({}), {:.0f} events/s", s.seconds.total(),
-                            stage_shares(s.seconds), rate));
+  print("events", events_summary(s));
+  print("time", concat({significant(s.seconds.total(), 3), " s (", stage_shares(s.seconds), "), ",
+                        fixed(rate, 0), " events/s"}));
   print("certificates",
-        fmt::format("{} made, {} solved for roots; {} decided by the filter, {} exactly",
-                    s.certificates.created, s.certificates.root_solves,
-                    s.certificates.filter_decided, s.certificates.exact_decided));
-  print("queue", fmt::format("{} pushed, {} discarded, at most {} at a time", s.queue.pushed,
-                             s.queue.discarded, s.queue.peak));
+        concat({s.certificates.created, " made, ", s.certificates.root_solves,
+                " solved for roots; ", s.certificates.filter_decided, " decided by the filter, ",
+                s.certificates.exact_decided, " exactly"}));
+  print("queue", concat({s.queue.pushed, " pushed, ", s.queue.discarded, " discarded, at most ",
+                         s.queue.peak, " at a time"}));
   if (s.audits_run > 0) {
-    print("audits", fmt::format("{} run, {} failed", s.audits_run, s.audits_failed));
+    print("audits", concat({s.audits_run, " run, ", s.audits_failed, " failed"}));
   }
   const std::vector<std::string> paths = outputs_.paths();
-  if (!paths.empty()) print("written", fmt::format("{}", fmt::join(paths, ", ")));
+  if (!paths.empty()) print("written", joined(paths, ", "));
 }
 
 }  // namespace
 
 Exit_code run_simulation(const Run_settings& settings, Run_source& source) {
-  return Simulation_run(settings, source).run();
+  try {
+    return Simulation_run(settings, source).run();
+  } catch (const Endless_contacts_error& error) {
+    throw Run_error(error.what());
+  }
 }
 
 }  // namespace kinetri::app

@@ -1,19 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sources/checkpoint_source.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
+#include "kinetri/io/checkpoint_file.h"
+#include "sources/any_simulation.h"
 
 namespace kinetri::app {
+namespace {
+
+class Checkpoint_source final : public Run_source {
+ public:
+  Checkpoint_source(std::string path, double until) : path_(std::move(path)), until_(until) {}
+
+  std::string path() const override { return path_; }
+  void read() override;
+  std::size_t number_of_points() const override;
+  double from() const override { return time().to_double(); }
+  double until() const override { return until_; }
+  std::string response() const override { return checkpoint_.response; }
+  Any_simulation make_simulation(Arithmetic arithmetic) const override;
+  std::vector<std::string> remarks() const override;
+
+ private:
+  const Algebraic_number& time() const {
+    return std::visit(
+        [](const auto& snapshot) -> auto& { return snapshot.triangulation.time; },
+        checkpoint_.simulation);
+  }
+
+  std::string path_;
+  double until_;
+  Checkpoint checkpoint_;
+};
 
 void Checkpoint_source::read() {
   checkpoint_ = read_checkpoint_file(path_);
   if (time() > Algebraic_number(until_)) {
-    throw Usage_error(fmt::format("--until: {} is before the time of {}; expected at least {}",
-                                  until_, input_name(path_), time().tight_interval().upper));
+    throw Usage_error(concat({"--until: ", until_, " is before the time of ", input_name(path_),
+                              "; expected at least ", time().tight_interval().upper}));
   }
 }
 
@@ -33,11 +60,11 @@ Any_simulation Checkpoint_source::make_simulation(Arithmetic arithmetic) const {
     return {input_name(path_), 0, problem + "; expected a checkpoint as kinetri writes it"};
   };
   if (response == named_responses.end()) {
-    throw fail(fmt::format("the response '{}' is unknown", checkpoint_.response));
+    throw fail(concat({"the response '", checkpoint_.response, "' is unknown"}));
   }
   const auto restored = [&]<class Traits>(const Simulation_snapshot<Traits>& snapshot) {
     if ((response->response != nullptr) != snapshot.has_response) {
-      throw fail(fmt::format("the response '{}' does not go with the state", response->name));
+      throw fail(concat({"the response '", response->name, "' does not go with the state"}));
     }
     return Any_simulation(
         std::make_unique<Simulation_2<Traits>>(snapshot, response->response, Traits(arithmetic)));
@@ -53,7 +80,13 @@ std::vector<std::string> Checkpoint_source::remarks() const {
   const auto events = std::visit(
       [](const auto& snapshot) { return snapshot.triangulation.counters.number_of_events(); },
       checkpoint_.simulation);
-  return {fmt::format("taken up after {} events; counts go on from there", events)};
+  return {concat({"taken up after ", counted(events, "event"), "; counts go on from there"})};
+}
+
+}  // namespace
+
+std::unique_ptr<Run_source> checkpoint_source(const std::string& path, double until) {
+  return std::make_unique<Checkpoint_source>(path, until);
 }
 
 }  // namespace kinetri::app

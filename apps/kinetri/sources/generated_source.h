@@ -5,38 +5,47 @@
 #ifndef KINETRI_APPS_GENERATED_SOURCE_H
 #define KINETRI_APPS_GENERATED_SOURCE_H
 
-#include <utility>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 
+#include "kinetri/simulation/collision_response.h"
+#include "simulation/wave.h"
 #include "sources/run_source.h"
+
+namespace kinetri {
+
+struct Experiment_setting;
+
+}  // namespace kinetri
 
 namespace kinetri::app {
 
-struct Generated_run {
-  std::string title;
-  std::vector<Linear_motion_2> motions;  ///< at time 0, distinct, and inside of the box
-  Simulation_options options;
-  std::string response;  ///< its name in `named_responses`
+struct Wave_run {
+  Wave_setting setting;
   double until = 0;
-  std::optional<Wave_shape> wave = std::nullopt;
+  double height = 1;  ///< of the crest on the page of --html
+  double width = 1;   ///< standard deviation of its shape
 };
 
-class Generated_source final : public Run_source {
- public:
-  explicit Generated_source(Generated_run run) : run_(std::move(run)) {}
+std::unique_ptr<Run_source> wave_source(const Wave_run& run);
 
-  std::string path() const override { return {}; }
-  std::string title() const override { return run_.title; }
-  void read() override {}
-  std::size_t number_of_points() const override { return run_.motions.size(); }
-  double from() const override { return 0; }
-  double until() const override { return run_.until; }
-  std::string response() const override { return run_.response; }
-  Any_simulation make_simulation(Arithmetic arithmetic) const override;
-  std::optional<Wave_shape> wave() const override { return run_.wave; }
-
- private:
-  Generated_run run_;
+/// One run of the experiment.
+struct Experiment_run {
+  std::size_t points = 100;
+  std::uint64_t percentage = 100;  ///< of the points that move
+  std::uint64_t seed = 1;
+  double side = 100;
+  double speed = 5;
+  double radius = 0.5;
+  double duration = 10;
+  Named_response collisions = named_responses.front();
 };
+
+/// The same as the library has it.
+Experiment_setting experiment_setting(const Experiment_run& run);
+
+std::unique_ptr<Run_source> experiment_source(const Experiment_run& run);
 
 }  // namespace kinetri::app
 

@@ -1,13 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sources/points_source.h"
 
-#include <fmt/format.h>
-
 #include <string_view>
+#include <utility>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
+#include "kinetri/io/points_file.h"
+#include "sources/any_simulation.h"
 
 namespace kinetri::app {
+namespace {
+
+class Points_source final : public Run_source {
+ public:
+  explicit Points_source(Points_settings settings) : settings_(std::move(settings)) {}
+
+  std::string path() const override { return settings_.points; }
+  void read() override;
+  std::size_t number_of_points() const override { return points_.number_of_points(); }
+  double from() const override { return settings_.from; }
+  double until() const override { return settings_.until; }
+  std::string response() const override { return std::string(settings_.collisions.name); }
+  Any_simulation make_simulation(Arithmetic arithmetic) const override;
+  std::vector<std::string> remarks() const override;
+
+ private:
+  Simulation_options options() const;
+  double radius() const;
+
+  Points_settings settings_;
+  Points_file points_;
+};
 
 void Points_source::read() {
   points_ = read_points_file(settings_.points);
@@ -15,7 +39,7 @@ void Points_source::read() {
 
 std::vector<std::string> Points_source::remarks() const {
   if (points_.ignored_columns.empty()) return {};
-  return {fmt::format("columns that are ignored: {}", fmt::join(points_.ignored_columns, ", "))};
+  return {concat({"columns that are ignored: ", joined(points_.ignored_columns, ", ")})};
 }
 
 Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
@@ -45,10 +69,9 @@ Simulation_options Points_source::options() const {
   const auto& [xmin, ymin, xmax, ymax] = *settings_.box;
   if (to_rational(xmax) - to_rational(xmin) <= diameter ||
       to_rational(ymax) - to_rational(ymin) <= diameter) {
-    throw Usage_error(fmt::format(
-        "--rim: a disc of radius {} does not fit the box; expected a box wider and higher than its "
-        "diameter",
-        result.radius));
+    throw Usage_error(concat({"--rim: a disc of radius ", result.radius,
+                              " does not fit the box; expected a box wider and higher than its "
+                              "diameter"}));
   }
   return result;
 }
@@ -59,14 +82,13 @@ double Points_source::radius() const {
       settings_.collisions.response != nullptr ? "--collisions" : "--rim";
   if (settings_.radius) {
     if (points_.radii.empty()) return *settings_.radius;
-    throw Usage_error(fmt::format("--radius: {} has a column radius; expected one of the two",
-                                  input_name(path())));
+    throw Usage_error(concat(
+        {"--radius: ", input_name(path()), " has a column radius; expected one of the two"}));
   }
   if (points_.radii.empty()) {
     if (points_.lines.empty()) return 1;  // of no disc
-    throw Usage_error(
-        fmt::format("{}: discs have a radius; expected a column radius in {}, or --radius R",
-                    option, input_name(path())));
+    throw Usage_error(concat({option, ": discs have a radius; expected a column radius in ",
+                              input_name(path()), ", or --radius R"}));
   }
   for (std::size_t i = 0; i < points_.radii.size(); ++i) {
     if (points_.radii[i] == 0) {
@@ -77,13 +99,18 @@ double Points_source::radius() const {
     if (points_.radii[i] == points_.radii[0]) continue;
     throw Input_error(
         input_name(path()), points_.lines[i],
-        fmt::format(
-            "the radius is {}, but {} in line {}; expected equal radii, since unequal discs "
-            "can touch without being neighbors in the Delaunay triangulation, and weighted "
-            "ones are not supported yet",
-            points_.radii[i], points_.radii[0], points_.lines[0]));
+        concat({"the radius is ", points_.radii[i], ", but ", points_.radii[0], " in line ",
+                points_.lines[0],
+                "; expected equal radii, since unequal discs can touch without being neighbors in "
+                "the Delaunay triangulation, and weighted ones are not supported yet"}));
   }
   return points_.radii.empty() ? 1 : points_.radii[0];
+}
+
+}  // namespace
+
+std::unique_ptr<Run_source> points_source(const Points_settings& settings) {
+  return std::make_unique<Points_source>(settings);
 }
 
 }  // namespace kinetri::app

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sources/run_source.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
+
+#include "cli/text.h"
+#include "kinetri/io/viewer_page.h"
 
 namespace kinetri::app {
 
@@ -18,9 +19,12 @@ std::string Run_source::title() const {
 Input_error Run_source::coincidence(const Coincident_trajectories_error& error, double time) const {
   return Input_error(
       path().empty() ? title() : input_name(path()), 0,
-      fmt::format("at t = {} a contact leaves points {} and {} in one place with one velocity; "
-                  "expected trajectories that stay distinct",
-                  time, error.first(), error.second()));
+      concat({"at t = ", time, " a contact leaves points ", error.first(), " and ", error.second(),
+              " in one place with one velocity; expected trajectories that stay distinct"}));
+}
+
+void Run_source::describe(Viewer_settings& settings) const {
+  settings.title = title();
 }
 
 }  // namespace kinetri::app

@@ -4,26 +4,30 @@
 #ifndef KINETRI_APPS_RUN_SOURCE_H
 #define KINETRI_APPS_RUN_SOURCE_H
 
+#include <cstddef>
 #include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <variant>
 #include <vector>
 
 #include "kinetri/base/error.h"
-#include "kinetri/io/viewer_page.h"
-#include "kinetri/simulation/simulation_2.h"
+#include "kinetri/base/ids.h"
+#include "kinetri/simulation/box_2.h"
+
+namespace kinetri {
+
+enum class Arithmetic;
+struct Viewer_settings;
+
+}  // namespace kinetri
 
 namespace kinetri::app {
 
+class Any_simulation;
+
 /// The name of an input in messages. `path` is a path, or "-".
 std::string input_name(const std::string& path);
-
-/// A simulation of one of the kinds of motion.
-using Any_simulation = std::variant<std::unique_ptr<Simulation_2<>>,
-                                    std::unique_ptr<Simulation_2<Polynomial_kinetic_traits_2>>>;
 
 /// The source of a run. By default its points are called by their ids.
 class Run_source {
@@ -53,14 +57,11 @@ class Run_source {
   /// The simulation at from(). Throws Input_error, naming the line.
   virtual Any_simulation make_simulation(Arithmetic arithmetic) const = 0;
 
-  /// What to say of two points that a contact or a turn has left on one trajectory.
+  /// What to say of two points that a contact or a change of motion has left on one trajectory.
   virtual Input_error coincidence(const Coincident_trajectories_error& error, double time) const;
 
   /// The point in the words of the input: its number, or the id of its track.
   virtual std::string name(Point_id id) const { return std::to_string(id); }
-
-  /// Those of all points that the run will have, by id; none if they are called by their ids.
-  virtual std::vector<std::string> names() const { return {}; }
 
   /// What a user should know of what was read; one line each.
   virtual std::vector<std::string> remarks() const { return {}; }
@@ -68,8 +69,8 @@ class Run_source {
   /// A table of the points, for sources whose points have names.
   virtual void write_points(std::ostream& /*out*/) const {}
 
-  /// The wave that the points make, if they do.
-  virtual std::optional<Wave_shape> wave() const { return std::nullopt; }
+  /// Adds what the page of --html says of the source.
+  virtual void describe(Viewer_settings& settings) const;
 
  protected:
   Run_source() = default;

@@ -1,16 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sources/tracks_source.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <ostream>
 
+#include <utility>
+#include <vector>
+
 #include "cli/arguments.h"
+#include "cli/text.h"
+#include "kinetri/io/viewer_page.h"
+#include "kinetri/simulation/tracks.h"
+#include "sources/any_simulation.h"
 
 namespace kinetri::app {
+namespace {
+
+class Tracks_source final : public Run_source {
+ public:
+  explicit Tracks_source(Tracks_settings settings) : settings_(std::move(settings)) {}
+
+  std::string path() const override { return settings_.tracks; }
+  void read() override;
+  std::size_t number_of_points() const override { return stays_.size(); }
+  double from() const override { return from_; }
+  double until() const override { return until_; }
+  /// That of all observations, if there are any.
+  std::optional<Box_2> extent() const override { return extent_; }
+  std::string response() const override { return settings_.radius ? "log" : "none"; }
+  Any_simulation make_simulation(Arithmetic arithmetic) const override;
+  Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
+  std::string name(Point_id id) const override { return file_.tracks[stays_[id].track].id; }
+  void describe(Viewer_settings& settings) const override;
+  std::vector<std::string> remarks() const override;
+  void write_points(std::ostream& out) const override;
+
+ private:
+  void check_velocities() const;
+
+  Tracks_settings settings_;
+  Tracks_file file_;
+  std::vector<std::vector<Observation_2>> observations_;  // by track
+  std::vector<Stay> stays_;                               // by point id
+  double from_ = 0;
+  double until_ = 0;
+  std::optional<Box_2> extent_;
+};
 
 void Tracks_source::read() {
   file_ = read_tracks_file(settings_.tracks, settings_.format, settings_.fps);
@@ -32,8 +69,8 @@ void Tracks_source::read() {
   until_ = settings_.until.value_or(file_.tracks.empty() ? from_ : std::max(last, from_));
   if (until_ < from_) {
     throw Usage_error(
-        fmt::format("--until: {} is before the start; expected at least {}, which is {}", until_,
-                    from_, settings_.from ? "--from" : "the first observation"));
+        concat({"--until: ", until_, " is before the start; expected at least ", from_,
+                ", which is ", settings_.from ? "--from" : "the first observation"}));
   }
   Tracks_options options;
   options.from = from_;
@@ -51,9 +88,8 @@ void Tracks_source::check_velocities() const {
       const Track& track = file_.tracks[stay.track];
       throw Input_error(
           input_name(path()), track.observations[i + 1].line,
-          fmt::format("id '{}' goes too far too fast since line {}; expected a velocity that is a "
-                      "binary64 number",
-                      track.id, track.observations[i].line));
+          concat({"id '", track.id, "' goes too far too fast since line ",
+                  track.observations[i].line, "; expected a velocity that is a binary64 number"}));
     }
   }
 }
@@ -83,43 +119,51 @@ Input_error Tracks_source::coincidence(const Coincident_trajectories_error& erro
   const std::size_t other = line(error.second());
   return Input_error(
       input_name(path()), std::max(one, other),
-      fmt::format("from t = {} on ids '{}' and '{}' go the same way (see line {}); expected things "
-                  "that are apart at one of two observations",
-                  time, name(error.first()), name(error.second()), std::min(one, other)));
+      concat({"from t = ", time, " on ids '", name(error.first()), "' and '", name(error.second()),
+              "' go the same way (see line ", std::min(one, other),
+              "); expected things that are apart at one of two observations"}));
 }
 
 void Tracks_source::write_points(std::ostream& out) const {
   out << "point,id,first,last\n";
   for (std::size_t point = 0; point < stays_.size(); ++point) {
     const auto& [track, first, last] = stays_[point];
-    out << fmt::format("{},{},{},{}\n", point, file_.tracks[track].id,
-                       observations_[track][first].time, observations_[track][last].time);
+    out << concat({point, ",", file_.tracks[track].id, ",", observations_[track][first].time, ",",
+                   observations_[track][last].time, "\n"});
   }
 }
 
-std::vector<std::string> Tracks_source::names() const {
-  std::vector<std::string> result;
-  for (const Stay& stay : stays_) result.push_back(file_.tracks[stay.track].id);
-  return result;
+void Tracks_source::describe(Viewer_settings& settings) const {
+  Run_source::describe(settings);
+  for (const Stay& stay : stays_) settings.names.push_back(file_.tracks[stay.track].id);
 }
 
 std::vector<std::string> Tracks_source::remarks() const {
   std::vector<std::string> result;
-  result.push_back(fmt::format("{} observations of {} ids, {} stays", file_.observations,
-                               file_.tracks.size(), stays_.size()));
+  result.push_back(
+      concat({counted(file_.observations, "observation"), " of ",
+              counted(file_.tracks.size(), "id"), ", ", counted(stays_.size(), "stay")}));
   if (file_.doubled_rows > 0) {
-    result.push_back(fmt::format("{} rows that repeat another are left out", file_.doubled_rows));
+    result.push_back(
+        concat({counted(file_.doubled_rows, "row"), " left out, being a copy of another"}));
   }
   if (file_.rows_out_of_order > 0) {
-    result.push_back(fmt::format("{} rows were not in the order of time", file_.rows_out_of_order));
+    result.push_back(
+        concat({counted(file_.rows_out_of_order, "row"), " out of the order of time"}));
   }
   const auto singles = std::ranges::count_if(
       file_.tracks, [](const Track& track) { return track.observations.size() == 1; });
   if (singles > 0) {
-    result.push_back(
-        fmt::format("{} ids with one observation have no path and are left out", singles));
+    result.push_back(concat({counted(static_cast<std::uint64_t>(singles), "id"),
+                             " left out, having one observation and so no path"}));
   }
   return result;
+}
+
+}  // namespace
+
+std::unique_ptr<Run_source> tracks_source(const Tracks_settings& settings) {
+  return std::make_unique<Tracks_source>(settings);
 }
 
 }  // namespace kinetri::app

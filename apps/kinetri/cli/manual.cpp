@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/manual.h"
+
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "cli/text.h"
+#include "kinetri/version.h"
+
+namespace kinetri::app {
+namespace {
+
+// The text as it is to appear: without escape sequences, and with `-` as it is typed.
+std::string plain(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\') {
+      result += "\\e";
+    } else if (c == '-') {
+      result += "\\-";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+// A line of text, which must not begin like a request.
+std::string line(std::string_view text) {
+  const bool is_request = text.starts_with('.') || text.starts_with('\'');
+  return concat({is_request ? "\\&" : "", plain(text), "\n"});
+}
+
+std::string bold(std::string_view text) {
+  return concat({"\\fB", plain(text), "\\fR"});
+}
+std::string italic(std::string_view text) {
+  return concat({"\\fI", plain(text), "\\fR"});
+}
+
+// What stands below the options in --help.
+void write_description(std::ostream& out, const Command& command) {
+  for (const std::string& paragraph : command.description) out << ".PP\n" << line(paragraph);
+  out << ".PP\nExample:\n.PP\n.EX\n";
+  for (const std::string& example : command.examples) out << line("  " + example);
+  out << ".EE\n";
+}
+
+void write_option(std::ostream& out, const Option& option) {
+  out << ".TP\n";
+  if (option.positional()) {
+    out << italic(option.names.front());
+  } else {
+    for (const std::string& name : option.names) {
+      if (name != option.names.front()) out << ", ";
+      out << bold(name);
+    }
+    if (!option.type.empty()) out << " " << italic(option.type);
+  }
+  out << "\n" << line(option.help + (option.required ? " (required)" : ""));
+}
+
+void write_command(std::ostream& out, const Command& command, const std::string& name) {
+  out << ".SS " << plain(name);
+  for (const Option& option : command.options) {
+    if (option.positional()) out << " " << plain(option.name());
+  }
+  out << (command.commands.empty() ? " [OPTIONS]\n" : " COMMAND\n") << line(command.summary + ".");
+  for (const Option& option : command.options) {
+    if (option.name() != "--help") write_option(out, option);
+  }
+  write_description(out, command);
+}
+
+// The command with its arguments, and the options that it cannot do without.
+void write_synopsis(std::ostream& out, const Command& command, const std::string& name) {
+  out << ".B " << plain(name) << "\n";
+  for (const Option& option : command.options) {
+    if (option.positional()) out << italic(option.name()) << "\n";
+  }
+  for (const Option& option : command.options) {
+    if (option.required && !option.positional()) {
+      out << bold(option.name()) << " " << italic(option.type) << "\n";
+    }
+  }
+  out << "[\\fIOPTIONS\\fR]\n.br\n";
+}
+
+}  // namespace
+
+void write_manual(std::ostream& out, const Command& program) {
+  const std::vector<Named_command> table = all_commands(program);
+  out << ".\\\" Made by `kinetri manual`.\n.TH KINETRI 1 \"\" \"kinetri " << version
+      << "\" \"User Commands\"\n"
+         ".nh\n.ad l\n"
+         ".SH NAME\nkinetri \\- exact kinetic Delaunay triangulation of moving points\n"
+         ".SH SYNOPSIS\n";
+  for (const auto& [name, command] : table) {
+    if (command->commands.empty()) write_synopsis(out, *command, name);
+  }
+  out << ".SH DESCRIPTION\n" << line(program.summary + ".");
+  write_description(out, program);
+  out << ".SH OPTIONS\n";
+  for (const Option& option : program.options) write_option(out, option);
+  out << ".SH COMMANDS\nEach command knows the option \\fB\\-\\-help\\fR.\n";
+  for (const auto& [name, command] : table) {
+    if (command != &program) write_command(out, *command, name);
+  }
+  out << ".SH EXIT STATUS\n"
+         ".TP\n0\nDone.\n"
+         ".TP\n1\nAn audit failed.\n"
+         ".TP\n2\nBad usage or bad input; standard error says what was expected.\n"
+         ".TP\n3\nAn internal check failed.\n"
+         ".TP\n130\nInterrupted; the outputs hold what happened until then.\n"
+         ".TP\n141\nNobody reads the pipe to which standard output goes.\n"
+         ".SH ENVIRONMENT\n"
+         ".TP\nNO_COLOR\nIf it is set, and not empty, nothing is colored.\n";
+}
+
+}  // namespace kinetri::app

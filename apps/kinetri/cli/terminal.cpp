@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/terminal.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "cli/text.h"
+
+namespace kinetri::app {
+namespace {
+
+std::string_view variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string_view() : value;
+}
+
+std::string colored(std::string_view text, Stream stream, std::string_view code) {
+  if (!has_colors(stream)) return std::string(text);
+  return concat({"\x1b[", code, "m", text, "\x1b[0m"});
+}
+
+}  // namespace
+
+bool is_terminal(Stream stream) {
+  return ::isatty(stream == Stream::output ? STDOUT_FILENO : STDERR_FILENO) == 1;
+}
+
+bool has_colors(Stream stream) {
+  return is_terminal(stream) && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
+}
+
+std::string heading(std::string_view text, Stream stream) {
+  return colored(text, stream, "1");
+}
+
+std::string alarm(std::string_view text, Stream stream) {
+  return colored(text, stream, "1;31");
+}
+
+void report(std::string_view where, std::string_view what) {
+  print_error(concat({alarm(concat({where, ":"}), Stream::error), " ", what, "\n"}));
+}
+
+bool nobody_reads_output() {
+  pollfd output = {STDOUT_FILENO, POLLOUT, 0};
+  constexpr int at_once = 0;
+  return ::poll(&output, 1, at_once) == 1 && (output.revents & POLLERR) != 0;
+}
+
+void end_by_closed_pipe() {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::raise(SIGPIPE);
+  ::_exit(128 + SIGPIPE);  // the signal is blocked
+}
+
+}  // namespace kinetri::app

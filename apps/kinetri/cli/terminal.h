@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What differs between a terminal and a file: colors, and who reads.
+#ifndef KINETRI_APPS_TERMINAL_H
+#define KINETRI_APPS_TERMINAL_H
+
+#include <string>
+#include <string_view>
+
+namespace kinetri::app {
+
+enum class Stream { output, error };
+
+/// Whether the standard stream is a terminal.
+bool is_terminal(Stream stream);
+
+/// Whether colors may be written to the standard stream: it is a terminal other than a "dumb" one,
+/// and the environment variable NO_COLOR is not set, or empty.
+bool has_colors(Stream stream);
+
+/// @{
+/// The text as a heading, or as what names an error, where the stream has colors; else as it is.
+std::string heading(std::string_view text, Stream stream);
+std::string alarm(std::string_view text, Stream stream);
+/// @}
+
+/// Writes `where: what` as a line to standard error.
+void report(std::string_view where, std::string_view what);
+
+/// Whether standard output is a pipe that nobody reads any more.
+bool nobody_reads_output();
+
+/// Ends the process as writing to such a pipe does by default: silently, by the signal SIGPIPE,
+/// which a shell shows as exit code 141.
+[[noreturn]] void end_by_closed_pipe();
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_TERMINAL_H

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The commands of the program: each function gives one, with its options and what it does.
+#ifndef KINETRI_APPS_COMMANDS_H
+#define KINETRI_APPS_COMMANDS_H
+
+#include "cli/command.h"
+
+namespace kinetri::app {
+
+Command generate_command();
+Command simulate_command();
+Command resume_command();
+Command tracks_command();
+Command wave_command();
+Command experiment_command();
+/// `names`: those of the other commands.
+Command help_command(const std::vector<std::string>& names);
+Command completion_command();
+Command manual_command();
+
+/// The program with all of them.
+Command program();
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_COMMANDS_H

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The outputs of a run: one row for each. The options, what is opened, what is checked, --help, the
+// manual page, the completions and the summary go by this table; what is written into each stands
+// in runs/simulation_run.cpp.
+#ifndef KINETRI_APPS_OUTPUT_TABLE_H
+#define KINETRI_APPS_OUTPUT_TABLE_H
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace kinetri::app {
+
+enum class Output {
+  events,
+  initial_edges,
+  edges,
+  stats,
+  ids,
+  checkpoint,
+  html,
+  frames,
+  vtu,
+  plot,
+  closest,
+};
+
+constexpr std::size_t number_of_outputs = 11;
+
+/// The commands that have an output.
+enum class Offered {
+  by_every_run,
+  by_request,  ///< those that ask for it, see add_run_options
+};
+
+struct Output_row {
+  Output output;
+  const char* option;  ///< as messages name it
+  const char* names;   ///< all names of the option
+  const char* type;    ///< "DIR" if it is a directory; else it is a file
+  const char* help;
+  Offered offered = Offered::by_every_run;
+
+  bool is_directory() const { return type[0] == 'D'; }
+};
+
+/// In the order of the enumerators.
+inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
+    {Output::events, "--events", "-o,--events", "FILE",
+     "Write the event log here, as CSV; - is standard output"},
+    {Output::initial_edges, "--initial-edges", "--initial-edges", "FILE",
+     "Write the Delaunay edges just after the start here, as CSV"},
+    {Output::edges, "--edges", "--edges", "FILE",
+     "Write the Delaunay edges at the end here, as CSV"},
+    {Output::stats, "--stats", "--stats", "FILE",
+     "Write counts of events and certificates, and run times, here, as JSON"},
+    {Output::ids, "--ids", "--ids", "FILE",
+     "Write a table here that says which point of the run is which id, and from when to when, as "
+     "CSV",
+     Offered::by_request},
+    {Output::checkpoint, "--checkpoint", "--checkpoint", "FILE",
+     "Write the state at the end, or at an interruption, here, for kinetri resume",
+     Offered::by_request},
+    {Output::html, "--html", "--html", "FILE", "Write a page here that plays the run in a browser"},
+    {Output::frames, "--frames", "--frames", "DIR",
+     "Write pictures of the run into this new directory, as SVG"},
+    {Output::vtu, "--vtu", "--vtu", "DIR",
+     "Write the run into this new directory, as VTU files for ParaView"},
+    {Output::plot, "--plot", "--plot", "FILE",
+     "Draw events, queue lengths and run times here, as SVG (needs gnuplot)"},
+    {Output::closest, "--closest", "--closest", "FILE", "", Offered::by_request},
+}};
+
+constexpr bool is_in_order(const std::array<Output_row, number_of_outputs>& table) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (static_cast<std::size_t>(table[i].output) != i) return false;
+  }
+  return true;
+}
+static_assert(is_in_order(output_table));
+
+/// For each output a path, or "-" for standard output, or none.
+class Output_paths {
+ public:
+  std::optional<std::string>& operator[](Output output) {
+    return paths_[static_cast<std::size_t>(output)];
+  }
+  const std::optional<std::string>& operator[](Output output) const {
+    return paths_[static_cast<std::size_t>(output)];
+  }
+
+ private:
+  std::array<std::optional<std::string>, number_of_outputs> paths_;
+};
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_OUTPUT_TABLE_H

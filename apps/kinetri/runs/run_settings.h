@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is done with a run, whatever its source.
+#ifndef KINETRI_APPS_RUN_SETTINGS_H
+#define KINETRI_APPS_RUN_SETTINGS_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "cli/progress.h"
+#include "outputs/output_table.h"
+
+namespace kinetri::app {
+
+enum class Audit_mode {
+  none,
+  end,
+  events,  ///< at the start, after each group of simultaneous events, and at the end
+};
+
+/// How many frames there are.
+struct Frame_rate {
+  double per_time = 0;  ///< how many in a unit of time
+  std::string option;   ///< what asked for it, as messages name it
+};
+
+struct Run_settings {
+  Output_paths outputs;
+  std::optional<Frame_rate> frame_rate;  ///< without one, there are 101 frames
+  std::size_t closest = 0;               ///< how many closest approaches to write
+  Audit_mode audit = Audit_mode::none;
+  bool exact_only = false;  ///< without filters
+  Progress_mode progress = Progress_mode::automatic;
+  bool quiet = false;
+};
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_RUN_SETTINGS_H

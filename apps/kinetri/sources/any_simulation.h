@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A simulation of points whose kind of motion the input decides. Takes in CGAL; what only passes a
+// simulation on declares the class.
+#ifndef KINETRI_APPS_ANY_SIMULATION_H
+#define KINETRI_APPS_ANY_SIMULATION_H
+
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri::app {
+
+class Any_simulation {
+ public:
+  using Linear = Simulation_2<Linear_kinetic_traits_2>;
+  using Polynomial = Simulation_2<Polynomial_kinetic_traits_2>;
+
+  /// None, until another one is assigned.
+  Any_simulation() = default;
+  /// @{
+  /// That one. NOLINTNEXTLINE(google-explicit-constructor)
+  Any_simulation(std::unique_ptr<Linear> simulation) : simulation_(std::move(simulation)) {}
+  /// NOLINTNEXTLINE(google-explicit-constructor)
+  Any_simulation(std::unique_ptr<Polynomial> simulation) : simulation_(std::move(simulation)) {}
+  /// @}
+
+  /// What `function` gives for the simulation, whichever it is.
+  template <class Function>
+  auto visit(Function function) const {
+    return std::visit([&](const auto& simulation) { return function(*simulation); }, simulation_);
+  }
+
+  /// The simulation if its points have constant velocities; else null.
+  Linear* linear() const {
+    const auto* const held = std::get_if<std::unique_ptr<Linear>>(&simulation_);
+    return held == nullptr ? nullptr : held->get();
+  }
+
+ private:
+  std::variant<std::unique_ptr<Linear>, std::unique_ptr<Polynomial>> simulation_;
+};
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_ANY_SIMULATION_H

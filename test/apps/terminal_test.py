@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the program does with terminals and pipes: colors on terminals only, and a silent end where
+nobody reads its output.
+
+usage: terminal_test.py PROGRAM
+"""
+import os
+import pathlib
+import pty
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
+POINTS = "x,y,vx,vy\n0,0,0,0\n4,0,0,0\n0,4,0,0\n3,3,1,1\n"
+ESCAPE = "\x1b["
+SIMULATE = ["simulate", "p.csv", "--until", "3"]
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "p.csv").write_text(POINTS, encoding="utf-8")
+
+
+class Terminal(Program):
+    def environment(self, changes):
+        kept = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
+        return {**kept, "TERM": "xterm", **changes}
+
+    def on_terminal(self, arguments, **changes):
+        """What the program writes to a terminal that is both of its outputs."""
+        ours, its = pty.openpty()
+        process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                   stdout=its, stderr=its, env=self.environment(changes))
+        os.close(its)
+        text = b""
+        try:
+            while piece := os.read(ours, 4096):
+                text += piece
+        except OSError:
+            pass  # The program has ended.
+        os.close(ours)
+        process.wait(timeout=60)
+        return text.decode()
+
+    def elsewhere(self, arguments):
+        done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True,
+                              check=False, env=self.environment({}))
+        return done.stdout + done.stderr
+
+    def test_headings_and_errors_are_colored_on_a_terminal(self):
+        self.assertIn("\x1b[1;31mkinetri simulate:\x1b[0m POINTS is missing", self.on_terminal(["simulate"]))
+        self.assertIn("\x1b[1;31mq.csv:\x1b[0m cannot be opened",
+                      self.on_terminal(["simulate", "q.csv", "--until", "3"]))
+        self.assertIn("\x1b[1mevents\x1b[0m       1 at 1 instant (1 flip)", self.on_terminal(SIMULATE))
+        self.assertIn("\x1b[1mUsage:\x1b[0m kinetri", self.on_terminal(["--help"]))
+
+    def test_nothing_is_colored_elsewhere(self):
+        for arguments in (["simulate"], SIMULATE, ["--help"]):
+            self.assertNotIn(ESCAPE, self.elsewhere(arguments))
+
+    def test_no_color_and_dumb_terminals_are_honored(self):
+        for arguments in (["simulate"], [*SIMULATE, "--progress", "never"], ["--help"]):
+            self.assertNotIn(ESCAPE, self.on_terminal(arguments, NO_COLOR="1"))
+            self.assertNotIn(ESCAPE, self.on_terminal(arguments, TERM="dumb"))
+        # An empty variable is as good as none.
+        self.assertIn(ESCAPE, self.on_terminal(["--help"], NO_COLOR=""))
+
+
+class ClosedPipe(Program):
+    def run_into_closed_pipe(self, arguments, lines=0):
+        """(exit code, standard error) of a run whose output is read up to so many lines."""
+        ours, its = os.pipe()
+        if lines == 0:
+            os.close(ours)
+        process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                   stdout=its, stderr=subprocess.PIPE)
+        os.close(its)
+        if lines > 0:
+            with os.fdopen(ours) as output:
+                for _ in range(lines):
+                    output.readline()
+        error = process.communicate(timeout=60)[1].decode()
+        return process.returncode, error
+
+    def test_the_program_ends_silently_and_leaves_no_file(self):
+        points = subprocess.run([PROGRAM, "generate", "uniform", "--points", "300"], check=True,
+                                capture_output=True).stdout
+        (self.folder / "many.csv").write_bytes(points)
+        (self.folder / "edges.csv").write_text("before", encoding="utf-8")
+        before = sorted(os.listdir(self.folder))
+        code, error = self.run_into_closed_pipe(
+            ["simulate", "many.csv", "--until", "100", "--events", "-", "--edges", "edges.csv",
+             "--stats", "stats.json", "--frames", "frames"], lines=1)
+        self.assertEqual((code, error), (-signal.SIGPIPE, ""))
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+        self.assertEqual((self.folder / "edges.csv").read_text(encoding="utf-8"), "before")
+
+    def test_so_do_other_commands(self):
+        for arguments in (["--help"], ["help", "simulate"], ["manual"], ["completion", "zsh"],
+                          ["generate", "uniform", "--points", "100000"]):
+            with self.subTest(arguments=arguments):
+                self.assertEqual(self.run_into_closed_pipe(arguments), (-signal.SIGPIPE, ""))
+
+    def test_another_output_that_fails_is_an_error(self):
+        code, error = self.run_into_closed_pipe([*SIMULATE, "--events", "/dev/full"])
+        self.assertEqual(code, 2)
+        self.assertIn("/dev/full: writing failed: No space left on device", error)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
