@@ -122,22 +122,22 @@ class Playing(Page):
             self.assertEqual(runs.check_combinatorics(wanted, triangles), "",
                              f"forward, after {number} events")
         forward = [triangles for _, _, _, triangles in seen]
-        self.check_delaunay(run, expected, forward)
+        self.check_delaunay(run, forward)
         seen = self.evaluate(STEPS.replace("DIRECTION", "stepBackward"))
         self.assertEqual([n for _, n, _, _ in seen], [n for _, n, _ in reversed(expected)])
         for (_, number, found, _), (_, _, wanted) in zip(seen, reversed(expected)):
             self.assertEqual(edges(found), wanted, f"backward, after {number} events")
         self.assertEqual([triangles for _, _, _, triangles in seen], forward[::-1], "backward")
 
-    def check_delaunay(self, run, expected, triangles):
+    def check_delaunay(self, run, triangles):
         """Of points that never turn: some triangulations are exactly Delaunay between the instants."""
         if run.motions is None or any(event.points != [None, None] for event in run.events):
             return
-        steps = [i for i in range(len(expected) - 1)
-                 if i == 0 or run.instants()[i - 1][0][2] < run.instants()[i][0][1]]
+        before = [0.0] + [instant[0][2] for instant in run.instants()]
+        after = [instant[0][1] for instant in run.instants()]
+        steps = [i for i in range(len(after)) if before[i] < after[i]]
         for i in steps[::max(len(steps) // 12, 1)]:
-            after = run.instants()[i - 1][0][2] if i > 0 else 0.0
-            when = (runs.fractions.Fraction(after) + runs.fractions.Fraction(run.instants()[i][0][1])) / 2
+            when = (runs.fractions.Fraction(before[i]) + runs.fractions.Fraction(after[i])) / 2
             self.assertTrue(runs.is_delaunay(run, triangles[i], when), f"at {float(when)!r}")
 
     def check_times(self, run):
