@@ -4,8 +4,8 @@
 // which nothing is of interest. What fails later makes no event.
 #include <kinetri/kinetic/basic_kinetic_traits_2.h>
 // The definitions of the templates: the library has them compiled for its own traits only.
-#include <kinetri/triangulation/detail/audit_impl.h>
-#include <kinetri/triangulation/detail/kinetic_delaunay_triangulation_2_impl.h>
+#include <kinetri/triangulation/audit_impl.h>
+#include <kinetri/triangulation/kinetic_delaunay_triangulation_2_impl.h>
 
 #include <array>
 #include <iostream>

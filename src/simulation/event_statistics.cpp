@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/simulation/event_statistics.h"
 
-#include "kinetri/simulation/detail/event_statistics_impl.h"
+#include "kinetri/simulation/event_statistics_impl.h"
 
 namespace kinetri {
 

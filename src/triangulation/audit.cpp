@@ -3,7 +3,7 @@
 // The audits are compiled on their own: their static triangulation is most of the compile time.
 #include "kinetri/triangulation/audit.h"
 
-#include "kinetri/triangulation/detail/audit_impl.h"
+#include "kinetri/triangulation/audit_impl.h"
 
 namespace kinetri {
 

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "kinetri/triangulation/detail/kinetic_delaunay_triangulation_2_impl.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2_impl.h"
 
 namespace kinetri {
 

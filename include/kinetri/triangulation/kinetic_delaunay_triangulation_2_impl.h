@@ -3,8 +3,8 @@
 // Definitions of Kinetic_delaunay_triangulation_2 but for its audits. Include this, and
 // audit_impl.h, only where the class is instantiated for a kinetic traits class of one's own; it is
 // compiled into the library for both kinds of motion.
-#ifndef KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
+#ifndef KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
+#define KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
 
 #include <algorithm>
 #include <chrono>
@@ -543,4 +543,4 @@ Event_kind Kinetic_delaunay_triangulation_2<Traits>::event_kind(Entry_kind failu
 #include "kinetri/triangulation/detail/rebuild_impl.h"
 #include "kinetri/triangulation/detail/snapshot_impl.h"
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
+#endif  // KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H

@@ -3,8 +3,8 @@
 // Definitions of the audits of Kinetic_delaunay_triangulation_2. The geometric levels judge the
 // exact positions at a rational time by CGAL's static predicates and share no formula with the
 // certificates.
-#ifndef KINETRI_TRIANGULATION_DETAIL_AUDIT_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_AUDIT_IMPL_H
+#ifndef KINETRI_TRIANGULATION_AUDIT_IMPL_H
+#define KINETRI_TRIANGULATION_AUDIT_IMPL_H
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Lazy_exact_nt.h>
@@ -314,4 +314,4 @@ Audit_report Kinetic_delaunay_triangulation_2<Traits>::audit(Audit_level level) 
 
 }  // namespace kinetri
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_AUDIT_IMPL_H
+#endif  // KINETRI_TRIANGULATION_AUDIT_IMPL_H

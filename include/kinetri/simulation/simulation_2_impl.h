@@ -2,8 +2,8 @@
 //
 // Definitions of Simulation_2. Include this only where the class is instantiated for a kinetic
 // traits class of one's own; it is compiled into the library for both kinds of motion.
-#ifndef KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H
-#define KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H
+#ifndef KINETRI_SIMULATION_SIMULATION_2_IMPL_H
+#define KINETRI_SIMULATION_SIMULATION_2_IMPL_H
 
 #include <algorithm>
 #include <charconv>
@@ -697,4 +697,4 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
 
 #include "kinetri/simulation/detail/snapshot_impl.h"
 
-#endif  // KINETRI_SIMULATION_DETAIL_SIMULATION_2_IMPL_H
+#endif  // KINETRI_SIMULATION_SIMULATION_2_IMPL_H

@@ -3,8 +3,8 @@
 // Definitions of Event_statistics. Include this only where the class is instantiated for a type of
 // time of one's own, which is ordered, made from a double, and has to_double(); it is compiled into
 // the library for Algebraic_number.
-#ifndef KINETRI_SIMULATION_DETAIL_EVENT_STATISTICS_IMPL_H
-#define KINETRI_SIMULATION_DETAIL_EVENT_STATISTICS_IMPL_H
+#ifndef KINETRI_SIMULATION_EVENT_STATISTICS_IMPL_H
+#define KINETRI_SIMULATION_EVENT_STATISTICS_IMPL_H
 
 #include <algorithm>
 #include <cmath>
@@ -149,4 +149,4 @@ void Event_statistics<Time>::write(std::ostream& out) const {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SIMULATION_DETAIL_EVENT_STATISTICS_IMPL_H
+#endif  // KINETRI_SIMULATION_EVENT_STATISTICS_IMPL_H

@@ -3,8 +3,8 @@
 // Definitions of Kinetic_queries_2. Include this only where the class is instantiated for a kinetic
 // traits class of one's own, whose points have trajectories (as Moving_point_2 has) and whose times
 // are algebraic numbers; it is compiled into the library for both kinds of motion.
-#ifndef KINETRI_TRIANGULATION_DETAIL_QUERIES_2_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_QUERIES_2_IMPL_H
+#ifndef KINETRI_TRIANGULATION_QUERIES_2_IMPL_H
+#define KINETRI_TRIANGULATION_QUERIES_2_IMPL_H
 
 #include <algorithm>
 #include <unordered_set>
@@ -328,4 +328,4 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const
 #include "kinetri/triangulation/detail/closest_pair_impl.h"
 #include "kinetri/triangulation/detail/voronoi_cell_impl.h"
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_QUERIES_2_IMPL_H
+#endif  // KINETRI_TRIANGULATION_QUERIES_2_IMPL_H
