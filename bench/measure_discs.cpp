@@ -66,7 +66,7 @@ class Contact_recorder : public Simulation::Observer {
   Contact_recorder& operator=(const Contact_recorder&) = delete;
   ~Contact_recorder() override { simulation_.remove_observer(*this); }
 
-  void after_event(const Event<Algebraic_number>& event) override {
+  void after_event(const Event& event) override {
     if (event.kind != Event_kind::wall && event.kind != Event_kind::collision) return;
     Contact contact = {event.kind, event.time, {}};
     for (const auto& id : {event.point_a, event.point_b}) {

@@ -21,7 +21,7 @@ json counters(const Kinetic& triangulation) {
   const Certificate_counters certificates = triangulation.certificate_counters();
   const Queue_counters& queue = triangulation.queue_counters();
   return {{"events", triangulation.counters().number_of_events()},
-          {"rebuilds", triangulation.counters().rebuilds},
+          {"reconstructions", triangulation.counters().reconstructions},
           {"pushed", queue.pushed},
           {"discarded", queue.discarded},
           {"peak", queue.peak},

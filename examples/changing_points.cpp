@@ -21,26 +21,26 @@ static void by_calls(const std::vector<kinetri::Linear_motion_2>& drones) {
   print_edges(kdt);
 
   // {position, velocity, epoch}: the point is at the position at the epoch, here at time 1.
-  const auto newcomer = kdt.insert({{4, 3}, {0, 0.5}, 1});
-  const kinetri::Point_id id = newcomer->point().id();
-  std::cout << "insert " << id << ", of degree " << kdt.triangulation().degree(newcomer) << '\n';
+  const kinetri::Point_id id = kdt.insert({{4, 3}, {0, 0.5}, 1});
+  std::cout << "insert " << id << ", of degree " << kdt.triangulation().degree(kdt.vertex(id))
+            << '\n';
   print_edges(kdt);
 
-  // A new velocity from time 3 on. The handle and the id stay the same.
+  // A new velocity from time 3 on. The id and the vertex stay the same.
   kdt.advance_to(3);
-  kdt.set_motion(newcomer, turned(kdt.motion(id), {-1, 0}, 3));
+  kdt.set_motion(id, with_velocity_at(kdt.motion(id), {-1, 0}, 3));
   kdt.advance_to(4);
   print_edges(kdt);
 
   // Two points with the same trajectory cannot both be vertices.
   try {
-    kdt.set_motion(kdt.vertex(0), kdt.motion(2));
+    kdt.set_motion(0, kdt.motion(2));
   } catch (const kinetri::Coincident_trajectories_error& error) {
     std::cout << "refused: " << error.what() << '\n';  // and nothing has changed
   }
 
-  // After this the handle is invalid. The id is not used again.
-  kdt.erase(newcomer);
+  // The id is not used again.
+  kdt.erase(id);
   std::cout << "erase " << id << ", the next id is " << kdt.next_id() << '\n';
   print_edges(kdt);
 }

@@ -13,13 +13,13 @@ using Triangulation = kinetri::Kinetic_delaunay_triangulation_2<>;
 using Time = Triangulation::Time;
 
 // Prints each event. Where an edge is removed, prints since when it existed.
-class Neighborhoods : public kinetri::Event_observer<Time> {
+class Neighborhoods : public kinetri::Event_observer {
  public:
   explicit Neighborhoods(const Triangulation& kdt) {
     for (const kinetri::Edge_ids& edge : kdt.finite_edge_ids()) since_[edge] = kdt.current_time();
   }
 
-  void after_event(const kinetri::Event<Time>& event) override {
+  void after_event(const kinetri::Event& event) override {
     std::cout << event.number << ": t = " << event.time.to_double() << ' ' << name(event.kind);
     if (event.removed) {
       const auto [a, b] = *event.removed;
@@ -51,7 +51,7 @@ int main() {
   Triangulation kdt(ships);
 
   Neighborhoods neighborhoods(kdt);
-  kinetri::Event_statistics<> statistics(0, 10, 2);  // two intervals, [0, 5] and [5, 10]
+  kinetri::Event_statistics statistics(0, 10, 2);  // two intervals, [0, 5] and [5, 10]
   kdt.add_observer(neighborhoods);
   kdt.add_observer(statistics);
   kdt.advance_to(10);

@@ -7,12 +7,8 @@
 #include <kinetri/triangulation/audit_impl.h>
 #include <kinetri/triangulation/kinetic_delaunay_triangulation_2_impl.h>
 
-#include <array>
 #include <iostream>
-#include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -22,66 +18,49 @@ using Base = kinetri::Linear_kinetic_traits_2;
 class Closing_traits : public Base {
  public:
   using P = Point_2;
-  using Four = kinetri::Quadruple<P>;
   using State = kinetri::Certificate_state;
-  using Counters = kinetri::Certificate_counters;
   using Interval = kinetri::Double_interval;
-  using Outlook = kinetri::Outlook<Time>;
+  using Certificate = kinetri::Certificate;
 
   explicit Closing_traits(double closing, Base base = {}) : Base(base), closing_(closing) {}
 
   // The same without the floating-point filter, for audits.
   Closing_traits exact() const { return Closing_traits(closing_, Base::exact()); }
 
-  Outlook in_circle_outlook(const P& p, const P& q, const P& r, const P& s, const Time& t,
-                            State state, Counters& counters) const {
-    return cut({&p, &q, &r, &s}, Base::in_circle_outlook(p, q, r, s, t, state, counters));
+  Certificate in_circle_certificate(const P& p, const P& q, const P& r, const P& s, const Time& t,
+                                    State state) const {
+    return cut(Base::in_circle_certificate(p, q, r, s, t, state),
+               [&](const Interval& bounds) { return in_circle_failure(p, q, r, s, bounds); });
   }
-  Outlook orientation_outlook(const P& p, const P& q, const P& r, const Time& t, State state,
-                              Counters& counters) const {
-    return cut(Base::orientation_outlook(p, q, r, t, state, counters),
+  Certificate orientation_certificate(const P& p, const P& q, const P& r, const Time& t,
+                                      State state) const {
+    return cut(Base::orientation_certificate(p, q, r, t, state),
                [&](const Interval& bounds) { return orientation_failure(p, q, r, bounds); });
   }
-  Outlook flatness_outlook(const P& p, const P& q, const P& r, const Time& t, State state,
-                           Counters& counters) const {
-    return cut(Base::flatness_outlook(p, q, r, t, state, counters),
+  Certificate flatness_certificate(const P& p, const P& q, const P& r, const Time& t,
+                                   State state) const {
+    return cut(Base::flatness_certificate(p, q, r, t, state),
                [&](const Interval& bounds) { return orientation_failure(p, q, r, bounds); });
   }
-  std::array<Outlook, 2> in_circle_outlooks(const std::array<Four, 2>& certificates, const Time& t,
-                                            Counters& counters) const {
-    auto outlooks = Base::in_circle_outlooks(certificates, t, counters);
-    return {cut(certificates[0], std::move(outlooks[0])),
-            cut(certificates[1], std::move(outlooks[1]))};
-  }
-  std::array<Outlook, 5> outlooks_after_flip(const kinetri::Flip_neighborhood<P>& around,
-                                             const Interval& now, Counters& counters) const {
-    auto outlooks = Base::outlooks_after_flip(around, now, counters);
-    for (std::size_t i = 0; i < outlooks.size(); ++i) {
-      outlooks[i] = cut(around.certificate(i), std::move(outlooks[i]));
-    }
-    return outlooks;
-  }
-  std::optional<Time> coincidence_time(const P& p, const P& q, const Time& t, const Interval& among,
-                                       Counters& counters) const {
-    auto time = Base::coincidence_time(p, q, t, among, counters);
-    return time && *time > closing_ ? std::nullopt : std::move(time);
+  Certificate coincidence_certificate(const P& p, const P& q, const Time& t,
+                                      const Interval& among) const {
+    return cut(Base::coincidence_certificate(p, q, t, among),
+               [&](const Interval&) { return closing_; });  // never asked: the time is there
   }
 
  private:
-  // The bounds of the failure decide where they can, and where they cannot its exact time.
+  // The bounds of the failure decide if they can; otherwise its exact time does.
   template <class Failure>
-  Outlook cut(Outlook outlook, Failure failure) const {
-    if (outlook.kind != Outlook::Kind::fails || outlook.bounds.upper <= closing_) return outlook;
-    if (outlook.bounds.lower > closing_ || failure(outlook.bounds) > closing_) {
-      outlook = {.may_vanish = outlook.may_vanish};  // holds for ever
+  Certificate cut(Certificate certificate, Failure failure) const {
+    const auto& [lower, upper] = certificate.bounds;
+    if (certificate.kind != Certificate::Kind::fails || upper <= closing_) return certificate;
+    const auto time = [&]() -> Time {
+      return certificate.failure ? *certificate.failure : failure(certificate.bounds);
+    };
+    if (lower > closing_ || time() > closing_) {
+      return {.may_vanish = certificate.may_vanish, .means = certificate.means};  // never fails
     }
-    return outlook;
-  }
-
-  Outlook cut(const Four& points, Outlook outlook) const {
-    return cut(std::move(outlook), [&](const Interval& bounds) {
-      return in_circle_failure(*points[0], *points[1], *points[2], *points[3], bounds);
-    });
+    return certificate;
   }
 
   double closing_;

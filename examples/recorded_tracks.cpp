@@ -25,10 +25,10 @@ static Paths paths_of(const kinetri::Tracks_file& file) {
 }
 
 // Prints who appears, turns and leaves.
-struct Log : kinetri::Event_observer<Time> {
+struct Log : kinetri::Event_observer {
   explicit Log(const std::vector<std::string>& point_names) : names(point_names) {}
 
-  void after_event(const kinetri::Event<Time>& event) override {
+  void after_event(const kinetri::Event& event) override {
     using Kind = kinetri::Event_kind;
     if (event.kind != Kind::insert && event.kind != Kind::trajectory && event.kind != Kind::erase) {
       return;

@@ -10,8 +10,8 @@ using Simulation = kinetri::Simulation_2<>;
 using Time = Simulation::Time;
 
 // Prints contacts, and ignores all other events.
-struct Contacts : kinetri::Event_observer<Time> {
-  void after_event(const kinetri::Event<Time>& event) override {
+struct Contacts : kinetri::Event_observer {
+  void after_event(const kinetri::Event& event) override {
     if (event.kind == kinetri::Event_kind::wall) {
       std::cout << "t = " << event.time.to_double() << ": stone " << *event.point_a
                 << " hits a wall\n";

@@ -114,7 +114,7 @@ Simulation_options options(const Json_value& state) {
   }
   result.rim_touches = state.member("rim_touches").truth();
   result.radius = state.member("radius").number();
-  result.contacts_at_one_time = count(state.member("contacts_at_one_time"));
+  result.max_contacts_per_instant = count(state.member("max_contacts_per_instant"));
   return result;
 }
 

@@ -117,7 +117,7 @@ class Checkpoint_writer {
     add("rim_touches", options.rim_touches);
     add("radius", options.radius);
     add("has_response", snapshot.has_response);
-    add("contacts_at_one_time", options.contacts_at_one_time);
+    add("max_contacts_per_instant", options.max_contacts_per_instant);
   }
 
   // Of each face the vertices (null for the infinite one) and the neighbors, as many as the

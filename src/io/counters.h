@@ -36,8 +36,8 @@ inline constexpr std::array<Named_counter<Triangulation_counters>, 7> triangulat
     {"batches", &Triangulation_counters::batches},
     {"flat_hulls", &Triangulation_counters::flat_hulls},
     {"points_set_aside", &Triangulation_counters::points_set_aside},
-    {"rebuilds", &Triangulation_counters::rebuilds},
-    {"looks_again", &Triangulation_counters::looks_again},
+    {"reconstructions", &Triangulation_counters::reconstructions},
+    {"rechecks", &Triangulation_counters::rechecks},
 }};
 
 /// Of contacts, those that are not of their queue.

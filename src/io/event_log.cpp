@@ -32,7 +32,7 @@ Event_log_writer::Event_log_writer(std::ostream& out) : out_(out) {
   out_ << "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n";
 }
 
-void Event_log_writer::after_event(const Event<Algebraic_number>& event) {
+void Event_log_writer::after_event(const Event& event) {
   if (!time_ || *time_ != event.time) {
     time_ = event.time;
     time_text_ = three_fields(event.time);

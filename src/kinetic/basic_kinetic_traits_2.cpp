@@ -73,89 +73,77 @@ struct Wall_root : Root_source {  // of polynomial motion; else the root is rati
   Wall_2 wall;
 };
 
-// The outlook that a verdict of the filter is. Precondition: it is not unknown.
-Outlook<Time> outlook(const Filter_verdict& verdict, Certificate_counters& counters) {
-  using Kind = Outlook<Time>::Kind;
-  ++counters.filter_decided;
-  counters.refined_decided += verdict.is_refined ? 1 : 0;
-  switch (verdict.kind) {
-    case Filter_verdict::Kind::fails:
-      ++counters.root_solves;
-      return {Kind::fails, verdict.bounds};
-    case Filter_verdict::Kind::holds:
-      return {Kind::holds, verdict.bounds};
+// The certificate that a result of the filter is. Precondition: the result is not unknown.
+Certificate certificate(const Filter_result& result) {
+  using Kind = Certificate::Kind;
+  const auto means =
+      result.is_refined ? Certificate::Means::refined_filter : Certificate::Means::filter;
+  switch (result.kind) {
+    case Filter_result::Kind::fails:
+      return {Kind::fails, result.bounds, nullptr, false, means, true};
+    case Filter_result::Kind::holds:
+      return {Kind::holds, result.bounds, nullptr, false, means};
     default:
-      return {Kind::holds_for_ever};
+      return {Kind::never_fails, {}, nullptr, false, means};
   }
 }
 
-// That of a certificate that is certainly violated at t, as after the insertion of a point.
-Outlook<Time> failure_at_once(const Time& t, Certificate_counters& counters) {
-  ++counters.filter_decided;
-  ++counters.refined_decided;
-  return {Outlook<Time>::Kind::fails, t.interval(), std::make_unique<Time>(t), true};
+// A certificate that is certainly violated just after t, as after the insertion of a point.
+Certificate failure_at_once(const Time& t) {
+  return {Certificate::Kind::fails, t.interval(), std::make_unique<Time>(t), true,
+          Certificate::Means::refined_filter};
 }
 
-// The outlook of an in-circle certificate of which the filter has said something, be it "unknown".
-template <class Motion>
-Outlook<Time> in_circle_outlook(const Basic_kinetic_traits_2<Motion>& traits,
-                                const Filter_verdict& verdict,
-                                const Quadruple<Basic_moving_point_2<Motion>>& points,
-                                const Time& t, Certificate_state state,
-                                Certificate_counters& counters) {
-  if (verdict.kind != Filter_verdict::Kind::unknown) {
-    ++counters.created;
-    return outlook(verdict, counters);
-  }
-  const auto& [p, q, r, s] = points;
-  return traits.in_circle_outlook(*p, *q, *r, *s, t, state, counters);
+// The certificate of which a batch of the filter has said something, be it "unknown".
+Certificate certificate_or_unknown(const Filter_result& result) {
+  if (result.kind != Filter_result::Kind::unknown) return certificate(result);
+  return {Certificate::Kind::unknown};
 }
 
 // What the filter knows of two in-circle certificates, without looking at each of them alone.
-std::array<Filter_verdict, 2> verdicts(const std::array<Quadruple<Moving_point_2>, 2>& certificates,
-                                       const Double_interval& after) {
+std::array<Filter_result, 2> results_of_two(
+    const std::array<Quadruple<Moving_point_2>, 2>& certificates, const Double_interval& after) {
   const auto& [a, b] = certificates;
   return filter_in_circles({{{&a[0]->motion(), &a[1]->motion(), &a[2]->motion(), &a[3]->motion()},
                              {&b[0]->motion(), &b[1]->motion(), &b[2]->motion(), &b[3]->motion()}}},
                            after);
 }
-std::array<Filter_verdict, 2> verdicts(
+std::array<Filter_result, 2> results_of_two(
     const std::array<Quadruple<Basic_moving_point_2<Polynomial_motion_2>>, 2>& /*certificates*/,
     const Double_interval& /*after*/) {
   return {};
 }
 
 // What the filter knows of the certificates after a flip, without looking at each of them alone.
-std::array<Filter_verdict, 5> verdicts_after_flip(const Flip_neighborhood<Moving_point_2>& around,
-                                                  const Double_interval& after) {
+std::array<Filter_result, 5> results_after_flip(const Flip_neighborhood<Moving_point_2>& around,
+                                                const Double_interval& after) {
   const auto& [a, b, c, d] = around.corners;
   const auto& [e, f, g, h] = around.beyond;
   return filter_after_flip({{&a->motion(), &b->motion(), &c->motion(), &d->motion()},
                             {&e->motion(), &f->motion(), &g->motion(), &h->motion()}},
                            after);
 }
-std::array<Filter_verdict, 5> verdicts_after_flip(
+std::array<Filter_result, 5> results_after_flip(
     const Flip_neighborhood<Basic_moving_point_2<Polynomial_motion_2>>& /*around*/,
     const Double_interval& /*after*/) {
   return {};
 }
 
-Outlook<Time> exact_outlook(std::optional<Time> failure) {
-  using Kind = Outlook<Time>::Kind;
+Certificate exact_certificate(std::optional<Time> failure, bool is_root_solved) {
+  using Kind = Certificate::Kind;
+  constexpr auto means = Certificate::Means::exact;
   constexpr bool may_vanish = true;
-  if (!failure) return {Kind::holds_for_ever, {}, nullptr, may_vanish};
+  if (!failure) return {Kind::never_fails, {}, nullptr, may_vanish, means, is_root_solved};
   // The filter starts from this time's interval when the event has been executed, and knows nothing
   // if that is wide.
   failure->refine_to_bits(std::numeric_limits<double>::digits);
   const Double_interval bounds = failure->interval();
-  return {Kind::fails, bounds, std::make_unique<Time>(std::move(*failure)), may_vanish};
+  return {Kind::fails, bounds, std::make_unique<Time>(std::move(*failure)),
+          may_vanish,  means,  is_root_solved};
 }
 
-Outlook<Time> exact_outlook(const Polynomial& certificate, const Time& t,
-                            Certificate_counters& counters) {
-  ++counters.exact_decided;
-  if (certificate.degree() > 0) ++counters.root_solves;
-  return exact_outlook(failure_time(certificate, t));
+Certificate exact_certificate(const Polynomial& certificate, const Time& t) {
+  return exact_certificate(failure_time(certificate, t), certificate.degree() > 0);
 }
 
 // The first time from t on at which the distance is not positive and falls.
@@ -166,102 +154,111 @@ std::optional<Time> contact_time(const Polynomial& distance, const Time& t) {
   return failure_time(distance, *fall);
 }
 
-Outlook<Time> exact_contact_outlook(const Polynomial& distance, const Time& t,
-                                    Certificate_counters& counters) {
-  ++counters.exact_decided;
+// The first time strictly after t at which both coordinates of a difference vanish.
+std::optional<Time> coincidence_time(const Polynomial& x, const Polynomial& y, const Time& t) {
+  if (x.degree() > 1 || y.degree() > 1) {
+    const Polynomial common = gcd(x, y);
+    if (common.degree() < 1) return std::nullopt;
+    std::optional<Real_root> root = first_root_after(common, t);
+    return root ? std::optional(std::move(root->value)) : std::nullopt;
+  }
+  // Linear polynomials: a common root is a root of the one that is not constant, and of the other.
+  const Polynomial& moving = x.degree() == 1 ? x : y;
+  const Polynomial& other = x.degree() == 1 ? y : x;
+  if (moving.degree() != 1) return std::nullopt;
+  const Rational root(-moving[0], moving[1]);
+  if (other.sign_at(root) != CGAL::ZERO || compare(t, root) != CGAL::SMALLER) return std::nullopt;
+  return Time(root);
+}
+
+Certificate exact_contact_certificate(const Polynomial& distance, const Time& t) {
   std::optional<Time> contact = contact_time(distance, t);
   if (contact && *contact == t) {
-    return {Outlook<Time>::Kind::fails, t.interval(), std::make_unique<Time>(t)};
+    return {Certificate::Kind::fails, t.interval(), std::make_unique<Time>(t), false,
+            Certificate::Means::exact};
   }
-  if (contact) ++counters.root_solves;
-  return exact_outlook(std::move(contact));
+  const bool is_root_solved = contact.has_value();
+  return exact_certificate(std::move(contact), is_root_solved);
 }
 
 }  // namespace
 
 template <class Motion>
-Outlook<Time> Basic_kinetic_traits_2<Motion>::in_circle_outlook(
-    const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s, const Time& t,
-    Certificate_state state, Certificate_counters& counters) const {
-  ++counters.created;
+Certificate Basic_kinetic_traits_2<Motion>::in_circle_certificate(const Point_2& p,
+                                                                  const Point_2& q,
+                                                                  const Point_2& r,
+                                                                  const Point_2& s, const Time& t,
+                                                                  Certificate_state state) const {
   if (arithmetic_ == Arithmetic::filtered) {
-    const Filter_verdict verdict =
+    const Filter_result result =
         filter_in_circle(p.motion(), q.motion(), r.motion(), s.motion(), t.interval(),
                          state == Certificate_state::vanishes);
-    if (verdict.kind != Filter_verdict::Kind::unknown) {
-      return outlook(verdict, counters);
-    }
+    if (result.kind != Filter_result::Kind::unknown) return certificate(result);
     if (certain_in_circle(p.motion(), q.motion(), r.motion(), s.motion(), t.interval()) ==
         CGAL::POSITIVE) {
-      return failure_at_once(t, counters);
+      return failure_at_once(t);
     }
   }
-  return exact_outlook(-in_circle_polynomial(p, q, r, s), t, counters);
+  return exact_certificate(-in_circle_polynomial(p, q, r, s), t);
+}
+
+// What the filter knows of an orientation from t on, if it knows anything.
+template <class Motion>
+std::optional<Certificate> Basic_kinetic_traits_2<Motion>::filtered_orientation(
+    const Point_2& p, const Point_2& q, const Point_2& r, const Time& t,
+    Certificate_state state) const {
+  if (arithmetic_ != Arithmetic::filtered) return std::nullopt;
+  const Filter_result result = filter_orientation(p.motion(), q.motion(), r.motion(), t.interval(),
+                                                  state == Certificate_state::vanishes);
+  if (result.kind != Filter_result::Kind::unknown) return certificate(result);
+  if (certain_orientation(p.motion(), q.motion(), r.motion(), t.interval()) == CGAL::NEGATIVE) {
+    return failure_at_once(t);
+  }
+  return std::nullopt;
 }
 
 template <class Motion>
-Outlook<Time> Basic_kinetic_traits_2<Motion>::orientation_outlook(
-    const Point_2& p, const Point_2& q, const Point_2& r, const Time& t, Certificate_state state,
-    Certificate_counters& counters) const {
-  ++counters.created;
-  if (arithmetic_ == Arithmetic::filtered) {
-    const Filter_verdict verdict = filter_orientation(
-        p.motion(), q.motion(), r.motion(), t.interval(), state == Certificate_state::vanishes);
-    if (verdict.kind != Filter_verdict::Kind::unknown) {
-      return outlook(verdict, counters);
-    }
-    if (certain_orientation(p.motion(), q.motion(), r.motion(), t.interval()) == CGAL::NEGATIVE) {
-      return failure_at_once(t, counters);
-    }
-  }
-  return exact_outlook(orientation_polynomial(p, q, r), t, counters);
+Certificate Basic_kinetic_traits_2<Motion>::orientation_certificate(const Point_2& p,
+                                                                    const Point_2& q,
+                                                                    const Point_2& r, const Time& t,
+                                                                    Certificate_state state) const {
+  if (auto known = filtered_orientation(p, q, r, t, state)) return std::move(*known);
+  return exact_certificate(orientation_polynomial(p, q, r), t);
 }
 
 template <class Motion>
-Outlook<Time> Basic_kinetic_traits_2<Motion>::flatness_outlook(
-    const Point_2& p, const Point_2& q, const Point_2& r, const Time& t, Certificate_state state,
-    Certificate_counters& counters) const {
-  ++counters.created;
-  if (arithmetic_ == Arithmetic::filtered) {
-    const Filter_verdict verdict = filter_orientation(
-        p.motion(), q.motion(), r.motion(), t.interval(), state == Certificate_state::vanishes);
-    if (verdict.kind != Filter_verdict::Kind::unknown) return outlook(verdict, counters);
-    if (certain_orientation(p.motion(), q.motion(), r.motion(), t.interval()) == CGAL::NEGATIVE) {
-      return failure_at_once(t, counters);
-    }
-  }
+Certificate Basic_kinetic_traits_2<Motion>::flatness_certificate(const Point_2& p, const Point_2& q,
+                                                                 const Point_2& r, const Time& t,
+                                                                 Certificate_state state) const {
+  if (auto known = filtered_orientation(p, q, r, t, state)) return std::move(*known);
   const Polynomial orientation = orientation_polynomial(p, q, r);
-  ++counters.exact_decided;
-  if (orientation.degree() > 0) ++counters.root_solves;
-  if (sign_just_after(orientation, t) == CGAL::NEGATIVE) return exact_outlook(t);
-  if (orientation.is_zero()) return exact_outlook(std::nullopt);
+  const bool is_root_solved = orientation.degree() > 0;
+  if (sign_just_after(orientation, t) == CGAL::NEGATIVE) {
+    return exact_certificate(t, is_root_solved);
+  }
+  if (orientation.is_zero()) return exact_certificate(std::nullopt, is_root_solved);
   std::optional<Real_root> root = first_root_after(orientation, t);
-  return exact_outlook(root ? std::optional(std::move(root->value)) : std::nullopt);
+  return exact_certificate(root ? std::optional(std::move(root->value)) : std::nullopt,
+                           is_root_solved);
 }
 
 template <class Motion>
-std::array<Outlook<Time>, 2> Basic_kinetic_traits_2<Motion>::in_circle_outlooks(
-    const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t,
-    Certificate_counters& counters) const {
-  const auto known = arithmetic_ == Arithmetic::filtered ? verdicts(certificates, t.interval())
-                                                         : std::array<Filter_verdict, 2>();
-  constexpr auto any = Certificate_state::any;
-  return {kinetri::in_circle_outlook(*this, known[0], certificates[0], t, any, counters),
-          kinetri::in_circle_outlook(*this, known[1], certificates[1], t, any, counters)};
+std::array<Certificate, 2> Basic_kinetic_traits_2<Motion>::in_circle_certificates(
+    const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t) const {
+  const auto results = arithmetic_ == Arithmetic::filtered
+                           ? results_of_two(certificates, t.interval())
+                           : std::array<Filter_result, 2>();
+  return {certificate_or_unknown(results[0]), certificate_or_unknown(results[1])};
 }
 
 template <class Motion>
-std::array<Outlook<Time>, 5> Basic_kinetic_traits_2<Motion>::outlooks_after_flip(
-    const Flip_neighborhood<Point_2>& around, const Double_interval& now,
-    Certificate_counters& counters) const {
-  const auto known = arithmetic_ == Arithmetic::filtered ? verdicts_after_flip(around, now)
-                                                         : std::array<Filter_verdict, 5>();
-  const auto number = [&](std::size_t k) -> Outlook<Time> {
-    if (known[k].kind == Filter_verdict::Kind::unknown) return {Outlook<Time>::Kind::unknown};
-    ++counters.created;
-    return outlook(known[k], counters);
-  };
-  return {number(0), number(1), number(2), number(3), number(4)};
+std::array<Certificate, 5> Basic_kinetic_traits_2<Motion>::certificates_after_flip(
+    const Flip_neighborhood<Point_2>& around, const Double_interval& now) const {
+  const auto results = arithmetic_ == Arithmetic::filtered ? results_after_flip(around, now)
+                                                           : std::array<Filter_result, 5>();
+  return {certificate_or_unknown(results[0]), certificate_or_unknown(results[1]),
+          certificate_or_unknown(results[2]), certificate_or_unknown(results[3]),
+          certificate_or_unknown(results[4])};
 }
 
 template <class Motion>
@@ -279,70 +276,54 @@ Time Basic_kinetic_traits_2<Motion>::orientation_failure(const Point_2& p, const
 }
 
 template <class Motion>
-std::optional<Time> Basic_kinetic_traits_2<Motion>::coincidence_time(
-    const Point_2& p, const Point_2& q, const Time& t, const Double_interval& among,
-    Certificate_counters& counters) const {
-  ++counters.created;
+Certificate Basic_kinetic_traits_2<Motion>::coincidence_certificate(
+    const Point_2& p, const Point_2& q, const Time& t, const Double_interval& among) const {
   if (arithmetic_ == Arithmetic::filtered && certainly_apart(p.motion(), q.motion(), among)) {
-    ++counters.filter_decided;
-    return std::nullopt;
+    return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::filter};
   }
-  ++counters.exact_decided;
-  const Polynomial x = x_difference(p, q);
-  const Polynomial y = y_difference(p, q);
-  if (x.degree() > 1 || y.degree() > 1) {
-    const Polynomial common = gcd(x, y);
-    if (common.degree() < 1) return std::nullopt;
-    std::optional<Real_root> root = first_root_after(common, t);
-    return root ? std::optional(std::move(root->value)) : std::nullopt;
-  }
-  // Linear polynomials: a common root is a root of the one that is not constant, and of the other.
-  const Polynomial& moving = x.degree() == 1 ? x : y;
-  const Polynomial& other = x.degree() == 1 ? y : x;
-  if (moving.degree() != 1) return std::nullopt;
-  const Rational root(-moving[0], moving[1]);
-  if (other.sign_at(root) != CGAL::ZERO || compare(t, root) != CGAL::SMALLER) return std::nullopt;
-  return Time(root);
+  std::optional<Time> time = coincidence_time(x_difference(p, q), y_difference(p, q), t);
+  if (!time) return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::exact};
+  const Double_interval bounds = time->interval();
+  return {Certificate::Kind::fails, bounds, std::make_unique<Time>(std::move(*time)), false,
+          Certificate::Means::exact};
 }
 
 // ---- contacts ----
 
 template <class Motion>
-Outlook<Time> Basic_kinetic_traits_2<Motion>::contact_outlook(
-    const Point_2& p, const Point_2& q, double diameter, const Time& t,
-    Certificate_counters& counters) const {
-  ++counters.created;
+Certificate Basic_kinetic_traits_2<Motion>::contact_certificate(const Point_2& p, const Point_2& q,
+                                                                double diameter,
+                                                                const Time& t) const {
   if (arithmetic_ == Arithmetic::filtered) {
-    const Filter_verdict verdict = filter_contact(p.motion(), q.motion(), diameter, t.interval());
-    if (verdict.kind != Filter_verdict::Kind::unknown) return outlook(verdict, counters);
+    const Filter_result result = filter_contact(p.motion(), q.motion(), diameter, t.interval());
+    if (result.kind != Filter_result::Kind::unknown) return certificate(result);
   }
-  return exact_contact_outlook(contact_polynomial(p, q, diameter), t, counters);
+  return exact_contact_certificate(contact_polynomial(p, q, diameter), t);
 }
 
 // On straight lines two that part never meet again: their squared distance is convex.
 template <class Motion>
-Outlook<Time> Basic_kinetic_traits_2<Motion>::next_contact_outlook(
-    const Point_2& p, const Point_2& q, double diameter, const Time& t,
-    Certificate_counters& counters) const {
+Certificate Basic_kinetic_traits_2<Motion>::next_contact_certificate(const Point_2& p,
+                                                                     const Point_2& q,
+                                                                     double diameter,
+                                                                     const Time& t) const {
   if constexpr (std::same_as<Motion, Linear_motion_2>) {
     return {};
   } else {
     const std::optional<Time> parting = failure_time(-contact_polynomial(p, q, diameter), t);
     if (!parting) return {};
-    return contact_outlook(p, q, diameter, *parting, counters);
+    return contact_certificate(p, q, diameter, *parting);
   }
 }
 
 template <class Motion>
-Outlook<Time> Basic_kinetic_traits_2<Motion>::wall_outlook(const Point_2& p, const Wall_2& wall,
-                                                           const Time& t,
-                                                           Certificate_counters& counters) const {
-  ++counters.created;
+Certificate Basic_kinetic_traits_2<Motion>::wall_certificate(const Point_2& p, const Wall_2& wall,
+                                                             const Time& t) const {
   if (arithmetic_ == Arithmetic::filtered) {
-    const Filter_verdict verdict = filter_wall_contact(p.motion(), wall, t.interval());
-    if (verdict.kind != Filter_verdict::Kind::unknown) return outlook(verdict, counters);
+    const Filter_result result = filter_wall_contact(p.motion(), wall, t.interval());
+    if (result.kind != Filter_result::Kind::unknown) return certificate(result);
   }
-  return exact_contact_outlook(wall_polynomial(p, wall), t, counters);
+  return exact_contact_certificate(wall_polynomial(p, wall), t);
 }
 
 template <class Motion>

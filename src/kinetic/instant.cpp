@@ -5,11 +5,11 @@ namespace kinetri {
 
 Sign sign_at(const Polynomial& p, const Instant& instant) {
   switch (instant.side) {
-    case Side::before:
+    case Time_side::before:
       return sign_just_before(p, instant.time);
-    case Side::at:
+    case Time_side::at:
       return sign_at(p, instant.time);
-    case Side::after:
+    case Time_side::after:
       break;
   }
   return sign_just_after(p, instant.time);

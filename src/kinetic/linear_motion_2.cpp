@@ -50,7 +50,8 @@ Vector_2 rounded_place(const Linear_motion_2& motion, double t) {
           motion.position.y + motion.velocity.y * elapsed};
 }
 
-Linear_motion_2 turned(const Linear_motion_2& motion, const Vector_2& velocity, double t) {
+Linear_motion_2 with_velocity_at(const Linear_motion_2& motion, const Vector_2& velocity,
+                                 double t) {
   const auto& [position, old_velocity, epoch] = motion;
   return {{place_rounded_correctly(position.x, old_velocity.x, epoch, t),
            place_rounded_correctly(position.y, old_velocity.y, epoch, t)},
@@ -58,8 +59,8 @@ Linear_motion_2 turned(const Linear_motion_2& motion, const Vector_2& velocity, 
           t};
 }
 
-Linear_motion_2 kept_inside(const Linear_motion_2& motion, const Wall_2& wall,
-                            const Double_interval& times) {
+Linear_motion_2 clamped_inside(const Linear_motion_2& motion, const Wall_2& wall,
+                               const Double_interval& times) {
   const double place = wall.is_vertical() ? motion.position.x : motion.position.y;
   const double velocity = wall.is_vertical() ? motion.velocity.x : motion.velocity.y;
   // How far it moves during the times, and how far it is inside at the epoch; with bounds for the

@@ -65,15 +65,16 @@ Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t) {
   return {velocity(&Vector_2::x), velocity(&Vector_2::y)};
 }
 
-Polynomial_motion_2 turned(const Polynomial_motion_2& motion, const Vector_2& velocity, double t) {
+Polynomial_motion_2 with_velocity_at(const Polynomial_motion_2& motion, const Vector_2& velocity,
+                                     double t) {
   const Rational elapsed = to_rational(t) - to_rational(motion.epoch);
   const auto x = later(by_powers(motion, &Vector_2::x), elapsed);
   const auto y = later(by_powers(motion, &Vector_2::y), elapsed);
   return {rounded(x[0], y[0]), velocity, rounded(2 * x[2], 2 * y[2]), motion.jerk, t};
 }
 
-Polynomial_motion_2 kept_inside(const Polynomial_motion_2& motion, const Wall_2& wall,
-                                const Double_interval& times) {
+Polynomial_motion_2 clamped_inside(const Polynomial_motion_2& motion, const Wall_2& wall,
+                                   const Double_interval& times) {
   const auto axis = wall.is_vertical() ? &Vector_2::x : &Vector_2::y;
   const double place = motion.position.*axis;
   const double farthest =

@@ -14,6 +14,7 @@
 
 #include "algebra/value_at.h"
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/incident.h"
 
 namespace kinetri {
 namespace {
@@ -169,11 +170,11 @@ std::vector<Approach> Closest_approaches::approaches() {
   return result;
 }
 
-void Closest_approaches::before_event(const Event<Algebraic_number>& event) {
+void Closest_approaches::before_event(const Event& event) {
   if (event.removed) end(*event.removed, event.time);
 }
 
-void Closest_approaches::after_event(const Event<Algebraic_number>& event) {
+void Closest_approaches::after_event(const Event& event) {
   if (event.added) begin(*event.added, event.time);
   // New motions: the pieces so far end, with the motions that they had.
   for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
@@ -188,13 +189,9 @@ void Closest_approaches::after_event(const Event<Algebraic_number>& event) {
 
 template <class Function>
 void Closest_approaches::for_each_pair_of(Point_id id, Function function) const {
-  const auto& topology = simulation_.triangulation().triangulation();
-  if (topology.dimension() < 1) return;
-  auto neighbor = topology.incident_vertices(simulation_.triangulation().vertex(id));
-  const auto first = neighbor;
-  do {
-    if (!topology.is_infinite(neighbor)) function(edge_ids(id, neighbor->point().id()));
-  } while (++neighbor != first);
+  const auto& triangulation = simulation_.triangulation();
+  detail::for_each_neighbor(triangulation.triangulation(), triangulation.vertex(id),
+                            [&](auto neighbor) { function(edge_ids(id, neighbor->point().id())); });
 }
 
 void Closest_approaches::begin(const Edge_ids& pair, const Algebraic_number& time) {

@@ -38,7 +38,7 @@ class Path_recorder : public Simulation_2<>::Observer {
     simulation.add_observer(*this);
   }
 
-  void after_event(const Event<Algebraic_number>& event) override {
+  void after_event(const Event& event) override {
     if (event.removed) ++edge_changes_;
     if (event.added) ++edge_changes_;
     if (event.kind == Event_kind::wall) add(*event.point_a, event.time.to_double());

@@ -166,7 +166,7 @@ void Recorder<Traits>::record_motion(Point_id id, std::optional<std::size_t> eve
 }
 
 template <class Traits>
-void Recorder<Traits>::after_event(const Event<Time>& event) {
+void Recorder<Traits>::after_event(const Event& event) {
   set_time(event.time);
   ++recording_.events_in_all;
   const std::size_t index = recording_.events.size();

@@ -3,6 +3,8 @@
 // The audits are compiled on their own: their static triangulation is most of the compile time.
 #include "kinetri/triangulation/audit.h"
 
+#include <iostream>
+
 #include "kinetri/triangulation/audit_impl.h"
 
 namespace kinetri {
@@ -11,5 +13,11 @@ template Audit_report Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>:
     Audit_level level) const;
 template Audit_report Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>::audit(
     Audit_level level) const;
+bool detail::is_passed(const Audit_report& report, bool verbose) {
+  if (verbose) {
+    for (const std::string& failure : report.failures) std::cerr << failure << '\n';
+  }
+  return report.passed();
+}
 
 }  // namespace kinetri

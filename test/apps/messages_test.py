@@ -335,7 +335,7 @@ def checkpoint_cases():
     yield resume(forged(setter("box", [1.0])), member="state.box", n=1, m=4)
     yield resume(forged(setter("radius", 1)), member="state.radius")
     yield resume(forged(setter("dimension", 3)), member="state.dimension", lowest=-1, highest=2)
-    yield resume(forged(setter("contacts_at_one_time", -1)), member="state.contacts_at_one_time",
+    yield resume(forged(setter("max_contacts_per_instant", -1)), member="state.max_contacts_per_instant",
                  lowest=0, highest=18446744073709551615)
     yield resume(forged(setter("rim_touches", 0)), member="state.rim_touches")
     yield resume(forged(setter("response", 0)), member="state.response")
@@ -441,7 +441,7 @@ def output_cases():
 
 def run_cases():
     def endless(content, options, most, until, **values):
-        few = forged(setter("contacts_at_one_time", most), content, f"--until 0.5 {options}")
+        few = forged(setter("max_contacts_per_instant", most), content, f"--until 0.5 {options}")
         return case(f"resume c --until {until} --edges old.csv", files={"c": few}, most=most, **values)
 
     # The point comes to rest at the wall, and its jerk presses it on.

@@ -121,7 +121,7 @@ class Triangles_after_flips : public Kinetic_delaunay::Observer {
  public:
   explicit Triangles_after_flips(const Kinetic_delaunay& kinetic) : kinetic_(kinetic) {}
 
-  void after_event(const Event<Algebraic_number>& event) override {
+  void after_event(const Event& event) override {
     if (event.kind != Event_kind::rebuild) by_number[event.number] = test::triangles_of(kinetic_);
   }
 

@@ -64,7 +64,7 @@ Case make_case(unsigned seed) {
       Case result = {test::discs_in_a_box(16, 0.2, seed), {}};
       result.options.box = test::box_of(16);
       result.options.radius = 1.5;
-      result.options.contacts_at_one_time = 1000;
+      result.options.max_contacts_per_instant = 1000;
       result.options.rim_touches = seed % 2 == 0;
       result.options.response = named_responses[number % named_responses.size()].response;
       if (number % 4 == 3) {  // many contacts at one time
@@ -269,7 +269,7 @@ TEST(Checkpoint, of_few_points_is_read_back) {
     std::vector<Linear_motion_2> motions;
     for (std::size_t i = 0; i < points; ++i) motions.push_back({{double(i), 0}, {0, double(i)}, 0});
     Simulation simulation(motions, {});
-    Simulation restored(
+    auto restored = Simulation::restore(
         std::get<0>(checkpoint_of(text_of({simulation.snapshot(), "none"})).simulation), nullptr);
     EXPECT_EQ(restored.triangulation().finite_edge_ids(),
               simulation.triangulation().finite_edge_ids());
@@ -435,7 +435,7 @@ TEST_F(Forged_checkpoint, changed_at_random_is_refused_or_right) {
     }
     try {
       const Checkpoint read = checkpoint_of(signed_anew(forged));
-      Simulation restored(std::get<0>(read.simulation),
+      auto restored = Simulation::restore(std::get<0>(read.simulation),
                           std::get<0>(read.simulation).has_response ? response : nullptr);
       ASSERT_TRUE(restored.audit(Audit_level::certificates).passed());
       ++right;

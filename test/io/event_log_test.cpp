@@ -15,7 +15,7 @@
 namespace kinetri {
 namespace {
 
-using Log_event = Event<Algebraic_number>;
+using Log_event = Event;
 
 constexpr const char* header =
     "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n";

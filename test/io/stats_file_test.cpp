@@ -39,8 +39,8 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
   statistics.triangulation.batches = 15;
   statistics.triangulation.flat_hulls = 16;
   statistics.triangulation.points_set_aside = 17;
-  statistics.triangulation.rebuilds = 1;
-  statistics.triangulation.looks_again = 14;
+  statistics.triangulation.reconstructions = 1;
+  statistics.triangulation.rechecks = 14;
   for (std::size_t kind = 0; kind < event_kinds; ++kind) {
     statistics.triangulation.events[kind] = std::uint64_t{1} << kind;
     statistics.triangulation.discarded[kind] = std::uint64_t{3} << kind;
@@ -71,7 +71,7 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
                          "wall": 24, "collision": 25, "insert": 192, "erase": 384,
                          "trajectory": 768},
     "instants": 46, "largest_instant": 3, "batches": 15, "flat_hulls": 16,
-    "points_set_aside": 17, "rebuilds": 1, "looks_again": 14,
+    "points_set_aside": 17, "reconstructions": 1, "rechecks": 14,
     "certificates": {"created": 5, "root_solves": 6, "filter_decided": 7,
                      "refined_decided": 18, "exact_decided": 8},
     "queue": {"pushed": 9, "discarded": 10, "peak": 11},
@@ -98,8 +98,8 @@ TEST(WriteStats, KeysAreAlwaysThereInOneOrder) {
                                                       "batches",
                                                       "flat_hulls",
                                                       "points_set_aside",
-                                                      "rebuilds",
-                                                      "looks_again",
+                                                      "reconstructions",
+                                                      "rechecks",
                                                       "certificates",
                                                       "queue",
                                                       "contacts",

@@ -52,13 +52,13 @@ TEST(Instant, beside_a_root_has_the_sign_of_the_first_derivative_that_does_not_v
   const Polynomial cubed = Polynomial{-8, 12, -6, 1};  // (t - 2)^3
   const Polynomial squared = Polynomial{4, -4, 1};     // (t - 2)^2
   const Algebraic_number two(2.0);
-  EXPECT_EQ(sign_at(cubed, Instant{two, Side::before}), CGAL::NEGATIVE);
-  EXPECT_EQ(sign_at(cubed, Instant{two, Side::at}), CGAL::ZERO);
-  EXPECT_EQ(sign_at(cubed, Instant{two, Side::after}), CGAL::POSITIVE);
-  EXPECT_EQ(sign_at(squared, Instant{two, Side::before}), CGAL::POSITIVE);
-  EXPECT_EQ(sign_at(squared, Instant{two, Side::after}), CGAL::POSITIVE);
-  EXPECT_EQ(sign_at(-squared, Instant{two, Side::before}), CGAL::NEGATIVE);
-  EXPECT_EQ(sign_at(Polynomial(), Instant{two, Side::after}), CGAL::ZERO);
+  EXPECT_EQ(sign_at(cubed, Instant{two, Time_side::before}), CGAL::NEGATIVE);
+  EXPECT_EQ(sign_at(cubed, Instant{two, Time_side::at}), CGAL::ZERO);
+  EXPECT_EQ(sign_at(cubed, Instant{two, Time_side::after}), CGAL::POSITIVE);
+  EXPECT_EQ(sign_at(squared, Instant{two, Time_side::before}), CGAL::POSITIVE);
+  EXPECT_EQ(sign_at(squared, Instant{two, Time_side::after}), CGAL::POSITIVE);
+  EXPECT_EQ(sign_at(-squared, Instant{two, Time_side::before}), CGAL::NEGATIVE);
+  EXPECT_EQ(sign_at(Polynomial(), Instant{two, Time_side::after}), CGAL::ZERO);
 }
 
 TEST(Instantaneous_traits_2, a_triangulation_at_a_rational_instant_is_that_of_the_places) {
@@ -66,7 +66,7 @@ TEST(Instantaneous_traits_2, a_triangulation_at_a_rational_instant_is_that_of_th
     SCOPED_TRACE(seed);
     const auto motions = test::random_motions(12, 10, 5, seed);
     const Rational t(static_cast<int>(seed), 3);
-    const Triangulation triangulation = triangulation_at(motions, {t, Side::at});
+    const Triangulation triangulation = triangulation_at(motions, {t, Time_side::at});
     ASSERT_TRUE(triangulation.is_valid());
     ASSERT_EQ(edges_of(triangulation), test::edges_at(motions, t).certain);
   }
@@ -76,7 +76,7 @@ TEST(Instantaneous_traits_2, a_triangulation_at_an_irrational_instant_is_valid) 
   for (unsigned seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(seed);
     const auto motions = test::random_motions(12, 10, 5, seed);
-    for (const Side side : {Side::before, Side::at, Side::after}) {
+    for (const Time_side side : {Time_side::before, Time_side::at, Time_side::after}) {
       const Triangulation triangulation = triangulation_at(motions, {square_root_of_two(), side});
       ASSERT_TRUE(triangulation.is_valid());
       // No event is anywhere near: the places at a rational time beside it have the same edges.
@@ -92,24 +92,24 @@ const std::vector<Linear_motion_2> crossing = {
 
 TEST(Instantaneous_traits_2, the_two_sides_of_an_event_have_the_two_diagonals) {
   const Algebraic_number one(1.0);
-  const auto before = edges_of(triangulation_at(crossing, {one, Side::before}));
-  const auto after = edges_of(triangulation_at(crossing, {one, Side::after}));
+  const auto before = edges_of(triangulation_at(crossing, {one, Time_side::before}));
+  const auto after = edges_of(triangulation_at(crossing, {one, Time_side::after}));
   EXPECT_TRUE(before.contains({0, 2}));
   EXPECT_FALSE(before.contains({1, 3}));
   EXPECT_TRUE(after.contains({1, 3}));
   EXPECT_FALSE(after.contains({0, 2}));
-  EXPECT_TRUE(triangulation_at(crossing, {one, Side::at}).is_valid());
+  EXPECT_TRUE(triangulation_at(crossing, {one, Time_side::at}).is_valid());
 }
 
 TEST(Instantaneous_traits_2, points_that_pass_through_one_another_are_one_vertex_only_at_the_time) {
   const std::vector<Linear_motion_2> passing = {
       {{-1, 0}, {1, 0}, 0}, {{1, 0}, {-1, 0}, 0}, {{0, 3}, {0, 0}, 0}, {{0, -3}, {0, 0}, 0}};
   const Algebraic_number one(1.0);
-  EXPECT_EQ(triangulation_at(passing, {one, Side::before}).number_of_vertices(), 4u);
-  EXPECT_EQ(triangulation_at(passing, {one, Side::at}).number_of_vertices(), 3u);
-  EXPECT_EQ(triangulation_at(passing, {one, Side::at}).dimension(), 1);
-  EXPECT_EQ(triangulation_at(passing, {one, Side::after}).number_of_vertices(), 4u);
-  EXPECT_EQ(triangulation_at(passing, {one, Side::after}).dimension(), 2);
+  EXPECT_EQ(triangulation_at(passing, {one, Time_side::before}).number_of_vertices(), 4u);
+  EXPECT_EQ(triangulation_at(passing, {one, Time_side::at}).number_of_vertices(), 3u);
+  EXPECT_EQ(triangulation_at(passing, {one, Time_side::at}).dimension(), 1);
+  EXPECT_EQ(triangulation_at(passing, {one, Time_side::after}).number_of_vertices(), 4u);
+  EXPECT_EQ(triangulation_at(passing, {one, Time_side::after}).dimension(), 2);
 }
 
 // What CGAL's manual documents of TriangulationTraits_2, of SpatialSortingTraits_2, which it
@@ -175,18 +175,18 @@ TEST(Instantaneous_traits_2, points_are_compared_lexicographically_at_the_instan
   const Moving_point_2 p({{1, 1}, {0, 0}, 0});
   const Moving_point_2 q({{0, 0}, {1, 1}, 0});
   const Moving_point_2 above({{1, 2}, {0, 0}, 0});
-  const auto at = [](double time, Side side) {
+  const auto at = [](double time, Time_side side) {
     return Instantaneous_traits_2({Algebraic_number(time), side});
   };
-  for (const Side side : {Side::before, Side::at, Side::after}) {
+  for (const Time_side side : {Time_side::before, Time_side::at, Time_side::after}) {
     const Instantaneous_traits_2 traits = at(1.0, side);
     const auto compare = traits.compare_xy_2_object();
-    const auto expected = side == Side::before ? CGAL::LARGER
-                          : side == Side::at   ? CGAL::EQUAL
-                                               : CGAL::SMALLER;
+    const auto expected = side == Time_side::before ? CGAL::LARGER
+                          : side == Time_side::at   ? CGAL::EQUAL
+                                                    : CGAL::SMALLER;
     EXPECT_EQ(compare(p, q), expected);
     EXPECT_EQ(compare(q, p), CGAL::opposite(expected));
-    EXPECT_EQ(traits.equal_2_object()(p, q), side == Side::at);
+    EXPECT_EQ(traits.equal_2_object()(p, q), side == Time_side::at);
     // Equal in x: y decides.
     EXPECT_EQ(compare(p, above), CGAL::SMALLER);
     EXPECT_EQ(compare(above, p), CGAL::LARGER);
@@ -209,16 +209,16 @@ TEST(Moving_point_2, is_printed_with_its_id_and_motion) {
 }
 
 TEST(Instantaneous_traits_2, copies_share_the_instant) {
-  const Instantaneous_traits_2 traits(Instant{Algebraic_number(1.0), Side::before});
+  const Instantaneous_traits_2 traits(Instant{Algebraic_number(1.0), Time_side::before});
   const Instantaneous_traits_2 copy(traits);  // NOLINT(performance-unnecessary-copy-initialization)
-  traits.set_instant({Algebraic_number(2.0), Side::after});
+  traits.set_instant({Algebraic_number(2.0), Time_side::after});
   EXPECT_EQ(copy.instant().time, Algebraic_number(2.0));
-  EXPECT_EQ(copy.instant().side, Side::after);
+  EXPECT_EQ(copy.instant().side, Time_side::after);
 }
 
 TEST(Instantaneous_traits_2, cgal_queries_and_changes_work_at_an_irrational_instant) {
   auto motions = test::random_motions(15, 10, 5, 99);
-  const Instant instant{square_root_of_two(), Side::after};
+  const Instant instant{square_root_of_two(), Time_side::after};
   Triangulation triangulation = triangulation_at(motions, instant);
   const Rational near = to_rational(square_root_of_two().to_double());
 
@@ -250,7 +250,7 @@ TEST(Instantaneous_traits_2, cgal_queries_and_changes_work_at_an_irrational_inst
 TEST(Instantaneous_traits_2, the_dual_is_the_voronoi_diagram) {
   const auto motions = test::random_motions(10, 10, 5, 3);
   const Rational t(1, 2);
-  const Triangulation triangulation = triangulation_at(motions, {t, Side::after});
+  const Triangulation triangulation = triangulation_at(motions, {t, Time_side::after});
   for (const auto face : triangulation.finite_face_handles()) {
     const Exact_position_2 center = triangulation.dual(face).position(t);
     const test::Static_point expected =

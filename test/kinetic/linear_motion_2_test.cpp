@@ -43,7 +43,7 @@ TEST(Linear_motion_2, turns_at_its_place_rounded_to_nearest) {
     for (int i = 0; i < 2000 * test::multiplier(); ++i) {
       const Linear_motion_2 m = source.next(flavor)[0];
       const double t = source.time(flavor);
-      const Linear_motion_2 result = turned(m, {-1, 2}, t);
+      const Linear_motion_2 result = with_velocity_at(m, {-1, 2}, t);
       const test::Static_point place = test::place_at(m, to_rational(t));
       ASSERT_EQ(result.position, (Vector_2{to_double(place.x()), to_double(place.y())}));
       ASSERT_EQ(result.velocity, (Vector_2{-1, 2}));
@@ -51,10 +51,10 @@ TEST(Linear_motion_2, turns_at_its_place_rounded_to_nearest) {
     }
   }
   // Halfway between two binary64 numbers, and next to that.
-  EXPECT_EQ(turned(Linear_motion_2{{1, 0}, {0x1p-53, 0}, 0}, {}, 1).position.x, 1);
-  EXPECT_EQ(turned(Linear_motion_2{{1, 0}, {0x1p-53, 0}, 0}, {}, 1 + 0x1p-52).position.x,
+  EXPECT_EQ(with_velocity_at(Linear_motion_2{{1, 0}, {0x1p-53, 0}, 0}, {}, 1).position.x, 1);
+  EXPECT_EQ(with_velocity_at(Linear_motion_2{{1, 0}, {0x1p-53, 0}, 0}, {}, 1 + 0x1p-52).position.x,
             1 + 0x1p-52);
-  EXPECT_EQ(turned(Linear_motion_2{{1 + 0x1p-52, 0}, {0x1p-53, 0}, 0}, {}, 1).position.x,
+  EXPECT_EQ(with_velocity_at(Linear_motion_2{{1 + 0x1p-52, 0}, {0x1p-53, 0}, 0}, {}, 1).position.x,
             1 + 0x1p-51);
 }
 
@@ -75,7 +75,7 @@ TEST(Linear_motion_2, is_kept_inside_of_a_wall_by_the_least_change) {
       return inside.sign_at(to_rational(times.lower)) != CGAL::NEGATIVE &&
              inside.sign_at(to_rational(times.upper)) != CGAL::NEGATIVE;
     };
-    const Linear_motion_2 kept = kept_inside(m, wall, times);
+    const Linear_motion_2 kept = clamped_inside(m, wall, times);
     ASSERT_TRUE(is_inside(kept));
     ASSERT_EQ(kept.velocity, m.velocity);
     ASSERT_EQ(kept.epoch, m.epoch);

@@ -65,7 +65,7 @@ TEST(Polynomial_motion_2, with_a_number_that_is_not_finite_is_not_finite) {
 TEST(Polynomial_motion_2, turns_at_its_place_rounded_to_nearest_and_keeps_its_higher_derivatives) {
   for (const Polynomial_motion_2& m : test::random_polynomial_motions(300, 10, 3, 8)) {
     const double t = m.position.x - 5;
-    const Polynomial_motion_2 result = turned(m, {-1, 2}, t);
+    const Polynomial_motion_2 result = with_velocity_at(m, {-1, 2}, t);
     const test::Static_point place = test::place_at(m, to_rational(t));
     EXPECT_EQ(result.position, (Vector_2{to_double(place.x()), to_double(place.y())}));
     EXPECT_EQ(result.velocity, (Vector_2{-1, 2}));
@@ -98,7 +98,7 @@ TEST(Polynomial_motion_2, is_kept_inside_of_a_wall) {
     const auto is_inside = [&](const Polynomial_motion_2& motion, double t) {
       return wall_polynomial(Point(motion), wall).sign_at(to_rational(t)) != CGAL::NEGATIVE;
     };
-    const Polynomial_motion_2 kept = kept_inside(m, wall, times);
+    const Polynomial_motion_2 kept = clamped_inside(m, wall, times);
     for (int k = 0; k <= 16; ++k) {
       const double t = times.lower + (times.upper - times.lower) * k / 16;
       ASSERT_TRUE(is_inside(kept, t));

@@ -56,7 +56,7 @@ TEST(Threads, ask_the_predicates_of_one_instant) {
     return Algebraic_number(Polynomial{-2, 0, 1}, Rational(1), Rational(2));
   };
   for (const Arithmetic arithmetic : {Arithmetic::filtered, Arithmetic::exact_only}) {
-    const auto instant = [&] { return Instant{square_root_of_two(), Side::after}; };
+    const auto instant = [&] { return Instant{square_root_of_two(), Time_side::after}; };
     const std::string expected =
         findings(Instantaneous_traits_2(instant(), arithmetic), some_points());
     const Instantaneous_traits_2 traits(instant(), arithmetic);

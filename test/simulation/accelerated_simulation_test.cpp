@@ -17,14 +17,14 @@ namespace {
 using Simulation = Simulation_2<Polynomial_kinetic_traits_2>;
 
 struct Recorder : Simulation::Observer {
-  void after_event(const Event<Algebraic_number>& event) override {
+  void after_event(const Event& event) override {
     if (event.kind == Event_kind::wall || event.kind == Event_kind::collision) {
       contacts.push_back(event);
     }
     events.push_back(event);
   }
-  std::vector<Event<Algebraic_number>> contacts;
-  std::vector<Event<Algebraic_number>> events;
+  std::vector<Event> contacts;
+  std::vector<Event> events;
 };
 
 Simulation_options balls(const Box_2& box, double radius, Collision_response response) {
@@ -76,7 +76,7 @@ TEST(Accelerated_points, that_only_touch_a_wall_are_not_reflected) {
 
 TEST(Accelerated_points, pressed_against_a_wall_end_the_run_with_their_name) {
   Simulation_options options = in_box({0, 0, 2, 2});
-  options.contacts_at_one_time = 1000;
+  options.max_contacts_per_instant = 1000;
   Simulation simulation(
       {{{0.5, 1}, {0, 0}, {0, 0}, {0, 0}, 0}, {{1, 0}, {0, 0}, {0, -1}, {0, 0}, 0}}, options);
   try {
@@ -195,7 +195,7 @@ TEST(Accelerated_discs, go_on_from_a_snapshot_as_if_there_had_been_no_break) {
   Recorder actual;
   first.add_observer(actual);
   first.advance_to(1.3);
-  Simulation second(first.snapshot(), collide_elastically);
+  auto second = Simulation::restore(first.snapshot(), collide_elastically);
   second.add_observer(actual);
   second.advance_to(3.0);
   whole.advance_to(3.0);

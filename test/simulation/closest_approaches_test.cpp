@@ -181,10 +181,10 @@ class Edge_pieces : public Simulation_2<>::Observer {
   }
 
   // The motions do not change in the runs that this is used for.
-  void before_event(const Event<Algebraic_number>& event) override {
+  void before_event(const Event& event) override {
     if (event.removed) end(*event.removed, event.time);
   }
-  void after_event(const Event<Algebraic_number>& event) override {
+  void after_event(const Event& event) override {
     if (event.added) begin(*event.added, event.time);
   }
 

@@ -20,15 +20,15 @@
 namespace kinetri {
 namespace {
 
-using Statistics = Event_statistics<>;
-using Events = std::vector<Event<Algebraic_number>>;
+using Statistics = Event_statistics;
+using Events = std::vector<Event>;
 
-struct Recorder : Event_observer<Algebraic_number> {
-  void after_event(const Event<Algebraic_number>& event) override { events.push_back(event); }
+struct Recorder : Event_observer {
+  void after_event(const Event& event) override { events.push_back(event); }
   Events events;
 };
 
-bool concerns(const Event<Algebraic_number>& event, Point_id id) {
+bool concerns(const Event& event, Point_id id) {
   const auto is_end = [&](const std::optional<Edge_ids>& edge) {
     return edge && ((*edge)[0] == id || (*edge)[1] == id);
   };

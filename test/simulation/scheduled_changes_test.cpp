@@ -13,10 +13,10 @@ namespace {
 
 using test::count;
 using test::Simulation;
-using Events = std::vector<Event<Algebraic_number>>;
+using Events = std::vector<Event>;
 
 struct Recorder : Simulation::Observer {
-  void after_event(const Event<Algebraic_number>& event) override { events.push_back(event); }
+  void after_event(const Event& event) override { events.push_back(event); }
   Events events;
 };
 
@@ -169,7 +169,7 @@ TEST(Scheduled_changes, that_have_no_meaning_are_refused) {
 TEST(Scheduled_changes, may_be_scheduled_by_an_observer) {
   struct Stopper : Simulation::Observer {
     explicit Stopper(Simulation& s) : simulation(s) {}
-    void after_event(const Event<Algebraic_number>& event) override {
+    void after_event(const Event& event) override {
       if (event.kind != Event_kind::wall) return;
       simulation.schedule_erase(event.time, *event.point_a);
       simulation.schedule_insert(event.time, {{0, 0}, {7, 0}, event.time.to_double()});

@@ -19,17 +19,17 @@ using test::count;
 using test::Simulation;
 
 struct Recorder : Simulation::Observer {
-  void after_event(const Event<Algebraic_number>& event) override { events.push_back(event); }
+  void after_event(const Event& event) override { events.push_back(event); }
 
-  std::vector<Event<Algebraic_number>> of(Event_kind kind) const {
-    std::vector<Event<Algebraic_number>> result;
+  std::vector<Event> of(Event_kind kind) const {
+    std::vector<Event> result;
     for (const auto& event : events) {
       if (event.kind == kind) result.push_back(event);
     }
     return result;
   }
 
-  std::vector<Event<Algebraic_number>> events;
+  std::vector<Event> events;
 };
 
 Simulation_options in_box(const Box_2& box) {
@@ -354,7 +354,7 @@ TEST(Discs, whose_response_never_parts_them_are_named) {
     return Contact_response_2{Vector_2{contact.velocity_a.x * 2, 0}, std::nullopt};
   };
   Simulation_options options = discs(1, stubborn);
-  options.contacts_at_one_time = 50;
+  options.max_contacts_per_instant = 50;
   const std::vector<Linear_motion_2> motions = {
       {{0, 0}, {1, 0}, 0}, {{5, 0}, {0, 0}, 0}, {{2, 9}, {0, 0}, 0}};
   Simulation simulation(motions, options);

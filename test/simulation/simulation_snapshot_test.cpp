@@ -34,12 +34,12 @@ TEST(Simulation_snapshot, knows_the_discs_left_in_contact) {
   EXPECT_EQ(count(simulation, Event_kind::collision), 1u);
   const Snapshot snapshot = simulation.snapshot();
   EXPECT_EQ(snapshot.in_contact, (std::vector<Edge_ids>{{0, 1}}));
-  Simulation restored(snapshot, log_contact);
+  auto restored = Simulation::restore(snapshot, log_contact);
   restored.advance_to(10.0);
   EXPECT_EQ(count(restored, Event_kind::collision), 1u);
   EXPECT_EQ(simulation.contact_counters().instants, 1u);
   EXPECT_EQ(restored.contact_counters().instants, 1u);
-  Simulation forgetful(
+  auto forgetful = Simulation::restore(
       [&] {
         Snapshot forgets = snapshot;
         forgets.in_contact.clear();
@@ -53,7 +53,7 @@ TEST(Simulation_snapshot, knows_the_discs_left_in_contact) {
 TEST(Simulation_snapshot, keeps_a_contact_that_is_due) {
   Simulation simulation(two_and_two(), discs(swap_velocities));
   simulation.insert({{-5, 0.5}, {9, 0}, 0});
-  Simulation restored(simulation.snapshot(), swap_velocities);
+  auto restored = Simulation::restore(simulation.snapshot(), swap_velocities);
   simulation.step();
   restored.step();
   EXPECT_EQ(count(simulation, Event_kind::collision), 1u);
@@ -74,7 +74,7 @@ TEST(Simulation_snapshot, keeps_scheduled_changes_in_their_order) {
   EXPECT_EQ(snapshot.scheduled[0].kind, Event_kind::insert);
   EXPECT_EQ(snapshot.scheduled[0].point, id);
   EXPECT_EQ(snapshot.scheduled[3].kind, Event_kind::erase);
-  Simulation restored(snapshot, nullptr);
+  auto restored = Simulation::restore(snapshot, nullptr);
   EXPECT_TRUE(restored.triangulation().contains(0));
   restored.schedule_motion(Algebraic_number(2.0), 2, {{3, 60}, {3, 0}, 0});
   restored.advance_to(4.0);
@@ -117,7 +117,7 @@ TEST(Simulation_snapshot, that_is_no_state_is_refused) {
   Snapshot forged = whole;
   const auto expect = [&](const std::string& reason) {
     try {
-      const Simulation restored(forged, log_contact);
+      const auto restored = Simulation::restore(forged, log_contact);
       ADD_FAILURE() << "not refused for: " << reason;
     } catch (const Snapshot_error& error) {
       EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
@@ -160,7 +160,7 @@ TEST(Simulation_snapshot, that_is_no_state_is_refused) {
   expect(no_change);
   forged.scheduled[0].motion->epoch = std::numeric_limits<double>::quiet_NaN();
   expect(no_change);
-  EXPECT_PRECONDITION_ERROR(Simulation(whole, nullptr),
+  EXPECT_PRECONDITION_ERROR(Simulation::restore(whole, nullptr),
                             "a response where the snapshot's simulation had none, or none where it "
                             "had one; pass one if and only if has_response is set");
 }

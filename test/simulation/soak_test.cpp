@@ -70,7 +70,8 @@ class Motions {
     };
     const Vector_2 place = rounded_place(motion, now);
     const Vector_2 velocity = next(now).velocity;
-    return turned(motion, {component(place.x, velocity.x), component(place.y, velocity.y)}, now);
+    return with_velocity_at(motion,
+                            {component(place.x, velocity.x), component(place.y, velocity.y)}, now);
   }
 
   int number(int least, int greatest) {
@@ -86,7 +87,7 @@ class Motions {
 };
 
 /// The ids of the points that are there, as the events tell.
-class Present_points : public Event_observer<Algebraic_number> {
+class Present_points : public Event_observer {
  public:
   using Triangulation = Kinetic_delaunay_triangulation_2<>;
 
@@ -94,7 +95,7 @@ class Present_points : public Event_observer<Algebraic_number> {
     for (Point_id id = 0; id < triangulation.next_id(); ++id) ids_.push_back(id);
   }
 
-  void after_event(const Event<Algebraic_number>& event) override {
+  void after_event(const Event& event) override {
     if (event.kind == Event_kind::insert) ids_.push_back(*event.point_a);
     for (const auto& id : {event.point_a, event.point_b}) {
       if (id && !triangulation_.contains(*id)) std::erase(ids_, *id);
@@ -225,11 +226,9 @@ class Free_points {
   Audit_report audit(Audit_level level) const { return kinetic_.audit(level); }
   void step() { kinetic_.step(); }
   void advance_to(double time) { kinetic_.advance_to(time); }
-  void set_motion(Point_id id, const Linear_motion_2& motion) {
-    kinetic_.set_motion(kinetic_.vertex(id), motion);
-  }
+  void set_motion(Point_id id, const Linear_motion_2& motion) { kinetic_.set_motion(id, motion); }
   void insert(const Linear_motion_2& motion) { kinetic_.insert(motion); }
-  void erase(Point_id id) { kinetic_.erase(kinetic_.vertex(id)); }
+  void erase(Point_id id) { kinetic_.erase(id); }
 
  private:
   Kinetic_delaunay_triangulation_2<> kinetic_;

@@ -19,10 +19,10 @@ namespace {
 using test::Tracks;
 
 struct Recorder : Simulation_2<>::Observer {
-  void after_event(const Event<Algebraic_number>& event) override {
+  void after_event(const Event& event) override {
     if (event.kind >= Event_kind::insert) events.push_back(event);
   }
-  std::vector<Event<Algebraic_number>> events;
+  std::vector<Event> events;
 };
 
 std::unique_ptr<Simulation_2<>> simulation_of(const Tracks& tracks, double start,

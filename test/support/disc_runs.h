@@ -17,7 +17,7 @@
 namespace kinetri::test {
 
 using Simulation = Simulation_2<>;
-using Simulation_event = Event<Algebraic_number>;
+using Simulation_event = Event;
 
 /// n discs on a square lattice of width 10, each shifted by up to `jitter`, in the box that the
 /// lattice fills, with velocity components in [-5, 5].

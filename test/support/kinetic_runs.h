@@ -17,7 +17,7 @@
 namespace kinetri::test {
 
 using Kinetic_delaunay = Kinetic_delaunay_triangulation_2<>;
-using Kinetic_event = Event<Algebraic_number>;
+using Kinetic_event = Event;
 
 template <class Kinetic>
 std::set<Edge_ids> edges_of(const Kinetic& kinetic) {

@@ -114,23 +114,21 @@ struct Forgetful_traits : Linear_kinetic_traits_2 {
   static inline bool deaf_to_circles = false;
   static inline bool deaf_to_turns = false;
 
-  Outlook<Time> in_circle_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
-                                  const Point_2& s, const Time& t, Certificate_state state,
-                                  Certificate_counters& counters) const {
+  Certificate in_circle_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
+                                    const Point_2& s, const Time& t,
+                                    Certificate_state state) const {
     if (deaf_to_circles) return {};
-    return Linear_kinetic_traits_2::in_circle_outlook(p, q, r, s, t, state, counters);
+    return Linear_kinetic_traits_2::in_circle_certificate(p, q, r, s, t, state);
   }
-  Outlook<Time> orientation_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
-                                    const Time& t, Certificate_state state,
-                                    Certificate_counters& counters) const {
+  Certificate orientation_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
+                                      const Time& t, Certificate_state state) const {
     if (deaf_to_turns) return {};
-    return Linear_kinetic_traits_2::orientation_outlook(p, q, r, t, state, counters);
+    return Linear_kinetic_traits_2::orientation_certificate(p, q, r, t, state);
   }
-  Outlook<Time> flatness_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
-                                 const Time& t, Certificate_state state,
-                                 Certificate_counters& counters) const {
+  Certificate flatness_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
+                                   const Time& t, Certificate_state state) const {
     if (deaf_to_turns) return {};
-    return Linear_kinetic_traits_2::flatness_outlook(p, q, r, t, state, counters);
+    return Linear_kinetic_traits_2::flatness_certificate(p, q, r, t, state);
   }
 };
 

@@ -25,7 +25,7 @@ bool is_of_points(const Kinetic_event& event) {
 
 // Reads the log of a run beside the brute-force simulator. Each function says what is wrong, or
 // nothing.
-class Log_reader : public Event_observer<Algebraic_number> {
+class Log_reader : public Event_observer {
  public:
   explicit Log_reader(const Kinetic_delaunay& kinetic)
       : kinetic_(kinetic), oracle_(kinetic.current_time()), edges_(test::edges_of(kinetic)) {
@@ -300,7 +300,7 @@ class Run_by_hand {
     const double t = kinetic_.current_time().to_double();
     Linear_motion_2 motion = choices_.motion(choices_.one_in(3) ? 0 : std::floor(t));
     if (kind == Event_kind::trajectory && choices_.one_in(2)) {
-      motion = turned(kinetic_.motion(id), motion.velocity, t);
+      motion = with_velocity_at(kinetic_.motion(id), motion.velocity, t);
     }
     return motion;
   }
@@ -309,13 +309,13 @@ class Run_by_hand {
     const auto& motions = reader_.oracle().motions();
     coverage_.note(reader_.oracle(), is_critical_);
     if (kind == Event_kind::erase) {
-      kinetic_.erase(kinetic_.vertex(id));
+      kinetic_.erase(id);
       return reader_.problem_of_change(kind, id, std::nullopt);
     }
     const Linear_motion_2 motion = new_motion(kind, id);
     const auto make = [&] {
       kind == Event_kind::insert ? static_cast<void>(kinetic_.insert(motion))
-                                 : kinetic_.set_motion(kinetic_.vertex(id), motion);
+                                 : kinetic_.set_motion(id, motion);
     };
     if (is_taken(motions, id, motion)) {
       ++coverage_.refused;

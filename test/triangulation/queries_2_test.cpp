@@ -736,8 +736,8 @@ TEST(Queries, of_a_place_that_is_not_finite_or_of_no_point_are_refused) {
 TEST(Queries, of_erased_and_inserted_points_know_them) {
   Kinetic_delaunay kinetic(test::random_motions(12, 10, 3, 5));
   kinetic.advance_to(0.5);
-  kinetic.erase(kinetic.vertex(3));
-  kinetic.erase(kinetic.vertex(0));
+  kinetic.erase(3);
+  kinetic.erase(0);
   kinetic.insert({{4, 4}, {1, 1}, 0.5});
   std::mt19937_64 random(9);
   expect_right_answers(kinetic, 0.5, Rational(1, 2), random);

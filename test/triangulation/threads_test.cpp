@@ -7,7 +7,9 @@
 #include <tbb/task_arena.h>
 
 #include <array>
+#include <concepts>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -49,8 +51,13 @@ Algebraic_number unrefined(const Algebraic_number& time) {
 // must be the same. (Edges are handed out by the thousand: there must be more.)
 template <class Traits, class... Given>
 Kinetic_pair<Traits> made_by_one_and_by(int count, const Given&... given) {
+  using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
   const auto make = [&] {
-    return std::make_unique<Kinetic_delaunay_triangulation_2<Traits>>(unrefined(given)...);
+    if constexpr (std::constructible_from<Kinetic, Given...>) {
+      return std::make_unique<Kinetic>(unrefined(given)...);
+    } else {
+      return std::unique_ptr<Kinetic>(new Kinetic(Kinetic::restore(given...)));
+    }
   };
   Kinetic_pair<Traits> made = {with_threads(1, make), with_threads(count, make)};
   EXPECT_GT(made[0]->finite_edge_ids().size(), 4096u);
@@ -108,6 +115,29 @@ TEST(Threads, start_a_triangulation_of_a_lattice_as_one_does) {
     }
   }
   made_by_one_and_by<Linear_kinetic_traits_2>(4, motions);
+}
+
+// What a const function makes when it needs it, it makes for itself: several threads ask one
+// object.
+TEST(Threads, ask_const_functions_of_one_triangulation) {
+  Kinetic_delaunay_triangulation_2<> kinetic(test::random_motions(60, 40, 5, 12));
+  kinetic.step();
+  const Kinetic_delaunay_triangulation_2<>& shared = kinetic;
+  std::vector<std::thread> threads;
+  std::array<std::string, 4> answers;
+  for (std::string& answer : answers) {
+    threads.emplace_back([&answer, &shared] {
+      const Algebraic_number soon = shared.current_time().to_double() + 0.25;
+      answer = std::to_string(shared.has_event_before(soon)) +
+               std::to_string(shared.audit(Audit_level::certificates).passed()) +
+               std::to_string(shared.is_valid()) + std::to_string(shared.finite_edge_ids().size()) +
+               std::to_string(shared.snapshot().faces.size()) +
+               std::to_string(shared.current_time() < soon);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_NE(answers[0], "");
+  for (const std::string& answer : answers) EXPECT_EQ(answer, answers[0]);
 }
 
 // Two triangulations have nothing in common.

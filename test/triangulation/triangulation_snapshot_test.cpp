@@ -98,11 +98,11 @@ bool operate(Kinetic_delaunay& kinetic, std::mt19937_64 random, int size, int sp
         kinetic.insert(random_motion(random, size, speed, now));
         break;
       case 6:
-        if (const Point_id id = some_point(); id != no_point) kinetic.erase(kinetic.vertex(id));
+        if (const Point_id id = some_point(); id != no_point) kinetic.erase(id);
         break;
       default:
         if (const Point_id id = some_point(); id != no_point) {
-          kinetic.set_motion(kinetic.vertex(id), random_motion(random, size, speed, now));
+          kinetic.set_motion(id, random_motion(random, size, speed, now));
         }
     }
   } catch (const Coincident_trajectories_error&) {
@@ -127,7 +127,7 @@ TEST_P(Snapshots_on_grids, go_on_as_the_original) {
     }
     dimensions.insert(original.triangulation().dimension());
     irrational += original.current_time().is_known_rational() ? 0 : 1;
-    Kinetic_delaunay restored(original.snapshot());
+    auto restored = Kinetic_delaunay::restore(original.snapshot());
     ASSERT_EQ(test::audit_problem(restored, Audit_level::certificates), "");
     ASSERT_EQ(restored.current_time(), original.current_time());
     ASSERT_EQ(restored.next_id(), original.next_id());
@@ -165,11 +165,11 @@ TEST(Triangulation_snapshot, chooses_the_same_diagonals_of_cocircular_points) {
   std::mt19937_64 random(1);
   Kinetic_delaunay original(motions);
   for (int i = 0; i < 25; ++i) {
-    Kinetic_delaunay restored(original.snapshot());
+    auto restored = Kinetic_delaunay::restore(original.snapshot());
     Point_id id = no_point;
     while (!original.contains(id)) id = static_cast<Point_id>(random() % 64);
-    original.erase(original.vertex(id));
-    restored.erase(restored.vertex(id));
+    original.erase(id);
+    restored.erase(id);
     ASSERT_EQ(restored.finite_edge_ids(), original.finite_edge_ids()) << "erased " << id;
     if (i % 2 == 0) continue;
     const Linear_motion_2 between = {{1 + double(i % 6), 1 + double(i % 5) + 0.5}, {0, 0}, 0};
@@ -183,7 +183,7 @@ TEST(Triangulation_snapshot, chooses_the_same_diagonals_of_cocircular_points) {
 TEST(Triangulation_snapshot, of_many_points_goes_on_as_the_original) {
   Kinetic_delaunay original(test::random_motions(3000, 550, 5, 7));
   original.advance_to(0.25);
-  Kinetic_delaunay restored(original.snapshot());
+  auto restored = Kinetic_delaunay::restore(original.snapshot());
   const Event_recorder one(original);
   const Event_recorder other(restored);
   original.advance_to(0.5);
@@ -195,10 +195,10 @@ TEST(Triangulation_snapshot, of_many_points_goes_on_as_the_original) {
 TEST(Triangulation_snapshot, is_restored_to_the_same_snapshot) {
   Kinetic_delaunay original(test::random_motions(50, 70, 5, 3));
   for (int i = 0; i < 30; ++i) original.step();
-  original.erase(original.vertex(17));
+  original.erase(17);
   original.reserve_id();
   const Snapshot first = original.snapshot();
-  const Snapshot second = Kinetic_delaunay(first).snapshot();
+  const Snapshot second = Kinetic_delaunay::restore(first).snapshot();
   EXPECT_EQ(second.time, first.time);
   EXPECT_EQ(second.motions, first.motions);
   EXPECT_EQ(second.dimension, first.dimension);
@@ -234,7 +234,7 @@ TEST(Triangulation_snapshot, is_not_taken_within_an_event) {
   Taker taker(kinetic);
   kinetic.add_observer(taker);
   kinetic.step();
-  kinetic.erase(kinetic.vertex(3));
+  kinetic.erase(3);
   EXPECT_GT(taker.events, 2);
   EXPECT_NO_THROW(kinetic.snapshot());
 }
@@ -243,7 +243,7 @@ TEST(Triangulation_snapshot, is_not_taken_within_an_event) {
 
 std::string refusal(const Snapshot& snapshot) {
   try {
-    const Kinetic_delaunay restored(snapshot);
+    const auto restored = Kinetic_delaunay::restore(snapshot);
   } catch (const Snapshot_error& error) {
     return error.what();
   }
@@ -447,7 +447,7 @@ TEST(Forged_snapshots, changed_at_random_are_refused_or_right) {
       }
     }
     try {
-      Kinetic_delaunay restored(snapshot);
+      auto restored = Kinetic_delaunay::restore(snapshot);
       ASSERT_EQ(test::audit_problem(restored, Audit_level::certificates), "");
       restored.step();
       ASSERT_EQ(test::audit_problem(restored, Audit_level::certificates), "");

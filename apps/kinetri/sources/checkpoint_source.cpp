@@ -66,8 +66,9 @@ Any_simulation Checkpoint_source::make_simulation(Arithmetic arithmetic) const {
     if ((response->response != nullptr) != snapshot.has_response) {
       throw fail(concat({"the response '", response->name, "' does not go with the state"}));
     }
-    return Any_simulation(
-        std::make_unique<Simulation_2<Traits>>(snapshot, response->response, Traits(arithmetic)));
+    using Simulation = Simulation_2<Traits>;
+    return Any_simulation(std::unique_ptr<Simulation>(new Simulation(
+        Simulation::restore(snapshot, response->response, Traits(arithmetic)))));
   };
   try {
     return std::visit(restored, checkpoint_.simulation);

@@ -129,7 +129,9 @@ class Indexed_queue {
   const Queue_counters& counters() const noexcept { return counters_; }
 
   /// Whether heap order, slots and index are intact. O(n); for audits.
-  bool is_valid() const;
+  bool is_valid() const { return is_valid(less_); }
+  /// The same, asking another order object about items whose bounds overlap.
+  bool is_valid(const Less& order) const;
 
  private:
   static constexpr std::size_t arity = 4;
@@ -152,11 +154,12 @@ class Indexed_queue {
   // and the processor waits when it reads both at once soon after.
   double slot(const Item& item) const { return calendar_.slot(less_.bounds(item).lower); }
 
-  bool less(const Node& a, const Node& b) const {
+  bool less(const Node& a, const Node& b, const Less& order) const {
     if (a.bounds.upper < b.bounds.lower) return true;
     if (b.bounds.upper < a.bounds.lower) return false;
-    return less_(places_[a.handle].item, places_[b.handle].item);
+    return order(places_[a.handle].item, places_[b.handle].item);
   }
+  bool less(const Node& a, const Node& b) const { return less(a, b, less_); }
 
   void place(std::size_t position, const Node& node) {
     heap_[position] = node;
@@ -182,7 +185,7 @@ class Indexed_queue {
   void sift_down(std::size_t position, const Node& node);
   void restore_order(std::size_t position, const Node& node);
 
-  bool is_heap_valid() const;
+  bool is_heap_valid(const Less& order) const;
   bool is_calendar_valid() const;
 
   // Invariants: an item is in the heap if its lower bound is in an open slot, else it is far. So

@@ -290,20 +290,20 @@ void Indexed_queue<Item, Less>::restore_order(std::size_t position, const Node& 
 // --- The audit ----------------------------------------------------------------------------------
 
 template <class Item, Bounding_order<Item> Less>
-bool Indexed_queue<Item, Less>::is_valid() const {
+bool Indexed_queue<Item, Less>::is_valid(const Less& order) const {
   return size_ == heap_.size() + far_ && size_ + free_.size() == places_.size() &&
-         is_heap_valid() && is_calendar_valid() &&
+         is_heap_valid(order) && is_calendar_valid() &&
          std::all_of(free_.begin(), free_.end(), [this](Queue_handle handle) {
            return handle < places_.size() && places_[handle].position == nowhere;
          });
 }
 
 template <class Item, Bounding_order<Item> Less>
-bool Indexed_queue<Item, Less>::is_heap_valid() const {
+bool Indexed_queue<Item, Less>::is_heap_valid(const Less& order) const {
   for (std::size_t i = 0; i < heap_.size(); ++i) {
     const Node& node = heap_[i];
     if (node.handle >= places_.size() || places_[node.handle].position != i) return false;
-    if (i > 0 && less(node, heap_[(i - 1) / arity])) return false;
+    if (i > 0 && less(node, heap_[(i - 1) / arity], order)) return false;
     if (!calendar_.is_open(calendar_.slot(node.bounds.lower))) return false;
   }
   return is_settled();

@@ -24,13 +24,13 @@ namespace kinetri {
 /// digits that read back exactly. Fields that the kind of event does not use are empty.
 ///
 /// Errors are those of the stream. Cost: the times are rounded once for each instant.
-class Event_log_writer : public Event_observer<Algebraic_number> {
+class Event_log_writer : public Event_observer {
  public:
   /// Writes the header line. `out` must outlive this object.
   explicit Event_log_writer(std::ostream& out);
 
   /// Writes the line of the event.
-  void after_event(const Event<Algebraic_number>& event) override;
+  void after_event(const Event& event) override;
 
  private:
   std::ostream& out_;

@@ -42,41 +42,38 @@ class Basic_kinetic_traits_2 {
   explicit Basic_kinetic_traits_2(Arithmetic arithmetic) : arithmetic_(arithmetic) {}
 
   /// @{
-  /// As KineticTraits_2 says.
-  Outlook<Time> in_circle_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
-                                  const Point_2& s, const Time& t, Certificate_state state,
-                                  Certificate_counters& counters) const;
-  Outlook<Time> orientation_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
-                                    const Time& t, Certificate_state state,
-                                    Certificate_counters& counters) const;
-  Outlook<Time> flatness_outlook(const Point_2& p, const Point_2& q, const Point_2& r,
-                                 const Time& t, Certificate_state state,
-                                 Certificate_counters& counters) const;
-  std::array<Outlook<Time>, 2> in_circle_outlooks(
-      const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t,
-      Certificate_counters& counters) const;
-  std::array<Outlook<Time>, 5> outlooks_after_flip(const Flip_neighborhood<Point_2>& around,
-                                                   const Double_interval& now,
-                                                   Certificate_counters& counters) const;
+  /// As KineticTraits_2 says. The failure time of a coincidence certificate of linear motions is
+  /// rational.
+  Certificate in_circle_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
+                                    const Point_2& s, const Time& t, Certificate_state state) const;
+  Certificate orientation_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
+                                      const Time& t, Certificate_state state) const;
+  Certificate flatness_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
+                                   const Time& t, Certificate_state state) const;
+  Certificate coincidence_certificate(const Point_2& p, const Point_2& q, const Time& t,
+                                      const Double_interval& among) const;
   Time in_circle_failure(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s,
                          const Double_interval& bounds) const;
   Time orientation_failure(const Point_2& p, const Point_2& q, const Point_2& r,
                            const Double_interval& bounds) const;
   /// @}
 
-  /// As KineticTraits_2 says. The coincidence time of linear motions is rational.
-  std::optional<Time> coincidence_time(const Point_2& p, const Point_2& q, const Time& t,
-                                       const Double_interval& among,
-                                       Certificate_counters& counters) const;
+  /// @{
+  /// As BatchKineticTraits_2 says.
+  using Batches_of = Basic_kinetic_traits_2;
+  std::array<Certificate, 2> in_circle_certificates(
+      const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t) const;
+  std::array<Certificate, 5> certificates_after_flip(const Flip_neighborhood<Point_2>& around,
+                                                     const Double_interval& now) const;
+  /// @}
 
   /// @{
   /// As ContactKineticTraits_2 says. Polynomials of degree 2d (discs) and d (walls).
-  Outlook<Time> contact_outlook(const Point_2& p, const Point_2& q, double diameter, const Time& t,
-                                Certificate_counters& counters) const;
-  Outlook<Time> next_contact_outlook(const Point_2& p, const Point_2& q, double diameter,
-                                     const Time& t, Certificate_counters& counters) const;
-  Outlook<Time> wall_outlook(const Point_2& p, const Wall_2& wall, const Time& t,
-                             Certificate_counters& counters) const;
+  Certificate contact_certificate(const Point_2& p, const Point_2& q, double diameter,
+                                  const Time& t) const;
+  Certificate next_contact_certificate(const Point_2& p, const Point_2& q, double diameter,
+                                       const Time& t) const;
+  Certificate wall_certificate(const Point_2& p, const Wall_2& wall, const Time& t) const;
   Time contact_failure(const Point_2& p, const Point_2& q, double diameter,
                        const Double_interval& bounds) const;
   Time wall_failure(const Point_2& p, const Wall_2& wall, const Double_interval& bounds) const;
@@ -94,6 +91,10 @@ class Basic_kinetic_traits_2 {
   static Basic_kinetic_traits_2 exact() { return Basic_kinetic_traits_2(Arithmetic::exact_only); }
 
  private:
+  std::optional<Certificate> filtered_orientation(const Point_2& p, const Point_2& q,
+                                                  const Point_2& r, const Time& t,
+                                                  Certificate_state state) const;
+
   Arithmetic arithmetic_ = Arithmetic::filtered;
 };
 
@@ -107,6 +108,8 @@ using Polynomial_kinetic_traits_2 = Basic_kinetic_traits_2<Polynomial_motion_2>;
 
 static_assert(ContactKineticTraits_2<Linear_kinetic_traits_2>);
 static_assert(ContactKineticTraits_2<Polynomial_kinetic_traits_2>);
+static_assert(BatchKineticTraits_2<Linear_kinetic_traits_2>);
+static_assert(BatchKineticTraits_2<Polynomial_kinetic_traits_2>);
 
 }  // namespace kinetri
 

@@ -10,7 +10,7 @@
 namespace kinetri {
 
 /// A side of a time, or the time itself.
-enum class Side {
+enum class Time_side {
   before,  ///< throughout some open interval that ends at the time
   at,      ///< at the time
   after,   ///< throughout some open interval that begins at the time
@@ -18,8 +18,8 @@ enum class Side {
 
 /// A time, and on which side of it.
 struct Instant {
-  Algebraic_number time;  ///< exact
-  Side side = Side::at;   ///< of the time
+  Algebraic_number time;           ///< exact
+  Time_side side = Time_side::at;  ///< of the time
 };
 
 /// The sign of `p` at the instant. Exact. On one side of a root it is the sign of the first

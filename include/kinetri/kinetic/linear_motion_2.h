@@ -47,13 +47,13 @@ inline Vector_2 rounded_velocity(const Linear_motion_2& motion, double /*t*/) {
 /// t, each coordinate of it rounded to the nearest binary64 number, ties to even. With that
 /// rounding, of half a unit in the last place, a trajectory is continued; nothing else in the
 /// library is approximated. The coordinates are infinite where they are too large.
-Linear_motion_2 turned(const Linear_motion_2& motion, const Vector_2& velocity, double t);
+Linear_motion_2 with_velocity_at(const Linear_motion_2& motion, const Vector_2& velocity, double t);
 
 /// The motion itself if it is on the inner side of the wall, or at its bound, at every time in
 /// `times`; else with the position changed to the nearest one with which it is. Exact.
 /// Precondition: the bounds of `times` are finite.
-Linear_motion_2 kept_inside(const Linear_motion_2& motion, const Wall_2& wall,
-                            const Double_interval& times);
+Linear_motion_2 clamped_inside(const Linear_motion_2& motion, const Wall_2& wall,
+                               const Double_interval& times);
 
 /// The motion at -t in place of t, exactly.
 inline Linear_motion_2 mirrored(const Linear_motion_2& motion) {

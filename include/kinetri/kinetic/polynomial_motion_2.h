@@ -49,13 +49,14 @@ Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t);
 /// The motion with the epoch `t` and the given velocity that starts from the place of `motion` at
 /// t, with the acceleration that it has there and its jerk; each coordinate of place and
 /// acceleration rounded to the nearest binary64 number, ties to even. Infinite where too large.
-Polynomial_motion_2 turned(const Polynomial_motion_2& motion, const Vector_2& velocity, double t);
+Polynomial_motion_2 with_velocity_at(const Polynomial_motion_2& motion, const Vector_2& velocity,
+                                     double t);
 
 /// The motion itself if it is certainly on the inner side of the wall, or at its bound, at every
 /// time in `times`; else with the position moved inward, by about as little as makes it certain.
 /// Precondition: the bounds of `times` are finite.
-Polynomial_motion_2 kept_inside(const Polynomial_motion_2& motion, const Wall_2& wall,
-                                const Double_interval& times);
+Polynomial_motion_2 clamped_inside(const Polynomial_motion_2& motion, const Wall_2& wall,
+                                   const Double_interval& times);
 
 /// The motion at -t in place of t, exactly.
 Polynomial_motion_2 mirrored(const Polynomial_motion_2& motion);

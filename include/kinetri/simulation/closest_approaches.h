@@ -30,7 +30,7 @@ struct Approach {
 /// Distances are compared exactly, even if they round to the same number. Cost: for each change of
 /// an edge or of a motion at it some hundred floating-point operations, which prove for most pairs
 /// that they are not near enough, and exact arithmetic for the others. Memory: O(edges + number).
-class Closest_approaches : public Event_observer<Algebraic_number> {
+class Closest_approaches : public Event_observer {
  public:
   /// Observes from the current time on. Precondition: number > 0. The simulation must outlive this
   /// object.
@@ -47,8 +47,8 @@ class Closest_approaches : public Event_observer<Algebraic_number> {
 
   /// @{
   /// Called by the simulation; they track edges and motions.
-  void before_event(const Event<Algebraic_number>& event) override;
-  void after_event(const Event<Algebraic_number>& event) override;
+  void before_event(const Event& event) override;
+  void after_event(const Event& event) override;
   /// @}
 
  private:

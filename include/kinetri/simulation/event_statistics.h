@@ -36,8 +36,7 @@ struct Events_in_interval {
 /// An observer of a triangulation or a simulation (`add_observer`) that counts events. Times are
 /// compared exactly. Cost: O(log intervals) per event. Memory: O(greatest id + intervals),
 /// independent of the number of events.
-template <class Time = Algebraic_number>
-class Event_statistics : public Event_observer<Time> {
+class Event_statistics : public Event_observer {
  public:
   /// Without intervals.
   Event_statistics() = default;
@@ -48,7 +47,7 @@ class Event_statistics : public Event_observer<Time> {
   Event_statistics(double from, double to, std::size_t intervals);
 
   /// Counts the event.
-  void after_event(const Event<Time>& event) override;
+  void after_event(const Event& event) override;
 
   /// The number of events of all kinds, including events outside the intervals.
   std::uint64_t number_of_events() const;
@@ -66,7 +65,9 @@ class Event_statistics : public Event_observer<Time> {
   /// The largest number of events at one time; 0 without events.
   std::uint64_t largest_instant() const { return largest_instant_; }
   /// The exact first time with that many events; none without events.
-  const std::optional<Time>& largest_instant_time() const { return largest_instant_time_; }
+  const std::optional<Algebraic_number>& largest_instant_time() const {
+    return largest_instant_time_;
+  }
 
   /// The time from the first to the last event, divided by the number of events minus one; rounded.
   /// Simultaneous events count with a difference of zero. None for fewer than two events.
@@ -79,8 +80,8 @@ class Event_statistics : public Event_observer<Time> {
   }
 
  private:
-  Event_counts* counts_at(const Time& time);
-  void count_points(const Event<Time>& event);
+  Event_counts* counts_at(const Algebraic_number& time);
+  void count_points(const Event& event);
   std::vector<Point_id> busiest_points(std::size_t number) const;
   void write(std::ostream& out) const;
 
@@ -90,12 +91,10 @@ class Event_statistics : public Event_observer<Time> {
   std::uint64_t instants_ = 0;
   std::uint64_t present_instant_ = 0;  // events at the time of the last one
   std::uint64_t largest_instant_ = 0;
-  std::optional<Time> largest_instant_time_;
-  std::optional<Time> first_time_;
-  std::optional<Time> last_time_;
+  std::optional<Algebraic_number> largest_instant_time_;
+  std::optional<Algebraic_number> first_time_;
+  std::optional<Algebraic_number> last_time_;
 };
-
-extern template class Event_statistics<Algebraic_number>;
 
 }  // namespace kinetri
 

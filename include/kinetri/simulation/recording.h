@@ -32,7 +32,7 @@ struct Recorded_time {
 };
 
 /// An event with a rounded time.
-using Recorded_event = Event<Recorded_time>;
+using Recorded_event = Basic_event<Recorded_time>;
 
 /// The motion of a point from an event on.
 struct Recorded_motion {
@@ -76,10 +76,10 @@ struct Recording {
 /// Observes a run and records it. Cost of an event: the degrees of the ends of its edges; besides,
 /// O(rows log rows) once in `most_rows` / 2 events or less often. Memory: O(points + rows).
 template <class Traits = Linear_kinetic_traits_2>
-class Recorder : public Event_observer<typename Traits::Time> {
+class Recorder : public Event_observer {
  public:
   using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;  ///< what is observed
-  using Time = typename Traits::Time;                              ///< of the traits
+  using Time = Algebraic_number;                                   ///< of events
 
   /// Records `triangulation` from its current time up to the time `until`. Add the recorder as an
   /// observer of the triangulation, or of the simulation that owns it. If there are more than
@@ -88,7 +88,7 @@ class Recorder : public Event_observer<typename Traits::Time> {
   Recorder(const Triangulation& triangulation, double until, std::size_t most_rows);
 
   /// Records the event.
-  void after_event(const Event<Time>& event) override;
+  void after_event(const Event& event) override;
 
   /// Records the triangles that have changed.
   void after_rebuild(const Time& time, std::span<const Edge_ids> edges) override;

@@ -18,7 +18,6 @@
 #define KINETRI_SIMULATION_SIMULATION_2_H
 
 #include <array>
-#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -30,7 +29,7 @@
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
-#include "kinetri/events/indexed_queue.h"
+#include "kinetri/events/event_scheduler.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/simulation_snapshot.h"
@@ -60,18 +59,18 @@ class Outside_box_error : public Error {
 /// with walls, by point id, then those of discs, by ids, then changes that were scheduled.
 ///
 /// A reflection or response gives a point a new motion whose place is that of the old one at the
-/// binary64 number nearest to the time, rounded (see `turned`); where that would be outside of the
-/// box at the time itself, it is moved onto its inner side, by the least binary64 step that is
-/// certain to do it. So points are never outside of the box, exactly, and everything else happens
-/// exactly for the motions as they are.
+/// binary64 number nearest to the time, rounded (see `with_velocity_at`); where that would be
+/// outside of the box at the time itself, it is moved onto its inner side, by the least binary64
+/// step that is certain to do it. So points are never outside of the box, exactly, and everything
+/// else happens exactly for the motions as they are.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
-class Simulation_2 : private Event_observer<typename Traits::Time> {
+class Simulation_2 : private Event_observer {
  public:
   using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;  ///< what a simulation owns
   using Motion = typename Traits::Motion;                          ///< of the traits
   using Point_2 = typename Traits::Point_2;                        ///< of the traits
-  using Time = typename Traits::Time;                              ///< of the traits
-  using Observer = Event_observer<Time>;                           ///< what add_observer takes
+  using Time = Algebraic_number;                                   ///< of events
+  using Observer = Event_observer;                                 ///< what add_observer takes
   using Snapshot = Simulation_snapshot<Traits>;                    ///< what snapshot() gives
 
   /// Throws Precondition_error where an option has no meaning: a box without area, or not finite;
@@ -82,16 +81,17 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   Simulation_2(const std::vector<Motion>& motions, const Simulation_options& options,
                const Time& start = Time(), const Traits& traits = Traits());
 
-  /// The simulation of the snapshot, which goes on as the one that it was taken of would: the same
-  /// events, with the same numbers, for the same calls. The response is what that one had, since a
-  /// function cannot be kept. Counters go on, but for those of the queues.
+  /// The simulation of the snapshot. It goes on as the simulation that the snapshot was taken of:
+  /// the same events, with the same numbers, for the same calls. The response is what that
+  /// simulation had, since a function cannot be kept. Counters go on, except those of the queues.
   ///
-  /// Throws Snapshot_error if it is not the state of a simulation, as the constructor of the
-  /// triangulation. Precondition: there is a response if there was one. Cost: that of the
-  /// triangulation, and a contact certificate for each edge and wall.
-  template <std::same_as<Snapshot> Given>  // what is in braces is a list of motions
-  Simulation_2(const Given& snapshot, Collision_response response, const Traits& traits = Traits())
-      : Simulation_2(Restoration(), snapshot, std::move(response), traits) {}
+  /// Throws Snapshot_error if the snapshot is not the state of a simulation. Precondition: there is
+  /// a response if there was one. Cost: that of the triangulation, and a contact certificate for
+  /// each edge and wall.
+  static Simulation_2 restore(const Snapshot& snapshot, Collision_response response,
+                              const Traits& traits = Traits()) {
+    return Simulation_2(Restoration(), snapshot, std::move(response), traits);
+  }
 
   Simulation_2(const Simulation_2&) = delete;
   Simulation_2& operator=(const Simulation_2&) = delete;
@@ -172,20 +172,23 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   /// every contact is computed anew.
   Audit_report audit(Audit_level level) const;
 
+  /// Whether the simulation is valid: audit() up to the level `links` if `level` is 0, else up to
+  /// `delaunay`. Prints what is wrong to std::cerr if `verbose`.
+  bool is_valid(bool verbose = false, int level = 0) const {
+    return detail::is_passed(audit(level > 0 ? Audit_level::delaunay : Audit_level::links),
+                             verbose);
+  }
+
  private:
   /// In the order in which they are executed at one time.
   enum class Entry_kind : std::uint8_t { wall, collision, erase, trajectory, insert };
 
-  using Time_pool = detail::Time_pool<Time>;
-
   /// A contact, or a time up to which there certainly is none; or a change that was scheduled.
-  struct Entry {
-    Double_interval bounds;
-    Point_id point_a = no_point;
-    Point_id point_b = no_point;  // of a wall, which of the four; of a change, its number
-    mutable typename Time_pool::Index time = Time_pool::none;
+  struct Entry : detail::Scheduled {
     Entry_kind kind = Entry_kind::wall;
     bool is_event = false;
+    Point_id point_a = no_point;
+    Point_id point_b = no_point;  // of a wall, which of the four; of a change, its number
   };
 
   /// A scheduled change that is not in the queue any more; the motion is the one that it gives.
@@ -194,13 +197,16 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
     std::optional<Motion> motion;
   };
 
-  struct Earlier {
-    const Simulation_2* simulation;
+  /// What the scheduler asks; see Event_scheduler.
+  struct Queue_policy {
+    const Simulation_2& simulation;
 
-    bool operator()(const Entry& a, const Entry& b) const;
-    Double_interval bounds(const Entry& entry) const { return entry.bounds; }
+    Time entry_time(const Entry& entry) const;
+    bool precedes(const Entry& a, const Entry& b) const;
+    bool is_recheck(const Entry& entry) const;
     static void prefetch(const Entry&) {}
     static void prefetch_more(const Entry&) {}
+    static void prefetch_first(const Entry&) {}
   };
 
   /// A neighbor whose disc may come into contact.
@@ -226,18 +232,18 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void restore_changes(const Snapshot& snapshot);
 
   // Scheduling.
-  const Time& time(const Entry& entry) const;
-  Queue_handle push(Entry entry, Outlook<Time> outlook);
+  Queue_handle push(Entry entry, Certificate certificate);
   void schedule_wall(Point_id id, const Time& after);
   void unschedule_wall(Point_id id);
   void schedule_pair(const Edge_ids& pair, const Time& after);
-  Outlook<Time> pair_outlook(const Contacts& contacts, const Edge_ids& pair, const Time& after,
-                             const Traits& traits, Certificate_counters& counters) const;
+  Certificate pair_certificate(const Contacts& contacts, const Edge_ids& pair, const Time& after,
+                               const Traits& traits) const;
   void unschedule_pair(const Edge_ids& pair);
   void schedule_contacts(Point_id id, Point_id scheduled);
   void unschedule_contacts(Point_id id);
   void discard(Queue_handle handle);
   Entry pop();
+  void forget(const Entry& entry);
   static Queue_handle forget_partner(Contacts& contacts, Point_id b);
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
@@ -245,6 +251,7 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   // Events.
   std::size_t step(const Time* until);
   void settle();
+  void recheck(const Entry& entry);
   std::size_t execute_due_entries();
   void execute_due_entries(std::vector<Due_change>& postponed);
   void check_limit(const Entry& entry, std::uint64_t contacts) const;
@@ -259,8 +266,8 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   void check_inside(const Point_2& point) const;
   void change(Event_kind kind, std::span<const Point_id> points,
               std::span<const typename Triangulation::Change> changes);
-  Motion turned_inside(const Motion& motion, const Vector_2& velocity, double time) const;
-  void after_event(const Event<Time>& event) override;
+  Motion clamped_with_velocity(const Motion& motion, const Vector_2& velocity, double time) const;
+  void after_event(const Event& event) override;
 
   // Discs that a response has left in contact.
   void leave_in_contact(Point_id a, Point_id b);
@@ -271,14 +278,15 @@ class Simulation_2 : private Event_observer<typename Traits::Time> {
   double diameter_ = 0;
   std::array<Wall_2, 4> walls_ = {};
   Triangulation triangulation_;
-  Indexed_queue<Entry, Earlier> queue_{Earlier{this}};
-  mutable Time_pool times_;  // of entries
+  Queue_policy queue_policy_{*this};
+  detail::Event_scheduler<Entry, Queue_policy> queue_{queue_policy_};
   Certificate_counters certificate_counters_;
   // Of points that are there, so that memory is that of these and not of all that ever were.
   std::unordered_map<Point_id, Contacts> contacts_;
   std::unordered_map<std::uint32_t, Motion> scheduled_motions_;  // by number of the change
   std::uint32_t scheduled_ = 0;                                  // changes so far
   std::size_t scheduled_entries_ = 0;                            // of changes, in the queue
+  std::span<const Point_id> changing_points_;  // of which `change` schedules all contacts anew
   bool is_within_instant_ = false;
   Contact_counters counters_;  // but for those of the queue
 };

@@ -13,6 +13,7 @@
 
 #include "kinetri/base/check.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/detail/point_problems.h"
 
 namespace kinetri {
@@ -90,55 +91,63 @@ void Simulation_2<Traits>::check_inside(const Point_2& p) const {
 // ---- scheduling ----
 
 template <ContactKineticTraits_2 Traits>
-bool Simulation_2<Traits>::Earlier::operator()(const Entry& a, const Entry& b) const {
-  const auto order = simulation->time(a) <=> simulation->time(b);
-  if (order != 0) return order < 0;
+auto Simulation_2<Traits>::Queue_policy::entry_time(const Entry& entry) const -> Time {
+  KINETRI_ASSERT(entry.kind <= Entry_kind::collision, "a scheduled change has its time");
+  if (!entry.is_event) return Time(entry.bounds.lower);
+  const Traits& traits = simulation.traits_;
+  const Point_2& p = simulation.point(entry.point_a);
+  if (entry.kind == Entry_kind::wall) {
+    return traits.wall_failure(p, simulation.walls_[entry.point_b], entry.bounds);
+  }
+  return traits.contact_failure(p, simulation.point(entry.point_b), simulation.diameter_,
+                                entry.bounds);
+}
+
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::Queue_policy::precedes(const Entry& a, const Entry& b) const {
   if (a.kind != b.kind) return a.kind < b.kind;
   return std::pair(a.point_a, a.point_b) < std::pair(b.point_a, b.point_b);
 }
 
+// A change of a point that is not there is no event either: the point will not be there at the time
+// of the change, since an insertion before that would be before it in the queue.
 template <ContactKineticTraits_2 Traits>
-auto Simulation_2<Traits>::time(const Entry& entry) const -> const Time& {
-  if (entry.time == Time_pool::none) {
-    KINETRI_ASSERT(entry.kind <= Entry_kind::collision, "a scheduled change has its time");
-    if (!entry.is_event) {
-      entry.time = times_.keep(Time(entry.bounds.lower));
-    } else if (entry.kind == Entry_kind::wall) {
-      entry.time = times_.keep(
-          traits_.wall_failure(point(entry.point_a), walls_[entry.point_b], entry.bounds));
-    } else {
-      entry.time = times_.keep(traits_.contact_failure(point(entry.point_a), point(entry.point_b),
-                                                       diameter_, entry.bounds));
-    }
-  }
-  return times_[entry.time];
+bool Simulation_2<Traits>::Queue_policy::is_recheck(const Entry& entry) const {
+  if (!entry.is_event) return true;
+  return (entry.kind == Entry_kind::erase || entry.kind == Entry_kind::trajectory) &&
+         !simulation.triangulation_.contains(entry.point_a);
 }
 
-// Pushes the entry with what the outlook says about it.
+// Puts the entry into the queue with the contact of the certificate, or the time to check it again.
+// Returns no_event if there never is a contact.
 template <ContactKineticTraits_2 Traits>
-Queue_handle Simulation_2<Traits>::push(Entry entry, Outlook<Time> outlook) {
-  if (outlook.kind == Outlook<Time>::Kind::holds_for_ever) return no_event;
-  entry.bounds = outlook.bounds;
-  entry.is_event = outlook.kind == Outlook<Time>::Kind::fails;
-  if (outlook.failure) entry.time = times_.keep(std::move(*outlook.failure));
-  return queue_.push(entry);
+Queue_handle Simulation_2<Traits>::push(Entry entry, Certificate certificate) {
+  if (certificate.kind == Certificate::Kind::never_fails) return no_event;
+  entry.bounds = certificate.bounds;
+  entry.is_event = certificate.kind == Certificate::Kind::fails;
+  if (!certificate.failure) return queue_.emplace(entry);
+  return queue_.push(entry, std::move(*certificate.failure));
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::discard(Queue_handle handle) {
-  const Entry& entry = queue_[handle];
-  times_.release(entry.time);
+  const Entry entry = queue_.erase(handle);
   if (entry.is_event && entry.kind <= Entry_kind::collision) {
     ++(entry.kind == Entry_kind::wall ? counters_.discarded_walls : counters_.discarded_collisions);
   }
-  queue_.erase(handle);
 }
 
 // Takes the first entry from the queue.
 template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::pop() -> Entry {
   const Entry entry = queue_.pop();
-  times_.release(entry.time);
+  forget(entry);
+  return entry;
+}
+
+// Forgets the handle of an entry that has left the queue.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::forget(const Entry& entry) {
   if (entry.kind == Entry_kind::wall) {
     contacts_.at(entry.point_a).wall_event = no_event;
   } else if (entry.kind == Entry_kind::collision) {
@@ -146,7 +155,6 @@ auto Simulation_2<Traits>::pop() -> Entry {
   } else {
     --scheduled_entries_;
   }
-  return entry;
 }
 
 // Returns the handle of the partner's entry; none if there is no such partner.
@@ -167,27 +175,29 @@ void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
   if (!options_.box) return;
   unschedule_wall(id);
   Entry first;
-  Outlook<Time> first_outlook;
-  for (Point_id i = 0; i < walls_.size(); ++i) {
-    Outlook<Time> outlook =
-        traits_.wall_outlook(point(id), walls_[i], after, certificate_counters_);
-    if (outlook.kind == Outlook<Time>::Kind::holds_for_ever) continue;
+  first.point_a = id;
+  Certificate first_certificate;
+  // The exact time of a certificate that does not hold for all time.
+  const auto time = [&](const Certificate& certificate, Point_id wall) {
+    if (certificate.kind == Certificate::Kind::holds) return Time(certificate.bounds.lower);
+    return certificate.failure ? *certificate.failure
+                               : traits_.wall_failure(point(id), walls_[wall], certificate.bounds);
+  };
+  for (Point_id wall = 0; wall < walls_.size(); ++wall) {
+    Certificate certificate = traits_.wall_certificate(point(id), walls_[wall], after);
+    certificate_counters_.count(certificate);
+    if (certificate.kind == Certificate::Kind::never_fails) continue;
     const auto is_earlier = [&] {
-      if (first_outlook.kind == Outlook<Time>::Kind::holds_for_ever) return true;
-      if (outlook.bounds.upper < first_outlook.bounds.lower) return true;
-      if (outlook.bounds.lower > first_outlook.bounds.upper) return false;
-      const auto exact = [&](const Outlook<Time>& o, Point_id wall) {
-        if (o.kind == Outlook<Time>::Kind::holds) return Time(o.bounds.lower);
-        return o.failure ? *o.failure : traits_.wall_failure(point(id), walls_[wall], o.bounds);
-      };
-      return exact(outlook, i) < exact(first_outlook, first.point_b);
+      if (first_certificate.kind == Certificate::Kind::never_fails) return true;
+      if (certificate.bounds.upper < first_certificate.bounds.lower) return true;
+      if (certificate.bounds.lower > first_certificate.bounds.upper) return false;
+      return time(certificate, wall) < time(first_certificate, first.point_b);
     };
     if (!is_earlier()) continue;
-    first.point_b = i;
-    first_outlook = std::move(outlook);
+    first.point_b = wall;
+    first_certificate = std::move(certificate);
   }
-  first.point_a = id;
-  contacts_[id].wall_event = push(first, std::move(first_outlook));
+  contacts_[id].wall_event = push(first, std::move(first_certificate));
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -208,21 +218,21 @@ void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after
   entry.kind = Entry_kind::collision;
   entry.point_a = a;
   entry.point_b = b;
-  const Queue_handle event =
-      push(entry, pair_outlook(contacts, {a, b}, after, traits_, certificate_counters_));
+  Certificate certificate = pair_certificate(contacts, {a, b}, after, traits_);
+  certificate_counters_.count(certificate);
+  const Queue_handle event = push(entry, std::move(certificate));
   if (event != no_event) contacts.partners.push_back({b, event});
 }
 
-// The outlook of the next contact of a pair; `contacts` are those of its first point.
+// The certificate of the next contact of a pair; `contacts` are those of its first point.
 template <ContactKineticTraits_2 Traits>
-auto Simulation_2<Traits>::pair_outlook(const Contacts& contacts, const Edge_ids& pair,
-                                        const Time& after, const Traits& traits,
-                                        Certificate_counters& counters) const -> Outlook<Time> {
+Certificate Simulation_2<Traits>::pair_certificate(const Contacts& contacts, const Edge_ids& pair,
+                                                   const Time& after, const Traits& traits) const {
   const auto [a, b] = pair;
   if (std::ranges::find(contacts.touching, b) != contacts.touching.end()) {
-    return traits.next_contact_outlook(point(a), point(b), diameter_, after, counters);
+    return traits.next_contact_certificate(point(a), point(b), diameter_, after);
   }
-  return traits.contact_outlook(point(a), point(b), diameter_, after, counters);
+  return traits.contact_certificate(point(a), point(b), diameter_, after);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -236,13 +246,8 @@ void Simulation_2<Traits>::unschedule_pair(const Edge_ids& pair) {
 template <ContactKineticTraits_2 Traits>
 template <class Function>
 void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) const {
-  const auto& topology = triangulation_.triangulation();
-  if (topology.dimension() < 1) return;
-  auto neighbor = topology.incident_vertices(triangulation_.vertex(id));
-  const auto first = neighbor;
-  do {
-    if (!topology.is_infinite(neighbor)) function(neighbor->point().id());
-  } while (++neighbor != first);
+  detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
+                            [&](auto neighbor) { function(neighbor->point().id()); });
 }
 
 // Of the neighbor `scheduled`, if there is one, the pair has been done.
@@ -279,7 +284,7 @@ template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::step(const Time* until) {
   settle();
   if (queue_.empty()) return until != nullptr ? triangulation_.step(*until) : triangulation_.step();
-  const Time first = time(queue_.top());
+  const Time first = queue_.time(queue_.top());
   const bool is_due = until == nullptr || first <= *until;
   const std::size_t events = triangulation_.step(is_due ? first : *until);
   if (events == 0) {
@@ -291,24 +296,26 @@ std::size_t Simulation_2<Traits>::step(const Time* until) {
   return events + due_events;
 }
 
-// Takes from the front of the queue what is no event: certificates, which are looked at again, and
-// changes of points that are not there. These will not be there at its time either, since an
-// insertion before it would be before it in the queue.
+// Takes what is no event from the front of the queue.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::settle() {
-  const auto is_change_of_none = [&](const Entry& entry) {
-    return (entry.kind == Entry_kind::erase || entry.kind == Entry_kind::trajectory) &&
-           !triangulation_.contains(entry.point_a);
-  };
-  while (!queue_.empty() && (!queue_.top().is_event || is_change_of_none(queue_.top()))) {
-    const Entry entry = pop();
-    if (entry.kind == Entry_kind::wall) {
-      schedule_wall(entry.point_a, Time(entry.bounds.lower));
-    } else if (entry.kind == Entry_kind::collision) {
-      schedule_pair({entry.point_a, entry.point_b}, Time(entry.bounds.lower));
-    } else {
-      take_scheduled_motion(entry);
-    }
+  queue_.settle([](const Entry& /*entry*/) { return true; },
+                [this](std::span<const Entry> entries) {
+                  for (const Entry& entry : entries) recheck(entry);
+                });
+}
+
+// Checks a certificate again, or drops a change of a point that is not there. The entry has left
+// the queue.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::recheck(const Entry& entry) {
+  forget(entry);
+  if (entry.kind == Entry_kind::wall) {
+    schedule_wall(entry.point_a, Time(entry.bounds.lower));
+  } else if (entry.kind == Entry_kind::collision) {
+    schedule_pair({entry.point_a, entry.point_b}, Time(entry.bounds.lower));
+  } else {
+    take_scheduled_motion(entry);
   }
 }
 
@@ -336,7 +343,7 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postponed) {
   std::uint64_t contacts = 0;
   const auto execute_due = [&] {
-    for (settle(); !queue_.empty() && time(queue_.top()) <= current_time(); settle()) {
+    for (settle(); !queue_.empty() && queue_.time(queue_.top()) <= current_time(); settle()) {
       const Entry entry = pop();
       if (entry.kind > Entry_kind::collision) {
         const Due_change change = {entry, take_scheduled_motion(entry)};
@@ -371,9 +378,9 @@ void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postpone
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t contacts) const {
-  if (contacts <= options_.contacts_at_one_time) return;
+  if (contacts <= options_.max_contacts_per_instant) return;
   throw Endless_contacts_error(
-      "more than " + std::to_string(options_.contacts_at_one_time) +
+      "more than " + std::to_string(options_.max_contacts_per_instant) +
       " contacts at t = " + detail::text(current_time().to_double()) + ", the last one of point " +
       std::to_string(entry.point_a) +
       (entry.kind == Entry_kind::wall ? " and a wall"
@@ -404,9 +411,8 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::push_change(const Time& time, Entry entry,
                                        const std::optional<Motion>& motion) {
   entry.bounds = time.interval();
-  entry.time = times_.keep(time);
   if (motion) scheduled_motions_.emplace(entry.point_b, *motion);
-  queue_.push(entry);
+  queue_.push(entry, time);
   ++scheduled_entries_;
 }
 
@@ -460,8 +466,8 @@ bool Simulation_2<Traits>::try_change(const Due_change& change) {
 
 template <ContactKineticTraits_2 Traits>
 Point_id Simulation_2<Traits>::insert(const Motion& motion) {
-  check_inside(Point_2(motion, static_cast<Point_id>(triangulation_.next_id())));
-  const Point_id id = triangulation_.insert(motion)->point().id();
+  check_inside(Point_2(motion, triangulation_.next_id()));
+  const Point_id id = triangulation_.insert(motion);
   schedule_contacts(id, no_point);
   return id;
 }
@@ -469,13 +475,13 @@ Point_id Simulation_2<Traits>::insert(const Motion& motion) {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
   check_inside(Point_2(motion, id));
-  const typename Triangulation::Change turned = {triangulation_.vertex(id), motion};
-  change(Event_kind::trajectory, {&id, 1}, {&turned, 1});
+  const typename Triangulation::Change moved = {id, motion};
+  change(Event_kind::trajectory, {&id, 1}, {&moved, 1});
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::erase(Point_id id) {
-  const typename Triangulation::Change gone = {triangulation_.vertex(id), std::nullopt};
+  const typename Triangulation::Change gone = {id, std::nullopt};
   change(Event_kind::erase, {&id, 1}, {&gone, 1});
 }
 
@@ -488,8 +494,8 @@ void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
   Vector_2 velocity = rounded_velocity(motion, time);
   double& component = walls_[wall].is_vertical() ? velocity.x : velocity.y;
   component = -component;
-  const typename Triangulation::Change reflected = {triangulation_.vertex(id),
-                                                    turned_inside(motion, velocity, time)};
+  const typename Triangulation::Change reflected = {id,
+                                                    clamped_with_velocity(motion, velocity, time)};
   change(Event_kind::wall, {&id, 1}, {&reflected, 1});
 }
 
@@ -501,8 +507,8 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
   const Vector_2 place_a = rounded_place(motion_a, time);
   const Vector_2 place_b = rounded_place(motion_b, time);
   const auto would_approach = [&](const Vector_2& velocity_a, const Vector_2& velocity_b) {
-    return traits_.do_approach(Point_2(turned_inside(motion_a, velocity_a, time), a),
-                               Point_2(turned_inside(motion_b, velocity_b, time), b),
+    return traits_.do_approach(Point_2(clamped_with_velocity(motion_a, velocity_a, time), a),
+                               Point_2(clamped_with_velocity(motion_b, velocity_b, time), b),
                                current_time());
   };
   const Contact_response_2 response =
@@ -519,9 +525,9 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
   const auto add = [&](Point_id id, const Motion& motion, bool erases,
                        const std::optional<Vector_2>& velocity) {
     if (erases) {
-      changes[number++] = {triangulation_.vertex(id), std::nullopt};
+      changes[number++] = {id, std::nullopt};
     } else if (velocity && *velocity != rounded_velocity(motion, time)) {
-      changes[number++] = {triangulation_.vertex(id), turned_inside(motion, *velocity, time)};
+      changes[number++] = {id, clamped_with_velocity(motion, *velocity, time)};
     }
   };
   add(a, motion_a, response.erases_a, response.velocity_a);
@@ -552,31 +558,37 @@ void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> poi
       schedule_contacts(id, id != first && triangulation_.contains(first) ? first : no_point);
     }
   };
+  changing_points_ = points;
   try {
     triangulation_.apply(kind, points[0], second, changes);
   } catch (const Coincident_trajectories_error&) {
+    changing_points_ = {};
     schedule_anew();
     throw;
   }
+  changing_points_ = {};
   schedule_anew();
 }
 
 template <ContactKineticTraits_2 Traits>
-auto Simulation_2<Traits>::turned_inside(const Motion& motion, const Vector_2& velocity,
-                                         double time) const -> Motion {
-  Motion result = turned(motion, velocity, time);
+auto Simulation_2<Traits>::clamped_with_velocity(const Motion& motion, const Vector_2& velocity,
+                                                 double time) const -> Motion {
+  Motion result = with_velocity_at(motion, velocity, time);
   if (!options_.box) return result;
   const Double_interval times = current_time().tight_interval();
-  for (const Wall_2& wall : walls_) result = kept_inside(result, wall, times);
+  for (const Wall_2& wall : walls_) result = clamped_inside(result, wall, times);
   return result;
 }
 
-// Follows the edges of the triangulation.
+// Follows the edges of the triangulation. While points change, `change` schedules their contacts.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::after_event(const Event<Time>& event) {
+void Simulation_2<Traits>::after_event(const Event& event) {
   if (!options_.response) return;
   if (event.removed) unschedule_pair(*event.removed);
-  if (event.added) schedule_pair(*event.added, event.time);
+  if (!event.added) return;
+  const bool is_scheduled_later = std::ranges::any_of(
+      *event.added, [&](Point_id id) { return std::ranges::count(changing_points_, id) > 0; });
+  if (!is_scheduled_later) schedule_pair(*event.added, event.time);
 }
 
 // ---- discs in contact ----
@@ -592,7 +604,7 @@ void Simulation_2<Traits>::leave_in_contact(Point_id a, Point_id b) {
 }
 
 // Of a point that has a new motion, or none, those that it does not overlap now are no longer in
-// contact with it. As long as two keep their motions, next_contact_outlook knows.
+// contact with it. As long as two keep their motions, next_contact_certificate knows.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::part_from_others(Point_id id) {
   const auto contacts = contacts_.find(id);
@@ -630,7 +642,8 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
     return "points " + std::to_string(a) + " and " + std::to_string(b);
   };
   if (!queue_.is_valid()) fail("the queue of contacts is out of order");
-  if (!queue_.empty() && time(queue_.top()) < current_time()) fail("a contact has been missed");
+  if (!queue_.empty() && queue_.time_of(queue_.top()) < current_time())
+    fail("a contact has been missed");
   const std::vector<Edge_ids> edges = triangulation_.finite_edge_ids();
   const Contacts none;
   const auto contacts = [&](Point_id id) -> const Contacts& {
@@ -661,13 +674,13 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
     if (event == no_event) {
       if (expected) fail(what + " will have a contact that is not scheduled");
     } else if (!queue_[event].is_event) {
-      if (expected && *expected < time(queue_[event])) fail(what + " have a contact before a look");
-    } else if (!expected || *expected != time(queue_[event])) {
+      if (expected && *expected < queue_.time_of(queue_[event]))
+        fail(what + " have a contact before the next check");
+    } else if (!expected || *expected != queue_.time_of(queue_[event])) {
       fail(what + " have a contact at another time than scheduled, or none");
     }
   };
   const Traits exact = traits_.exact();
-  Certificate_counters unused;
   for (Point_id id = 0; options_.box && id < triangulation_.next_id(); ++id) {
     if (!triangulation_.contains(id)) continue;
     std::optional<Time> first;
@@ -676,8 +689,10 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
         fail("point " + std::to_string(id) + " is outside of the box");
       }
       if (level < Audit_level::certificates) continue;
-      const Outlook<Time> outlook = exact.wall_outlook(point(id), wall, current_time(), unused);
-      if (outlook.failure && (!first || *outlook.failure < *first)) first = *outlook.failure;
+      const Certificate certificate = exact.wall_certificate(point(id), wall, current_time());
+      if (certificate.failure && (!first || *certificate.failure < *first)) {
+        first = *certificate.failure;
+      }
     }
     if (level < Audit_level::certificates) continue;
     compare("point " + std::to_string(id), contacts(id).wall_event, first);
@@ -686,9 +701,9 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   for (const auto& [a, b] : edges) {
     const auto& partners = contacts(a).partners;
     const auto partner = std::ranges::find(partners, b, &Partner::id);
-    const Outlook<Time> outlook = pair_outlook(contacts(a), {a, b}, current_time(), exact, unused);
+    const Certificate certificate = pair_certificate(contacts(a), {a, b}, current_time(), exact);
     compare(pair_name(a, b), partner == partners.end() ? no_event : partner->event,
-            outlook.failure ? std::optional(*outlook.failure) : std::nullopt);
+            certificate.failure ? std::optional(*certificate.failure) : std::nullopt);
   }
   return report;
 }

@@ -27,7 +27,7 @@ struct Simulation_options {
   /// The response to contacts of discs. If empty, no contacts are computed.
   Collision_response response = nullptr;
   /// The most contacts, of all points together, at one time.
-  std::uint64_t contacts_at_one_time = 1'000'000;
+  std::uint64_t max_contacts_per_instant = 1'000'000;
 };
 
 /// Counters of contacts. Events count the contacts that happened.

@@ -18,7 +18,7 @@ namespace kinetri {
 template <KineticTraits_2 Traits>
 struct Simulation_snapshot {
   using Motion = typename Traits::Motion;  ///< of the traits
-  using Time = typename Traits::Time;      ///< of the traits
+  using Time = Algebraic_number;           ///< of events
 
   /// A scheduled change of a point that has not been made yet.
   struct Change {

@@ -30,6 +30,13 @@ struct Audit_report {
   bool passed() const noexcept { return failures.empty(); }
 };
 
+namespace detail {
+
+/// Whether the audit passed. Prints what it found to std::cerr if `verbose`.
+bool is_passed(const Audit_report& report, bool verbose);
+
+}  // namespace detail
+
 }  // namespace kinetri
 
 #endif  // KINETRI_TRIANGULATION_AUDIT_H

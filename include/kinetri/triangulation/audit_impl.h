@@ -53,8 +53,13 @@ class Auditor {
   using Face_handle = typename KineticTriangulation::Face_handle;
   using Edge = typename KineticTriangulation::Edge;
   using Time = typename KineticTriangulation::Time;
-  using Prospect = typename KineticTriangulation::Prospect;
+  using Entry_kind = typename KineticTriangulation::Entry_kind;
   using Traits = std::remove_cv_t<decltype(KineticTriangulation::traits_)>;
+
+  struct Failure {
+    Entry_kind kind;
+    Time time;
+  };
 
   void place_points();
   bool has_touch(const Time& time) const;
@@ -64,7 +69,7 @@ class Auditor {
   void check_delaunay();
   void check_reference();
   void check_certificates();
-  std::optional<Prospect> next_failure(const Edge& edge, const Traits& traits) const;
+  std::optional<Failure> next_failure(const Edge& edge, const Traits& traits) const;
 
   const Place& place(Vertex_handle v) const { return places_[v->point().id()]; }
   std::string name(const Edge& edge) const { return edge_name(audited_.ids_of(edge)); }
@@ -98,7 +103,7 @@ Audit_report Auditor<KineticTriangulation>::run(Audit_level level) {
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::place_points() {
   const Time& now = audited_.current_time();
-  Time end = queue_.empty() ? Time(Rational(now.upper() + 1)) : audited_.time(queue_.top());
+  Time end = queue_.empty() ? Time(Rational(now.upper() + 1)) : queue_.time_of(queue_.top());
   do {
     const Rational time = simplest_between(now, end);
     places_.clear();
@@ -118,7 +123,7 @@ void Auditor<KineticTriangulation>::place_points() {
 template <class KineticTriangulation>
 bool Auditor<KineticTriangulation>::has_touch(const Time& time) const {
   if (triangulation_.dimension() < 2) return false;
-  const auto after = audited_.traits_.instantaneous_traits({time, Side::after});
+  const auto after = audited_.traits_.instantaneous_traits({time, Time_side::after});
   return std::ranges::any_of(triangulation_.finite_face_handles(), [&](Face_handle f) {
     return CGAL::collinear(place(f->vertex(0)), place(f->vertex(1)), place(f->vertex(2))) &&
            after.orientation_2_object()(f->vertex(0)->point(), f->vertex(1)->point(),
@@ -141,7 +146,7 @@ void Auditor<KineticTriangulation>::check_links() {
     }
   }
   if (!queue_.is_valid()) fail("the queue is out of order");
-  if (!queue_.empty() && audited_.time(queue_.top()) <= audited_.current_time()) {
+  if (!queue_.empty() && queue_.time_of(queue_.top()) <= audited_.current_time()) {
     fail("the event of " + name(queue_.top().edge()) + " is not in the future");
   }
   if (triangulation_.dimension() < 1) return;
@@ -261,30 +266,23 @@ void Auditor<KineticTriangulation>::check_reference() {
   }
 }
 
-// The next failure of the edge, computed anew.
+// The next failure of the edge, computed anew: its kind and its exact time.
 template <class KineticTriangulation>
 auto Auditor<KineticTriangulation>::next_failure(const Edge& edge, const Traits& traits) const
-    -> std::optional<Prospect> {
-  Certificate_counters unused;
+    -> std::optional<Failure> {
   const auto sides = audited_.two_sided(edge);
-  const auto next = [&](const Time& after) {
-    return audited_.prospect(sides, after, Certificate_state::any, traits, unused);
-  };
-  auto prospect = next(audited_.current_time());
-  while (prospect && prospect->kind == KineticTriangulation::Entry_kind::look_again) {
-    prospect = next(Time(prospect->bounds.lower));
+  auto [kind, next] = audited_.certificate_of(sides, audited_.current_time(), traits);
+  while (next.kind == Certificate::Kind::holds) {
+    std::tie(kind, next) = audited_.certificate_of(sides, Time(next.bounds.lower), traits);
   }
-  if (prospect && !prospect->time) {
-    prospect->time =
-        std::make_unique<Time>(audited_.make_time(sides, prospect->kind, prospect->bounds));
-  }
-  return prospect;
+  if (next.kind == Certificate::Kind::never_fails) return std::nullopt;
+  if (next.failure) return Failure{kind, std::move(*next.failure)};
+  return Failure{kind, audited_.failure_time(sides, kind, next.bounds)};
 }
 
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::check_certificates() {
   if (triangulation_.dimension() < 1) return;
-  using Kind = typename KineticTriangulation::Entry_kind;
   const Traits traits = audited_.traits_.exact();
   for (const Edge& edge : triangulation_.all_edges()) {
     if (triangulation_.dimension() == 1 && triangulation_.is_infinite(edge)) continue;
@@ -292,13 +290,13 @@ void Auditor<KineticTriangulation>::check_certificates() {
     const Queue_handle handle = edge.first->event(edge.second);
     if (handle == no_event) {
       if (failure) fail(name(edge) + " will fail but has no event");
-    } else if (queue_[handle].kind == Kind::look_again) {
-      if (failure && *failure->time <= audited_.time(queue_[handle])) {
-        fail(name(edge) + " fails before it is looked at again");
+    } else if (queue_[handle].kind == Entry_kind::recheck) {
+      if (failure && failure->time <= queue_.time_of(queue_[handle])) {
+        fail(name(edge) + " fails before it is checked again");
       }
     } else if (!failure) {
       fail(name(edge) + " has an event but never fails");
-    } else if (*failure->time != audited_.time(queue_[handle]) ||
+    } else if (failure->time != queue_.time_of(queue_[handle]) ||
                failure->kind != queue_[handle].kind) {
       fail(name(edge) + " has an event at another time, or of another kind, than its failure");
     }

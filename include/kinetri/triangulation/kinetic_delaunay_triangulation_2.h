@@ -9,10 +9,10 @@
 //   its failure, at its exact time, or a time up to which the certificate certainly holds, and at
 //   which it is looked at again.
 //
-// One event's way through the code: `settle` looks at certificates again until a failure is first
-// in the queue; `run_instant` takes it out; `execute` looks at its kind; `flip_edge` flips and
-// calls `schedule_after_flip` for the five edges whose quadrilateral has changed; that asks the
-// kinetic traits for the outlooks of their certificates, and pushes the new entries.
+// One event's way through the code: `settle` has certificates checked again until a failure is
+// first in the queue; `run_instant` takes it out; `execute` looks at its kind; `flip_edge` flips
+// and calls `schedule_after_flip` for the five edges whose quadrilateral has changed. `certify`
+// asks the kinetic traits for their certificates, and `push` puts the failures into the queue.
 #ifndef KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
 #define KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_H
 
@@ -22,19 +22,18 @@
 #include <concepts>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kinetri/base/compiler.h"
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
-#include "kinetri/events/indexed_queue.h"
+#include "kinetri/events/event_scheduler.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/triangulation/audit.h"
-#include "kinetri/triangulation/detail/time_pool.h"
 #include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 #include "kinetri/triangulation/triangulation_snapshot.h"
@@ -72,14 +71,15 @@ struct Construction_seconds {
 /// The Delaunay triangulation of moving points, exact at every time.
 ///
 /// A flip costs five certificates and as many changes of the queue, whatever the number of points;
-/// memory is O(points), with one entry of the queue for each edge. Not to be used by two threads at
-/// once, const functions included. Copies are not made: handles and observers belong to one object.
+/// memory is O(points), with one entry of the queue for each edge. Several threads may call const
+/// functions of one object at once. Copies are not made: handles and observers belong to one
+/// object.
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Kinetic_delaunay_triangulation_2 {
  public:
   using Motion = typename Traits::Motion;                              ///< of the traits
   using Point_2 = typename Traits::Point_2;                            ///< of the traits
-  using Time = typename Traits::Time;                                  ///< of the traits
+  using Time = Algebraic_number;                                       ///< of events
   using Instantaneous_traits = typename Traits::Instantaneous_traits;  ///< of the traits
   /// CGAL's triangulation, whose points move.
   using Triangulation =
@@ -88,7 +88,7 @@ class Kinetic_delaunay_triangulation_2 {
   using Vertex_handle = typename Triangulation::Vertex_handle;  ///< good while its point is there
   using Face_handle = typename Triangulation::Face_handle;      ///< good until the next event
   using Edge = typename Triangulation::Edge;                    ///< a face and an index, as CGAL's
-  using Observer = Event_observer<Time>;                        ///< what add_observer takes
+  using Observer = Event_observer;                              ///< what add_observer takes
   using Snapshot = Triangulation_snapshot<Traits>;              ///< what snapshot() gives
 
   /// The triangulation of the motions in [first, last), numbered from 0, Delaunay just after
@@ -109,16 +109,18 @@ class Kinetic_delaunay_triangulation_2 {
                                             const Time& start = Time(),
                                             const Traits& traits = Traits());
 
-  /// The triangulation of the snapshot, which goes on as the one that it was taken of would: the
-  /// same events, with the same numbers, for the same calls. Counters go on too, but for those of
-  /// the queue; certificates are made anew, and counted. Observers are not part of a snapshot.
+  /// The triangulation of the snapshot. It goes on as the triangulation that the snapshot was taken
+  /// of: the same events, with the same numbers, for the same calls. Counters go on too, except
+  /// those of the queue; certificates are made anew, and counted. Observers are not part of a
+  /// snapshot.
   ///
-  /// Throws Snapshot_error if it is not that of a Delaunay triangulation: every link is checked,
-  /// and every triangle and edge, exactly. Cost: O(n) exact predicates and O(n) failure times, the
-  /// latter on all threads that oneTBB has.
-  template <std::same_as<Snapshot> Given>  // what is in braces is a list of motions
-  explicit Kinetic_delaunay_triangulation_2(const Given& snapshot, const Traits& traits = Traits())
-      : Kinetic_delaunay_triangulation_2(Restoration(), snapshot, traits) {}
+  /// Throws Snapshot_error if the snapshot is not that of a Delaunay triangulation: every link is
+  /// checked, and every triangle and edge, exactly. Cost: O(n) exact predicates and O(n) failure
+  /// times, the latter on all threads that oneTBB has.
+  static Kinetic_delaunay_triangulation_2 restore(const Snapshot& snapshot,
+                                                  const Traits& traits = Traits()) {
+    return Kinetic_delaunay_triangulation_2(Restoration(), snapshot, traits);
+  }
 
   Kinetic_delaunay_triangulation_2(const Kinetic_delaunay_triangulation_2&) = delete;
   Kinetic_delaunay_triangulation_2& operator=(const Kinetic_delaunay_triangulation_2&) = delete;
@@ -141,7 +143,7 @@ class Kinetic_delaunay_triangulation_2 {
 
   /// The id that is given next: one more than the greatest so far. Ids are not used again when
   /// their points have left.
-  std::size_t next_id() const noexcept { return vertices_.size(); }
+  Point_id next_id() const noexcept { return static_cast<Point_id>(vertices_.size()); }
 
   /// Whether the point `id` is there: has been given, and not been erased.
   bool contains(Point_id id) const noexcept {
@@ -208,37 +210,40 @@ class Kinetic_delaunay_triangulation_2 {
   // the degree of the point asks for, and the way to a place that is far; O(n) where the points
   // are, or become, collinear for ever.
 
-  /// Gives the point of `v` another motion from now on: event `trajectory`. It need not go through
-  /// the present place of the point, and may go through that of another one if it leaves it.
+  /// Gives the point `id` another motion from now on: event `trajectory`. The motion need not go
+  /// through the present place of the point, and may go through that of another point if the two
+  /// part at once.
   /// Throws Coincident_trajectories_error, and changes nothing, if another point has the same
-  /// trajectory. Precondition: the motion is finite.
-  void set_motion(Vertex_handle v, const Motion& motion);
+  /// trajectory. Precondition: contains(id); the motion is finite.
+  void set_motion(Point_id id, const Motion& motion);
 
-  /// Inserts a point, which gets the id next_id(): event `insert`. Throws as set_motion.
-  /// Precondition: the motion is finite, and there is an id left.
-  Vertex_handle insert(const Motion& motion);
+  /// Inserts a point, which gets the id next_id(), and returns that id: event `insert`. Throws what
+  /// set_motion throws. Precondition: the motion is finite, and there is an id left.
+  Point_id insert(const Motion& motion);
 
   /// Gives out the id next_id(), for a point that is to be inserted later, or never. Precondition:
   /// there is an id left.
   Point_id reserve_id();
 
-  /// Inserts a point with a reserved id: event `insert`. Throws as set_motion. Precondition: the
-  /// motion is finite; the id has been reserved, and has had no point (checked as far as that none
-  /// has it now).
-  Vertex_handle insert(const Motion& motion, Point_id id);
+  /// Inserts a point with a reserved id: event `insert`. Throws what set_motion throws.
+  /// Precondition: the motion is finite; the id has been reserved, and has had no point (checked is
+  /// that no point has it now).
+  void insert(const Motion& motion, Point_id id);
 
-  /// Erases the point of `v`, whose handle is not valid from then on: event `erase`.
-  void erase(Vertex_handle v);
+  /// Erases the point `id`; the handle of its vertex is not valid from then on: event `erase`.
+  /// Precondition: contains(id).
+  void erase(Point_id id);
 
   /// What an event does to a point: gives it another motion or, with none, erases it.
   struct Change {
-    Vertex_handle vertex;          ///< of the point
+    Point_id point;                ///< which one
     std::optional<Motion> motion;  ///< from then on
   };
 
   /// Makes the changes, one after the other, as one event of the given kind that concerns the given
   /// points. For events that are no failures of this triangulation's certificates, as collisions.
-  /// Throws as set_motion; changes before the one that throws have been made then.
+  /// Throws what set_motion throws; changes before the one that throws have been made then.
+  /// Precondition: each point that is named in `changes` is there, and named once.
   void apply(Event_kind kind, std::optional<Point_id> point_a, std::optional<Point_id> point_b,
              std::span<const Change> changes);
 
@@ -266,52 +271,58 @@ class Kinetic_delaunay_triangulation_2 {
   /// failure times. Changes nothing.
   Audit_report audit(Audit_level level) const;
 
+  /// Whether the triangulation is valid, as CGAL's function of this name says it: audit() up to the
+  /// level `links` if `level` is 0, else up to `delaunay`. Prints what is wrong to std::cerr if
+  /// `verbose`.
+  bool is_valid(bool verbose = false, int level = 0) const {
+    return detail::is_passed(audit(level > 0 ? Audit_level::delaunay : Audit_level::links),
+                             verbose);
+  }
+
  private:
   friend class detail::Auditor<Kinetic_delaunay_triangulation_2>;
 
   /// What the queue holds an entry for, in the order of entries at one time.
   enum class Entry_kind : std::uint8_t {
-    look_again,   ///< the certificate certainly holds until then
+    recheck,      ///< the certificate certainly holds until then
     coincidence,  ///< the ends of the edge coincide
     hull_insert,
     hull_remove,
     flip,
   };
 
-  using Time_pool = detail::Time_pool<Time>;
-
-  /// The exact time is made from the edge's certificate, when bounds do not decide. Until then the
-  /// corners of the edge's two faces must stay what they were when the entry was made.
-  struct Entry {
-    Double_interval bounds;
-    Face_handle face;
-    mutable typename Time_pool::Index time = Time_pool::none;
+  /// An edge and the failure of its certificate. The exact time is made from the corners of the
+  /// edge's two faces: these must stay what they were when the entry was made.
+  struct Entry : detail::Scheduled {
     std::uint8_t index = 0;  // the edge is the one opposite this vertex of the face
-    Entry_kind kind = Entry_kind::look_again;
-    bool changes_sign = false;  // the certificate does, certainly, when it fails
+    Entry_kind kind = Entry_kind::recheck;
+    bool changes_sign = false;  // the polynomial does, certainly, when the certificate fails
+    Face_handle face;
 
     Entry() = default;
     Entry(const Edge& edge, Entry_kind entry_kind, const Double_interval& time_bounds,
-          bool certificate_changes_sign = false)
-        : bounds(time_bounds),
-          face(edge.first),
+          bool polynomial_changes_sign)
+        : detail::Scheduled{time_bounds},
           index(static_cast<std::uint8_t>(edge.second)),
           kind(entry_kind),
-          changes_sign(certificate_changes_sign) {}
+          changes_sign(polynomial_changes_sign),
+          face(edge.first) {}
 
     Edge edge() const { return Edge(face, index); }
   };
 
-  /// By exact time, then kind, then ids: a total order on the entries of a queue.
-  struct Earlier {
-    const Kinetic_delaunay_triangulation_2* triangulation;
+  /// What the scheduler asks; see Event_scheduler.
+  struct Queue_policy {
+    const Kinetic_delaunay_triangulation_2& triangulation;
 
-    bool operator()(const Entry& a, const Entry& b) const;
-    Double_interval bounds(const Entry& entry) const { return entry.bounds; }
+    Time entry_time(const Entry& entry) const;
+    bool precedes(const Entry& a, const Entry& b) const;
+    bool is_recheck(const Entry& entry) const { return entry.kind == Entry_kind::recheck; }
     KINETRI_ALWAYS_INLINE static void prefetch(const Entry& entry) { detail::prefetch(entry.face); }
     KINETRI_ALWAYS_INLINE static void prefetch_more(const Entry& entry) {
       detail::prefetch_around(entry.face);
     }
+    void prefetch_first(const Entry& entry) const;
   };
 
   /// An edge as its two faces see it. In dimension 1, where edges have no two sides, `there` is the
@@ -321,28 +332,19 @@ class Kinetic_delaunay_triangulation_2 {
     Edge there;
   };
 
-  /// What the queue shall hold for an edge. `time` is the exact time, where it is known already.
-  struct Prospect {
-    Entry_kind kind;
-    Double_interval bounds;
-    std::unique_ptr<Time> time;
-  };
-
-  /// Edges that one thread schedules.
-  struct Block {
-    std::span<const Face_handle> faces;  // the edges are their own
-    Queue_handle next_handle = 0;        // for the next edge
-    Time after;                          // exact numbers are not shared by threads
-    /// What is left to one thread for all, since times are kept in one place.
-    std::vector<std::pair<Edge, Prospect>> timed;
-    Certificate_counters counters;
-  };
-
-  /// What says that an edge belongs to the triangulation, and the event of its failure: points for
-  /// the kinetic traits, four for in-circle, three for orientation.
-  struct Certificate {
+  /// What a certificate is about: points for the kinetic traits, four for in-circle, three for
+  /// orientation; and the kind of its failure.
+  struct Certificate_points {
     Entry_kind kind;
     std::array<const Point_2*, 4> points;
+  };
+
+  /// Faces whose own edges one thread schedules.
+  struct Block {
+    std::span<const Face_handle> faces;
+    Queue_handle next_handle = 0;  // for the next edge
+    Time after;                    // a copy of its own
+    Certificate_counters counters;
   };
 
   // Construction.
@@ -363,34 +365,33 @@ class Kinetic_delaunay_triangulation_2 {
   static Two_sided_edge chosen_side(const Two_sided_edge& edge);
   std::vector<Edge> edges() const;
   Two_sided_edge two_sided(const Edge& edge) const;
-  Certificate certificate(const Two_sided_edge& edge) const;
-  std::array<Vertex_handle, 3> hull_turn(const Two_sided_edge& infinite_edge) const;
-  Outlook<Time> outlook(const Certificate& certificate, const Time& after, Certificate_state state,
-                        const Traits& traits, Certificate_counters& counters) const;
-  std::optional<Prospect> prospect(const Two_sided_edge& edge, const Time& after,
-                                   Certificate_state state, const Traits& traits,
-                                   Certificate_counters& counters) const;
-  std::optional<Prospect> prospect(const Two_sided_edge& edge, Entry_kind kind,
-                                   Outlook<Time>&& next, const Time& after, const Traits& traits,
-                                   Certificate_counters& counters) const;
-  std::optional<Time> meeting_time(const Two_sided_edge& edge, const Time& after,
-                                   const Double_interval& among, const Traits& traits,
-                                   Certificate_counters& counters) const;
-  static Prospect coincidence(Time time);
-  Prospect earlier(const Two_sided_edge& edge, std::optional<Prospect> failure, Time meeting) const;
-  Time make_time(const Two_sided_edge& edge, Entry_kind kind, const Double_interval& bounds) const;
-  Time make_time(const Certificate& failed, const Double_interval& bounds) const;
-  const Time& time(const Entry& entry) const;
   static Edge_ids ids_of(const Edge& edge);
-  void schedule(const Two_sided_edge& edge, const Time& after,
+  std::array<Vertex_handle, 3> hull_turn(const Two_sided_edge& infinite_edge) const;
+  Certificate_points certificate_points(const Two_sided_edge& edge) const;
+  static Certificate certificate(const Certificate_points& points, const Time& after,
+                                 Certificate_state state, const Traits& traits);
+  template <class Put>
+  void certify(std::span<const Two_sided_edge> edges, const Time& after, Certificate_state state,
+               const Traits& traits, Certificate_counters& counters, const Put& put) const;
+  std::pair<Entry_kind, Certificate> certificate_of(const Two_sided_edge& edge, const Time& after,
+                                                    const Traits& traits) const;
+  template <class After>
+  Entry_kind first_failure(const Two_sided_edge& edge, Entry_kind kind, Certificate& certificate,
+                           const After& after, const Traits& traits,
+                           Certificate_counters& counters) const;
+  Certificate coincidence(const Two_sided_edge& edge, const Time& after,
+                          const Double_interval& among, const Traits& traits,
+                          Certificate_counters& counters) const;
+  Time failure_time(const Two_sided_edge& edge, Entry_kind kind,
+                    const Double_interval& bounds) const;
+  Time failure_time(const Certificate_points& failed, const Double_interval& bounds) const;
+
+  // Scheduling.
+  static Entry make_entry(const Edge& edge, Entry_kind kind, const Certificate& certificate);
+  Queue_handle push(const Edge& edge, Entry_kind kind, Certificate&& certificate);
+  void schedule(std::span<const Two_sided_edge> edges, const Time& after,
                 Certificate_state state = Certificate_state::any);
   void schedule_after_flip(const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer);
-  void schedule(const Two_sided_edge& edge, std::optional<Prospect> next);
-  void schedule(const Two_sided_edge& edge, Entry_kind kind, Outlook<Time>&& next,
-                const Time& after);
-  bool schedule_at_once(const Two_sided_edge& edge, Entry_kind kind, const Outlook<Time>& next);
-  static Entry make_untimed_entry(const Edge& edge, const Prospect& prospect);
-  Entry make_entry(const Edge& edge, Prospect prospect);
   void schedule_all();
   template <class Put>
   void schedule_block(Block& block, const Put& put) const;
@@ -399,7 +400,6 @@ class Kinetic_delaunay_triangulation_2 {
   static void set_event(const Two_sided_edge& edge, Queue_handle handle);
 
   // Events.
-  Entry pop_entry();
   Double_interval current_bounds() const;
   void set_current_time(Time time);
   void set_current_time(const Two_sided_edge& edge, const Entry& entry);
@@ -407,8 +407,7 @@ class Kinetic_delaunay_triangulation_2 {
   bool settle_now();
   template <class Is_due>
   bool settle_while(const Is_due& is_due);
-  void look_again(const Entry& entry);
-  void look_again(const Entry& first, const Entry& second);
+  void recheck(std::span<const Entry> entries);
   bool fails_before(const Entry& entry, const Time& time) const;
   void execute_due_events();
   std::size_t step_until(const Time* until);
@@ -422,7 +421,7 @@ class Kinetic_delaunay_triangulation_2 {
   bool are_all_collinear(const Two_sided_edge& hull_edge) const;
   bool can_insert_into_hull(const Two_sided_edge& hull_edge) const;
   void flip_edge(const Two_sided_edge& edge, Event_kind kind);
-  static Event<Time> flip_event(const Two_sided_edge& edge, Event_kind kind);
+  static Event flip_event(const Two_sided_edge& edge, Event_kind kind);
 
   // Instants that flips alone do not pass.
   void set_coincident_points_aside();
@@ -434,7 +433,7 @@ class Kinetic_delaunay_triangulation_2 {
   void adopt(const Triangulation& rebuilt);
   void report_rebuild();
   template <class Change_edges>
-  void report(Event<Time> event, Change_edges change_edges);
+  void report(Event event, Change_edges change_edges);
 
   // Changes of single points.
   struct Location {
@@ -443,10 +442,9 @@ class Kinetic_delaunay_triangulation_2 {
     int index = 0;            // of that edge
   };
   template <class Change_points>
-  void perform(Event<Time> event, Change_points change_points);
-  static Point_2 moved_point(const Change& change);
-  bool stays_in_place(const Change& change) const;
-  void relocate(const Change& change);
+  void perform(Event event, Change_points change_points);
+  bool stays_in_place(Vertex_handle v, const Point_2& moved) const;
+  void relocate(Vertex_handle v, const Point_2& moved);
   void remove_point(Vertex_handle v);
   bool is_embedded_around(Vertex_handle v) const;
   void check_is_distinct(const Point_2& point, Face_handle start) const;
@@ -468,13 +466,15 @@ class Kinetic_delaunay_triangulation_2 {
   Traits traits_;
   mutable Time current_time_;
   /// Where the present time has not been made yet: the certificate that failed then, and bounds of
-  /// the time. The points must stay what they are until it is made or another time comes.
-  mutable std::optional<std::pair<Certificate, Double_interval>> unmade_time_;
+  /// the time. The points must stay what they are until the time is made or another time comes.
+  /// None when a public function returns or an observer is called, so that const functions change
+  /// nothing.
+  mutable std::optional<std::pair<Certificate_points, Double_interval>> pending_time_;
   Triangulation triangulation_;
   std::vector<Vertex_handle> vertices_;  // by point id; none where the point has been erased
   std::size_t number_of_points_ = 0;
-  Indexed_queue<Entry, Earlier> queue_{Earlier{this}};
-  mutable Time_pool times_;  // of entries
+  Queue_policy queue_policy_{*this};
+  detail::Event_scheduler<Entry, Queue_policy> queue_{queue_policy_};
   Certificate_counters certificate_counters_;
   std::vector<Observer*> observers_;
   std::vector<Point_set_aside> points_set_aside_;

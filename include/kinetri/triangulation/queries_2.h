@@ -76,7 +76,7 @@ struct Voronoi_cell_2 {
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Kinetic_queries_2 {
  public:
-  using Time = typename Traits::Time;        ///< of the traits
+  using Time = Algebraic_number;             ///< of events
   using Point_2 = typename Traits::Point_2;  ///< of the traits
 
   /// Queries at the current time.

@@ -21,9 +21,9 @@ Kinetic_queries_2<Traits>::Kinetic_queries_2(
     : kinetic_(triangulation),
       time_(time),
       number_of_events_(triangulation.counters().number_of_events()),
-      at_(triangulation.traits().instantaneous_traits({time, Side::at})),
+      at_(triangulation.traits().instantaneous_traits({time, Time_side::at})),
       beside_(triangulation.traits().instantaneous_traits(
-          {time, time == triangulation.current_time() ? Side::after : Side::before})) {
+          {time, time == triangulation.current_time() ? Time_side::after : Time_side::before})) {
   KINETRI_PRECONDITION(time >= triangulation.current_time(),
                        "a query about the past; query a time before the triangulation advances "
                        "beyond it");

@@ -22,8 +22,8 @@ struct Triangulation_counters {
   std::uint64_t batches = 0;           ///< instants with two events or more
   std::uint64_t flat_hulls = 0;        ///< instants at which a point reached the hull
   std::uint64_t points_set_aside = 0;  ///< points taken out and put back, as they met others
-  std::uint64_t rebuilds = 0;          ///< reconstructions of the whole, as the hull went flat
-  std::uint64_t looks_again = 0;       ///< certificates looked at again, as they held so far
+  std::uint64_t reconstructions = 0;   ///< of the whole triangulation, as the hull went flat
+  std::uint64_t rechecks = 0;          ///< certificates checked again, as they held so far
 
   /// The events of all kinds together.
   std::uint64_t number_of_events() const;

@@ -24,7 +24,7 @@ namespace kinetri {
 template <KineticTraits_2 Traits>
 struct Triangulation_snapshot {
   using Motion = typename Traits::Motion;  ///< of the traits
-  using Time = typename Traits::Time;      ///< of the traits
+  using Time = Algebraic_number;           ///< of events
 
   /// A face of CGAL's data structure. In dimension d it has d + 1 vertices and as many neighbors,
   /// each opposite to the vertex of the same index; below dimension 0 one vertex and no neighbor.

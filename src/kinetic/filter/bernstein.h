@@ -203,14 +203,14 @@ std::size_t before_only_change(const std::array<double, M>& b, double error) {
 // the polynomial with coefficients `c` there, of which there is none before; none if they have to
 // be divided. Each value is known up to `error`, and the polynomial is not certainly positive.
 template <std::size_t M>
-std::optional<Filter_verdict> first_failure_in_piece(const std::array<double, M>& c,
-                                                     const std::array<double, M>& b, double lower,
-                                                     double width, double error) {
-  using Kind = Filter_verdict::Kind;
+std::optional<Filter_result> first_failure_in_piece(const std::array<double, M>& c,
+                                                    const std::array<double, M>& b, double lower,
+                                                    double width, double error) {
+  using Kind = Filter_result::Kind;
   const double share = positive_share(b, error);
   const double until = lower + share * width;
-  if (until >= worthwhile) return Filter_verdict{Kind::holds, {until, until}, width < 1};
-  if (share == 0) return Filter_verdict{};
+  if (until >= worthwhile) return Filter_result{Kind::holds, {until, until}, width < 1};
+  if (share == 0) return Filter_result{};
   const std::size_t i = before_only_change(b, error);
   if (i == 0) return std::nullopt;
   double upper = lower + width;
@@ -224,18 +224,18 @@ std::optional<Filter_verdict> first_failure_in_piece(const std::array<double, M>
         (static_cast<double>(i - 1) + b[i - 1] / (b[i - 1] - b[i])) / static_cast<double>(M - 1);
     start = lower + crossing * width;
   }
-  if (!bracket_root(c, error, start, lower, upper)) return Filter_verdict{};
-  return Filter_verdict{Kind::fails, {lower, upper}, true};
+  if (!bracket_root(c, error, start, lower, upper)) return Filter_result{};
+  return Filter_result{Kind::fails, {lower, upper}, true};
 }
 
 // How long the polynomial with coefficients `c` and Bernstein coefficients `b`, each value of which
 // over [0, 1] is known up to `error`, is certainly positive; or a bracket of its first root, where
 // that is near. Precondition: it is not certainly positive throughout.
 template <std::size_t M>
-Filter_verdict first_failure(const std::array<double, M>& c, const std::array<double, M>& b,
-                             double error) {
+Filter_result first_failure(const std::array<double, M>& c, const std::array<double, M>& b,
+                            double error) {
   // Mostly the whole needs not be divided.
-  if (const auto verdict = first_failure_in_piece(c, b, 0, 1, error)) return *verdict;
+  if (const auto result = first_failure_in_piece(c, b, 0, 1, error)) return *result;
   struct Piece {
     std::array<double, M> b;
     double lower;
@@ -257,17 +257,17 @@ Filter_verdict first_failure(const std::array<double, M>& c, const std::array<do
     for (; size > 0; --size) {
       const Piece& half = stack[size - 1];
       if (least(half.b) > error) continue;
-      const auto verdict = first_failure_in_piece(c, half.b, half.lower, half.width, error);
-      if (verdict) return *verdict;
+      const auto result = first_failure_in_piece(c, half.b, half.lower, half.width, error);
+      if (result) return *result;
       break;
     }
   }
-  return {Filter_verdict::Kind::holds, {1, 1}, true};
+  return {Filter_result::Kind::holds, {1, 1}, true};
 }
 
-// The verdict in time for that in w, rounded to the safe side.
-inline Filter_verdict in_time(const Filter_verdict& v, double origin, double window,
-                              const Double_interval& after) {
+// The result in time for that in w, rounded to the safe side.
+inline Filter_result in_time(const Filter_result& v, double origin, double window,
+                             const Double_interval& after) {
   // Rounding in origin + w * window is at most one unit in the last place of each of the two. These
   // go at least one further, whatever the rounding mode.
   const auto ulp = [](double x) { return std::abs(x) * 0x1p-52 + 0x1p-1074; };
@@ -275,20 +275,20 @@ inline Filter_verdict in_time(const Filter_verdict& v, double origin, double win
   const auto up = [ulp](double x) { return x + ulp(x); };
   const double lower = down(origin + down(v.bounds.lower * window));
   if (!(lower > after.upper)) return {};
-  if (v.kind == Filter_verdict::Kind::holds) return {v.kind, {lower, lower}, v.is_refined};
+  if (v.kind == Filter_result::Kind::holds) return {v.kind, {lower, lower}, v.is_refined};
   const double upper = up(origin + up(v.bounds.upper * window));
-  if (v.kind == Filter_verdict::Kind::unknown || !std::isfinite(upper)) return {};
+  if (v.kind == Filter_result::Kind::unknown || !std::isfinite(upper)) return {};
   return {v.kind, {lower, upper}, v.is_refined};
 }
 
-// The verdict on the polynomial with coefficients `c`, whose values are known up to `error`.
+// The result on the polynomial with coefficients `c`, whose values are known up to `error`.
 template <std::size_t M>
-Filter_verdict judge(const std::array<double, M>& c, double error, double window,
-                     const Double_interval& after) {
+Filter_result judge(const std::array<double, M>& c, double error, double window,
+                    const Double_interval& after) {
   const std::array<double, M> b = bernstein(c);
   if (least(b) > error) {
-    if (least(c) > error) return {Filter_verdict::Kind::holds_for_ever, {}};
-    return in_time({Filter_verdict::Kind::holds, {1, 1}}, after.lower, window, after);
+    if (least(c) > error) return {Filter_result::Kind::never_fails, {}};
+    return in_time({Filter_result::Kind::holds, {1, 1}}, after.lower, window, after);
   }
   return in_time(first_failure(c, b, error), after.lower, window, after);
 }
@@ -296,8 +296,9 @@ Filter_verdict judge(const std::array<double, M>& c, double error, double window
 // Likewise where it has a known root at the time in `after`, of which the next one is wanted.
 // `norm` times `error` bounds the sum of the coefficients' magnitudes.
 template <std::size_t M>
-Filter_verdict judge_after_root(const std::array<double, M>& c, double error, double norm,
-                                double window, const Double_interval& after) {
+Filter_result first_failure_after_known_root(const std::array<double, M>& c, double error,
+                                             double norm, double window,
+                                             const Double_interval& after) {
   // c(w) = (w - r) g(w) with 0 <= r <= rest: g has the coefficients c_1, c_2, ... up to an error
   // that r makes, and the next root of c after r is that of g.
   const double rest = 2 * (after.upper - after.lower) / window;
@@ -305,24 +306,24 @@ Filter_verdict judge_after_root(const std::array<double, M>& c, double error, do
   std::array<double, M - 1> g;
   std::copy(c.begin() + 1, c.end(), g.begin());
   const double error_of_g = error + 2 * norm * error * rest;
-  if (least(g) > error_of_g) return {Filter_verdict::Kind::holds_for_ever, {}};
+  if (least(g) > error_of_g) return {Filter_result::Kind::never_fails, {}};
   const std::array<double, M - 1> b = bernstein(g);
   if (least(b) > error_of_g) {
-    return in_time({Filter_verdict::Kind::holds, {1, 1}}, after.lower, window, after);
+    return in_time({Filter_result::Kind::holds, {1, 1}}, after.lower, window, after);
   }
-  Filter_verdict verdict = first_failure(g, b, error_of_g);
-  if (verdict.kind == Filter_verdict::Kind::fails) {
+  Filter_result result = first_failure(g, b, error_of_g);
+  if (result.kind == Filter_result::Kind::fails) {
     // c itself gives the narrower bracket, and the next certificate starts from there.
-    auto& [lower, upper] = verdict.bounds;
+    auto& [lower, upper] = result.bounds;
     bracket_root(c, error, 0.5 * (lower + upper), lower, upper);
   }
-  return in_time(verdict, after.lower, window, after);
+  return in_time(result, after.lower, window, after);
 }
 
-// The verdict on a certificate whose points do not move against each other.
-inline Filter_verdict judge_constant(double value, double error) {
+// The result on a certificate whose points do not move against each other.
+inline Filter_result judge_constant(double value, double error) {
   if (!(value > error)) return {};
-  return {Filter_verdict::Kind::holds_for_ever, {}};
+  return {Filter_result::Kind::never_fails, {}};
 }
 
 // The sign of a polynomial all of whose values over [0, 1] are certainly of one sign, else zero.

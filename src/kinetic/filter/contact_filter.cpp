@@ -48,21 +48,21 @@ bool certainly_do_not_approach(const Linear_motion_2& p, const Linear_motion_2& 
   return approach.is_in_range() && approach.half_slope() > approach.error;
 }
 
-Filter_verdict filter_contact(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,
-                              const Double_interval& after) {
-  using Kind = Filter_verdict::Kind;
+Filter_result filter_contact(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,
+                             const Double_interval& after) {
+  using Kind = Filter_result::Kind;
   const Approach approach(p, q, after.lower);
-  if (approach.is_at_rest()) return {Kind::holds_for_ever};
+  if (approach.is_at_rest()) return {Kind::never_fails};
   if (!approach.is_in_range() || !(diameter < greatest_size)) return {};
   const double half_slope = approach.half_slope();
-  if (half_slope > approach.error) return {Kind::holds_for_ever};
+  if (half_slope > approach.error) return {Kind::never_fails};
 
   const auto& [place, slope] = approach.difference;
   const double squared_speed = sum(slope * slope);
   // The distance at which they pass, times their relative speed.
   const double cross = std::abs(place[0] * slope[1] - place[1] * slope[0]);
   const double reach = diameter * std::sqrt(squared_speed);
-  if (cross - approach.error > reach * (1 + 0x1p-40)) return {Kind::holds_for_ever};
+  if (cross - approach.error > reach * (1 + 0x1p-40)) return {Kind::never_fails};
 
   const double squared_diameter = diameter * diameter;
   const double gap = sum(place * place) - squared_diameter;
@@ -100,12 +100,12 @@ bool certainly_inside(const Linear_motion_2& p, const Wall_2& wall,
   return inside(interval.lower) > error && inside(interval.upper) > error;
 }
 
-Filter_verdict filter_wall_contact(const Linear_motion_2& p, const Wall_2& wall,
-                                   const Double_interval& after) {
-  using Kind = Filter_verdict::Kind;
+Filter_result filter_wall_contact(const Linear_motion_2& p, const Wall_2& wall,
+                                  const Double_interval& after) {
+  using Kind = Filter_result::Kind;
   const double place = wall.is_vertical() ? p.position.x : p.position.y;
   const double velocity = wall.is_vertical() ? p.velocity.x : p.velocity.y;
-  if (wall.is_upper() ? velocity <= 0 : velocity >= 0) return {Kind::holds_for_ever};
+  if (wall.is_upper() ? velocity <= 0 : velocity >= 0) return {Kind::never_fails};
   const double terms = std::abs(wall.position) + wall.clearance + std::abs(place);
   if (!is_in_range(std::abs(velocity)) || !is_in_range(terms)) return {};
   const double bound = wall.position + (wall.is_upper() ? -wall.clearance : wall.clearance);

@@ -11,13 +11,13 @@
 namespace kinetri {
 
 /// What the filter knows about a certificate from some time on.
-struct Filter_verdict {
+struct Filter_result {
   /// What is certain.
   enum class Kind : std::uint8_t {
-    unknown,         ///< nothing is known
-    holds_for_ever,  ///< the certificate is positive
-    holds,           ///< positive up to bounds.upper, which is bounds.lower
-    fails,           ///< positive up to bounds.lower; then, up to bounds.upper, one simple root
+    unknown,      ///< nothing is known
+    never_fails,  ///< the certificate is positive
+    holds,        ///< positive up to bounds.upper, which is bounds.lower
+    fails,        ///< positive up to bounds.lower; then, up to bounds.upper, one simple root
   };
   Kind kind = Kind::unknown;    ///< how much is known
   Double_interval bounds = {};  ///< of `holds` and `fails`

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The filter works with the polynomial of the certificate over a window of time (linear_frame.h).
-// Where sizes are out of range the verdict is unknown.
+// Where sizes are out of range the result is unknown.
 #include "linear_filter.h"
 
 #include <algorithm>
@@ -57,9 +57,9 @@ bool is_safe(const Magnitudes& m, const Frame& f) {
 
 }  // namespace
 
-Filter_verdict filter_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
-                                const Linear_motion_2& r, const Linear_motion_2& s,
-                                const Double_interval& after, bool vanishes_at) {
+Filter_result filter_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
+                               const Linear_motion_2& r, const Linear_motion_2& s,
+                               const Double_interval& after, bool vanishes_at) {
   Magnitudes m;
   const double origin = after.lower;
   const std::array<Difference, 3> d = {difference(p, s, origin, m), difference(q, s, origin, m),
@@ -73,13 +73,13 @@ Filter_verdict filter_in_circle(const Linear_motion_2& p, const Linear_motion_2&
   if (!f.is_in_range()) return {};
   const Coefficients<4> c = in_circle_coefficients(d, f.window);
   const double error = f.in_circle_error();
-  return vanishes_at ? judge_after_root(c, error, in_circle_norm, f.window, after)
+  return vanishes_at ? first_failure_after_known_root(c, error, in_circle_norm, f.window, after)
                      : judge(c, error, f.window, after);
 }
 
-Filter_verdict filter_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
-                                  const Linear_motion_2& r, const Double_interval& after,
-                                  bool vanishes_at) {
+Filter_result filter_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
+                                 const Linear_motion_2& r, const Double_interval& after,
+                                 bool vanishes_at) {
   Magnitudes m;
   const double origin = after.lower;
   const std::array<Difference, 2> d = {difference(q, p, origin, m), difference(r, p, origin, m)};
@@ -92,7 +92,7 @@ Filter_verdict filter_orientation(const Linear_motion_2& p, const Linear_motion_
   if (!f.is_in_range()) return {};
   const Coefficients<2> c = orientation_coefficients(d, f.window);
   const double error = f.orientation_error();
-  return vanishes_at ? judge_after_root(c, error, orientation_norm, f.window, after)
+  return vanishes_at ? first_failure_after_known_root(c, error, orientation_norm, f.window, after)
                      : judge(c, error, f.window, after);
 }
 

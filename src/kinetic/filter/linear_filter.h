@@ -16,31 +16,31 @@
 namespace kinetri {
 
 /// The in-circle certificate (s is not inside the circle through p, q, r) after a time in `after`:
-/// the verdict is about the times after `after.upper`, or after the time itself where the
+/// the result is about the times after `after.upper`, or after the time itself where the
 /// certificate `vanishes_at` it. In that case the root there, simple and with the certificate
 /// positive just after it, is the caller's word (as it is after a flip), and is divided out. Cost:
 /// some hundred floating-point operations, and as many again where a failure is bracketed. `p`,
 /// `q`, `r`, `s` in any order that has the same sign.
-Filter_verdict filter_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
-                                const Linear_motion_2& r, const Linear_motion_2& s,
-                                const Double_interval& after, bool vanishes_at);
+Filter_result filter_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
+                               const Linear_motion_2& r, const Linear_motion_2& s,
+                               const Double_interval& after, bool vanishes_at);
 
 /// The orientation certificate (p, q, r make a left turn), likewise.
-Filter_verdict filter_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
-                                  const Linear_motion_2& r, const Double_interval& after,
-                                  bool vanishes_at);
+Filter_result filter_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
+                                 const Linear_motion_2& r, const Double_interval& after,
+                                 bool vanishes_at);
 
 /// Two in-circle certificates, each as filter_in_circle does it where nothing is known of its value
-/// at the time, at less cost than two calls; but both verdicts may be unknown where that
+/// at the time, at less cost than two calls; but both results may be unknown where that
 /// of one alone is.
-std::array<Filter_verdict, 2> filter_in_circles(
+std::array<Filter_result, 2> filter_in_circles(
     const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after);
 
 /// The five certificates after a flip at a time in `after`, at which that of the edge itself, the
 /// last one, vanishes. As five calls of filter_in_circle, at less than half of their cost; but
-/// where the points are of very different sizes more of the verdicts are unknown.
-std::array<Filter_verdict, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
-                                                const Double_interval& after);
+/// where the points are of very different sizes more of the results are unknown.
+std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
+                                               const Double_interval& after);
 
 /// @{
 /// The sign of a polynomial of certificate_polynomials.h (x_difference, y_difference,

@@ -27,13 +27,13 @@ struct Two_certificates {
     return {x[0][i], x[1][i], x[2][i], x[3][i], x[4][i]};
   }
 
-  Filter_verdict verdict(std::size_t i, double error, double window,
-                         const Double_interval& after) const {
-    using Kind = Filter_verdict::Kind;
+  Filter_result result(std::size_t i, double error, double window,
+                       const Double_interval& after) const {
+    using Kind = Filter_result::Kind;
     if (!(least_b[i] > error)) {
       return in_time(first_failure(lane(c, i), lane(b, i), error), after.lower, window, after);
     }
-    if (least_c[i] > error) return {Kind::holds_for_ever, {}};
+    if (least_c[i] > error) return {Kind::never_fails, {}};
     return in_time({Kind::holds, {1, 1}}, after.lower, window, after);
   }
 
@@ -45,7 +45,7 @@ struct Two_certificates {
 
 }  // namespace
 
-std::array<Filter_verdict, 2> filter_in_circles(
+std::array<Filter_result, 2> filter_in_circles(
     const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after) {
   std::array<std::array<Difference, 3>, 2> d;
   std::array<double, 2> window;
@@ -64,13 +64,13 @@ std::array<Filter_verdict, 2> filter_in_circles(
   }
   const Triangle<Pair> triangles = {lifted(d[0][1], d[1][1]), lifted(d[0][0], d[1][0])};
   const Two_certificates both(in_circle_coefficients(triangles, lifted(d[0][2], d[1][2])));
-  return {both.verdict(0, error[0], window[0], after), both.verdict(1, error[1], window[1], after)};
+  return {both.result(0, error[0], window[0], after), both.result(1, error[1], window[1], after)};
 }
 
 // The five certificates share points. So all of them are made from the differences to one corner,
 // over one window, with the error bound of the largest.
-std::array<Filter_verdict, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
-                                                const Double_interval& after) {
+std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
+                                               const Double_interval& after) {
   Magnitudes m;
   const auto from_corner = [&](const Linear_motion_2* p) {
     return difference(*p, *around.corners[0], after.lower, m);
@@ -91,11 +91,10 @@ std::array<Filter_verdict, 5> filter_after_flip(const Flip_neighborhood<Linear_m
   const Two_certificates of_first(in_circle_coefficients(first, lifted(d[3], d[4])));
   const Two_certificates of_second(in_circle_coefficients(second, lifted(d[5], d[6])));
   const double error = f.in_circle_error();
-  return {of_first.verdict(0, error, f.window, after), of_first.verdict(1, error, f.window, after),
-          of_second.verdict(0, error, f.window, after),
-          of_second.verdict(1, error, f.window, after),
-          judge_after_root(in_circle_coefficients(first, left), error, in_circle_norm, f.window,
-                           after)};
+  return {of_first.result(0, error, f.window, after), of_first.result(1, error, f.window, after),
+          of_second.result(0, error, f.window, after), of_second.result(1, error, f.window, after),
+          first_failure_after_known_root(in_circle_coefficients(first, left), error, in_circle_norm,
+                                         f.window, after)};
 }
 
 }  // namespace kinetri

@@ -210,16 +210,16 @@ double coordinate_error(const Differences<N>& d) {
 constexpr double in_circle_norm = 12 / (8192 * unit_roundoff);
 constexpr double orientation_norm = 2 / (512 * unit_roundoff);
 
-// The verdict on the certificate that `polynomial` makes of the differences.
+// The result on the certificate that `polynomial` makes of the differences.
 template <std::size_t N, class Polynomial, class Error>
-Filter_verdict judge_differences(Differences<N> d, Polynomial polynomial, Error error, double norm,
-                                 const Double_interval& after, bool vanishes_at) {
+Filter_result judge_differences(Differences<N> d, Polynomial polynomial, Error error, double norm,
+                                const Double_interval& after, bool vanishes_at) {
   const std::optional<double> window = d.window_ahead(window_share);
   d.scale(window.value_or(0));
   if (!d.is_in_range()) return {};
   const auto c = polynomial(d);
   if (!window) return judge_constant(c[0], error(d));
-  return vanishes_at ? judge_after_root(c, error(d), norm, *window, after)
+  return vanishes_at ? first_failure_after_known_root(c, error(d), norm, *window, after)
                      : judge(c, error(d), *window, after);
 }
 
@@ -234,22 +234,22 @@ Sign sign_throughout(Differences<N> d, Polynomial polynomial, Error error,
 
 // The first time at which a distance, as a polynomial, is not positive and falls.
 template <std::size_t M>
-Filter_verdict first_contact(const std::array<double, M>& c, double error, double window,
-                             const Double_interval& after) {
+Filter_result first_contact(const std::array<double, M>& c, double error, double window,
+                            const Double_interval& after) {
   if (c[0] > error) return judge(c, error, window, after);
   // It may touch or overlap: nothing happens as long as it rises.
   const auto slope = slope_of(c);
   const double error_of_slope = static_cast<double>(M) * error;
-  if (least(slope) > error_of_slope) return {Filter_verdict::Kind::holds_for_ever};
+  if (least(slope) > error_of_slope) return {Filter_result::Kind::never_fails};
   const double share = positive_share(bernstein(slope), error_of_slope);
-  return in_time({Filter_verdict::Kind::holds, {share, share}}, after.lower, window, after);
+  return in_time({Filter_result::Kind::holds, {share, share}}, after.lower, window, after);
 }
 
 }  // namespace
 
-Filter_verdict filter_in_circle(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
-                                const Polynomial_motion_2& r, const Polynomial_motion_2& s,
-                                const Double_interval& after, bool vanishes_at) {
+Filter_result filter_in_circle(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                               const Polynomial_motion_2& r, const Polynomial_motion_2& s,
+                               const Double_interval& after, bool vanishes_at) {
   if (is_linear(p) && is_linear(q) && is_linear(r) && is_linear(s)) {
     return filter_in_circle(linear(p), linear(q), linear(r), linear(s), after, vanishes_at);
   }
@@ -257,9 +257,9 @@ Filter_verdict filter_in_circle(const Polynomial_motion_2& p, const Polynomial_m
                            in_circle_error<3>, in_circle_norm, after, vanishes_at);
 }
 
-Filter_verdict filter_orientation(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
-                                  const Polynomial_motion_2& r, const Double_interval& after,
-                                  bool vanishes_at) {
+Filter_result filter_orientation(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                                 const Polynomial_motion_2& r, const Double_interval& after,
+                                 bool vanishes_at) {
   if (is_linear(p) && is_linear(q) && is_linear(r)) {
     return filter_orientation(linear(p), linear(q), linear(r), after, vanishes_at);
   }
@@ -318,12 +318,12 @@ bool certainly_apart(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
 
 // ---- contacts ----
 
-Filter_verdict filter_contact(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
-                              double diameter, const Double_interval& after) {
+Filter_result filter_contact(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                             double diameter, const Double_interval& after) {
   if (is_linear(p) && is_linear(q)) return filter_contact(linear(p), linear(q), diameter, after);
   Differences<1> d({&p}, q, after.lower);
   const std::optional<double> window = d.window_ahead(window_share);
-  if (!window) return {Filter_verdict::Kind::holds_for_ever};
+  if (!window) return {Filter_result::Kind::never_fails};
   d.scale(*window);
   if (!d.is_in_range() || !(diameter < greatest_size)) return {};
   Coefficients<6> c = dot(d[0], d[0]);
@@ -378,12 +378,12 @@ bool certainly_inside(const Polynomial_motion_2& p, const Wall_2& wall,
              [&](const auto& d) { return wall_error(d, wall); }, interval) == CGAL::POSITIVE;
 }
 
-Filter_verdict filter_wall_contact(const Polynomial_motion_2& p, const Wall_2& wall,
-                                   const Double_interval& after) {
+Filter_result filter_wall_contact(const Polynomial_motion_2& p, const Wall_2& wall,
+                                  const Double_interval& after) {
   if (is_linear(p)) return filter_wall_contact(linear(p), wall, after);
   Differences<1> d({&p}, foot_at(p, wall), after.lower);
   const std::optional<double> window = d.window_ahead(window_share_of_walls);
-  if (!window) return {Filter_verdict::Kind::holds_for_ever};
+  if (!window) return {Filter_result::Kind::never_fails};
   d.scale(*window);
   if (!d.is_in_range() || !(wall.clearance < greatest_size)) return {};
   return first_contact(distance_inside(d, wall), wall_error(d, wall), *window, after);

@@ -15,13 +15,13 @@
 namespace kinetri {
 
 /// As that of linear motion (linear_filter.h).
-Filter_verdict filter_in_circle(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
-                                const Polynomial_motion_2& r, const Polynomial_motion_2& s,
-                                const Double_interval& after, bool vanishes_at);
+Filter_result filter_in_circle(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                               const Polynomial_motion_2& r, const Polynomial_motion_2& s,
+                               const Double_interval& after, bool vanishes_at);
 /// As that of linear motion (linear_filter.h).
-Filter_verdict filter_orientation(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
-                                  const Polynomial_motion_2& r, const Double_interval& after,
-                                  bool vanishes_at);
+Filter_result filter_orientation(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                                 const Polynomial_motion_2& r, const Double_interval& after,
+                                 bool vanishes_at);
 
 /// @{
 /// The sign of a polynomial of certificate_polynomials.h throughout the times in `interval`, where
@@ -47,10 +47,10 @@ bool certainly_apart(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
 
 /// @{
 /// As the functions of the same names for linear motion (contact_filter.h).
-Filter_verdict filter_contact(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
-                              double diameter, const Double_interval& after);
-Filter_verdict filter_wall_contact(const Polynomial_motion_2& p, const Wall_2& wall,
-                                   const Double_interval& after);
+Filter_result filter_contact(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                             double diameter, const Double_interval& after);
+Filter_result filter_wall_contact(const Polynomial_motion_2& p, const Wall_2& wall,
+                                  const Double_interval& after);
 /// @}
 
 /// Whether p and q certainly do not approach each other at any time in `interval`.

@@ -26,18 +26,18 @@ std::optional<Algebraic_number> first_contact(const Polynomial& certificate,
   return root->value;
 }
 
-// Returns whether the verdict was more than nothing.
-bool expect_true(const Filter_verdict& verdict, const Polynomial& certificate, double t) {
-  if (verdict.kind == Filter_verdict::Kind::unknown) return false;
+// Returns whether the result was more than nothing.
+bool expect_true(const Filter_result& result, const Polynomial& certificate, double t) {
+  if (result.kind == Filter_result::Kind::unknown) return false;
   const auto contact = first_contact(certificate, Algebraic_number(t));
-  if (verdict.kind == Filter_verdict::Kind::fails) {
+  if (result.kind == Filter_result::Kind::fails) {
     EXPECT_TRUE(contact) << "no contact, but one was found";
     if (!contact) return true;
-    EXPECT_GT(verdict.bounds.lower, t);
-    EXPECT_LE(Algebraic_number(verdict.bounds.lower), *contact);
-    EXPECT_GE(Algebraic_number(verdict.bounds.upper), *contact);
+    EXPECT_GT(result.bounds.lower, t);
+    EXPECT_LE(Algebraic_number(result.bounds.lower), *contact);
+    EXPECT_GE(Algebraic_number(result.bounds.upper), *contact);
   } else {
-    EXPECT_EQ(verdict.kind, Filter_verdict::Kind::holds_for_ever);
+    EXPECT_EQ(result.kind, Filter_result::Kind::never_fails);
     EXPECT_FALSE(contact) << "a contact, but none was found";
   }
   return true;
@@ -73,11 +73,11 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
     const Vector_2 b = rounded_place(m[1], t + 1);
     const double diameter = std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) *
                             std::ldexp(1.0, static_cast<int>(random() % 5) - 3);
-    const Filter_verdict verdict = in_mode(i, [&] {
+    const Filter_result result = in_mode(i, [&] {
       return filter_contact(m[0], m[1], diameter, {t, t});
     });
-    decided += expect_true(verdict, contact_polynomial(p, q, diameter), t);
-    contacts += verdict.kind == Filter_verdict::Kind::fails;
+    decided += expect_true(result, contact_polynomial(p, q, diameter), t);
+    contacts += result.kind == Filter_result::Kind::fails;
     if (HasFailure()) return;
     if (in_mode(i, [&] { return certainly_do_not_approach(m[0], m[1], {t, later}); })) {
       const Polynomial slope = derivative(contact_polynomial(p, q, 0));

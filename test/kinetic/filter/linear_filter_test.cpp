@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The filter never contradicts exact arithmetic: every verdict on random, nearly degenerate and
+// The filter never contradicts exact arithmetic: every result on random, nearly degenerate and
 // wild certificates is checked against exact failure times. And it decides what it is there for.
 #include "kinetic/filter/linear_filter.h"
 
@@ -15,7 +15,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/certificates.h"
 #include "support/motions.h"
-#include "support/verdicts.h"
+#include "support/filter_results.h"
 
 namespace kinetri {
 namespace {
@@ -63,15 +63,15 @@ TEST_P(Linear_filter, two_at_once_never_contradict_exact_arithmetic) {
     const std::array<Quadruple<Linear_motion_2>, 2> both = {
         {{&m[0], &m[1], &m[2], &m[3]}, {&n[0], &n[1], &n[2], &n[3]}}};
     std::fesetround(modes[static_cast<std::size_t>(i) % modes.size()]);
-    const auto verdicts = filter_in_circles(both, {t, t});
+    const auto results = filter_in_circles(both, {t, t});
     std::fesetround(FE_TONEAREST);
     for (std::size_t k = 0; k < 2; ++k) {
       const auto [p, q, r, s] = both[k];
       const Polynomial certificate = -in_circle_polynomial(Moving_point_2(*p), Moving_point_2(*q),
                                                            Moving_point_2(*r), Moving_point_2(*s));
-      test::expect_true(verdicts[k], certificate, t);
+      test::expect_true(results[k], certificate, t);
       if (HasFatalFailure()) return;
-      decided += verdicts[k].kind != Filter_verdict::Kind::unknown;
+      decided += results[k].kind != Filter_result::Kind::unknown;
     }
   }
   if (GetParam() == 0) {
@@ -94,30 +94,30 @@ TEST_P(Linear_filter, after_a_flip_never_contradicts_exact_arithmetic) {
     SCOPED_TRACE(test::describe({m.begin(), m.end()}) +
                  test::describe({beyond.begin(), beyond.end()}));
     const double t = source.time(GetParam());
-    Filter_verdict failure = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
-    if (failure.kind == Filter_verdict::Kind::unknown) {
+    Filter_result failure = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
+    if (failure.kind == Filter_result::Kind::unknown) {
       std::swap(m[0], m[1]);
       failure = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
     }
-    if (failure.kind != Filter_verdict::Kind::fails) continue;
+    if (failure.kind != Filter_result::Kind::fails) continue;
     ++flips;
     // Two corners have changed places, so that what has failed is positive from then on.
     const Flip_neighborhood<Linear_motion_2> around = {
         {&m[1], &m[0], &m[2], &m[3]}, {&beyond[0], &beyond[1], &beyond[2], &beyond[3]}};
     std::fesetround(modes[static_cast<std::size_t>(i) % modes.size()]);
-    const auto verdicts = filter_after_flip(around, failure.bounds);
+    const auto results = filter_after_flip(around, failure.bounds);
     std::fesetround(FE_TONEAREST);
-    for (std::size_t k = 0; k < verdicts.size(); ++k) {
+    for (std::size_t k = 0; k < results.size(); ++k) {
       const auto [p, q, r, s] = around.certificate(k);
       const Polynomial certificate = -in_circle_polynomial(Moving_point_2(*p), Moving_point_2(*q),
                                                            Moving_point_2(*r), Moving_point_2(*s));
       Algebraic_number after(failure.bounds.lower);
       if (k == 4) after = first_root_after(certificate, t).value().value;
-      test::expect_true(verdicts[k], certificate, after);
+      test::expect_true(results[k], certificate, after);
       if (HasFatalFailure()) return;
       if (sign_just_after(certificate, after) == CGAL::POSITIVE) {
         ++positive;
-        decided += verdicts[k].kind != Filter_verdict::Kind::unknown;
+        decided += results[k].kind != Filter_result::Kind::unknown;
       }
     }
   }
@@ -132,10 +132,10 @@ INSTANTIATE_TEST_SUITE_P(Flavors, Linear_filter, testing::Range(0, test::Certifi
 
 TEST(Linear_filter, knows_nothing_where_numbers_overflow) {
   const double huge = std::numeric_limits<double>::max();
-  const Filter_verdict verdict =
+  const Filter_result result =
       filter_in_circle(Linear_motion_2{{-huge, 0}, {0, 0}, 0}, {{0, -huge}, {0, 0}, 0},
                        {{huge, 0}, {0, 0}, 0}, {{0, huge}, {huge, huge}, 0}, {0, 0}, false);
-  EXPECT_EQ(verdict.kind, Filter_verdict::Kind::unknown);
+  EXPECT_EQ(result.kind, Filter_result::Kind::unknown);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The filters of polynomial motion never contradict exact arithmetic: as for linear motion, every
-// verdict on random, nearly degenerate and wild certificates is checked. And they decide what they
+// result on random, nearly degenerate and wild certificates is checked. And they decide what they
 // are there for.
 #include "kinetic/filter/polynomial_filter.h"
 
@@ -21,7 +21,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/certificates.h"
 #include "support/motions.h"
-#include "support/verdicts.h"
+#include "support/filter_results.h"
 
 namespace kinetri {
 namespace {
@@ -143,27 +143,27 @@ std::optional<Algebraic_number> first_contact(const Polynomial& distance,
   return std::nullopt;
 }
 
-// Returns whether the verdict was more than nothing.
-bool expect_contact(const Filter_verdict& verdict, const Polynomial& distance, double t) {
+// Returns whether the result was more than nothing.
+bool expect_contact(const Filter_result& result, const Polynomial& distance, double t) {
   const auto contact = first_contact(distance, Algebraic_number(t));
-  switch (verdict.kind) {
-    case Filter_verdict::Kind::unknown:
+  switch (result.kind) {
+    case Filter_result::Kind::unknown:
       return false;
-    case Filter_verdict::Kind::holds_for_ever:
+    case Filter_result::Kind::never_fails:
       EXPECT_FALSE(contact) << "a contact, but none was found";
       return true;
-    case Filter_verdict::Kind::holds:
-      EXPECT_GT(verdict.bounds.lower, t);
+    case Filter_result::Kind::holds:
+      EXPECT_GT(result.bounds.lower, t);
       if (contact) {
-        EXPECT_GT(*contact, Algebraic_number(verdict.bounds.lower));
+        EXPECT_GT(*contact, Algebraic_number(result.bounds.lower));
       }
       return true;
     default:
       EXPECT_TRUE(contact) << "no contact, but one was found";
       if (!contact) return true;
-      EXPECT_GT(verdict.bounds.lower, t);
-      EXPECT_LE(Algebraic_number(verdict.bounds.lower), *contact);
-      EXPECT_GE(Algebraic_number(verdict.bounds.upper), *contact);
+      EXPECT_GT(result.bounds.lower, t);
+      EXPECT_LE(Algebraic_number(result.bounds.lower), *contact);
+      EXPECT_GE(Algebraic_number(result.bounds.upper), *contact);
       return true;
   }
 }
@@ -207,16 +207,15 @@ TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
       EXPECT_NE(sign_just_after(derivative(distance), Algebraic_number(t)), CGAL::NEGATIVE);
     }
     // What exact arithmetic says is the same.
-    Certificate_counters counters;
-    const auto expect_exact = [&](const Outlook<Algebraic_number>& outlook, const Polynomial& d) {
+    const auto expect_exact = [&](const Certificate& certificate, const Polynomial& d) {
       const auto contact = first_contact(d, Algebraic_number(t));
-      ASSERT_EQ(outlook.failure != nullptr, contact.has_value());
+      ASSERT_EQ(certificate.failure != nullptr, contact.has_value());
       if (contact) {
-        ASSERT_EQ(*outlook.failure, *contact);
+        ASSERT_EQ(*certificate.failure, *contact);
       }
     };
-    expect_exact(exact.contact_outlook(p, q, diameter, t, counters), distance);
-    expect_exact(exact.wall_outlook(p, wall, t, counters), inside);
+    expect_exact(exact.contact_certificate(p, q, diameter, t), distance);
+    expect_exact(exact.wall_certificate(p, wall, t), inside);
     if (HasFailure()) return;
   }
   if (GetParam() == 0) {
@@ -257,12 +256,12 @@ TEST(Polynomial_filter, rounds_failures_as_exact_arithmetic_does) {
     const Point q(m[1]);
     const Point r(m[2]);
     const Point s(m[3]);
-    const Filter_verdict verdict = filter_in_circle(m[0], m[1], m[2], m[3], {0, 0}, false);
-    if (verdict.kind != Filter_verdict::Kind::fails) continue;
+    const Filter_result result = filter_in_circle(m[0], m[1], m[2], m[3], {0, 0}, false);
+    if (result.kind != Filter_result::Kind::fails) continue;
     ++rounded;
     const auto root = first_root_after(in_circle_polynomial(p, q, r, s), Algebraic_number());
     ASSERT_TRUE(root);
-    const Algebraic_number failure = traits.in_circle_failure(p, q, r, s, verdict.bounds);
+    const Algebraic_number failure = traits.in_circle_failure(p, q, r, s, result.bounds);
     EXPECT_EQ(failure.to_double(), root->value.to_double());
     EXPECT_EQ(failure.tight_interval(), root->value.tight_interval());
     EXPECT_EQ(failure, root->value);

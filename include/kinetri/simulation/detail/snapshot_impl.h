@@ -40,7 +40,7 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   for (const Entry& change : changes) {
     const auto motion = scheduled_motions_.find(change.point_b);
     result.scheduled.push_back(
-        {time(change).detached(),
+        {queue_.time_of(change).detached(),
          change.kind == Entry_kind::erase    ? Event_kind::erase
          : change.kind == Entry_kind::insert ? Event_kind::insert
                                              : Event_kind::trajectory,
@@ -56,7 +56,7 @@ Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& sna
     : traits_(traits),
       options_(snapshot.options),
       diameter_(2 * snapshot.options.radius),
-      triangulation_(snapshot.triangulation, traits),
+      triangulation_(Triangulation::restore(snapshot.triangulation, traits)),
       certificate_counters_(snapshot.certificates),
       counters_(snapshot.counters) {
   KINETRI_PRECONDITION(

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/detail/point_problems.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
@@ -22,15 +23,15 @@ namespace kinetri {
 // ---- changes ----
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::set_motion(Vertex_handle v, const Motion& motion) {
-  const Change change = {v, motion};
-  apply(Event_kind::trajectory, v->point().id(), std::nullopt, {&change, 1});
+void Kinetic_delaunay_triangulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
+  const Change change = {id, motion};
+  apply(Event_kind::trajectory, id, std::nullopt, {&change, 1});
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::erase(Vertex_handle v) {
-  const Change change = {v, std::nullopt};
-  apply(Event_kind::erase, v->point().id(), std::nullopt, {&change, 1});
+void Kinetic_delaunay_triangulation_2<Traits>::erase(Point_id id) {
+  const Change change = {id, std::nullopt};
+  apply(Event_kind::erase, id, std::nullopt, {&change, 1});
 }
 
 template <KineticTraits_2 Traits>
@@ -38,18 +39,22 @@ void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
                                                      std::optional<Point_id> point_a,
                                                      std::optional<Point_id> point_b,
                                                      std::span<const Change> changes) {
-  for (const auto& [vertex, motion] : changes) {
-    KINETRI_PRECONDITION(vertex != Vertex_handle() && !triangulation_.is_infinite(vertex),
-                         "no point has this vertex; take one that vertex(id) gives");
-    KINETRI_PRECONDITION(!motion || is_finite(*motion),
-                         detail::not_finite_problem(vertex->point().id()));
+  for (const auto& [id, motion] : changes) {
+    KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
+    KINETRI_PRECONDITION(!motion || is_finite(*motion), detail::not_finite_problem(id));
   }
+  const auto moved_point = [](const Change& change) {
+    return Point_2(*change.motion, change.point);
+  };
+  const auto stays = [&](const Change& change) {
+    return change.motion && stays_in_place(vertices_[change.point], moved_point(change));
+  };
   // What is refused is refused before anything is reported.
-  const bool first_stays = !changes.empty() && stays_in_place(changes.front());
+  const bool first_stays = !changes.empty() && stays(changes.front());
   if (!first_stays && !changes.empty() && changes.front().motion) {
-    check_is_distinct(moved_point(changes.front()), changes.front().vertex->face());
+    check_is_distinct(moved_point(changes.front()), vertices_[changes.front().point]->face());
   }
-  Event<Time> event;
+  Event event;
   event.kind = kind;
   event.point_a = point_a;
   event.point_b = point_b;
@@ -65,14 +70,15 @@ void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
     };
     try {
       for (const Change& change : changes) {
-        if (&change == &changes.front() ? first_stays : stays_in_place(change)) {
-          unschedule_around(change.vertex);
-          change.vertex->set_point(moved_point(change));
-          moved.push_back(change.vertex);
+        const Vertex_handle v = vertices_[change.point];
+        if (&change == &changes.front() ? first_stays : stays(change)) {
+          unschedule_around(v);
+          v->set_point(moved_point(change));
+          moved.push_back(v);
           continue;
         }
         restore();
-        change.motion ? relocate(change) : remove_point(change.vertex);
+        change.motion ? relocate(v, moved_point(change)) : remove_point(v);
       }
     } catch (const Coincident_trajectories_error&) {
       failure = std::current_exception();
@@ -90,19 +96,19 @@ Point_id Kinetic_delaunay_triangulation_2<Traits>::reserve_id() {
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion) -> Vertex_handle {
+Point_id Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion) {
   const Point_id id = reserve_id();
   try {
-    return insert(motion, id);
+    insert(motion, id);
   } catch (const Error&) {
     vertices_.pop_back();
     throw;
   }
+  return id;
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion, Point_id id)
-    -> Vertex_handle {
+void Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion, Point_id id) {
   KINETRI_PRECONDITION(id < vertices_.size() && !contains(id),
                        "the id " + std::to_string(id) +
                            " is not one that waits for its point; take one that reserve_id gives");
@@ -116,7 +122,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion, Poin
   }
   const Vertex_handle v = triangulation_.tds().create_vertex();
   v->set_point(point);
-  Event<Time> event;
+  Event event;
   event.kind = Event_kind::insert;
   event.point_a = id;
   perform(std::move(event), [&] {
@@ -128,15 +134,13 @@ auto Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion, Poin
     add();
     put_in(v, *location);
   });
-  return v;
 }
 
 // Reports `event` around `change_points` and the flips that this makes necessary, then the edges
 // that have changed.
 template <KineticTraits_2 Traits>
 template <class Change_points>
-void Kinetic_delaunay_triangulation_2<Traits>::perform(Event<Time> event,
-                                                       Change_points change_points) {
+void Kinetic_delaunay_triangulation_2<Traits>::perform(Event event, Change_points change_points) {
   report(std::move(event), [&] {
     rebuilt_edges_.emplace();
     change_points();
@@ -145,36 +149,30 @@ void Kinetic_delaunay_triangulation_2<Traits>::perform(Event<Time> event,
   report_rebuild();
 }
 
-template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::moved_point(const Change& change) -> Point_2 {
-  return Point_2(*change.motion, change.vertex->point().id());
-}
-
 // Whether the vertex, moved, still sees the triangles around it as they are, so that only
 // certificates change.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::stays_in_place(const Change& change) const {
-  if (triangulation_.dimension() < 2 || !change.motion) return false;
-  const Point_2 before = change.vertex->point();
-  change.vertex->set_point(moved_point(change));
-  const bool result = is_embedded_around(change.vertex);
-  change.vertex->set_point(before);
+bool Kinetic_delaunay_triangulation_2<Traits>::stays_in_place(Vertex_handle v,
+                                                              const Point_2& moved) const {
+  if (triangulation_.dimension() < 2) return false;
+  const Point_2 before = v->point();
+  v->set_point(moved);
+  const bool result = is_embedded_around(v);
+  v->set_point(before);
   return result;
 }
 
 // Moves a vertex, wherever that leads: takes it out and puts it in again.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::relocate(const Change& change) {
-  const Vertex_handle v = change.vertex;
-  const Point_2 after = moved_point(change);
-  check_is_distinct(after, v->face());
+void Kinetic_delaunay_triangulation_2<Traits>::relocate(Vertex_handle v, const Point_2& moved) {
+  check_is_distinct(moved, v->face());
   if (triangulation_.dimension() < 2 || triangulation_.test_dim_down(v)) {
-    return rebuild([&] { v->set_point(after); });
+    return rebuild([&] { v->set_point(moved); });
   }
   const Vertex_handle neighbor = v->face()->vertex(Triangulation::ccw(v->face()->index(v)));
   take_out(v);
-  v->set_point(after);
-  put_in(v, find_location(after, neighbor->face()));
+  v->set_point(moved);
+  put_in(v, find_location(moved, neighbor->face()));
 }
 
 template <KineticTraits_2 Traits>
@@ -224,14 +222,12 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded_around(Vertex_handle 
   if (!is_left_turn(before_previous, previous, v) || !is_left_turn(v, next, after_next)) {
     return false;
   }
-  auto neighbor = triangulation_.incident_vertices(v);
-  const auto first_neighbor = neighbor;
-  do {
-    if (triangulation_.is_infinite(neighbor)) continue;
-    if (neighbor != next && !is_left_turn(v, next, neighbor)) return false;
-    if (neighbor != previous && !is_left_turn(v, neighbor, previous)) return false;
-  } while (++neighbor != first_neighbor);
-  return true;
+  bool is_embedded = true;
+  detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
+    is_embedded = is_embedded && (u == next || is_left_turn(v, next, u)) &&
+                  (u == previous || is_left_turn(v, u, previous));
+  });
+  return is_embedded;
 }
 
 // Throws if another point has the trajectory of `point`: is in one place with it just after now.
@@ -277,11 +273,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::find_location(const Point_2& poin
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::take_out(Vertex_handle v) {
   std::vector<Vertex_handle> around;
-  auto neighbor = triangulation_.incident_vertices(v);
-  const auto first = neighbor;
-  do {
-    if (!triangulation_.is_infinite(neighbor)) around.push_back(neighbor);
-  } while (++neighbor != first);
+  detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { around.push_back(u); });
   std::ranges::sort(around, {}, [](Vertex_handle u) { return u->point().id(); });
 
   unschedule_around(v);
@@ -318,11 +310,7 @@ template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::replace_in_faces(Vertex_handle old,
                                                                 Vertex_handle replacement) {
   std::vector<Face_handle> faces;
-  auto face = triangulation_.incident_faces(old);
-  const auto first = face;
-  do {
-    faces.push_back(face);
-  } while (++face != first);
+  detail::for_each_face_at(triangulation_, old, [&](Face_handle f) { faces.push_back(f); });
   for (const Face_handle f : faces) f->set_vertex(f->index(old), replacement);
   replacement->set_face(faces.front());
 }
@@ -339,50 +327,42 @@ void Kinetic_delaunay_triangulation_2<Traits>::unschedule_face(Face_handle face)
 // The certificates that speak of `v` are those of the edges of its faces.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::unschedule_around(Vertex_handle v) {
-  auto face = triangulation_.incident_faces(v);
-  const auto first = face;
-  do {
-    unschedule_face(face);
-  } while (++face != first);
+  detail::for_each_face_at(triangulation_, v, [&](Face_handle face) { unschedule_face(face); });
 }
 
-// Schedules those edges of the faces at `v` that have no event.
+// Schedules those edges of the faces at `v` that have no event. Two neighboring faces share an edge
+// at `v`, which is that of the first of them.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::schedule_around(Vertex_handle v) {
-  auto face = triangulation_.incident_faces(v);
-  const auto first = face;
-  do {
-    for (int i = 0; i < 3; ++i) {
-      if (face->event(i) == no_event) schedule(two_sided(Edge(face, i)), current_time());
+  std::vector<Two_sided_edge> edges;
+  detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
+    const int at = face->index(v);
+    for (const int i : {at, Triangulation::cw(at)}) {
+      if (face->event(i) == no_event) edges.push_back(two_sided(Edge(face, i)));
     }
-  } while (++face != first);
+  });
+  schedule(edges, current_time());
 }
 
 // Notes the finite edges at `v` as added (1) or removed (-1).
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::note_edges_at(Vertex_handle v, int change) {
-  auto neighbor = triangulation_.incident_vertices(v);
-  const auto first = neighbor;
-  do {
-    if (triangulation_.is_infinite(neighbor)) continue;
-    (*rebuilt_edges_)[edge_ids(v->point().id(), neighbor->point().id())] += change;
-  } while (++neighbor != first);
+  detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
+    (*rebuilt_edges_)[edge_ids(v->point().id(), u->point().id())] += change;
+  });
 }
 
-// Notes the edges that have both ends in `vertices`, which are sorted by id, likewise.
+// Notes the edges that have both ends in `vertices`, which are sorted by id, as added or removed.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::note_edges_among(
     const std::vector<Vertex_handle>& vertices, int change) {
   const auto id = [](Vertex_handle v) { return v->point().id(); };
   for (const Vertex_handle v : vertices) {
-    auto neighbor = triangulation_.incident_vertices(v);
-    const auto first = neighbor;
-    do {
-      if (triangulation_.is_infinite(neighbor) || id(neighbor) < id(v)) continue;
-      if (std::ranges::binary_search(vertices, id(neighbor), {}, id)) {
-        (*rebuilt_edges_)[edge_ids(id(v), id(neighbor))] += change;
+    detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
+      if (id(v) < id(u) && std::ranges::binary_search(vertices, id(u), {}, id)) {
+        (*rebuilt_edges_)[edge_ids(id(v), id(u))] += change;
       }
-    } while (++neighbor != first);
+    });
   }
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "kinetri/base/check.h"
@@ -16,116 +17,72 @@ namespace kinetri {
 
 // ---- time ----
 
-// Takes the first entry from the queue, and asks for the memory that the next one will need: what
-// is around its face has been asked for when it came near.
-template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::pop_entry() -> Entry {
-  const Entry entry = queue_.pop();
-  times_.release(entry.time);
-  if (!queue_.empty() && triangulation_.dimension() == 2) {
-    const auto [face, i] = queue_.top().edge();
-    detail::prefetch_around(face->neighbor(i));
-  }
-  return entry;
-}
-
-// Looks at certificates again until the first entry of the queue is a failure, or is later than
+// Has certificates checked again until the first entry of the queue is a failure, or is later than
 // `until`, if that is given. Returns whether it is a failure, at or before `until`.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::settle(const Time* until) {
   if (until == nullptr) return settle_while([](const Entry& /*entry*/) { return true; });
-  return settle_while([&](const Entry& entry) {
-    if (entry.bounds.upper < until->interval().lower) return true;
-    if (entry.bounds.lower > until->interval().upper) return false;
-    return time(entry) <= *until;
-  });
+  const auto exact = [until]() -> const Time& { return *until; };
+  return settle_while(
+      [&](const Entry& entry) { return queue_.is_due(entry, until->interval(), exact); });
 }
 
-// Likewise, until the present time.
+// The same until the present time.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::settle_now() {
-  return settle_while([&](const Entry& entry) {
-    const Double_interval until = current_bounds();
-    if (entry.bounds.upper < until.lower) return true;
-    if (entry.bounds.lower > until.upper) return false;
-    return time(entry) <= current_time();
-  });
+  const auto exact = [this]() -> const Time& { return current_time(); };
+  return settle_while(
+      [&](const Entry& entry) { return queue_.is_due(entry, current_bounds(), exact); });
 }
 
 template <KineticTraits_2 Traits>
 template <class Is_due>
 inline bool Kinetic_delaunay_triangulation_2<Traits>::settle_while(const Is_due& is_due) {
-  while (!queue_.empty() && is_due(queue_.top())) {
-    if (queue_.top().kind != Entry_kind::look_again) return true;
-    const Entry first = pop_entry();
-    if (!queue_.empty() && queue_.top().kind == Entry_kind::look_again && is_due(queue_.top())) {
-      look_again(first, pop_entry());
-    } else {
-      look_again(first);
-    }
-  }
-  return false;
+  return queue_.settle(is_due, [this](std::span<const Entry> entries) { recheck(entries); });
 }
 
+// Certifies the edges of entries anew, from the time of the first entry on, at which the
+// certificates of the others hold as well: two together cost less than one by one.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::look_again(const Entry& entry) {
-  ++counters_.looks_again;
-  schedule(two_sided(entry.edge()), Time(entry.bounds.lower));
-}
-
-// Looks at two certificates together, from the time of the first one on, at which the second one
-// holds as well: that costs less than one by one.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::look_again(const Entry& first, const Entry& second) {
-  if (triangulation_.dimension() == 2) {
-    const std::array edges = {two_sided(first.edge()), two_sided(second.edge())};
-    const std::array certificates = {certificate(edges[0]), certificate(edges[1])};
-    if (certificates[0].kind == Entry_kind::flip && certificates[1].kind == Entry_kind::flip) {
-      counters_.looks_again += 2;
-      const Time after(first.bounds.lower);
-      auto outlooks = traits_.in_circle_outlooks({certificates[0].points, certificates[1].points},
-                                                 after, certificate_counters_);
-      schedule(edges[0], Entry_kind::flip, std::move(outlooks[0]), after);
-      return schedule(edges[1], Entry_kind::flip, std::move(outlooks[1]), after);
-    }
-  }
-  look_again(first);
-  look_again(second);
+void Kinetic_delaunay_triangulation_2<Traits>::recheck(std::span<const Entry> entries) {
+  counters_.rechecks += entries.size();
+  std::array<Two_sided_edge, 2> edges;
+  for (std::size_t k = 0; k < entries.size(); ++k) edges[k] = two_sided(entries[k].edge());
+  schedule(std::span(edges).first(entries.size()), Time(entries.front().bounds.lower));
 }
 
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() -> std::optional<Time> {
   if (!settle(nullptr)) return std::nullopt;
-  return time(queue_.top());
+  return queue_.time(queue_.top());
 }
 
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::has_event_before(const Time& time) const {
-  if (queue_.empty() || this->time(queue_.top()) >= time) return false;
-  if (queue_.top().kind != Entry_kind::look_again) return true;
+  if (queue_.empty() || queue_.time_of(queue_.top()) >= time) return false;
+  if (queue_.top().kind != Entry_kind::recheck) return true;
   return std::ranges::any_of(edges(), [&](const Edge& edge) {
     const Queue_handle handle = edge.first->event(edge.second);
     return handle != no_event && fails_before(queue_[handle], time);
   });
 }
 
-// Whether the failure of the entry's certificate is before `time`; looks again, as `settle` does,
-// but keeps nothing of what it finds.
+// Whether the failure of the entry's certificate is before `time`. Checks certificates again, as
+// `settle` does, but keeps nothing of what it finds.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::fails_before(const Entry& entry,
                                                             const Time& time) const {
   if (entry.bounds.lower > time.interval().upper) return false;
-  if (entry.kind != Entry_kind::look_again) return this->time(entry) < time;
+  if (entry.kind != Entry_kind::recheck) return queue_.time_of(entry) < time;
   const Two_sided_edge edge = two_sided(entry.edge());
-  Certificate_counters unused;
-  Time looked_at(entry.bounds.lower);
-  while (looked_at < time) {
-    const auto next = prospect(edge, looked_at, Certificate_state::any, traits_, unused);
-    if (!next) return false;
-    if (next->kind != Entry_kind::look_again) {
-      return (next->time ? *next->time : make_time(edge, next->kind, next->bounds)) < time;
+  Time checked(entry.bounds.lower);
+  while (checked < time) {
+    const auto [kind, next] = certificate_of(edge, checked, traits_);
+    if (next.kind == Certificate::Kind::never_fails) return false;
+    if (next.kind == Certificate::Kind::fails) {
+      return (next.failure ? *next.failure : failure_time(edge, kind, next.bounds)) < time;
     }
-    looked_at = Time(next->bounds.lower);
+    checked = Time(next.bounds.lower);
   }
   return false;
 }
@@ -168,7 +125,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& tim
 // looks on or a predicate is needed: it costs a copy of the time.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::show_current_time() const {
-  triangulation_.geom_traits().set_instant({current_time(), Side::after});
+  triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
 }
 
 // Executes every event of the time t that is first in the queue. Each flip makes the triangulation
@@ -180,14 +137,14 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
   events_in_instant_ = 0;
   hull_is_flat_ = false;
   if (queue_.top().kind == Entry_kind::coincidence) {
-    set_current_time(time(queue_.top()));
+    set_current_time(queue_.time(queue_.top()));
     show_current_time();
     set_coincident_points_aside();
   } else {
     const Two_sided_edge edge = two_sided(queue_.top().edge());
     set_current_time(edge, queue_.top());
     if (!observers_.empty()) show_current_time();
-    execute(edge, pop_entry());
+    execute(edge, queue_.pop());
   }
   execute_due_events();
   put_points_back();
@@ -204,7 +161,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::execute_due_events() {
   while (settle_now()) {
-    const Entry event = pop_entry();
+    const Entry event = queue_.pop();
     execute(two_sided(event.edge()), event);
   }
 }
@@ -217,7 +174,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edg
   if (event.kind == Entry_kind::hull_insert) {
     if (may_hide_a_turn(edge)) return rebuild();
     if (!event.changes_sign && is_touch(hull_triangle(edge).first)) {
-      return schedule(edge, current_time());
+      return schedule({&edge, 1}, current_time());
     }
     hull_is_flat_ = true;
     if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
@@ -235,7 +192,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::hull_triangle(const Two_sided_edg
 // Whether a triangle, flat at this time, makes a left turn just after it.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::is_touch(Face_handle face) const {
-  const auto after = traits_.instantaneous_traits({current_time(), Side::after});
+  const auto after = traits_.instantaneous_traits({current_time(), Time_side::after});
   return after.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
                                       face->vertex(2)->point()) == CGAL::LEFT_TURN;
 }
@@ -245,7 +202,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_touch(Face_handle face) const 
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::may_hide_a_turn(
     const Two_sided_edge& hull_edge) const {
-  const auto now = traits_.instantaneous_traits({current_time(), Side::at});
+  const auto now = traits_.instantaneous_traits({current_time(), Time_side::at});
   const auto& [face, i] = hull_triangle(hull_edge);
   for (const int j : {Triangulation::cw(i), Triangulation::ccw(i)}) {
     const Face_handle beside = face->neighbor(j);
@@ -265,7 +222,7 @@ template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::are_all_collinear(
     const Two_sided_edge& hull_edge) const {
   const Face_handle face = hull_triangle(hull_edge).first;
-  const auto now = traits_.instantaneous_traits({current_time(), Side::at});
+  const auto now = traits_.instantaneous_traits({current_time(), Time_side::at});
   return std::ranges::all_of(triangulation_.finite_vertex_handles(), [&](Vertex_handle v) {
     return face->has_vertex(v) ||
            now.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
@@ -282,7 +239,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
   const auto& [face, i] = hull_triangle(hull_edge);
   const Vertex_handle apex = face->vertex(i);
   if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
-  const auto now = traits_.instantaneous_traits({current_time(), Side::at});
+  const auto now = traits_.instantaneous_traits({current_time(), Time_side::at});
   return now.collinear_are_strictly_ordered_along_line_2_object()(
       face->vertex(Triangulation::cw(i))->point(), apex->point(),
       face->vertex(Triangulation::ccw(i))->point());
@@ -292,8 +249,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
 // are noted they are only noted.
 template <KineticTraits_2 Traits>
 template <class Change_edges>
-void Kinetic_delaunay_triangulation_2<Traits>::report(Event<Time> event,
-                                                      Change_edges change_edges) {
+void Kinetic_delaunay_triangulation_2<Traits>::report(Event event, Change_edges change_edges) {
   if (rebuilt_edges_) {
     if (event.removed) --(*rebuilt_edges_)[*event.removed];
     if (event.added) ++(*rebuilt_edges_)[*event.added];
@@ -360,7 +316,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::count_event(Event_kind kind) {
 // What observers are told of a flip that is about to happen.
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::flip_event(const Two_sided_edge& edge,
-                                                          Event_kind kind) -> Event<Time> {
+                                                          Event_kind kind) -> Event {
   const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
     const Edge_ids ids = edge_ids(a->point().id(), b->point().id());
     if (ids[1] == no_point) return std::nullopt;
@@ -368,54 +324,12 @@ auto Kinetic_delaunay_triangulation_2<Traits>::flip_event(const Two_sided_edge& 
   };
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
-  Event<Time> event;
+  Event event;
   event.kind = kind;
   event.removed =
       finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
   event.added = finite_ids(face->vertex(i), neighbor->vertex(j));
   return event;
-}
-
-// Schedules an edge that has just been flipped, and the outer edges of its quadrilateral, seen from
-// outside: counterclockwise, the first two are those of the face at the edge.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_after_flip(
-    const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer) {
-  const auto& [face, i] = edge.here;
-  const auto& [neighbor, j] = edge.there;
-  KINETRI_ASSERT(face->neighbor(i) == neighbor && neighbor->neighbor(j) == face,
-                 "CGAL's flip turns the edge in its faces by one index");
-  const std::array<Vertex_handle, 4> corners = {face->vertex(Triangulation::cw(i)), face->vertex(i),
-                                                face->vertex(Triangulation::ccw(i)),
-                                                neighbor->vertex(j)};
-  bool are_finite = true;
-  Flip_neighborhood<Point_2> around;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vertex_handle beyond = outer[k].here.first->vertex(outer[k].here.second);
-    around.corners[k] = &corners[k]->point();
-    around.beyond[k] = &beyond->point();
-    are_finite = are_finite && !triangulation_.is_infinite(corners[k]) &&
-                 !triangulation_.is_infinite(beyond);
-  }
-  if (!are_finite || rebuilt_edges_) {
-    schedule(edge, current_time(),
-             rebuilt_edges_ ? Certificate_state::any : Certificate_state::vanishes);
-    for (const Two_sided_edge& e : outer) schedule(e, current_time());
-    return;
-  }
-  auto outlooks = traits_.outlooks_after_flip(around, current_bounds(), certificate_counters_);
-  for (std::size_t k = 0; k < outlooks.size(); ++k) {
-    const Two_sided_edge& e = k < 4 ? outer[k] : edge;
-    Outlook<Time>& next = outlooks[k];
-    if (schedule_at_once(e, Entry_kind::flip, next)) continue;
-    if (next.kind == Outlook<Time>::Kind::unknown) {
-      const auto& [p, q, r, s] = around.certificate(k);
-      next = traits_.in_circle_outlook(*p, *q, *r, *s, current_time(),
-                                       k < 4 ? Certificate_state::any : Certificate_state::vanishes,
-                                       certificate_counters_);
-    }
-    schedule(e, Entry_kind::flip, std::move(next), current_time());
-  }
 }
 
 }  // namespace kinetri

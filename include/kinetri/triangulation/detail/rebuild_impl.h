@@ -31,7 +31,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
     return id;
   };
   while (settle_now() && queue_.top().kind == Entry_kind::coincidence) {
-    const Edge edge = pop_entry().edge();
+    const Edge edge = queue_.pop().edge();
     set_event(two_sided(edge), no_event);
     const auto [a, b] = ids_of(edge);
     parents.emplace(a, a);
@@ -40,7 +40,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
     parents[merged[1]] = merged[0];
   }
   if (triangulation_.dimension() < 2) return rebuild();
-  triangulation_.geom_traits().set_instant({current_time(), Side::before});
+  triangulation_.geom_traits().set_instant({current_time(), Time_side::before});
   for (const auto& [id, parent] : parents) {
     if (id == parent) continue;
     if (triangulation_.test_dim_down(vertices_[id])) return rebuild();
@@ -48,7 +48,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
     points_set_aside_.push_back({vertices_[id], vertices_[least(id)]});
     ++counters_.points_set_aside;
   }
-  triangulation_.geom_traits().set_instant({current_time(), Side::after});
+  triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
 }
 
 // Puts the points that were set aside back where they are just after now, one after the other.
@@ -70,9 +70,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_ve
   if (!rebuilt_edges_) rebuilt_edges_.emplace();
   for (const Edge_ids& edge : finite_edge_ids()) --(*rebuilt_edges_)[edge];
   points_set_aside_.clear();
-  triangulation_.geom_traits().set_instant({current_time(), Side::after});
+  triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
   queue_.clear();
-  times_.clear();
   change_vertices();
   std::vector<Point_2> points;
   points.reserve(number_of_points_);
@@ -87,7 +86,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_ve
 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::rebuild() {
-  ++counters_.rebuilds;
+  ++counters_.reconstructions;
   rebuild([] {});
 }
 
@@ -97,13 +96,12 @@ template <KineticTraits_2 Traits>
 std::size_t Kinetic_delaunay_triangulation_2<Traits>::reverse() {
   const std::uint64_t before = counters_.number_of_events();
   queue_.clear();
-  times_.clear();
   set_current_time(-current_time());
   for (const Vertex_handle v : vertices_) {
     if (v == Vertex_handle()) continue;
     v->set_point(Point_2(mirrored(v->point().motion()), v->point().id()));
   }
-  triangulation_.geom_traits().set_instant({current_time(), Side::after});
+  triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
   if (has_flat_triangle()) {
     rebuild();
   } else {
@@ -118,7 +116,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::reverse() {
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::has_flat_triangle() const {
   if (triangulation_.dimension() < 2) return true;
-  const auto now = traits_.instantaneous_traits({current_time(), Side::at});
+  const auto now = traits_.instantaneous_traits({current_time(), Time_side::at});
   return std::ranges::any_of(triangulation_.finite_face_handles(), [&](Face_handle face) {
     return now.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
                                       face->vertex(2)->point()) == CGAL::COLLINEAR;
@@ -159,7 +157,7 @@ template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::report_rebuild() {
   if (!rebuilt_edges_) return;
   const auto edges = *std::exchange(rebuilt_edges_, std::nullopt);
-  Event<Time> event;
+  Event event;
   event.kind = Event_kind::rebuild;
   for (const int change : {-1, 1}) {
     for (const auto& [edge, net_change] : edges) {

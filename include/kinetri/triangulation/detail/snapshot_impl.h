@@ -55,7 +55,7 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(Resto
     : traits_(traits), current_time_(snapshot.time.detached()) {
   const auto started = std::chrono::steady_clock::now();
   detail::Snapshot_links<Snapshot>(snapshot).check();
-  triangulation_ = Triangulation(traits_.instantaneous_traits({current_time(), Side::after}));
+  triangulation_ = Triangulation(traits_.instantaneous_traits({current_time(), Time_side::after}));
   make_faces(snapshot);
   check_restored();
   const auto built = std::chrono::steady_clock::now();

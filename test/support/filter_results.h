@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Verdicts of the filters against exact arithmetic.
-#ifndef KINETRI_TEST_SUPPORT_VERDICTS_H
-#define KINETRI_TEST_SUPPORT_VERDICTS_H
+// Results of the filters against exact arithmetic.
+#ifndef KINETRI_TEST_SUPPORT_FILTER_RESULTS_H
+#define KINETRI_TEST_SUPPORT_FILTER_RESULTS_H
 
 #include <gtest/gtest.h>
 
@@ -16,41 +16,41 @@
 
 namespace kinetri::test {
 
-/// Whether `verdict` from `after` on is true of the certificate with the polynomial `p`; the root
+/// Whether `result` from `after` on is true of the certificate with the polynomial `p`; the root
 /// at `after`, if the certificate vanishes there, does not count.
-inline void expect_true(const Filter_verdict& verdict, const Polynomial& p,
+inline void expect_true(const Filter_result& result, const Polynomial& p,
                         const Algebraic_number& after) {
-  if (verdict.kind == Filter_verdict::Kind::unknown) return;
+  if (result.kind == Filter_result::Kind::unknown) return;
   // Strictly positive: no root at all, not even a touch, before the end.
   ASSERT_FALSE(p.is_zero());
   ASSERT_EQ(sign_just_after(p, after), CGAL::POSITIVE);
   const auto root = first_root_after(p, after);
-  if (verdict.kind != Filter_verdict::Kind::fails) {
-    if (verdict.kind == Filter_verdict::Kind::holds_for_ever) {
+  if (result.kind != Filter_result::Kind::fails) {
+    if (result.kind == Filter_result::Kind::never_fails) {
       ASSERT_FALSE(root) << "fails, but was said to hold for ever";
     } else if (root) {
-      ASSERT_GT(root->value, Algebraic_number(verdict.bounds.upper));
+      ASSERT_GT(root->value, Algebraic_number(result.bounds.upper));
     }
     return;
   }
   ASSERT_TRUE(root) << "never fails, but was said to";
   ASSERT_EQ(root->multiplicity, 1);
-  ASSERT_GT(root->value, Algebraic_number(verdict.bounds.lower));
-  ASSERT_LT(root->value, Algebraic_number(verdict.bounds.upper));
+  ASSERT_GT(root->value, Algebraic_number(result.bounds.lower));
+  ASSERT_LT(root->value, Algebraic_number(result.bounds.upper));
   const auto next = first_root_after(p, root->value);
   if (next) {
-    ASSERT_GT(next->value, Algebraic_number(verdict.bounds.upper)) << "two roots in one bracket";
+    ASSERT_GT(next->value, Algebraic_number(result.bounds.upper)) << "two roots in one bracket";
   }
 }
 
 /// What `filter` says in a rounding mode, which it leaves as it is.
 template <class Filter>
-Filter_verdict in_mode(int mode, const Filter& filter) {
+Filter_result in_mode(int mode, const Filter& filter) {
   std::fesetround(mode);
-  const Filter_verdict verdict = filter();
+  const Filter_result result = filter();
   EXPECT_EQ(std::fegetround(), mode);
   std::fesetround(FE_TONEAREST);
-  return verdict;
+  return result;
 }
 
 /// How many in-circle certificates a filter has decided, and of these how many fail.
@@ -69,21 +69,21 @@ void expect_true_certificates(const std::array<Motion, 4>& m, double t, int mode
       in_circle_polynomial(Point(m[0]), Point(m[1]), Point(m[2]), Point(m[3]));
   const Polynomial orientation = orientation_polynomial(Point(m[0]), Point(m[1]), Point(m[2]));
   const auto expect = [&](const Polynomial& certificate, const auto& filter) {
-    const Filter_verdict verdict = in_mode(mode, [&] {
+    const Filter_result result = in_mode(mode, [&] {
       return filter(false, Double_interval{t, t}, false);
     });
-    expect_true(verdict, certificate, t);
-    if (testing::Test::HasFatalFailure() || verdict.kind != Filter_verdict::Kind::fails) {
-      return verdict.kind;
+    expect_true(result, certificate, t);
+    if (testing::Test::HasFatalFailure() || result.kind != Filter_result::Kind::fails) {
+      return result.kind;
     }
     // After its failure, the negated certificate goes on from a root.
     const auto root = first_root_after(certificate, t);
     EXPECT_TRUE(root);
     if (root) {
-      expect_true(in_mode(mode, [&] { return filter(true, verdict.bounds, true); }), -certificate,
+      expect_true(in_mode(mode, [&] { return filter(true, result.bounds, true); }), -certificate,
                   root->value);
     }
-    return verdict.kind;
+    return result.kind;
   };
   for (const bool is_negated : {false, true}) {
     const auto circle = [&](bool again, const Double_interval& after, bool vanishes) {
@@ -98,8 +98,8 @@ void expect_true_certificates(const std::array<Motion, 4>& m, double t, int mode
     };
     const auto kind = expect(is_negated ? in_circle : -in_circle, circle);
     if (testing::Test::HasFatalFailure()) return;
-    decided.all += kind != Filter_verdict::Kind::unknown;
-    decided.failures += kind == Filter_verdict::Kind::fails;
+    decided.all += kind != Filter_result::Kind::unknown;
+    decided.failures += kind == Filter_result::Kind::fails;
     expect(is_negated ? -orientation : orientation, turn);
     if (testing::Test::HasFatalFailure()) return;
   }
@@ -107,4 +107,4 @@ void expect_true_certificates(const std::array<Motion, 4>& m, double t, int mode
 
 }  // namespace kinetri::test
 
-#endif  // KINETRI_TEST_SUPPORT_VERDICTS_H
+#endif  // KINETRI_TEST_SUPPORT_FILTER_RESULTS_H

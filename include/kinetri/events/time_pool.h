@@ -2,8 +2,8 @@
 //
 // Where the exact times of queue entries are kept: few entries need one, so that an entry holds an
 // index instead of a time.
-#ifndef KINETRI_TRIANGULATION_DETAIL_TIME_POOL_H
-#define KINETRI_TRIANGULATION_DETAIL_TIME_POOL_H
+#ifndef KINETRI_EVENTS_TIME_POOL_H
+#define KINETRI_EVENTS_TIME_POOL_H
 
 #include <cstdint>
 #include <deque>
@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/base/cxx20.h"
 
 namespace kinetri::detail {
 
-template <class Time>
 class Time_pool {
  public:
   using Index = std::uint32_t;
@@ -23,8 +23,8 @@ class Time_pool {
   /// The index of no time.
   static constexpr Index none = std::numeric_limits<Index>::max();
 
-  /// Keeps `time` until its index is released. References to other times stay good.
-  Index keep(Time time) {
+  /// Keeps `time` until its index is released. References to other times stay valid.
+  Index keep(Algebraic_number time) {
     if (free_.empty()) {
       times_.push_back(std::move(time));
       return static_cast<Index>(times_.size() - 1);
@@ -35,12 +35,12 @@ class Time_pool {
     return index;
   }
 
-  const Time& operator[](Index index) const { return times_[index]; }
+  const Algebraic_number& operator[](Index index) const { return times_[index]; }
 
-  /// Forgets the time of `index`, if that is one.
+  /// Forgets the time of `index`. Does nothing for none.
   void release(Index index) {
     if (index == none) return;
-    times_[index] = Time();
+    times_[index] = Algebraic_number();
     free_.push_back(index);
   }
 
@@ -50,10 +50,10 @@ class Time_pool {
   }
 
  private:
-  std::deque<Time> times_;
+  std::deque<Algebraic_number> times_;
   std::vector<Index> free_;
 };
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_TIME_POOL_H
+#endif  // KINETRI_EVENTS_TIME_POOL_H

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Kinetic_delaunay_triangulation_2: the queue's entries, and the present time.
+#ifndef KINETRI_TRIANGULATION_DETAIL_SCHEDULING_IMPL_H
+#define KINETRI_TRIANGULATION_DETAIL_SCHEDULING_IMPL_H
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/parallel.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+// ---- the queue ----
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::Queue_policy::entry_time(const Entry& entry) const
+    -> Time {
+  if (entry.kind == Entry_kind::recheck) return Time(entry.bounds.lower);
+  return triangulation.failure_time(triangulation.two_sided(entry.edge()), entry.kind,
+                                    entry.bounds);
+}
+
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::Queue_policy::precedes(const Entry& a,
+                                                                      const Entry& b) const {
+  if (a.kind != b.kind) return a.kind < b.kind;
+  return ids_of(a.edge()) < ids_of(b.edge());
+}
+
+// What is around the first entry's own face has been asked for when it came near.
+template <KineticTraits_2 Traits>
+inline void Kinetic_delaunay_triangulation_2<Traits>::Queue_policy::prefetch_first(
+    const Entry& entry) const {
+  if (triangulation.triangulation_.dimension() < 2) return;
+  detail::prefetch_around(entry.face->neighbor(entry.index));
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Two_sided_edge& edge,
+                                                         Queue_handle handle) {
+  edge.here.first->set_event(edge.here.second, handle);
+  edge.there.first->set_event(edge.there.second, handle);
+}
+
+// The entry of a certificate that may fail; without the exact time.
+template <KineticTraits_2 Traits>
+inline auto Kinetic_delaunay_triangulation_2<Traits>::make_entry(const Edge& edge, Entry_kind kind,
+                                                                 const Certificate& certificate)
+    -> Entry {
+  if (certificate.kind == Certificate::Kind::holds) kind = Entry_kind::recheck;
+  const bool changes_sign = certificate.failure == nullptr;
+  return Entry(edge, kind, certificate.bounds, changes_sign);
+}
+
+// Puts the failure of an edge's certificate, which is of the given kind, into the queue, or the
+// time to check it again. Returns no_event if it never fails.
+template <KineticTraits_2 Traits>
+inline Queue_handle Kinetic_delaunay_triangulation_2<Traits>::push(const Edge& edge,
+                                                                   Entry_kind kind,
+                                                                   Certificate&& certificate) {
+  if (certificate.kind == Certificate::Kind::never_fails) return no_event;
+  if (certificate.failure == nullptr) return queue_.emplace(make_entry(edge, kind, certificate));
+  return queue_.push(make_entry(edge, kind, certificate), std::move(*certificate.failure));
+}
+
+// Puts the entries of the edges' certificates from `after` on into the queue. Precondition: the
+// edges have none.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule(std::span<const Two_sided_edge> edges,
+                                                        const Time& after,
+                                                        Certificate_state state) {
+  certify(edges, after, state, traits_, certificate_counters_,
+          [this](const Two_sided_edge& edge, Entry_kind kind, Certificate&& certificate) {
+            set_event(edge, push(edge.here, kind, std::move(certificate)));
+          });
+}
+
+// Schedules an edge that has just been flipped, and the outer edges of its quadrilateral, seen from
+// outside: counterclockwise, the first two are those of the face at the edge.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_after_flip(
+    const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer) {
+  if constexpr (BatchKineticTraits_2<Traits>) {
+    const auto& [face, i] = edge.here;
+    const auto& [neighbor, j] = edge.there;
+    KINETRI_ASSERT(face->neighbor(i) == neighbor && neighbor->neighbor(j) == face,
+                   "CGAL's flip turns the edge in its faces by one index");
+    const std::array<Vertex_handle, 4> corners = {
+        face->vertex(Triangulation::cw(i)), face->vertex(i), face->vertex(Triangulation::ccw(i)),
+        neighbor->vertex(j)};
+    bool are_finite = true;
+    Flip_neighborhood<Point_2> around;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vertex_handle beyond = outer[k].here.first->vertex(outer[k].here.second);
+      around.corners[k] = &corners[k]->point();
+      around.beyond[k] = &beyond->point();
+      are_finite = are_finite && !triangulation_.is_infinite(corners[k]) &&
+                   !triangulation_.is_infinite(beyond);
+    }
+    if (are_finite && !rebuilt_edges_) {
+      const auto now = [this]() -> const Time& { return current_time(); };
+      auto certificates = traits_.certificates_after_flip(around, current_bounds());
+      for (std::size_t k = 0; k < certificates.size(); ++k) {
+        const Two_sided_edge& e = k < 4 ? outer[k] : edge;
+        Certificate& known = certificates[k];
+        if (known.kind == Certificate::Kind::unknown) {
+          known =
+              certificate({Entry_kind::flip, around.certificate(k)}, current_time(),
+                          k < 4 ? Certificate_state::any : Certificate_state::vanishes, traits_);
+        }
+        certificate_counters_.count(known);
+        const Entry_kind kind =
+            first_failure(e, Entry_kind::flip, known, now, traits_, certificate_counters_);
+        set_event(e, push(e.here, kind, std::move(known)));
+      }
+      return;
+    }
+  }
+  schedule({&edge, 1}, current_time(),
+           rebuilt_edges_ ? Certificate_state::any : Certificate_state::vanishes);
+  schedule(outer, current_time());
+}
+
+// Faces that have all edges, infinite ones too: in dimension 1, a face for each edge.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::faces() const -> std::vector<Face_handle> {
+  std::vector<Face_handle> result;
+  if (triangulation_.dimension() < 1) return result;
+  if (triangulation_.dimension() == 1) {
+    for (const Edge& edge : triangulation_.all_edges()) result.push_back(edge.first);
+    return result;
+  }
+  result.reserve(2 * number_of_points_);
+  for (const Face_handle face : triangulation_.all_face_handles()) result.push_back(face);
+  return result;
+}
+
+// Calls `function` with each edge that is the face's own: every edge is that of one of its faces.
+template <KineticTraits_2 Traits>
+template <class Function>
+void Kinetic_delaunay_triangulation_2<Traits>::for_each_own_edge(Face_handle face,
+                                                                 Function function) const {
+  if (triangulation_.dimension() == 1) return function(Edge(face, 2));
+  for (int i = 0; i < 3; ++i) {
+    if (face < face->neighbor(i)) function(Edge(face, i));
+  }
+}
+
+// The same edge, from the side that its ids choose: which face has it as its own is another one in
+// each run, and certificates are rounded otherwise from the other side.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::chosen_side(const Two_sided_edge& edge)
+    -> Two_sided_edge {
+  const auto& [face, i] = edge.here;
+  const bool is_here = face->vertex(Triangulation::cw(i))->point().id() <
+                       face->vertex(Triangulation::ccw(i))->point().id();
+  return is_here ? edge : Two_sided_edge{edge.there, edge.here};
+}
+
+// All edges, infinite ones too.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge> {
+  std::vector<Edge> result;
+  for (const Face_handle face : faces()) {
+    for_each_own_edge(face, [&](const Edge& edge) { result.push_back(edge); });
+  }
+  return result;
+}
+
+// Schedules every edge; the queue is empty. Several threads do so, each for a block of faces, whose
+// edges have the handles that follow those of the block before.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
+  constexpr std::size_t faces_per_block = 2048;
+  const std::vector<Face_handle> all = faces();
+  std::vector<Block> blocks;
+  Queue_handle size = 0;
+  for (std::size_t first = 0; first < all.size(); first += faces_per_block) {
+    const std::size_t count = std::min(faces_per_block, all.size() - first);
+    Block& block = blocks.emplace_back();
+    block.faces = std::span(all).subspan(first, count);
+    block.after = current_time().detached();
+    block.next_handle = size;
+    for (const Face_handle face : block.faces) {
+      for_each_own_edge(face, [&](const Edge&) { ++size; });
+    }
+  }
+  queue_.assign(size, [&](const auto& put) {
+    detail::for_each_in_parallel(blocks, [&](Block& block) { schedule_block(block, put); });
+    for (const Block& block : blocks) certificate_counters_ += block.counters;
+  });
+}
+
+// Puts the entries of the block's edges into the queue.
+template <KineticTraits_2 Traits>
+template <class Put>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_block(Block& block, const Put& put) const {
+  const auto put_entry = [&](const Two_sided_edge& edge, Entry_kind kind,
+                             Certificate&& certificate) {
+    const bool may_fail = certificate.kind != Certificate::Kind::never_fails;
+    const Queue_handle handle = may_fail ? block.next_handle : no_event;
+    ++block.next_handle;
+    set_event(edge, handle);
+    if (!may_fail) return;
+    put(handle, make_entry(edge.here, kind, certificate), std::move(certificate.failure));
+  };
+  // Some faces at a time, whose memory is asked for in time.
+  constexpr std::size_t edges_at_once = 64;
+  std::vector<Two_sided_edge> edges;
+  edges.reserve(edges_at_once + 3);
+  const auto certify_edges = [&] {
+    certify(edges, block.after, Certificate_state::any, traits_, block.counters, put_entry);
+    edges.clear();
+  };
+  for (std::size_t k = 0; k < block.faces.size(); ++k) {
+    if (k + 6 < block.faces.size()) detail::prefetch(block.faces[k + 6]);
+    if (k + 3 < block.faces.size()) detail::prefetch_around(block.faces[k + 3]);
+    for_each_own_edge(block.faces[k],
+                      [&](const Edge& own) { edges.push_back(chosen_side(two_sided(own))); });
+    if (edges.size() >= edges_at_once) certify_edges();
+  }
+  certify_edges();
+}
+
+template <KineticTraits_2 Traits>
+inline void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
+  const Queue_handle handle = edge.here.first->event(edge.here.second);
+  if (handle == no_event) return;
+  const Entry entry = queue_.erase(handle);
+  if (entry.kind != Entry_kind::recheck) {
+    ++counters_.discarded[static_cast<std::size_t>(event_kind(entry.kind))];
+  }
+}
+
+template <KineticTraits_2 Traits>
+Event_kind Kinetic_delaunay_triangulation_2<Traits>::event_kind(Entry_kind failure) {
+  switch (failure) {
+    case Entry_kind::flip:
+      return Event_kind::flip;
+    case Entry_kind::hull_insert:
+      return Event_kind::hull_insert;
+    case Entry_kind::hull_remove:
+      return Event_kind::hull_remove;
+    default:
+      return Event_kind::rebuild;
+  }
+}
+
+// ---- the present time ----
+
+// Makes the time of a failure the present one. It need not be made: mostly its bounds are enough,
+// until the next event comes.
+template <KineticTraits_2 Traits>
+inline void Kinetic_delaunay_triangulation_2<Traits>::set_current_time(const Two_sided_edge& edge,
+                                                                       const Entry& entry) {
+  if (entry.time != detail::Time_pool::none) return set_current_time(queue_.time_of(entry));
+  pending_time_ = {certificate_points(edge), entry.bounds};
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::set_current_time(Time time) {
+  pending_time_.reset();
+  current_time_ = std::move(time);
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::current_time() const -> const Time& {
+  if (pending_time_) {
+    current_time_ = failure_time(pending_time_->first, pending_time_->second);
+    pending_time_.reset();
+  }
+  return current_time_;
+}
+
+template <KineticTraits_2 Traits>
+inline Double_interval Kinetic_delaunay_triangulation_2<Traits>::current_bounds() const {
+  return pending_time_ ? pending_time_->second : current_time().interval();
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_SCHEDULING_IMPL_H
