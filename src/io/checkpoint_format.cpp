@@ -12,7 +12,7 @@ namespace kinetri {
 namespace {
 
 constexpr std::string_view format_name = "kinetri checkpoint ";
-constexpr std::string_view version = "1";
+constexpr std::string_view version = "2";
 
 std::string checksum_line(std::string_view text) {
   boost::crc_32_type crc;
