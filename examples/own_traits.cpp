@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lesson 7, traits of one's own: the certificates of straight lines, with a closing time after
+// Lesson 7, user-defined traits: the certificates of straight lines, with a closing time after
 // which nothing is of interest. What fails later makes no event.
 #include <kinetri/kinetic/basic_kinetic_traits_2.h>
 // The definitions of the templates: the library has them compiled for its own traits only.

@@ -7,7 +7,7 @@
 - What stands in a block of a page of docs/guide stands, line by line, in an example that the page
   links: ```cpp in the program, ```text in what it prints, ```cmake and ```csv in files that are
   linked. The block may be indented less than there. ```sh is for commands, which are not checked.
-- Every program of examples/ is shown by a page of docs/guide: whole if it has at most 80 lines, and with
+- Every program of examples/ is shown by a page of docs/guide: whole if it has at most 100 lines, and with
   its whole output.
 
 usage: check_documents.py [ROOT]
@@ -33,7 +33,7 @@ ENDINGS = {"cpp": ".cpp", "text": ".txt", "cmake": "CMakeLists.txt", "csv": ".cs
 UNCHECKED = {"sh"}
 
 # A program with at most so many lines is shown whole.
-SHORT_PROGRAM = 80
+SHORT_PROGRAM = 100
 
 FENCE = re.compile(r"^ {0,3}(```+|~~~+)\s*(\w*)\s*$")
 HEADING = re.compile(r"^ {0,3}#{1,6}\s+(.*?)\s*#*\s*$")

@@ -275,7 +275,7 @@ class Documents(Tree):
         self.assertEqual(found, ["examples/q.cpp:1: no page of docs/guide shows it"])
 
     def test_a_short_program_or_an_output_that_is_shown_in_part_fails(self):
-        part, long = "  g();\n}\n", LICENCE + self.PROGRAM + "\n" * 80
+        part, long = "  g();\n}\n", LICENCE + self.PROGRAM + "\n" * 100
         for block, program, expected in (
             (f"```cpp\n{part}```\n", None, ["the whole of its 6 lines"]),
             (f"```cpp\n{part}```\n```text\n{self.OUTPUT}```\n", long, []),
