@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "kinetri/kinetic/kinetic_traits_2.h"
+#include "kinetri/kinetic/certificate_counters.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 

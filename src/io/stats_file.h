@@ -9,7 +9,7 @@
 #include <iosfwd>
 
 #include "kinetri/events/indexed_queue.h"
-#include "kinetri/kinetic/kinetic_traits_2.h"
+#include "kinetri/kinetic/certificate_counters.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 

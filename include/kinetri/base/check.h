@@ -35,7 +35,7 @@ namespace kinetri::detail {
   ((condition) ? static_cast<void>(0)            \
                : ::kinetri::detail::precondition_failed(#condition, message, __FILE__, __LINE__))
 
-/// Throws Internal_error likewise.
+/// Throws Internal_error with such a message.
 #define KINETRI_ASSERT(condition, message) \
   ((condition) ? static_cast<void>(0)      \
                : ::kinetri::detail::assertion_failed(#condition, message, __FILE__, __LINE__))

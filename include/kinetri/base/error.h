@@ -47,8 +47,8 @@ class Snapshot_error : public Error {
   using Error::Error;
 };
 
-/// Two points have the same trajectory from some instant on: they would stay in one place for ever,
-/// and no triangulation has both as vertices.
+/// Two points have the same trajectory from some instant on: they would stay in one place at all
+/// times, and no triangulation has both as vertices.
 class Coincident_trajectories_error : public Error {
  public:
   /// Of the points with these ids, which the message names.

@@ -46,7 +46,7 @@ struct Points_file {
   /// With epoch 0, all of them finite, no two equal. Those of one kind: polynomial if the file has
   /// a column ax or jx, else linear.
   std::vector<Linear_motion_2> motions;
-  std::vector<Polynomial_motion_2> polynomial_motions;  ///< likewise
+  std::vector<Polynomial_motion_2> polynomial_motions;  ///< as `motions`
   bool is_polynomial = false;                           ///< which of the two there are
   std::vector<double> radii;       ///< at least 0; empty if the file has no such column
   std::vector<std::size_t> lines;  ///< where the point stands, counted from 1

@@ -11,6 +11,7 @@
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/base/double_interval.h"
+#include "kinetri/kinetic/certificate_counters.h"
 
 namespace kinetri {
 
@@ -52,38 +53,16 @@ enum class Certificate_state : std::uint8_t {
              ///< has just been flipped
 };
 
-/// How many certificates were made, and which means decided each.
-struct Certificate_counters {
-  std::uint64_t created = 0;          ///< certificates about which something had to be decided
-  std::uint64_t root_solves = 0;      ///< certificates for which a root was looked for
-  std::uint64_t filter_decided = 0;   ///< decided by floating point with a proved error bound
-  std::uint64_t refined_decided = 0;  ///< of these, where it had to subdivide or to narrow a root
-  std::uint64_t exact_decided = 0;    ///< decided by exact arithmetic
-
-  /// Counts a certificate.
-  void count(const Certificate& certificate) {
-    using Means = Certificate::Means;
-    const auto add = [](std::uint64_t& counter, bool counts) { counter += counts ? 1 : 0; };
-    add(created, certificate.means != Means::none);
-    add(root_solves, certificate.is_root_solved);
-    add(filter_decided,
-        certificate.means == Means::filter || certificate.means == Means::refined_filter);
-    add(refined_decided, certificate.means == Means::refined_filter);
-    add(exact_decided, certificate.means == Means::exact);
-  }
-
-  /// Adds the counts of `other`.
-  Certificate_counters& operator+=(const Certificate_counters& other) {
-    created += other.created;
-    root_solves += other.root_solves;
-    filter_decided += other.filter_decided;
-    refined_decided += other.refined_decided;
-    exact_decided += other.exact_decided;
-    return *this;
-  }
-
-  friend bool operator==(const Certificate_counters&, const Certificate_counters&) = default;
-};
+inline void Certificate_counters::count(const Certificate& certificate) {
+  using Means = Certificate::Means;
+  const auto add = [](std::uint64_t& counter, bool counts) { counter += counts ? 1 : 0; };
+  add(created, certificate.means != Means::none);
+  add(root_solves, certificate.is_root_solved);
+  add(filter_decided,
+      certificate.means == Means::filter || certificate.means == Means::refined_filter);
+  add(refined_decided, certificate.means == Means::refined_filter);
+  add(exact_decided, certificate.means == Means::exact);
+}
 
 }  // namespace kinetri
 

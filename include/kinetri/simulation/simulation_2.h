@@ -127,22 +127,23 @@ class Simulation_2 : private Event_observer {
   // ---- changing points ----
 
   /// @{
-  /// Now, as the functions of the triangulation. Precondition, where a point is named:
-  /// triangulation().contains(id). With a box, the point must be inside of it now (checked).
+  /// Changes a point at current_time(), as the functions of the triangulation of these names do.
+  /// Precondition: triangulation().contains(id). With a box, the point must be inside the box now;
+  /// throws Outside_box_error if it is not.
   Point_id insert(const Motion& motion);
   void set_motion(Point_id id, const Motion& motion);
   void erase(Point_id id);
   /// @}
 
   /// @{
-  /// The same at `time`: after the triangulation's events and the contacts of that time; there
-  /// those that erase first, then new motions, then those that insert, by point id, then in the
-  /// order in which they were scheduled. A change of a point that is not there then is dropped. One
-  /// that leads out of the box, or to the trajectory of a point that does not make way at that
-  /// time, is dropped too, and the call that has reached its time throws as the functions above;
-  /// the next call goes on with what else is due. An observer may schedule changes. Precondition:
-  /// time >= current_time(); the motion is finite; the id has been given or reserved.
-  /// schedule_insert returns the id that the point will have.
+  /// Schedules a change at `time`, after the triangulation's events and the contacts of that time.
+  /// Changes of one time are made in this order: erasures, new motions, insertions; each by point
+  /// id, then in the order in which they were scheduled. A change of a point that is not there then
+  /// is dropped. A change that leads out of the box, or to the trajectory of a point that keeps it
+  /// at that time, is dropped too: the call that has reached its time throws what the functions
+  /// above throw, and the next call goes on with the remaining changes. An observer may schedule
+  /// changes. Precondition: time >= current_time(); the motion is finite; the id has been given or
+  /// reserved. schedule_insert returns the id that the point will have.
   Point_id schedule_insert(const Time& time, const Motion& motion);
   void schedule_motion(const Time& time, Point_id id, const Motion& motion);
   void schedule_erase(const Time& time, Point_id id);
@@ -151,8 +152,8 @@ class Simulation_2 : private Event_observer {
   // ---- watching ----
 
   /// @{
-  /// As those of the triangulation. Contacts are events of the kinds wall and collision; the
-  /// motions change between `before_event` and `after_event`.
+  /// The functions of the triangulation of these names. Contacts are events of the kinds wall and
+  /// collision; the motions change between `before_event` and `after_event`.
   void add_observer(Observer& observer) { triangulation_.add_observer(observer); }
   void remove_observer(Observer& observer) { triangulation_.remove_observer(observer); }
   /// @}

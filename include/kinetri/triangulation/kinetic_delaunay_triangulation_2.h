@@ -7,7 +7,7 @@
 //   between two calls of a public function the triangulation is Delaunay just after current_time(),
 //   and each edge whose certificate may ever fail again has exactly one entry in the queue: either
 //   its failure, at its exact time, or a time up to which the certificate certainly holds, and at
-//   which it is looked at again.
+//   which it is checked again.
 //
 // One event's way through the code: `settle` has certificates checked again until a failure is
 // first in the queue; `run_instant` takes it out; `execute` looks at its kind; `flip_edge` flips
@@ -104,7 +104,7 @@ class Kinetic_delaunay_triangulation_2 {
                                    const Time& start = Time(), const Traits& traits = Traits())
       : Kinetic_delaunay_triangulation_2(std::vector<Motion>(first, last), start, traits) {}
 
-  /// The triangulation of all of the motions, likewise.
+  /// The triangulation of all motions in the vector; otherwise as the constructor above.
   explicit Kinetic_delaunay_triangulation_2(const std::vector<Motion>& motions,
                                             const Time& start = Time(),
                                             const Traits& traits = Traits());
@@ -167,14 +167,14 @@ class Kinetic_delaunay_triangulation_2 {
 
   // ---- time ----
 
-  /// The time of the next event; none if the triangulation never changes again. Looks at
-  /// certificates again as far as is needed to know. (Of a time at which points meet it is not
-  /// known before whether an edge will have changed just after it.)
+  /// The time of the next event; empty if the triangulation never changes again. Checks
+  /// certificates again as far as is needed to know. (If points meet at that time, it may turn out
+  /// that no edge has changed just after it.)
   std::optional<Time> next_event_time();
 
   /// Whether next_event_time() is before `time`, exactly; changes nothing. Cost: O(1) after
-  /// next_event_time(), or where no certificate is to be looked at again before `time`; else O(n),
-  /// and those certificates are looked at each time that this is asked.
+  /// next_event_time(), or if no certificate is to be checked again before `time`; else O(n), and
+  /// those certificates are checked in each call.
   bool has_event_before(const Time& time) const;
 
   /// Goes to the next time at which something changes and executes all events of that time, so that
@@ -191,12 +191,12 @@ class Kinetic_delaunay_triangulation_2 {
   std::size_t step(const Time& until);
 
   /// Lets time run backwards: from now on the clock shows -t where it showed t, and each point has
-  /// the mirrored motion (`mirrored`), so that what happened comes again in mirrored order, at
-  /// mirrored times: what was removed is added. The events of the present time are undone at once;
-  /// then the triangulation is Delaunay just after the new current_time(), which is just before the
-  /// old one. Returns their number. Motions that points had before they were given their present
-  /// ones do not come back. Where several triangulations are Delaunay, as points are cocircular for
-  /// a while, another one than before may come back. Vertices keep their handles.
+  /// the mirrored motion (`mirrored`). Past events come again in reverse order, at mirrored times:
+  /// edges that were removed are added. The events of the present time are undone at once; then the
+  /// triangulation is Delaunay just after the new current_time(), which is just before the old one.
+  /// Returns the number of events undone. Motions that were replaced do not come back. If several
+  /// triangulations are Delaunay, because points are cocircular for a while, another one than
+  /// before may come back. Vertices keep their handles.
   ///
   /// Cost: O(n) failure times, as at the start; O(n log n) predicates more if three neighbors are
   /// collinear now.
@@ -204,11 +204,11 @@ class Kinetic_delaunay_triangulation_2 {
 
   // ---- changing points ----
 
-  // Each takes place at current_time(), is an event, and leaves the triangulation Delaunay just
-  // after that time; edges that it removes and adds are reported in rebuild events after it. Other
-  // vertices keep their handles, and so does a point that gets a new motion. Cost: expected, what
-  // the degree of the point asks for, and the way to a place that is far; O(n) where the points
-  // are, or become, collinear for ever.
+  // Each change takes place at current_time(), is an event, and leaves the triangulation Delaunay
+  // just after that time; edges that it removes and adds are reported in rebuild events after it.
+  // Other vertices keep their handles, and so does a point that gets a new motion. Expected cost:
+  // proportional to the degree of the point, and to the triangles on the way to its new place; O(n)
+  // if all points are, or become, collinear at all times.
 
   /// Gives the point `id` another motion from now on: event `trajectory`. The motion need not go
   /// through the present place of the point, and may go through that of another point if the two
@@ -241,9 +241,9 @@ class Kinetic_delaunay_triangulation_2 {
   };
 
   /// Makes the changes, one after the other, as one event of the given kind that concerns the given
-  /// points. For events that are no failures of this triangulation's certificates, as collisions.
-  /// Throws what set_motion throws; changes before the one that throws have been made then.
-  /// Precondition: each point that is named in `changes` is there, and named once.
+  /// points. For events that are not failures of this triangulation's certificates, such as
+  /// collisions. Throws what set_motion throws; changes before the one that throws have been made
+  /// then. Precondition: each point that is named in `changes` is there, and named once.
   void apply(Event_kind kind, std::optional<Point_id> point_a, std::optional<Point_id> point_b,
              std::span<const Change> changes);
 
@@ -412,7 +412,7 @@ class Kinetic_delaunay_triangulation_2 {
   void execute_due_events();
   std::size_t step_until(const Time* until);
   std::size_t run_instant();
-  void show_current_time() const;
+  void show_current_time();
   void execute(const Two_sided_edge& edge, const Entry& event);
   void count_event(Event_kind kind);
   const Edge& hull_triangle(const Two_sided_edge& hull_edge) const;

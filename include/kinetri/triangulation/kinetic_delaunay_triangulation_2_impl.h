@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Kinetic_delaunay_triangulation_2 but for its audits. Include this, and
-// audit_impl.h, only where the class is instantiated for a kinetic traits class of one's own; it is
+// audit_impl.h, only where you instantiate the class for your own kinetic traits class; it is
 // compiled into the library for both kinds of motion.
 #ifndef KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
 #define KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
@@ -48,7 +48,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> po
   result.insert(points.begin(), points.end());
   if (result.number_of_vertices() == points.size()) return result;
   // CGAL keeps one vertex for points in one place. Points in one place just after a time are in one
-  // place for ever.
+  // place at all times.
   for (const Point_2& point : points) {
     const Point_id kept = result.nearest_vertex(point)->point().id();
     if (kept != point.id()) {

@@ -64,8 +64,8 @@ struct Voronoi_cell_2 {
 };
 
 /// Queries at one time. A small object: it holds a reference to the triangulation and a time. Use
-/// it only while the triangulation does not change, from the thread that advances it, and not in an
-/// observer.
+/// it only while the triangulation does not change, and not in an observer. Several threads may ask
+/// one object, or objects of one triangulation, at once.
 ///
 /// A query position is two binary64 numbers, taken exactly. The functions throw Precondition_error
 /// if a position is not finite, if no point has a given id, or if an event has happened since this

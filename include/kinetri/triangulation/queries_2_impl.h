@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Kinetic_queries_2. Include this only where the class is instantiated for a kinetic
-// traits class of one's own, whose points have trajectories (as Moving_point_2 has) and whose times
+// traits class of your own, whose points have trajectories (as Moving_point_2 has) and whose times
 // are algebraic numbers; it is compiled into the library for both kinds of motion.
 #ifndef KINETRI_TRIANGULATION_QUERIES_2_IMPL_H
 #define KINETRI_TRIANGULATION_QUERIES_2_IMPL_H

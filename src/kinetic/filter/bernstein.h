@@ -293,7 +293,7 @@ Filter_result judge(const std::array<double, M>& c, double error, double window,
   return in_time(first_failure(c, b, error), after.lower, window, after);
 }
 
-// Likewise where it has a known root at the time in `after`, of which the next one is wanted.
+// The same for a polynomial with a known root at the time in `after`: about the next root.
 // `norm` times `error` bounds the sum of the coefficients' magnitudes.
 template <std::size_t M>
 Filter_result first_failure_after_known_root(const std::array<double, M>& c, double error,

@@ -12,13 +12,13 @@
 namespace kinetri {
 
 /// Whether and when p and q, after a time in `after`, come as near as `diameter` while they
-/// approach: a result as that of filter_in_circle. The end of `after` itself is never in the
+/// approach: a result in the form of filter_in_circle's. The end of `after` itself is never in the
 /// bounds of a failure. Cost: some fifty floating-point operations, and as many again for a
 /// bracket. Precondition: the diameter is finite and not negative.
 Filter_result filter_contact(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,
                              const Double_interval& after);
 
-/// Whether and when p reaches the wall while it moves outward, likewise. Cost: ten operations.
+/// Whether and when p reaches the wall while it moves outward. Cost: ten operations.
 Filter_result filter_wall_contact(const Linear_motion_2& p, const Wall_2& wall,
                                   const Double_interval& after);
 

@@ -25,7 +25,7 @@ Filter_result filter_in_circle(const Linear_motion_2& p, const Linear_motion_2& 
                                const Linear_motion_2& r, const Linear_motion_2& s,
                                const Double_interval& after, bool vanishes_at);
 
-/// The orientation certificate (p, q, r make a left turn), likewise.
+/// The same for the orientation certificate (p, q, r make a left turn).
 Filter_result filter_orientation(const Linear_motion_2& p, const Linear_motion_2& q,
                                  const Linear_motion_2& r, const Double_interval& after,
                                  bool vanishes_at);

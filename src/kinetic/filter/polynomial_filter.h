@@ -14,11 +14,11 @@
 
 namespace kinetri {
 
-/// As that of linear motion (linear_filter.h).
+/// The function of this name for linear motion (linear_filter.h), for polynomial motion.
 Filter_result filter_in_circle(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
                                const Polynomial_motion_2& r, const Polynomial_motion_2& s,
                                const Double_interval& after, bool vanishes_at);
-/// As that of linear motion (linear_filter.h).
+/// The function of this name for linear motion (linear_filter.h), for polynomial motion.
 Filter_result filter_orientation(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
                                  const Polynomial_motion_2& r, const Double_interval& after,
                                  bool vanishes_at);

@@ -124,7 +124,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& tim
 // Sets the instant of the predicates that the triangulation gives out. Events do so where somebody
 // looks on or a predicate is needed: it costs a copy of the time.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::show_current_time() const {
+void Kinetic_delaunay_triangulation_2<Traits>::show_current_time() {
   triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
 }
 

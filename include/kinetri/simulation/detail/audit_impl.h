@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Simulation_2: counters and audits.
+#ifndef KINETRI_SIMULATION_DETAIL_AUDIT_IMPL_H
+#define KINETRI_SIMULATION_DETAIL_AUDIT_IMPL_H
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri {
+
+template <ContactKineticTraits_2 Traits>
+Contact_counters Simulation_2<Traits>::contact_counters() const {
+  Contact_counters result = counters_;
+  result.queue = queue_.counters();
+  return result;
+}
+
+template <ContactKineticTraits_2 Traits>
+Certificate_counters Simulation_2<Traits>::certificate_counters() const {
+  Certificate_counters result = triangulation_.certificate_counters();
+  return result += certificate_counters_;
+}
+
+template <ContactKineticTraits_2 Traits>
+Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
+  Audit_report report = triangulation_.audit(level);
+  const auto fail = [&](std::string text) { report.failures.push_back(std::move(text)); };
+  const auto pair_name = [](Point_id a, Point_id b) {
+    return "points " + std::to_string(a) + " and " + std::to_string(b);
+  };
+  if (!queue_.is_valid()) fail("the queue of contacts is out of order");
+  if (!queue_.empty() && queue_.time_of(queue_.top()) < current_time())
+    fail("a contact has been missed");
+  const std::vector<Edge_ids> edges = triangulation_.finite_edge_ids();
+  const Contacts none;
+  const auto contacts = [&](Point_id id) -> const Contacts& {
+    const auto found = contacts_.find(id);
+    return found == contacts_.end() ? none : found->second;
+  };
+  std::size_t entries = 0;
+  std::size_t points_with_contacts = 0;
+  for (Point_id a = 0; a < triangulation_.next_id(); ++a) {
+    if (!triangulation_.contains(a)) continue;
+    points_with_contacts += contacts_.count(a);
+    if (contacts(a).wall_event != no_event) ++entries;
+    for (const auto& [b, event] : contacts(a).partners) {
+      ++entries;
+      if (!std::ranges::binary_search(edges, edge_ids(a, b))) {
+        fail(pair_name(a, b) + " have a contact but no edge");
+      }
+    }
+  }
+  if (points_with_contacts != contacts_.size()) fail("a point that is not there has contacts");
+  entries += scheduled_entries_;
+  if (entries != queue_.size()) fail("the queue of contacts holds others than those of the points");
+  if (!report.passed() || level < Audit_level::delaunay) return report;
+
+  // The time of the contact that the queue holds, and of the one that is to be found.
+  const auto compare = [&](const std::string& what, Queue_handle event,
+                           const std::optional<Time>& expected) {
+    if (event == no_event) {
+      if (expected) fail(what + " will have a contact that is not scheduled");
+    } else if (!queue_[event].is_event) {
+      if (expected && *expected < queue_.time_of(queue_[event]))
+        fail(what + " have a contact before the next check");
+    } else if (!expected || *expected != queue_.time_of(queue_[event])) {
+      fail(what + " have a contact at another time than scheduled, or none");
+    }
+  };
+  const Traits exact = traits_.exact();
+  for (Point_id id = 0; options_.box && id < triangulation_.next_id(); ++id) {
+    if (!triangulation_.contains(id)) continue;
+    std::optional<Time> first;
+    for (const Wall_2& wall : walls_) {
+      if (!exact.is_inside(point(id), wall, current_time())) {
+        fail("point " + std::to_string(id) + " is outside of the box");
+      }
+      if (level < Audit_level::certificates) continue;
+      const Certificate certificate = exact.wall_certificate(point(id), wall, current_time());
+      if (certificate.failure && (!first || *certificate.failure < *first)) {
+        first = *certificate.failure;
+      }
+    }
+    if (level < Audit_level::certificates) continue;
+    compare("point " + std::to_string(id), contacts(id).wall_event, first);
+  }
+  if (!options_.response || level < Audit_level::certificates) return report;
+  for (const auto& [a, b] : edges) {
+    const auto& partners = contacts(a).partners;
+    const auto partner = std::ranges::find(partners, b, &Partner::id);
+    const Certificate certificate = pair_certificate(contacts(a), {a, b}, current_time(), exact);
+    compare(pair_name(a, b), partner == partners.end() ? no_event : partner->event,
+            certificate.failure ? std::optional(*certificate.failure) : std::nullopt);
+  }
+  return report;
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_DETAIL_AUDIT_IMPL_H

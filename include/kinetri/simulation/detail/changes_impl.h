@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Simulation_2: changes of points, now and scheduled.
+#ifndef KINETRI_SIMULATION_DETAIL_CHANGES_IMPL_H
+#define KINETRI_SIMULATION_DETAIL_CHANGES_IMPL_H
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/simulation/simulation_2.h"
+#include "kinetri/triangulation/detail/point_problems.h"
+
+namespace kinetri {
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule(const Time& time, Entry_kind kind, Point_id id,
+                                    const std::optional<Motion>& motion) {
+  KINETRI_PRECONDITION(time >= current_time(),
+                       "a change in the past; take the present time or a later one");
+  KINETRI_PRECONDITION(id < triangulation_.next_id(),
+                       "no point has the id " + std::to_string(id) +
+                           "; take one that insert or schedule_insert gave");
+  KINETRI_PRECONDITION(!motion || is_finite(*motion), detail::not_finite_problem(id));
+  Entry entry;
+  entry.point_a = id;
+  entry.point_b = scheduled_++;
+  entry.kind = kind;
+  entry.is_event = true;
+  push_change(time, entry, motion);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::push_change(const Time& time, Entry entry,
+                                       const std::optional<Motion>& motion) {
+  entry.bounds = time.interval();
+  if (motion) scheduled_motions_.emplace(entry.point_b, *motion);
+  queue_.push(entry, time);
+  ++scheduled_entries_;
+}
+
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::take_scheduled_motion(const Entry& change) -> std::optional<Motion> {
+  const auto node = scheduled_motions_.extract(change.point_b);
+  return node ? std::optional(node.mapped()) : std::nullopt;
+}
+
+template <ContactKineticTraits_2 Traits>
+Point_id Simulation_2<Traits>::schedule_insert(const Time& time, const Motion& motion) {
+  const Point_id id = triangulation_.reserve_id();
+  schedule(time, Entry_kind::insert, id, motion);
+  return id;
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_motion(const Time& time, Point_id id, const Motion& motion) {
+  schedule(time, Entry_kind::trajectory, id, motion);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_erase(const Time& time, Point_id id) {
+  schedule(time, Entry_kind::erase, id, std::nullopt);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::execute_change(const Due_change& change) {
+  const Point_id id = change.entry.point_a;
+  if (change.entry.kind == Entry_kind::erase) {
+    erase(id);
+  } else if (change.entry.kind == Entry_kind::insert) {
+    check_inside(Point_2(*change.motion, id));
+    triangulation_.insert(*change.motion, id);
+    schedule_contacts(id, no_point);
+  } else if (triangulation_.contains(id)) {  // else it has left while the change was postponed
+    set_motion(id, *change.motion);
+  }
+}
+
+// Makes a change. Returns false if another point has the trajectory that the change leads to.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::try_change(const Due_change& change) {
+  try {
+    execute_change(change);
+    return true;
+  } catch (const Coincident_trajectories_error&) {
+    return false;
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+Point_id Simulation_2<Traits>::insert(const Motion& motion) {
+  check_inside(Point_2(motion, triangulation_.next_id()));
+  const Point_id id = triangulation_.insert(motion);
+  schedule_contacts(id, no_point);
+  return id;
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
+  check_inside(Point_2(motion, id));
+  const typename Triangulation::Change moved = {id, motion};
+  change(Event_kind::trajectory, {&id, 1}, {&moved, 1});
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::erase(Point_id id) {
+  const typename Triangulation::Change gone = {id, std::nullopt};
+  change(Event_kind::erase, {&id, 1}, {&gone, 1});
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_DETAIL_CHANGES_IMPL_H

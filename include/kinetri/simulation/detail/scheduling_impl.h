@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Simulation_2: the queue's entries.
+#ifndef KINETRI_SIMULATION_DETAIL_SCHEDULING_IMPL_H
+#define KINETRI_SIMULATION_DETAIL_SCHEDULING_IMPL_H
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "kinetri/base/check.h"
+#include "kinetri/simulation/simulation_2.h"
+#include "kinetri/triangulation/detail/incident.h"
+
+namespace kinetri {
+
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::Queue_policy::entry_time(const Entry& entry) const -> Time {
+  KINETRI_ASSERT(entry.kind <= Entry_kind::collision, "a scheduled change has its time");
+  if (!entry.is_event) return Time(entry.bounds.lower);
+  const Traits& traits = simulation.traits_;
+  const Point_2& p = simulation.point(entry.point_a);
+  if (entry.kind == Entry_kind::wall) {
+    return traits.wall_failure(p, simulation.walls_[entry.point_b], entry.bounds);
+  }
+  return traits.contact_failure(p, simulation.point(entry.point_b), simulation.diameter_,
+                                entry.bounds);
+}
+
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::Queue_policy::precedes(const Entry& a, const Entry& b) const {
+  if (a.kind != b.kind) return a.kind < b.kind;
+  return std::pair(a.point_a, a.point_b) < std::pair(b.point_a, b.point_b);
+}
+
+// A change of a point that is not there is no event either: the point will not be there at the time
+// of the change, since an insertion before that would be before it in the queue.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::Queue_policy::is_recheck(const Entry& entry) const {
+  if (!entry.is_event) return true;
+  return (entry.kind == Entry_kind::erase || entry.kind == Entry_kind::trajectory) &&
+         !simulation.triangulation_.contains(entry.point_a);
+}
+
+// Puts the entry into the queue with the contact of the certificate, or the time to check it again.
+// Returns no_event if there never is a contact.
+template <ContactKineticTraits_2 Traits>
+Queue_handle Simulation_2<Traits>::push(Entry entry, Certificate certificate) {
+  if (certificate.kind == Certificate::Kind::never_fails) return no_event;
+  entry.bounds = certificate.bounds;
+  entry.is_event = certificate.kind == Certificate::Kind::fails;
+  if (!certificate.failure) return queue_.emplace(entry);
+  return queue_.push(entry, std::move(*certificate.failure));
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::discard(Queue_handle handle) {
+  const Entry entry = queue_.erase(handle);
+  if (entry.is_event && entry.kind <= Entry_kind::collision) {
+    ++(entry.kind == Entry_kind::wall ? counters_.discarded_walls : counters_.discarded_collisions);
+  }
+}
+
+// Takes the first entry from the queue.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::pop() -> Entry {
+  const Entry entry = queue_.pop();
+  forget(entry);
+  return entry;
+}
+
+// Forgets the handle of an entry that has left the queue.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::forget(const Entry& entry) {
+  if (entry.kind == Entry_kind::wall) {
+    contacts_.at(entry.point_a).wall_event = no_event;
+  } else if (entry.kind == Entry_kind::collision) {
+    forget_partner(contacts_.at(entry.point_a), entry.point_b);
+  } else {
+    --scheduled_entries_;
+  }
+}
+
+// Returns the handle of the partner's entry; none if there is no such partner.
+template <ContactKineticTraits_2 Traits>
+Queue_handle Simulation_2<Traits>::forget_partner(Contacts& contacts, Point_id b) {
+  auto& partners = contacts.partners;
+  const auto partner = std::ranges::find(partners, b, &Partner::id);
+  if (partner == partners.end()) return no_event;
+  const Queue_handle event = partner->event;
+  *partner = partners.back();
+  partners.pop_back();
+  return event;
+}
+
+// Only the first of the walls that the point reaches has an entry.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
+  if (!options_.box) return;
+  unschedule_wall(id);
+  Entry first;
+  first.point_a = id;
+  Certificate first_certificate;
+  // The exact time of a certificate that does not hold for all time.
+  const auto time = [&](const Certificate& certificate, Point_id wall) {
+    if (certificate.kind == Certificate::Kind::holds) return Time(certificate.bounds.lower);
+    return certificate.failure ? *certificate.failure
+                               : traits_.wall_failure(point(id), walls_[wall], certificate.bounds);
+  };
+  for (Point_id wall = 0; wall < walls_.size(); ++wall) {
+    Certificate certificate = traits_.wall_certificate(point(id), walls_[wall], after);
+    certificate_counters_.count(certificate);
+    if (certificate.kind == Certificate::Kind::never_fails) continue;
+    const auto is_earlier = [&] {
+      if (first_certificate.kind == Certificate::Kind::never_fails) return true;
+      if (certificate.bounds.upper < first_certificate.bounds.lower) return true;
+      if (certificate.bounds.lower > first_certificate.bounds.upper) return false;
+      return time(certificate, wall) < time(first_certificate, first.point_b);
+    };
+    if (!is_earlier()) continue;
+    first.point_b = wall;
+    first_certificate = std::move(certificate);
+  }
+  contacts_[id].wall_event = push(first, std::move(first_certificate));
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::unschedule_wall(Point_id id) {
+  const auto contacts = contacts_.find(id);
+  if (contacts == contacts_.end()) return;
+  const Queue_handle event = std::exchange(contacts->second.wall_event, no_event);
+  if (event != no_event) discard(event);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after) {
+  if (!options_.response) return;
+  const auto [a, b] = pair;
+  Contacts& contacts = contacts_[a];
+  if (const Queue_handle old = forget_partner(contacts, b); old != no_event) discard(old);
+  Entry entry;
+  entry.kind = Entry_kind::collision;
+  entry.point_a = a;
+  entry.point_b = b;
+  Certificate certificate = pair_certificate(contacts, {a, b}, after, traits_);
+  certificate_counters_.count(certificate);
+  const Queue_handle event = push(entry, std::move(certificate));
+  if (event != no_event) contacts.partners.push_back({b, event});
+}
+
+// The certificate of the next contact of a pair; `contacts` are those of its first point.
+template <ContactKineticTraits_2 Traits>
+Certificate Simulation_2<Traits>::pair_certificate(const Contacts& contacts, const Edge_ids& pair,
+                                                   const Time& after, const Traits& traits) const {
+  const auto [a, b] = pair;
+  if (std::ranges::find(contacts.touching, b) != contacts.touching.end()) {
+    return traits.next_contact_certificate(point(a), point(b), diameter_, after);
+  }
+  return traits.contact_certificate(point(a), point(b), diameter_, after);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::unschedule_pair(const Edge_ids& pair) {
+  const auto contacts = contacts_.find(pair[0]);
+  if (contacts == contacts_.end()) return;
+  const Queue_handle event = forget_partner(contacts->second, pair[1]);
+  if (event != no_event) discard(event);
+}
+
+template <ContactKineticTraits_2 Traits>
+template <class Function>
+void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) const {
+  detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
+                            [&](auto neighbor) { function(neighbor->point().id()); });
+}
+
+// Of the neighbor `scheduled`, if there is one, the pair has been done.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_contacts(Point_id id, Point_id scheduled) {
+  schedule_wall(id, current_time());
+  if (!options_.response) return;
+  for_each_neighbor(id, [&](Point_id other) {
+    if (other != scheduled) schedule_pair(edge_ids(id, other), current_time());
+  });
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::unschedule_contacts(Point_id id) {
+  unschedule_wall(id);
+  if (!options_.response) return;
+  for_each_neighbor(id, [&](Point_id other) { unschedule_pair(edge_ids(id, other)); });
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_DETAIL_SCHEDULING_IMPL_H
