@@ -40,12 +40,6 @@ void write_list(Json_writer& json, const List& list) {
 }
 
 template <class Counters, std::size_t n>
-void write_counters(Json_writer& json, const Counters& counters,
-                    const std::array<Named_counter<Counters>, n>& names) {
-  for (const auto& [name, counter] : names) json.member(name, counters.*counter);
-}
-
-template <class Counters, std::size_t n>
 void write(Json_writer& json, const Counters& counters,
            const std::array<Named_counter<Counters>, n>& names) {
   json.begin_object();

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 
+#include "json_writer.h"
 #include "kinetri/kinetic/certificate_counters.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/triangulation/triangulation_counters.h"
@@ -54,6 +55,13 @@ inline constexpr std::array<Named_counter<Queue_counters>, 3> queue_counters = {
     {"discarded", &Queue_counters::discarded},
     {"peak", &Queue_counters::peak},
 }};
+
+/// Writes counters as members of the object that has been begun.
+template <class Counters, std::size_t n>
+void write_counters(Json_writer& json, const Counters& counters,
+                    const std::array<Named_counter<Counters>, n>& names) {
+  for (const auto& [name, counter] : names) json.member(name, counters.*counter);
+}
 
 }  // namespace kinetri
 

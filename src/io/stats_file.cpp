@@ -11,12 +11,6 @@ namespace kinetri {
 namespace {
 
 template <class Counters, std::size_t n>
-void write_counters(Json_writer& json, const Counters& counters,
-                    const std::array<Named_counter<Counters>, n>& names) {
-  for (const auto& [name, counter] : names) json.member(name, counters.*counter);
-}
-
-template <class Counters, std::size_t n>
 void write_object(Json_writer& json, const char* key, const Counters& counters,
                   const std::array<Named_counter<Counters>, n>& names) {
   json.key(key);
