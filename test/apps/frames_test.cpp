@@ -232,7 +232,7 @@ class FramesInterruption : public Frames {
  protected:
   // A run that takes far longer than the test.
   Arguments long_run() const {
-    write("p.csv", run({"generate", "uniform", "--points", "1000", "--seed", "1"}).out);
+    write("p.csv", run({"generate", "uniform", "--points", "10000", "--seed", "1"}).out);
     return {"simulate", "p.csv", "--until", "1000", "--vtu", "v", "--fps", "100"};
   }
 };

@@ -150,7 +150,7 @@ class Interruption : public test::Program_test {
                               "--stats",  "stats.json", "--progress", "always"};
 
   void write_many_points() const {
-    write("p.csv", run({"generate", "uniform", "--points", "1000", "--seed", "1"}).out);
+    write("p.csv", run({"generate", "uniform", "--points", "10000", "--seed", "1"}).out);
   }
 
   static bool is_running(const Process& process) {

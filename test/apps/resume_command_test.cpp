@@ -66,7 +66,7 @@ TEST_F(Resume, ARunInTwoPartsIsTheRunInOne) {
 }
 
 TEST_F(Resume, AnInterruptedRunCanBeTakenUp) {
-  write("p.csv", run({"generate", "uniform", "--points", "1000", "--seed", "1"}).out);
+  write("p.csv", run({"generate", "uniform", "--points", "10000", "--seed", "1"}).out);
   Process process(KINETRI_PROGRAM,
                   {"simulate", "p.csv", "--until", "1000", "--events", "one.csv", "--checkpoint",
                    "run.kinetri", "--stats", "stats.json", "--progress", "always"},

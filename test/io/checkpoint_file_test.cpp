@@ -129,7 +129,8 @@ class Random_run {
     simulation_.reset();
     const Checkpoint checkpoint = read_checkpoint_file(directory_.file("run"));
     EXPECT_EQ(checkpoint.response, "some");
-    simulation_ = std::make_unique<Simulation>(std::get<0>(checkpoint.simulation), response_);
+    simulation_.reset(
+        new Simulation(Simulation::restore(std::get<0>(checkpoint.simulation), response_)));
     watch();
   }
 
@@ -435,8 +436,9 @@ TEST_F(Forged_checkpoint, changed_at_random_is_refused_or_right) {
     }
     try {
       const Checkpoint read = checkpoint_of(signed_anew(forged));
-      auto restored = Simulation::restore(std::get<0>(read.simulation),
-                          std::get<0>(read.simulation).has_response ? response : nullptr);
+      auto restored =
+          Simulation::restore(std::get<0>(read.simulation),
+                              std::get<0>(read.simulation).has_response ? response : nullptr);
       ASSERT_TRUE(restored.audit(Audit_level::certificates).passed());
       ++right;
       restored.step();

@@ -67,8 +67,8 @@ Any_simulation Checkpoint_source::make_simulation(Arithmetic arithmetic) const {
       throw fail(concat({"the response '", response->name, "' does not go with the state"}));
     }
     using Simulation = Simulation_2<Traits>;
-    return Any_simulation(std::unique_ptr<Simulation>(new Simulation(
-        Simulation::restore(snapshot, response->response, Traits(arithmetic)))));
+    return Any_simulation(std::unique_ptr<Simulation>(
+        new Simulation(Simulation::restore(snapshot, response->response, Traits(arithmetic)))));
   };
   try {
     return std::visit(restored, checkpoint_.simulation);

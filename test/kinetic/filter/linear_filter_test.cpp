@@ -14,8 +14,8 @@
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/certificates.h"
-#include "support/motions.h"
 #include "support/filter_results.h"
+#include "support/motions.h"
 
 namespace kinetri {
 namespace {

@@ -20,8 +20,8 @@
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/certificates.h"
-#include "support/motions.h"
 #include "support/filter_results.h"
+#include "support/motions.h"
 
 namespace kinetri {
 namespace {

@@ -208,7 +208,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_block(Block& block, cons
     ++block.next_handle;
     set_event(edge, handle);
     if (!may_fail) return;
-    put(handle, make_entry(edge.here, kind, certificate), std::move(certificate.failure));
+    const Entry entry = make_entry(edge.here, kind, certificate);  // before its time is moved out
+    put(handle, entry, std::move(certificate.failure));
   };
   // Some faces at a time, whose memory is asked for in time.
   constexpr std::size_t edges_at_once = 64;
