@@ -132,7 +132,7 @@ Replay replay(const Discs& discs, const std::vector<Contact_recorder::Contact>& 
     changes.clear();
     for (const auto& [id, motion] : points) {
       if (motion != triangulation.motion(id)) {
-        changes.push_back({triangulation.vertex(id), motion});
+        changes.push_back({id, motion});
       }
     }
     triangulation.apply(kind, points.front().id, points.back().id, changes);
