@@ -21,7 +21,7 @@ struct Certificate_counters {
   std::uint64_t exact_decided = 0;    ///< decided by exact arithmetic
 
   /// Counts a certificate. Defined in kinetri/kinetic/certificate.h.
-  void count(const Certificate& certificate);
+  inline void count(const Certificate& certificate);
 
   /// Adds the counts of `other`.
   Certificate_counters& operator+=(const Certificate_counters& other) {

@@ -388,7 +388,8 @@ class Kinetic_delaunay_triangulation_2 {
 
   // Scheduling.
   static Entry make_entry(const Edge& edge, Entry_kind kind, const Certificate& certificate);
-  Queue_handle push(const Edge& edge, Entry_kind kind, Certificate&& certificate);
+  KINETRI_ALWAYS_INLINE Queue_handle push(const Edge& edge, Entry_kind kind,
+                                          Certificate&& certificate);
   void schedule(std::span<const Two_sided_edge> edges, const Time& after,
                 Certificate_state state = Certificate_state::any);
   void schedule_after_flip(const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer);

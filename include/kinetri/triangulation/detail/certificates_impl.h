@@ -96,14 +96,13 @@ void Kinetic_delaunay_triangulation_2<Traits>::certify(std::span<const Two_sided
                                                        Certificate_counters& counters,
                                                        const Put& put) const {
   const auto time = [&after]() -> const Time& { return after; };
-  const auto finish = [&](const Two_sided_edge& edge, const Certificate_points& points,
-                          Certificate&& known) {
-    if (known.kind == Certificate::Kind::unknown) {
-      known = certificate(points, after, state, traits);
-    }
+  const auto finish = [&](const Two_sided_edge& edge, Entry_kind failure, Certificate&& known) {
     counters.count(known);
-    const Entry_kind kind = first_failure(edge, points.kind, known, time, traits, counters);
+    const Entry_kind kind = first_failure(edge, failure, known, time, traits, counters);
     put(edge, kind, std::move(known));
+  };
+  const auto certify_alone = [&](const Two_sided_edge& edge, const Certificate_points& points) {
+    finish(edge, points.kind, certificate(points, after, state, traits));
   };
   if (triangulation_.dimension() < 2) {
     constexpr Double_interval always = {-std::numeric_limits<double>::infinity(),
@@ -118,7 +117,6 @@ void Kinetic_delaunay_triangulation_2<Traits>::certify(std::span<const Two_sided
     }
     return;
   }
-  constexpr Certificate::Kind unknown = Certificate::Kind::unknown;
   if constexpr (BatchKineticTraits_2<Traits>) {
     // In-circle certificates go two by two.
     const Two_sided_edge* first = nullptr;
@@ -126,20 +124,25 @@ void Kinetic_delaunay_triangulation_2<Traits>::certify(std::span<const Two_sided
     for (const Two_sided_edge& edge : edges) {
       const Certificate_points points = certificate_points(edge);
       if (points.kind != Entry_kind::flip || state != Certificate_state::any) {
-        finish(edge, points, {unknown});
+        certify_alone(edge, points);
       } else if (first == nullptr) {
         first = &edge;
         points_of_first = points;
       } else {
         auto both = traits.in_circle_certificates({points_of_first.points, points.points}, after);
-        finish(*first, points_of_first, std::move(both[0]));
-        finish(edge, points, std::move(both[1]));
+        const auto finish_known = [&](const Two_sided_edge& e, const Certificate_points& p,
+                                      Certificate&& known) {
+          if (known.kind == Certificate::Kind::unknown) return certify_alone(e, p);
+          finish(e, p.kind, std::move(known));
+        };
+        finish_known(*first, points_of_first, std::move(both[0]));
+        finish_known(edge, points, std::move(both[1]));
         first = nullptr;
       }
     }
-    if (first != nullptr) finish(*first, points_of_first, {unknown});
+    if (first != nullptr) certify_alone(*first, points_of_first);
   } else {
-    for (const Two_sided_edge& edge : edges) finish(edge, certificate_points(edge), {unknown});
+    for (const Two_sided_edge& edge : edges) certify_alone(edge, certificate_points(edge));
   }
 }
 
@@ -169,20 +172,18 @@ inline auto Kinetic_delaunay_triangulation_2<Traits>::first_failure(
     const Traits& traits, Certificate_counters& counters) const -> Entry_kind {
   using Kind = Certificate::Kind;
   if (certificate.kind == Kind::holds || kind == Entry_kind::hull_remove) return kind;
-  Certificate meeting;
-  if (certificate.may_vanish) {
-    const bool fails = certificate.kind == Kind::fails;
-    const Double_interval among = {
-        after().interval().lower,
-        fails ? certificate.bounds.upper : std::numeric_limits<double>::infinity()};
-    meeting = coincidence(edge, after(), among, traits, counters);
-  } else if (certificate.kind == Kind::fails) {
-    // The ends of the edge are apart up to bounds.lower.
-    meeting =
-        coincidence(edge, Time(certificate.bounds.lower), certificate.bounds, traits, counters);
-  }
+  const bool fails = certificate.kind == Kind::fails;
+  if (!fails && !certificate.may_vanish) return kind;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Double_interval among = {
+      certificate.may_vanish ? after().interval().lower : certificate.bounds.lower,
+      fails ? certificate.bounds.upper : infinity};
+  // If the polynomial vanishes nowhere before, the ends of the edge are apart up to bounds.lower.
+  Certificate meeting = certificate.may_vanish ? coincidence(edge, after(), among, traits, counters)
+                                               : coincidence(edge, Time(certificate.bounds.lower),
+                                                             among, traits, counters);
   if (meeting.kind != Kind::fails) return kind;
-  if (certificate.kind == Kind::fails &&
+  if (fails &&
       *meeting.failure > (certificate.failure ? *certificate.failure
                                               : failure_time(edge, kind, certificate.bounds))) {
     return kind;
@@ -193,7 +194,7 @@ inline auto Kinetic_delaunay_triangulation_2<Traits>::first_failure(
 
 // The certificate that the ends of the edge are apart.
 template <KineticTraits_2 Traits>
-Certificate Kinetic_delaunay_triangulation_2<Traits>::coincidence(
+inline Certificate Kinetic_delaunay_triangulation_2<Traits>::coincidence(
     const Two_sided_edge& edge, const Time& after, const Double_interval& among,
     const Traits& traits, Certificate_counters& counters) const {
   const auto& [face, i] = edge.here;

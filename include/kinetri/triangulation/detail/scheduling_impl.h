@@ -59,14 +59,15 @@ inline auto Kinetic_delaunay_triangulation_2<Traits>::make_entry(const Edge& edg
 }
 
 // Puts the failure of an edge's certificate, which is of the given kind, into the queue, or the
-// time to check it again. Returns no_event if it never fails.
+// time to check it again. Returns no_event if it never fails. Mostly the entry is made in its
+// place.
 template <KineticTraits_2 Traits>
-inline Queue_handle Kinetic_delaunay_triangulation_2<Traits>::push(const Edge& edge,
-                                                                   Entry_kind kind,
-                                                                   Certificate&& certificate) {
+KINETRI_ALWAYS_INLINE Queue_handle Kinetic_delaunay_triangulation_2<Traits>::push(
+    const Edge& edge, Entry_kind kind, Certificate&& certificate) {
   if (certificate.kind == Certificate::Kind::never_fails) return no_event;
-  if (certificate.failure == nullptr) return queue_.emplace(make_entry(edge, kind, certificate));
-  return queue_.push(make_entry(edge, kind, certificate), std::move(*certificate.failure));
+  if (certificate.kind == Certificate::Kind::holds) kind = Entry_kind::recheck;
+  if (certificate.failure == nullptr) return queue_.emplace(edge, kind, certificate.bounds, true);
+  return queue_.push(Entry(edge, kind, certificate.bounds, false), std::move(*certificate.failure));
 }
 
 // Puts the entries of the edges' certificates from `after` on into the queue. Precondition: the
