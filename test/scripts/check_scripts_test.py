@@ -186,7 +186,7 @@ class Sources(Tree):
                 self.assertEqual(len(self.problems("a.sh", f"# {LICENCE}cd {path}\n")), 1)
 
     def test_ordinary_paths_pass(self):
-        text = LICENCE + "// /usr/lib, ~/work/x, a/root/b, ${HOME}/work/x, https://a.org/home\n"
+        text = LICENCE + "// /usr/lib, ~/project/x, a/root/b, ${HOME}/project/x, https://a.org/home\n"
         self.assertEqual(self.problems("a.cpp", text), [])
 
     def test_blanks_where_none_belong_fail(self):

@@ -41,7 +41,8 @@ namespace kinetri {
 /// collinear or make a right turn, and there is none if p, q, r are collinear at all times. The
 /// failure of a coincidence certificate is the first time *strictly* after t at which p and q are
 /// in one place, and there is none if p and q are in one place at all times. The caller knows that
-/// p and q are apart before `among.lower`, and has no interest in a failure after `among.upper`.
+/// p and q are apart before `among.lower`, and has no interest in a failure after `among.upper`. A
+/// coincidence certificate never fails, or has Certificate::failure.
 ///
 /// | Function | Result |
 /// |---|---|

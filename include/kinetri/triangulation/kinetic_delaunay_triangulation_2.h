@@ -300,12 +300,13 @@ class Kinetic_delaunay_triangulation_2 {
     Face_handle face;
 
     Entry() = default;
-    Entry(const Edge& edge, Entry_kind entry_kind, const Double_interval& time_bounds,
-          bool polynomial_changes_sign)
-        : detail::Scheduled{time_bounds},
+    /// The failure of an edge's certificate, which is of the given kind, or the time to check it
+    /// again; without the exact time. Precondition: the certificate may fail.
+    Entry(const Edge& edge, Entry_kind failure, const Certificate& certificate)
+        : detail::Scheduled{certificate.bounds},
           index(static_cast<std::uint8_t>(edge.second)),
-          kind(entry_kind),
-          changes_sign(polynomial_changes_sign),
+          kind(certificate.kind == Certificate::Kind::holds ? Entry_kind::recheck : failure),
+          changes_sign(certificate.failure == nullptr),
           face(edge.first) {}
 
     Edge edge() const { return Edge(face, index); }
@@ -387,7 +388,6 @@ class Kinetic_delaunay_triangulation_2 {
   Time failure_time(const Certificate_points& failed, const Double_interval& bounds) const;
 
   // Scheduling.
-  static Entry make_entry(const Edge& edge, Entry_kind kind, const Certificate& certificate);
   KINETRI_ALWAYS_INLINE Queue_handle push(const Edge& edge, Entry_kind kind,
                                           Certificate&& certificate);
   void schedule(std::span<const Two_sided_edge> edges, const Time& after,

@@ -105,13 +105,11 @@ void Kinetic_delaunay_triangulation_2<Traits>::certify(std::span<const Two_sided
     finish(edge, points.kind, certificate(points, after, state, traits));
   };
   if (triangulation_.dimension() < 2) {
-    constexpr Double_interval always = {-std::numeric_limits<double>::infinity(),
-                                        std::numeric_limits<double>::infinity()};
+    const Double_interval among = {after.interval().lower, std::numeric_limits<double>::infinity()};
     for (const Two_sided_edge& edge : edges) {
       if (triangulation_.is_infinite(edge.here)) {
         put(edge, Entry_kind::coincidence, Certificate());
       } else {
-        const Double_interval among = {after.interval().lower, always.upper};
         put(edge, Entry_kind::coincidence, coincidence(edge, after, among, traits, counters));
       }
     }
@@ -201,6 +199,8 @@ inline Certificate Kinetic_delaunay_triangulation_2<Traits>::coincidence(
   Certificate result =
       traits.coincidence_certificate(face->vertex(Triangulation::cw(i))->point(),
                                      face->vertex(Triangulation::ccw(i))->point(), after, among);
+  KINETRI_ASSERT(result.kind == Certificate::Kind::never_fails || result.failure != nullptr,
+                 "a coincidence certificate has its failure time or never fails");
   counters.count(result);
   return result;
 }

@@ -48,16 +48,6 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Two_sided_edge& e
   edge.there.first->set_event(edge.there.second, handle);
 }
 
-// The entry of a certificate that may fail; without the exact time.
-template <KineticTraits_2 Traits>
-inline auto Kinetic_delaunay_triangulation_2<Traits>::make_entry(const Edge& edge, Entry_kind kind,
-                                                                 const Certificate& certificate)
-    -> Entry {
-  if (certificate.kind == Certificate::Kind::holds) kind = Entry_kind::recheck;
-  const bool changes_sign = certificate.failure == nullptr;
-  return Entry(edge, kind, certificate.bounds, changes_sign);
-}
-
 // Puts the failure of an edge's certificate, which is of the given kind, into the queue, or the
 // time to check it again. Returns no_event if it never fails. Mostly the entry is made in its
 // place.
@@ -65,9 +55,8 @@ template <KineticTraits_2 Traits>
 KINETRI_ALWAYS_INLINE Queue_handle Kinetic_delaunay_triangulation_2<Traits>::push(
     const Edge& edge, Entry_kind kind, Certificate&& certificate) {
   if (certificate.kind == Certificate::Kind::never_fails) return no_event;
-  if (certificate.kind == Certificate::Kind::holds) kind = Entry_kind::recheck;
-  if (certificate.failure == nullptr) return queue_.emplace(edge, kind, certificate.bounds, true);
-  return queue_.push(Entry(edge, kind, certificate.bounds, false), std::move(*certificate.failure));
+  if (certificate.failure == nullptr) return queue_.emplace(edge, kind, certificate);
+  return queue_.push(Entry(edge, kind, certificate), std::move(*certificate.failure));
 }
 
 // Puts the entries of the edges' certificates from `after` on into the queue. Precondition: the
@@ -209,7 +198,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_block(Block& block, cons
     ++block.next_handle;
     set_event(edge, handle);
     if (!may_fail) return;
-    const Entry entry = make_entry(edge.here, kind, certificate);  // before its time is moved out
+    const Entry entry(edge.here, kind, certificate);  // before its time is moved out
     put(handle, entry, std::move(certificate.failure));
   };
   // Some faces at a time, whose memory is asked for in time.
