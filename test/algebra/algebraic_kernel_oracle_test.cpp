@@ -53,7 +53,7 @@ Polynomial random_polynomial_of_some_kind(Random& random) {
   }
 }
 
-TEST(AlgebraicKernelOracle, RootsOfRandomPolynomialsAgree) {
+TEST(Algebraic_kernel_oracle, roots_of_random_polynomials_agree) {
   const Kernel kernel;
   const auto solve = kernel.solve_1_object();
   const auto compare_cgal = kernel.compare_1_object();

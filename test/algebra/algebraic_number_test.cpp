@@ -97,7 +97,7 @@ Comparison_result order_of(const Known_root& a, const Known_root& b) {
 // --- Construction
 // ---------------------------------------------------------------------------------
 
-TEST(AlgebraicNumber, DefaultIsZeroAndRationalsAreKnownAsSuch) {
+TEST(Algebraic_number, default_is_zero_and_rationals_are_known_as_such) {
   const Algebraic_number zero;
   EXPECT_TRUE(zero.is_known_rational());
   EXPECT_EQ(zero.rational(), Rational(0));
@@ -115,13 +115,13 @@ TEST(AlgebraicNumber, DefaultIsZeroAndRationalsAreKnownAsSuch) {
   EXPECT_EQ(tenth.interval(), (Double_interval{0.1, 0.1}));
 }
 
-TEST(AlgebraicNumber, RootOfALineIsKnownToBeRational) {
+TEST(Algebraic_number, root_of_a_line_is_known_to_be_rational) {
   const Algebraic_number root(Polynomial{-2, 6}, 0, 1);
   EXPECT_TRUE(root.is_known_rational());
   EXPECT_EQ(root.rational(), Rational(1, 3));
 }
 
-TEST(AlgebraicNumber, RootKeepsPrimitivePolynomialAndIsolatingInterval) {
+TEST(Algebraic_number, root_keeps_primitive_polynomial_and_isolating_interval) {
   const Algebraic_number root(Polynomial{-4, 0, 2}, Rational(4, 3), Rational(3, 2));
   EXPECT_FALSE(root.is_known_rational());
   EXPECT_EQ(root.polynomial(), (Polynomial{-2, 0, 1}));
@@ -133,7 +133,7 @@ TEST(AlgebraicNumber, RootKeepsPrimitivePolynomialAndIsolatingInterval) {
                             "the number is not known to be rational; ask is_known_rational first");
 }
 
-TEST(AlgebraicNumber, RootVeryNearToAnEndIsIsolatedByDyadicEnds) {
+TEST(Algebraic_number, root_very_near_to_an_end_is_isolated_by_dyadic_ends) {
   // sqrt(2) is just above the lower end, then just below the upper one; neither end is dyadic.
   const Rational near = test::rounded(test::oracle_value(0, 2, true), 200);
   const Polynomial p{-2, 0, 1};
@@ -146,7 +146,7 @@ TEST(AlgebraicNumber, RootVeryNearToAnEndIsIsolatedByDyadicEnds) {
   }
 }
 
-TEST(AlgebraicNumber, RootAtZeroOrAtAGridPointIsFoundToBeRational) {
+TEST(Algebraic_number, root_at_zero_or_at_a_grid_point_is_found_to_be_rational) {
   const Algebraic_number zero(Polynomial{0, -5, -4, 1}, Rational(-1, 2), Rational(1, 3));
   EXPECT_TRUE(zero.is_known_rational());
   EXPECT_EQ(zero.rational(), Rational(0));
@@ -155,7 +155,7 @@ TEST(AlgebraicNumber, RootAtZeroOrAtAGridPointIsFoundToBeRational) {
   EXPECT_EQ(one, Algebraic_number(1.0));
 }
 
-TEST(AlgebraicNumber, ConstructionPreconditionsAreChecked) {
+TEST(Algebraic_number, construction_preconditions_are_checked) {
   const Polynomial p{-2, 0, 1};
   EXPECT_PRECONDITION_ERROR(Algebraic_number(p, 2, 1), "the isolating interval is empty");
   EXPECT_PRECONDITION_ERROR(Algebraic_number(p, 1, 1), "the isolating interval is empty");
@@ -177,7 +177,7 @@ TEST(AlgebraicNumber, ConstructionPreconditionsAreChecked) {
       "an irrational number has no interval of width 0; ask for a greater one");
 }
 
-TEST(AlgebraicNumber, PrintsTheRationalOrThePolynomialWithAnInterval) {
+TEST(Algebraic_number, prints_the_rational_or_the_polynomial_with_an_interval) {
   std::ostringstream out;
   out << Algebraic_number(Rational(-3, 4)) << "; " << Algebraic_number(Polynomial{-2, 0, 1}, 1, 2);
   EXPECT_EQ(out.str(), "-3/4; root of t^2 - 2 in (1, 2)");
@@ -185,7 +185,7 @@ TEST(AlgebraicNumber, PrintsTheRationalOrThePolynomialWithAnInterval) {
 
 // --- Refinement ---------------------------------------------------------------------------------
 
-TEST(AlgebraicNumber, RefinementShrinksTheIntervalAroundTheNumberAsFarAsAsked) {
+TEST(Algebraic_number, refinement_shrinks_the_interval_around_the_number_as_far_as_asked) {
   const std::vector<Value> values = some_values();
   for (unsigned long seed = 0; seed < test::scaled_count(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -220,7 +220,7 @@ TEST(AlgebraicNumber, RefinementShrinksTheIntervalAroundTheNumberAsFarAsAsked) {
   }
 }
 
-TEST(AlgebraicNumber, CopiesShareTheirRefinement) {
+TEST(Algebraic_number, copies_share_their_refinement) {
   const Algebraic_number number(Polynomial{-2, 0, 1}, 1, 2);
   const Algebraic_number copy(number);  // NOLINT(performance-unnecessary-copy-initialization)
   copy.refine_to(two_to(-100));
@@ -228,7 +228,7 @@ TEST(AlgebraicNumber, CopiesShareTheirRefinement) {
   EXPECT_EQ(number, copy);
 }
 
-TEST(AlgebraicNumber, EqualNumbersGetTheCommonFactorAsTheirPolynomial) {
+TEST(Algebraic_number, equal_numbers_get_the_common_factor_as_their_polynomial) {
   const Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-3, 0, 1};
   const Algebraic_number number(p, Rational(4, 3), Rational(3, 2));
   EXPECT_EQ(number.polynomial(), p);
@@ -239,7 +239,7 @@ TEST(AlgebraicNumber, EqualNumbersGetTheCommonFactorAsTheirPolynomial) {
 
 // --- Order --------------------------------------------------------------------------------------
 
-TEST(AlgebraicNumber, OrderOfAPoolWithEqualAndNearlyEqualNumbersIsTheTrueOne) {
+TEST(Algebraic_number, order_of_a_pool_with_equal_and_nearly_equal_numbers_is_the_true_one) {
   const std::vector<Value> values = some_values();
   for (unsigned long seed = 0; seed < test::scaled_count(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -269,7 +269,7 @@ TEST(AlgebraicNumber, OrderOfAPoolWithEqualAndNearlyEqualNumbersIsTheTrueOne) {
   }
 }
 
-TEST(AlgebraicNumber, SortingAPoolIsTotalAndTransitive) {
+TEST(Algebraic_number, sorting_a_pool_is_total_and_transitive) {
   const std::vector<Value> values = some_values();
   for (unsigned long seed = 0; seed < test::scaled_count(20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -287,7 +287,7 @@ TEST(AlgebraicNumber, SortingAPoolIsTotalAndTransitive) {
   }
 }
 
-TEST(AlgebraicNumber, OrderAgainstRationalsIsTheTrueOne) {
+TEST(Algebraic_number, order_against_rationals_is_the_true_one) {
   const std::vector<Value> values = some_values();
   for (unsigned long seed = 0; seed < test::scaled_count(600); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -312,7 +312,7 @@ TEST(AlgebraicNumber, OrderAgainstRationalsIsTheTrueOne) {
   }
 }
 
-TEST(AlgebraicNumber, RootsOfOnePolynomialWithOverlappingIntervalsAreOrdered) {
+TEST(Algebraic_number, roots_of_one_polynomial_with_overlapping_intervals_are_ordered) {
   // Roots -sqrt(3), -sqrt(2), sqrt(2), sqrt(3), in intervals with dyadic ends, which are kept.
   const Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-3, 0, 1};
   const auto root_two = [&] { return Algebraic_number(p, 1, Rational(13, 8)); };
@@ -331,7 +331,7 @@ TEST(AlgebraicNumber, RootsOfOnePolynomialWithOverlappingIntervalsAreOrdered) {
   EXPECT_EQ(compare(minus_root_three(), minus_root_two()), CGAL::SMALLER);
 }
 
-TEST(AlgebraicNumber, EqualRootsAmongOtherCommonRootsAreToldFromThem) {
+TEST(Algebraic_number, equal_roots_among_other_common_roots_are_told_from_them) {
   // The gcd of the two polynomials has four roots, two of them closer than 2^-200.
   Known_polynomial common;
   common.add_irrational_pair(0, 2, 1);
@@ -421,7 +421,7 @@ Rational stand_in(const Known_root& truth) {
   return truth.rational ? *truth.rational : test::rounded(truth.value, 5000);
 }
 
-TEST(AlgebraicNumber, TightIntervalHasTheTwoNeighboursOrTheNumberItself) {
+TEST(Algebraic_number, tight_interval_has_the_two_neighbours_or_the_number_itself) {
   for (unsigned long seed = 0; seed < test::scaled_count(25); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -456,7 +456,7 @@ TEST(AlgebraicNumber, TightIntervalHasTheTwoNeighboursOrTheNumberItself) {
   }
 }
 
-TEST(AlgebraicNumber, TightIntervalOfARootThatIsABinary64NumberIsThatNumber) {
+TEST(Algebraic_number, tight_interval_of_a_root_that_is_a_binary64_number_is_that_number) {
   // (t - x) (3 t^2 - t - 5) with x an end of no bisection grid that starts at thirds.
   for (const double x : {0.1, 1e-310, 3.0, -0.7, 1e300, smallest, largest, 1.0 + 0x1p-52}) {
     const Rational exact = to_rational(x);
@@ -470,7 +470,7 @@ TEST(AlgebraicNumber, TightIntervalOfARootThatIsABinary64NumberIsThatNumber) {
   }
 }
 
-TEST(AlgebraicNumber, TightIntervalBeyondTheRangeEndsAtInfinityOrAtTheSmallestNumber) {
+TEST(Algebraic_number, tight_interval_beyond_the_range_ends_at_infinity_or_at_the_smallest_number) {
   const auto root_of_two_times = [](long exponent) {
     const Rational c = two_to(2 * exponent) * 2;
     return Algebraic_number(test::quadratic_factor(0, c), 0, two_to(exponent + 2));
@@ -482,7 +482,7 @@ TEST(AlgebraicNumber, TightIntervalBeyondTheRangeEndsAtInfinityOrAtTheSmallestNu
   EXPECT_EQ(root_of_two_times(-1075).to_double(), smallest);
 }
 
-TEST(AlgebraicNumber, ToDoubleIsTheNearestTiesToEven) {
+TEST(Algebraic_number, to_double_is_the_nearest_ties_to_even) {
   for (unsigned long seed = 0; seed < test::scaled_count(25); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 1000);
@@ -511,7 +511,7 @@ Sign sign_by_construction(const Known_polynomial& p, const Known_root& t, int si
   return static_cast<Sign>(s);
 }
 
-TEST(SignAt, AnAlgebraicNumberIsTheSignByConstruction) {
+TEST(Sign_at, an_algebraic_number_is_the_sign_by_construction) {
   const std::vector<Value> values = some_values();
   for (unsigned long seed = 0; seed < test::scaled_count(1200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -547,7 +547,7 @@ TEST(SignAt, AnAlgebraicNumberIsTheSignByConstruction) {
   }
 }
 
-TEST(SignAt, TheNumbersOwnPolynomialIsZeroAndItsSidesDiffer) {
+TEST(Sign_at, the_numbers_own_polynomial_is_zero_and_its_sides_differ) {
   const Polynomial p{-2, 0, 1};
   const Algebraic_number root(p, 1, 2);
   for (const Polynomial& q : {p, p * Integer(3)}) {
@@ -560,7 +560,7 @@ TEST(SignAt, TheNumbersOwnPolynomialIsZeroAndItsSidesDiffer) {
   EXPECT_EQ(sign_at(root.polynomial(), root), CGAL::ZERO);
 }
 
-TEST(SignAt, ZeroAndConstantPolynomialsNeedNoNumber) {
+TEST(Sign_at, zero_and_constant_polynomials_need_no_number) {
   for (const Algebraic_number& t :
        {Algebraic_number(2.5), Algebraic_number(Polynomial{-2, 0, 1}, 1, 2)}) {
     EXPECT_EQ(sign_at(Polynomial(), t), CGAL::ZERO);
@@ -593,7 +593,7 @@ Rational simplest_by_trial(const Rational& a, const Rational& b) {
   }
 }
 
-TEST(SimplestBetween, KnownIntervalsGiveKnownNumbers) {
+TEST(Simplest_between, known_intervals_give_known_numbers) {
   EXPECT_EQ(simplest_between(-1.0, 1.0), Rational(0));
   EXPECT_EQ(simplest_between(0.0, 1.0), Rational(1, 2));
   EXPECT_EQ(simplest_between(-1.0, 0.0), Rational(-1, 2));
@@ -610,7 +610,7 @@ TEST(SimplestBetween, KnownIntervalsGiveKnownNumbers) {
   EXPECT_EQ(simplest_between(1.0, root), Rational(5, 4));
 }
 
-TEST(SimplestBetween, OfRandomNumbersIsWhatTrialFindsForEveryRepresentation) {
+TEST(Simplest_between, of_random_numbers_is_what_trial_finds_for_every_representation) {
   const std::vector<Value> values = some_values();
   for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -631,12 +631,12 @@ TEST(SimplestBetween, OfRandomNumbersIsWhatTrialFindsForEveryRepresentation) {
   }
 }
 
-TEST(SimplestBetween, OfAnEmptyIntervalIsRefused) {
+TEST(Simplest_between, of_an_empty_interval_is_refused) {
   EXPECT_PRECONDITION_ERROR(simplest_between(1.0, 1.0), "the interval is empty");
   EXPECT_PRECONDITION_ERROR(simplest_between(2.0, 1.0), "the interval is empty");
 }
 
-TEST(AlgebraicNumber, NegativeIsMirroredAtZero) {
+TEST(Algebraic_number, negative_is_mirrored_at_zero) {
   const Algebraic_number root(Polynomial{-2, 1, 0, 3}, Rational(0), Rational(1));
   const Algebraic_number negative = -root;
   EXPECT_LT(negative, Algebraic_number());
@@ -651,7 +651,7 @@ TEST(AlgebraicNumber, NegativeIsMirroredAtZero) {
   EXPECT_FALSE(std::signbit((-Algebraic_number()).to_double())) << "zero has no sign";
 }
 
-TEST(AlgebraicNumber, DetachedIsTheSameNumberAndSharesNothing) {
+TEST(Algebraic_number, detached_is_the_same_number_and_shares_nothing) {
   const Algebraic_number root(Polynomial{-2, 0, 1}, Rational(1), Rational(2));
   for (const Algebraic_number& number :
        {root, Algebraic_number(0.5), Algebraic_number(Rational(1, 3))}) {

@@ -46,7 +46,7 @@ Rational random_rational_of_any_size(Random& random) {
   return scaled_by_power_of_two(x, random.integer(-1150, 1100));
 }
 
-TEST(NumberTypes, SignIsThatOfTheNumber) {
+TEST(Number_types, sign_is_that_of_the_number) {
   EXPECT_EQ(sign(Integer(-7)), CGAL::NEGATIVE);
   EXPECT_EQ(sign(Integer(0)), CGAL::ZERO);
   EXPECT_EQ(sign(Integer(3)), CGAL::POSITIVE);
@@ -55,7 +55,7 @@ TEST(NumberTypes, SignIsThatOfTheNumber) {
   EXPECT_EQ(sign(Rational(1, 1000)), CGAL::POSITIVE);
 }
 
-TEST(NumberTypes, ToRationalOfKnownNumbersIsExact) {
+TEST(Number_types, to_rational_of_known_numbers_is_exact) {
   EXPECT_EQ(to_rational(0.0), Rational(0));
   EXPECT_EQ(to_rational(-0.0), Rational(0));
   EXPECT_EQ(to_rational(-2.5), Rational(-5, 2));
@@ -65,14 +65,14 @@ TEST(NumberTypes, ToRationalOfKnownNumbersIsExact) {
   EXPECT_EQ(to_rational(largest), scaled_by_power_of_two(1, 1024) - scaled_by_power_of_two(1, 971));
 }
 
-TEST(NumberTypes, ToRationalOfInfinityOrNanIsRefused) {
+TEST(Number_types, to_rational_of_infinity_or_nan_is_refused) {
   EXPECT_PRECONDITION_ERROR(to_rational(infinity), "only a finite number is a rational number");
   EXPECT_PRECONDITION_ERROR(to_rational(-infinity), "only a finite number is a rational number");
   EXPECT_PRECONDITION_ERROR(to_rational(std::numeric_limits<double>::quiet_NaN()),
                             "only a finite number is a rational number");
 }
 
-TEST(NumberTypes, EveryBinary64NumberSurvivesTheRoundTrip) {
+TEST(Number_types, every_binary64_number_survives_the_round_trip) {
   std::vector<double> numbers = {0.0,      1.0,       -1.0,
                                  smallest, -smallest, smallest_normal,
                                  largest,  -largest,  next_down(smallest_normal)};
@@ -87,7 +87,7 @@ TEST(NumberTypes, EveryBinary64NumberSurvivesTheRoundTrip) {
   }
 }
 
-TEST(NumberTypes, ToIntervalGivesTheNeighboursOfARandomRational) {
+TEST(Number_types, to_interval_gives_the_neighbours_of_a_random_rational) {
   for (unsigned long seed = 0; seed < test::scaled_count(20000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -107,7 +107,7 @@ TEST(NumberTypes, ToIntervalGivesTheNeighboursOfARandomRational) {
   }
 }
 
-TEST(NumberTypes, ToIntervalBeyondTheRangeEndsAtInfinityOrAtTheSmallestNumber) {
+TEST(Number_types, to_interval_beyond_the_range_ends_at_infinity_or_at_the_smallest_number) {
   const Rational huge = scaled_by_power_of_two(1, 1024);
   EXPECT_EQ(to_interval(huge), (Double_interval{largest, infinity}));
   EXPECT_EQ(to_interval(-huge), (Double_interval{-infinity, -largest}));
@@ -120,13 +120,13 @@ TEST(NumberTypes, ToIntervalBeyondTheRangeEndsAtInfinityOrAtTheSmallestNumber) {
   EXPECT_EQ(to_interval(scaled_by_power_of_two(1, -5000)), (Double_interval{0.0, smallest}));
 }
 
-TEST(NumberTypes, ToIntervalHasNoNegativeZero) {
+TEST(Number_types, to_interval_has_no_negative_zero) {
   const Double_interval interval = to_interval(scaled_by_power_of_two(-1, -5000));
   EXPECT_EQ(interval.upper, 0.0);
   EXPECT_FALSE(std::signbit(interval.upper));
 }
 
-TEST(NumberTypes, ToDoubleOfARandomRationalIsTheNearerNeighbour) {
+TEST(Number_types, to_double_of_a_random_rational_is_the_nearer_neighbour) {
   for (unsigned long seed = 0; seed < test::scaled_count(20000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -150,7 +150,7 @@ TEST(NumberTypes, ToDoubleOfARandomRationalIsTheNearerNeighbour) {
   }
 }
 
-TEST(NumberTypes, ToDoubleOfATieIsTheEvenNeighbour) {
+TEST(Number_types, to_double_of_a_tie_is_the_even_neighbour) {
   Random random(3);
   for (unsigned long i = 0; i < test::scaled_count(20000); ++i) {
     // All of the range, with as many subnormals as others.
@@ -168,7 +168,7 @@ TEST(NumberTypes, ToDoubleOfATieIsTheEvenNeighbour) {
   }
 }
 
-TEST(NumberTypes, ToDoubleNearOverflowFollowsIeee754) {
+TEST(Number_types, to_double_near_overflow_follows_ieee754) {
   const Rational halfway = scaled_by_power_of_two(1, 1024) - scaled_by_power_of_two(1, 970);
   EXPECT_EQ(to_double(halfway), infinity);
   EXPECT_EQ(to_double(-halfway), -infinity);
@@ -177,14 +177,14 @@ TEST(NumberTypes, ToDoubleNearOverflowFollowsIeee754) {
   EXPECT_EQ(to_double(scaled_by_power_of_two(-1, 5000)), -infinity);
 }
 
-TEST(NumberTypes, ToDoubleBelowTheSmallestNumberRoundsToZeroOrToIt) {
+TEST(Number_types, to_double_below_the_smallest_number_rounds_to_zero_or_to_it) {
   EXPECT_EQ(to_double(scaled_by_power_of_two(1, -1075)), 0.0);
   EXPECT_EQ(to_double(scaled_by_power_of_two(3, -1076)), smallest);
   EXPECT_EQ(to_double(scaled_by_power_of_two(3, -1075)), 2 * smallest);
   EXPECT_EQ(to_double(scaled_by_power_of_two(1, -9000)), 0.0);
 }
 
-TEST(NumberTypes, ScaledByPowerOfTwoIsExactBothWays) {
+TEST(Number_types, scaled_by_power_of_two_is_exact_both_ways) {
   EXPECT_EQ(scaled_by_power_of_two(Rational(3, 8), 5), Rational(12));
   EXPECT_EQ(scaled_by_power_of_two(Rational(12), -5), Rational(3, 8));
   EXPECT_EQ(scaled_by_power_of_two(Rational(-7, 3), 0), Rational(-7, 3));

@@ -54,7 +54,7 @@ std::vector<Rational> rational_remainder(const Polynomial& a, const Polynomial& 
 
 // --- Representation -----------------------------------------------------------------------------
 
-TEST(Polynomial, ZerosAtTheHighEndAreDropped) {
+TEST(Polynomial, zeros_at_the_high_end_are_dropped) {
   EXPECT_EQ((Polynomial{1, 2, 0, 0}), (Polynomial{1, 2}));
   EXPECT_EQ((Polynomial{1, 2, 0, 0}).degree(), 1);
   EXPECT_TRUE((Polynomial{0, 0}).is_zero());
@@ -63,7 +63,7 @@ TEST(Polynomial, ZerosAtTheHighEndAreDropped) {
   EXPECT_EQ(Polynomial().degree(), -1);
 }
 
-TEST(Polynomial, SumsThatCancelLoseTheirDegree) {
+TEST(Polynomial, sums_that_cancel_lose_their_degree) {
   const Polynomial p{1, 2, 3};
   EXPECT_EQ(p - p, Polynomial());
   EXPECT_EQ((p + Polynomial{0, 0, -3}), (Polynomial{1, 2}));
@@ -72,7 +72,7 @@ TEST(Polynomial, SumsThatCancelLoseTheirDegree) {
   EXPECT_EQ(p * Polynomial(), Polynomial());
 }
 
-TEST(Polynomial, PrintingIsReadable) {
+TEST(Polynomial, printing_is_readable) {
   const auto text = [](const Polynomial& p) {
     std::ostringstream out;
     out << p;
@@ -89,7 +89,7 @@ TEST(Polynomial, PrintingIsReadable) {
 // --- Values and signs
 // -----------------------------------------------------------------------------
 
-TEST(Polynomial, ValueAndSignOfARandomPolynomialAgreeWithPowers) {
+TEST(Polynomial, value_and_sign_of_a_random_polynomial_agree_with_powers) {
   for (unsigned long seed = 0; seed < test::scaled_count(3000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -103,7 +103,7 @@ TEST(Polynomial, ValueAndSignOfARandomPolynomialAgreeWithPowers) {
   }
 }
 
-TEST(Polynomial, SignAtARootIsZeroForEveryKindOfDenominator) {
+TEST(Polynomial, sign_at_a_root_is_zero_for_every_kind_of_denominator) {
   for (const Rational& root : {Rational(0), Rational(7), Rational(-7), Rational(5, 8),
                                Rational(-3, 1024), Rational(2, 3), Rational(-10, 7)}) {
     const Polynomial p = test::linear_factor(root) * Polynomial{3, 1, 4, 1, 5};
@@ -113,14 +113,14 @@ TEST(Polynomial, SignAtARootIsZeroForEveryKindOfDenominator) {
   }
 }
 
-TEST(Polynomial, ValueAndSignOfZeroAndConstants) {
+TEST(Polynomial, value_and_sign_of_zero_and_constants) {
   EXPECT_EQ(Polynomial()(Rational(3, 4)), Rational(0));
   EXPECT_EQ(Polynomial().sign_at(Rational(3, 4)), CGAL::ZERO);
   EXPECT_EQ((Polynomial{-4})(Rational(3, 4)), Rational(-4));
   EXPECT_EQ((Polynomial{-4}).sign_at(Rational(3, 4)), CGAL::NEGATIVE);
 }
 
-TEST(Polynomial, SignAtInfinityIsTheSignFarOut) {
+TEST(Polynomial, sign_at_infinity_is_the_sign_far_out) {
   for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -133,7 +133,7 @@ TEST(Polynomial, SignAtInfinityIsTheSignFarOut) {
   EXPECT_EQ(Polynomial().sign_at_minus_infinity(), CGAL::ZERO);
 }
 
-TEST(Polynomial, SignOnAnIntervalHoldsAtEveryPointOfIt) {
+TEST(Polynomial, sign_on_an_interval_holds_at_every_point_of_it) {
   unsigned long decided = 0;
   const unsigned long cases = test::scaled_count(5000);
   for (unsigned long seed = 0; seed < cases; ++seed) {
@@ -154,7 +154,7 @@ TEST(Polynomial, SignOnAnIntervalHoldsAtEveryPointOfIt) {
   EXPECT_GT(decided, cases / 4) << "the test tests nothing";
 }
 
-TEST(Polynomial, SignOnAShrinkingIntervalDecidesUnlessItIsARoot) {
+TEST(Polynomial, sign_on_a_shrinking_interval_decides_unless_it_is_a_root) {
   const Polynomial p = test::quadratic_factor(1, 2) * test::linear_factor(Rational(-5, 3));
   for (const Rational& t :
        {Rational(1), Rational(0), Rational(-4), Rational(5, 2), Rational(-5, 3)}) {
@@ -177,7 +177,7 @@ TEST(Polynomial, SignOnAShrinkingIntervalDecidesUnlessItIsARoot) {
 // --- Arithmetic
 // -----------------------------------------------------------------------------------
 
-TEST(Polynomial, ArithmeticAgreesWithArithmeticOfValues) {
+TEST(Polynomial, arithmetic_agrees_with_arithmetic_of_values) {
   for (unsigned long seed = 0; seed < test::scaled_count(1000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -194,7 +194,7 @@ TEST(Polynomial, ArithmeticAgreesWithArithmeticOfValues) {
   }
 }
 
-TEST(Polynomial, ArithmeticWithItselfOrItsOwnCoefficientIsRight) {
+TEST(Polynomial, arithmetic_with_itself_or_its_own_coefficient_is_right) {
   Polynomial p{2, 3, 5};
   p *= p[0];
   EXPECT_EQ(p, (Polynomial{4, 6, 10}));
@@ -205,7 +205,7 @@ TEST(Polynomial, ArithmeticWithItselfOrItsOwnCoefficientIsRight) {
   EXPECT_TRUE(p.is_zero());
 }
 
-TEST(Polynomial, DerivativeOfPowersAndConstants) {
+TEST(Polynomial, derivative_of_powers_and_constants) {
   EXPECT_EQ(derivative(Polynomial()), Polynomial());
   EXPECT_EQ(derivative(Polynomial{7}), Polynomial());
   EXPECT_EQ(derivative(Polynomial{7, 5, 3, 1}), (Polynomial{5, 6, 3}));
@@ -214,7 +214,7 @@ TEST(Polynomial, DerivativeOfPowersAndConstants) {
 // --- Content
 // --------------------------------------------------------------------------------------
 
-TEST(Polynomial, ContentIsThePositiveGcdOfTheCoefficients) {
+TEST(Polynomial, content_is_the_positive_gcd_of_the_coefficients) {
   EXPECT_EQ(content(Polynomial()), Integer(0));
   EXPECT_EQ(content(Polynomial{-6}), Integer(6));
   EXPECT_EQ(content(Polynomial{-6, 0, -9}), Integer(3));
@@ -224,7 +224,7 @@ TEST(Polynomial, ContentIsThePositiveGcdOfTheCoefficients) {
   EXPECT_EQ(primitive_part(Polynomial{-6}), (Polynomial{-1}));
 }
 
-TEST(Polynomial, PrimitivePolynomialIsAPositiveMultiple) {
+TEST(Polynomial, primitive_polynomial_is_a_positive_multiple) {
   EXPECT_EQ(primitive_polynomial(std::vector<Rational>{Rational(1, 2), Rational(-3, 4)}),
             (Polynomial{2, -3}));
   EXPECT_EQ(primitive_polynomial(std::vector<Rational>{6, 0, Rational(-9), 0}),
@@ -251,7 +251,7 @@ TEST(Polynomial, PrimitivePolynomialIsAPositiveMultiple) {
 // --- Division
 // -------------------------------------------------------------------------------------
 
-TEST(Polynomial, PseudoRemainderIsAPositiveMultipleOfTheRemainder) {
+TEST(Polynomial, pseudo_remainder_is_a_positive_multiple_of_the_remainder) {
   for (unsigned long seed = 0; seed < test::scaled_count(3000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -264,13 +264,13 @@ TEST(Polynomial, PseudoRemainderIsAPositiveMultipleOfTheRemainder) {
   }
 }
 
-TEST(Polynomial, PseudoRemainderWithZeroIsZeroOrRefused) {
+TEST(Polynomial, pseudo_remainder_with_zero_is_zero_or_refused) {
   EXPECT_EQ(positive_pseudo_remainder(Polynomial(), Polynomial{1, 1}), Polynomial());
   EXPECT_PRECONDITION_ERROR(positive_pseudo_remainder(Polynomial{1}, Polynomial()),
                             "the divisor is zero");
 }
 
-TEST(Polynomial, ExactQuotientUndoesAProduct) {
+TEST(Polynomial, exact_quotient_undoes_a_product) {
   for (unsigned long seed = 0; seed < test::scaled_count(1000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -282,7 +282,7 @@ TEST(Polynomial, ExactQuotientUndoesAProduct) {
   EXPECT_EQ(exact_quotient(Polynomial(), Polynomial{1, 1}), Polynomial());
 }
 
-TEST(Polynomial, ExactQuotientByANonDivisorIsRefused) {
+TEST(Polynomial, exact_quotient_by_a_non_divisor_is_refused) {
   EXPECT_PRECONDITION_ERROR(exact_quotient(Polynomial{1, 0, 1}, Polynomial{1, 1}),
                             "the divisor leaves a remainder");
   EXPECT_PRECONDITION_ERROR(exact_quotient(Polynomial{1, 1}, Polynomial{1, 0, 1}),
@@ -307,7 +307,7 @@ std::vector<Polynomial> coprime_factors() {
   return result;
 }
 
-TEST(Polynomial, GcdOfProductsIsTheProductOfTheCommonFactors) {
+TEST(Polynomial, gcd_of_products_is_the_product_of_the_common_factors) {
   const std::vector<Polynomial> factors = coprime_factors();
   for (unsigned long seed = 0; seed < test::scaled_count(1500); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -327,19 +327,19 @@ TEST(Polynomial, GcdOfProductsIsTheProductOfTheCommonFactors) {
   }
 }
 
-TEST(Polynomial, GcdWithZeroIsThePrimitivePartWithPositiveLead) {
+TEST(Polynomial, gcd_with_zero_is_the_primitive_part_with_positive_lead) {
   EXPECT_EQ(gcd(Polynomial(), Polynomial()), Polynomial());
   EXPECT_EQ(gcd(Polynomial{4, -6}, Polynomial()), (Polynomial{-2, 3}));
   EXPECT_EQ(gcd(Polynomial(), Polynomial{4, -6}), (Polynomial{-2, 3}));
   EXPECT_EQ(gcd(Polynomial(), Polynomial{-6}), (Polynomial{1}));
 }
 
-TEST(Polynomial, GcdWithAConstantIsOne) {
+TEST(Polynomial, gcd_with_a_constant_is_one) {
   EXPECT_EQ(gcd(Polynomial{12}, Polynomial{18}), (Polynomial{1}));
   EXPECT_EQ(gcd(Polynomial{12}, Polynomial{0, 18}), (Polynomial{1}));
 }
 
-TEST(Polynomial, GcdIsNotMisledByTheModulus) {
+TEST(Polynomial, gcd_is_not_misled_by_the_modulus) {
   // Equal modulo the prime, coprime over the integers.
   EXPECT_EQ(gcd(Polynomial{1, 1}, Polynomial{modulus + 1, 1}), (Polynomial{1}));
   // The common factor is a constant modulo the prime: only the leading coefficients tell.
@@ -353,7 +353,7 @@ TEST(Polynomial, GcdIsNotMisledByTheModulus) {
 
 // --- Multiplicities ---------------------------------------------------------------------------
 
-TEST(Polynomial, SquareFreeDecompositionGivesTheMultiplicitiesOfTheConstruction) {
+TEST(Polynomial, square_free_decomposition_gives_the_multiplicities_of_the_construction) {
   const std::vector<Polynomial> factors = coprime_factors();
   for (unsigned long seed = 0; seed < test::scaled_count(300); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -385,7 +385,7 @@ TEST(Polynomial, SquareFreeDecompositionGivesTheMultiplicitiesOfTheConstruction)
   }
 }
 
-TEST(Polynomial, OddPartHasTheSignOfThePolynomialWhereThatIsNotZero) {
+TEST(Polynomial, odd_part_has_the_sign_of_the_polynomial_where_that_is_not_zero) {
   for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -401,13 +401,13 @@ TEST(Polynomial, OddPartHasTheSignOfThePolynomialWhereThatIsNotZero) {
   }
 }
 
-TEST(Polynomial, MultiplicitiesOfConstantsAreNone) {
+TEST(Polynomial, multiplicities_of_constants_are_none) {
   EXPECT_TRUE(square_free_decomposition(Polynomial{-6}).empty());
   EXPECT_EQ(square_free_part(Polynomial{-6}), (Polynomial{-1}));
   EXPECT_EQ(odd_part(Polynomial{-6}), (Polynomial{-1}));
 }
 
-TEST(Polynomial, MultiplicitiesOfZeroAreRefused) {
+TEST(Polynomial, multiplicities_of_zero_are_refused) {
   EXPECT_PRECONDITION_ERROR(square_free_part(Polynomial()),
                             "every number is a root of the zero polynomial");
   EXPECT_PRECONDITION_ERROR(square_free_decomposition(Polynomial()),

@@ -58,7 +58,7 @@ testing::AssertionResult is_isolated(const Algebraic_number& number) {
 // --- All roots
 // ------------------------------------------------------------------------------------
 
-TEST(RealRoots, OfAPolynomialBuiltFromRootsAreThoseInOrder) {
+TEST(Real_roots, of_a_polynomial_built_from_roots_are_those_in_order) {
   for (unsigned long seed = 0; seed < test::scaled_count(1500); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -69,7 +69,7 @@ TEST(RealRoots, OfAPolynomialBuiltFromRootsAreThoseInOrder) {
   }
 }
 
-TEST(RealRoots, OfHugeAndTinyMagnitudeAreFound) {
+TEST(Real_roots, of_huge_and_tiny_magnitude_are_found) {
   for (unsigned long seed = 0; seed < test::scaled_count(40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -90,7 +90,7 @@ TEST(RealRoots, OfHugeAndTinyMagnitudeAreFound) {
   }
 }
 
-TEST(RealRoots, ThatAreVeryCloseAreTold) {
+TEST(Real_roots, that_are_very_close_are_told) {
   for (unsigned long seed = 0; seed < test::scaled_count(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -109,7 +109,7 @@ TEST(RealRoots, ThatAreVeryCloseAreTold) {
   }
 }
 
-TEST(RealRoots, AtPowersOfTwoAndOnTheBoundOfTheRootsAreFound) {
+TEST(Real_roots, at_powers_of_two_and_on_the_bound_of_the_roots_are_found) {
   for (const long exponent : {-3L, -1L, 0L, 1L, 2L, 7L}) {
     for (const int degree : {1, 2, 3, 4, 5}) {
       // t^degree - 2^(exponent degree)
@@ -123,7 +123,7 @@ TEST(RealRoots, AtPowersOfTwoAndOnTheBoundOfTheRootsAreFound) {
   }
 }
 
-TEST(RealRoots, OfConstantsAreNoneAndOfZeroRefused) {
+TEST(Real_roots, of_constants_are_none_and_of_zero_refused) {
   EXPECT_TRUE(real_roots(Polynomial{-3}).empty());
   EXPECT_TRUE(real_roots(Polynomial{1, 0, 1}).empty());
   EXPECT_PRECONDITION_ERROR(real_roots(Polynomial()),
@@ -189,7 +189,7 @@ std::vector<Time> interesting_times(const Known_polynomial& p, Random& random) {
   return result;
 }
 
-TEST(FirstRootAfter, ATimeIsTheNextRootByConstruction) {
+TEST(First_root_after, a_time_is_the_next_root_by_construction) {
   for (unsigned long seed = 0; seed < test::scaled_count(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -209,7 +209,7 @@ TEST(FirstRootAfter, ATimeIsTheNextRootByConstruction) {
   }
 }
 
-TEST(FirstRootAfter, ManyRootsOfAllSizesVisitsThemInTurn) {
+TEST(First_root_after, many_roots_of_all_sizes_visits_them_in_turn) {
   for (unsigned long seed = 0; seed < test::scaled_count(15); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -226,7 +226,7 @@ TEST(FirstRootAfter, ManyRootsOfAllSizesVisitsThemInTurn) {
   }
 }
 
-TEST(FirstRootAfter, ZeroPolynomialIsRefused) {
+TEST(First_root_after, zero_polynomial_is_refused) {
   EXPECT_PRECONDITION_ERROR(first_root_after(Polynomial(), Algebraic_number()),
                             "every number is a root of the zero polynomial");
 }
@@ -234,7 +234,7 @@ TEST(FirstRootAfter, ZeroPolynomialIsRefused) {
 // --- Failure times
 // ----------------------------------------------------------------------------------
 
-TEST(FailureTime, IsTheInfimumOfTheTimesOfNegativeValues) {
+TEST(Failure_time, is_the_infimum_of_the_times_of_negative_values) {
   std::array<unsigned long, 3> outcomes = {};
   for (unsigned long seed = 0; seed < test::scaled_count(600); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -276,13 +276,13 @@ TEST(FailureTime, IsTheInfimumOfTheTimesOfNegativeValues) {
   for (const unsigned long count : outcomes) EXPECT_GT(count, 100U) << "a case is hardly tested";
 }
 
-TEST(FailureTime, OfZeroAndOfConstants) {
+TEST(Failure_time, of_zero_and_of_constants) {
   EXPECT_EQ(failure_time(Polynomial(), Algebraic_number(3.0)), std::nullopt);
   EXPECT_EQ(failure_time(Polynomial{2}, Algebraic_number(3.0)), std::nullopt);
   EXPECT_EQ(failure_time(Polynomial{-2}, Algebraic_number(3.0)), Algebraic_number(3.0));
 }
 
-TEST(FailureTime, ATouchIsNoFailure) {
+TEST(Failure_time, a_touch_is_no_failure) {
   const Polynomial touch = Polynomial{1, -2, 1};  // (t - 1)^2
   EXPECT_EQ(failure_time(touch, Algebraic_number(0.0)), std::nullopt);
   EXPECT_EQ(failure_time(touch, Algebraic_number(1.0)), std::nullopt);
@@ -291,20 +291,20 @@ TEST(FailureTime, ATouchIsNoFailure) {
             std::nullopt);
 }
 
-TEST(FailureTime, ATripleRootIsAFailure) {
+TEST(Failure_time, a_triple_root_is_a_failure) {
   const Polynomial triple = Polynomial{1, -1} * Polynomial{1, -1} * Polynomial{1, -1};
   EXPECT_EQ(failure_time(triple, Algebraic_number(0.0)), Algebraic_number(1.0));
   EXPECT_EQ(failure_time(-triple, Algebraic_number(1.0)), std::nullopt);
   EXPECT_EQ(failure_time(triple, Algebraic_number(1.0)), Algebraic_number(1.0));
 }
 
-TEST(FailureTime, AtADoubleRootFromAboveIsTheRootItself) {
+TEST(Failure_time, at_a_double_root_from_above_is_the_root_itself) {
   const Polynomial p = -(Polynomial{1, -2, 1});
   EXPECT_EQ(failure_time(p, Algebraic_number(1.0)), Algebraic_number(1.0));
   EXPECT_EQ(failure_time(p, Algebraic_number(0.5)), Algebraic_number(0.5));
 }
 
-TEST(FailureTime, AfterAFlipIsTheNextRootOfMinusThePolynomial) {
+TEST(Failure_time, after_a_flip_is_the_next_root_of_minus_the_polynomial) {
   // Roots -sqrt(7), -sqrt(2), sqrt(2), sqrt(7): the certificate changes hands at each.
   Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-7, 0, 1};
   std::optional<Algebraic_number> t = Algebraic_number(-10.0);
@@ -316,7 +316,7 @@ TEST(FailureTime, AfterAFlipIsTheNextRootOfMinusThePolynomial) {
   EXPECT_EQ(flips, 4);
 }
 
-TEST(FailureTime, ARootInsideTheIsolatingIntervalOfTheTimeIsNotOverlooked) {
+TEST(Failure_time, a_root_inside_the_isolating_interval_of_the_time_is_not_overlooked) {
   // The time is a root of p and of another polynomial; the next root of p is closer to it than the
   // ends of its interval, for all that the sign of p at the time makes it shrink.
   for (const long distance : {3L, 30L, 60L, 200L}) {
@@ -352,7 +352,7 @@ TEST(FailureTime, ARootInsideTheIsolatingIntervalOfTheTimeIsNotOverlooked) {
   }
 }
 
-TEST(FailureTime, MayBeAskedForWithThePolynomialOfTheTimeItself) {
+TEST(Failure_time, may_be_asked_for_with_the_polynomial_of_the_time_itself) {
   const Polynomial p = Polynomial{-2, 0, 1} * Polynomial{-7, 0, 1};
   const Algebraic_number t(p, 1, 2);
   // The argument is a reference into the number, whose polynomial may be replaced on the way.
@@ -385,7 +385,7 @@ Known_polynomial random_pattern(Random& random, int degree) {
   return p;
 }
 
-TEST(RealRoots, OfCubicsOfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
+TEST(Real_roots, of_cubics_of_every_pattern_of_multiplicities_are_the_true_ones) {
   for (unsigned long seed = 0; seed < test::scaled_count(1000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -394,7 +394,7 @@ TEST(RealRoots, OfCubicsOfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
   }
 }
 
-TEST(RealRoots, OfQuarticsOfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
+TEST(Real_roots, of_quartics_of_every_pattern_of_multiplicities_are_the_true_ones) {
   for (unsigned long seed = 0; seed < test::scaled_count(2000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -403,7 +403,7 @@ TEST(RealRoots, OfQuarticsOfEveryPatternOfMultiplicitiesAreTheTrueOnes) {
   }
 }
 
-TEST(RealRoots, OfSquaresOfQuadraticsAreIrrationalOrNone) {
+TEST(Real_roots, of_squares_of_quadratics_are_irrational_or_none) {
   const std::vector<Real_root> real = real_roots(Polynomial{4, 0, -4, 0, 1});
   ASSERT_EQ(real.size(), 2U);
   EXPECT_EQ(real[0].multiplicity, 2);

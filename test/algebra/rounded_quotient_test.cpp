@@ -26,14 +26,14 @@ Algebraic_number disguised(const Integer& n, const Integer& d) {
   return {Polynomial{-n, d} * Polynomial{1, 0, 1}, Rational(value - 1), Rational(value + 1)};
 }
 
-TEST(RoundedQuotient, AtARationalNumberIsThatOfTheValues) {
+TEST(Rounded_quotient, at_a_rational_number_is_that_of_the_values) {
   const Polynomial p{1, 2, 3};
   const Polynomial q{-7, 5};
   EXPECT_EQ(rounded_quotient(p, q, Rational(1, 3)), to_double(Rational(2) / Rational(-16, 3)));
   EXPECT_EQ(rounded_quotient(p, q, 2.0), 17.0 / 3.0);
 }
 
-TEST(RoundedQuotient, OfAZeroIsZeroAndByAZeroIsRefused) {
+TEST(Rounded_quotient, of_a_zero_is_zero_and_by_a_zero_is_refused) {
   EXPECT_EQ(rounded_quotient(Polynomial{-2, 0, 1}, Polynomial{1, 1}, square_root(2)), 0.0);
   EXPECT_EQ(rounded_quotient(Polynomial(), Polynomial{1}, square_root(2)), 0.0);
   EXPECT_PRECONDITION_ERROR(rounded_quotient(Polynomial{1}, Polynomial{-2, 0, 1}, square_root(2)),
@@ -41,7 +41,7 @@ TEST(RoundedQuotient, OfAZeroIsZeroAndByAZeroIsRefused) {
 }
 
 // The square root of an integer is rounded correctly by IEEE 754.
-TEST(RoundedQuotient, OfASquareRootIsTheCorrectlyRoundedOne) {
+TEST(Rounded_quotient, of_a_square_root_is_the_correctly_rounded_one) {
   for (const int radicand : {2, 3, 5, 6, 7, 10, 99, 123457}) {
     const Algebraic_number root = square_root(radicand);
     EXPECT_EQ(rounded_quotient(Polynomial{0, 1}, Polynomial{1}, root), std::sqrt(radicand));
@@ -53,7 +53,7 @@ TEST(RoundedQuotient, OfASquareRootIsTheCorrectlyRoundedOne) {
 
 // A quotient that is exactly a binary64 number, or exactly between two, is on the border of every
 // interval around it, however narrow.
-TEST(RoundedQuotient, OnTheMiddleOfTwoNumbersGoesToTheEvenOne) {
+TEST(Rounded_quotient, on_the_middle_of_two_numbers_goes_to_the_even_one) {
   const Integer unit = Integer(1) << 52;
   const Algebraic_number root = square_root(2);
   for (const int odd : {1, 3, 5, 7}) {
@@ -73,7 +73,7 @@ TEST(RoundedQuotient, OnTheMiddleOfTwoNumbersGoesToTheEvenOne) {
 }
 
 // Just above or below the middle: 2^200 times nearer than the intervals begin with.
-TEST(RoundedQuotient, NearTheMiddleIsDecidedExactly) {
+TEST(Rounded_quotient, near_the_middle_is_decided_exactly) {
   const Integer unit = Integer(1) << 53;
   const Integer large = Integer(1) << 260;
   const Algebraic_number root = square_root(2);
@@ -87,7 +87,7 @@ TEST(RoundedQuotient, NearTheMiddleIsDecidedExactly) {
   }
 }
 
-TEST(RoundedQuotient, BeyondTheLargestNumberIsInfinite) {
+TEST(Rounded_quotient, beyond_the_largest_number_is_infinite) {
   const Algebraic_number root = square_root(2);
   const Integer bound = (Integer(1) << 1024) - (Integer(1) << 970);  // rounds up, to even
   const Integer small = Integer(1) << 20;
@@ -101,7 +101,7 @@ TEST(RoundedQuotient, BeyondTheLargestNumberIsInfinite) {
   EXPECT_EQ(rounded_quotient(Polynomial{1}, Polynomial{0, Integer(1) << 1080}, root), 0.0);
 }
 
-TEST(RoundedQuotient, DoesNotDependOnWhatIsKnownOfTheNumber) {
+TEST(Rounded_quotient, does_not_depend_on_what_is_known_of_the_number) {
   std::mt19937_64 random(11);
   std::uniform_int_distribution<int> small(-50, 50);
   for (int i = 0; i < 300; ++i) {

@@ -85,7 +85,7 @@ void for_intervals(const std::vector<Rational>& points, Random& random, int pair
 // --- Counting
 // -------------------------------------------------------------------------------------
 
-TEST(SturmCount, OfAPolynomialBuiltFromRootsIsTheirNumberInEveryInterval) {
+TEST(Sturm_count, of_a_polynomial_built_from_roots_is_their_number_in_every_interval) {
   for (unsigned long seed = 0; seed < test::scaled_count(800); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -99,7 +99,7 @@ TEST(SturmCount, OfAPolynomialBuiltFromRootsIsTheirNumberInEveryInterval) {
   }
 }
 
-TEST(SturmCount, IsRightForCoefficientsOfHugeAndTinyMagnitude) {
+TEST(Sturm_count, is_right_for_coefficients_of_huge_and_tiny_magnitude) {
   for (unsigned long seed = 0; seed < test::scaled_count(300); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -118,7 +118,7 @@ TEST(SturmCount, IsRightForCoefficientsOfHugeAndTinyMagnitude) {
   }
 }
 
-TEST(SturmCount, AtADoubleRootDoesNotLoseIt) {
+TEST(Sturm_count, at_a_double_root_does_not_lose_it) {
   // All the undivided terms vanish at 1, so that V(1) of the undivided sequence is 0.
   const Sturm_sequence sequence(Polynomial{1, -2, 1} * Polynomial{-3, 1});
   EXPECT_EQ(sequence.count(), 2);
@@ -132,7 +132,7 @@ TEST(SturmCount, AtADoubleRootDoesNotLoseIt) {
   EXPECT_EQ(sequence.count(std::nullopt, Interval_end{1, false}), 0);
 }
 
-TEST(SturmCount, OfAPointIsOneAtARootAndAnEmptyIntervalHasNone) {
+TEST(Sturm_count, of_a_point_is_one_at_a_root_and_an_empty_interval_has_none) {
   const Sturm_sequence sequence(Polynomial{-1, 0, 1});
   EXPECT_EQ(sequence.count(Interval_end{1, true}, Interval_end{1, true}), 1);
   EXPECT_EQ(sequence.count(Interval_end{1, true}, Interval_end{1, false}), 0);
@@ -141,7 +141,7 @@ TEST(SturmCount, OfAPointIsOneAtARootAndAnEmptyIntervalHasNone) {
   EXPECT_EQ(sequence.count(Interval_end{0, true}, Interval_end{0, true}), 0);
 }
 
-TEST(SturmCount, OfConstantsAndLinesIsRight) {
+TEST(Sturm_count, of_constants_and_lines_is_right) {
   EXPECT_EQ(Sturm_sequence(Polynomial{5}).count(), 0);
   EXPECT_EQ(Sturm_sequence(Polynomial{-5}).count(Interval_end{0, true}, Interval_end{1, true}), 0);
   EXPECT_EQ(Sturm_sequence(Polynomial{5, -2}).count(), 1);
@@ -149,7 +149,7 @@ TEST(SturmCount, OfConstantsAndLinesIsRight) {
   EXPECT_EQ(Sturm_sequence(Polynomial{5, -2}).count(Interval_end{Rational(5, 2), true}), 1);
 }
 
-TEST(SturmCount, OfPowersOfIrrationalOrComplexPairsCountsDistinctRealRoots) {
+TEST(Sturm_count, of_powers_of_irrational_or_complex_pairs_counts_distinct_real_roots) {
   Polynomial real{1};
   Polynomial complex{1};
   for (int power = 1; power <= 4; ++power) {
@@ -162,7 +162,7 @@ TEST(SturmCount, OfPowersOfIrrationalOrComplexPairsCountsDistinctRealRoots) {
   }
 }
 
-TEST(SturmSequence, PreconditionsAreChecked) {
+TEST(Sturm_sequence, preconditions_are_checked) {
   EXPECT_PRECONDITION_ERROR(Sturm_sequence{Polynomial()},
                             "the zero polynomial has no Sturm sequence");
   const Sturm_sequence sequence(Polynomial{-1, 0, 1});
@@ -173,7 +173,7 @@ TEST(SturmSequence, PreconditionsAreChecked) {
 // --- Terms
 // ------------------------------------------------------------------------------------------
 
-TEST(SturmSequence, TermsArePrimitiveNegatedRemaindersThatEndWithTheGcd) {
+TEST(Sturm_sequence, terms_are_primitive_negated_remainders_that_end_with_the_gcd) {
   for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -199,7 +199,7 @@ TEST(SturmSequence, TermsArePrimitiveNegatedRemaindersThatEndWithTheGcd) {
   }
 }
 
-TEST(SturmSequence, SignChangesIgnoreZerosAndPositiveFactors) {
+TEST(Sturm_sequence, sign_changes_ignore_zeros_and_positive_factors) {
   // t^3 - t, 3 t^2 - 1, 2 t, 1 up to positive factors.
   const Sturm_sequence sequence(Polynomial{0, -7, 0, 7});
   EXPECT_EQ(sequence.sign_changes_at_minus_infinity(), 3);

@@ -39,7 +39,7 @@ bool gnuplot_is_there() {
   return std::system("gnuplot --version >/dev/null 2>&1") == 0;  // NOLINT(cert-env33-c)
 }
 
-TEST_F(Experiment, WritesARowForEachShareAndSeed) {
+TEST_F(Experiment, writes_a_row_for_each_share_and_seed) {
   const Outcome outcome = experiment({"--output", "results/now", "--no-plots", "--compare"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("20 points, 22 runs"), std::string::npos) << outcome.err;
@@ -61,7 +61,7 @@ TEST_F(Experiment, WritesARowForEachShareAndSeed) {
   EXPECT_EQ(comparisons[1][0], "0.1");
 }
 
-TEST_F(Experiment, DrawsPlotsInBothFormats) {
+TEST_F(Experiment, draws_plots_in_both_formats) {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   const Outcome outcome = experiment({"--output", "results", "--compare", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -76,7 +76,7 @@ TEST_F(Experiment, DrawsPlotsInBothFormats) {
   EXPECT_NE(read("results/events.svg").find("collisions, discarded"), std::string::npos);
 }
 
-TEST_F(Experiment, RunsASingleOne) {
+TEST_F(Experiment, runs_a_single_one) {
   const Arguments one = {"experiment", "--points", "20",       "--until", "4",  "--single",
                          "50",         "--seed",   "3",        "--stats", "s",  "--events",
                          "e",          "--html",   "run.html", "--audit", "end"};
@@ -102,7 +102,7 @@ TEST_F(Experiment, RunsASingleOne) {
   EXPECT_NE(read("run.html").find("experiment: 20 points, 50 % moving, seed 3"), std::string::npos);
 }
 
-TEST_F(Experiment, NeedsNoGnuplotForTables) {
+TEST_F(Experiment, needs_no_gnuplot_for_tables) {
   test::Process_input input;
   input.environment = {"PATH=/nowhere"};
   const Arguments arguments = {"experiment", "--output", "r", "--points",

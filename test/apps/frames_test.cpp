@@ -71,7 +71,7 @@ class Frames : public test::Program_test {
 
 // ---- what a run gives ----
 
-TEST_F(Frames, AreTheTriangulationJustAfterEachTime) {
+TEST_F(Frames, are_the_triangulation_just_after_each_time) {
   const Outcome outcome = simulate(one_flip, {"--until", "3", "--frames", "f", "--fps", "2"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
@@ -99,7 +99,7 @@ TEST_F(Frames, AreTheTriangulationJustAfterEachTime) {
   EXPECT_NE(read("f/frame_000002.svg").find("d=\"M472 696L24 248\""), std::string::npos);
 }
 
-TEST_F(Frames, AreAHundredAndOneWithoutARate) {
+TEST_F(Frames, are_a_hundred_and_one_without_a_rate) {
   EXPECT_EQ(simulate(one_flip, {"--from", "-1", "--until", "9", "--frames", "f"}).exit_code, 0);
   const std::vector<std::string> all = times("f");
   ASSERT_EQ(all.size(), 101U);
@@ -108,7 +108,7 @@ TEST_F(Frames, AreAHundredAndOneWithoutARate) {
   EXPECT_EQ(all[100], "9");
 }
 
-TEST_F(Frames, OfARunOfNoLengthAreOne) {
+TEST_F(Frames, of_a_run_of_no_length_are_one) {
   EXPECT_EQ(
       simulate(one_flip, {"--from", "2", "--until", "2", "--frames", "f", "--vtu", "v"}).exit_code,
       0);
@@ -116,7 +116,7 @@ TEST_F(Frames, OfARunOfNoLengthAreOne) {
   EXPECT_EQ(entries_of("v"), (Entries{"frame_000000.vtu", "frames.pvd"}));
 }
 
-TEST_F(Frames, OfFewPointsWork) {
+TEST_F(Frames, of_few_points_work) {
   for (const char* rows : {"", "1,2,3,4\n", "1,2,3,4\n5,6,7,8\n", "0,0,0,0\n1,1,0,0\n2,2,0,0\n"}) {
     const Outcome outcome = simulate(std::string("x,y,vx,vy\n") + rows,
                                      {"--until", "1", "--fps", "1", "--frames", "f", "--vtu", "v"});
@@ -128,7 +128,7 @@ TEST_F(Frames, OfFewPointsWork) {
   }
 }
 
-TEST_F(Frames, ShowBoxAndDiscs) {
+TEST_F(Frames, show_box_and_discs) {
   const Outcome outcome =
       simulate("x,y,vx,vy\n0,0,1,0\n5,0,0,0\n0,9,0,0\n",
                {"--until", "9", "--box", "-2,-2,9,10", "--collisions", "remove", "--radius", "1",
@@ -144,7 +144,7 @@ TEST_F(Frames, ShowBoxAndDiscs) {
   EXPECT_NE(read("v/frame_000002.vtu").find("Name=\"radius\""), std::string::npos);
 }
 
-TEST_F(Frames, HaveASeriesForParaView) {
+TEST_F(Frames, have_a_series_for_para_view) {
   EXPECT_EQ(simulate(one_flip, {"--until", "0.3", "--vtu", "v/", "--fps", "10"}).exit_code, 0);
   EXPECT_EQ(entries_of("v"), (Entries{"frame_000000.vtu", "frame_000001.vtu", "frame_000002.vtu",
                                       "frame_000003.vtu", "frames.pvd"}));
@@ -156,7 +156,7 @@ TEST_F(Frames, HaveASeriesForParaView) {
 }
 
 // Stops at frames and samples are no events.
-TEST_F(Frames, ChangeNothingOfTheRun) {
+TEST_F(Frames, change_nothing_of_the_run) {
   const std::string discs = run({"generate", "lattice-jitter", "--points", "36"}).out;
   const Arguments options = {"--until",  "5", "--box",   "-5,-5,55,55", "--collisions", "elastic",
                              "--radius", "2", "--stats", "s.json",      "--audit",      "events"};
@@ -178,7 +178,7 @@ TEST_F(Frames, ChangeNothingOfTheRun) {
   EXPECT_EQ(entries_of("v").size(), 38U);
 }
 
-TEST_F(Frames, GoOnWithAResumedRun) {
+TEST_F(Frames, go_on_with_a_resumed_run) {
   EXPECT_EQ(simulate(one_flip, {"--until", "1.25", "--checkpoint", "run.kinetri"}).exit_code, 0);
   EXPECT_EQ(simulate(one_flip, {"--from", "1.25", "--until", "2", "--frames", "f", "--fps", "4"})
                 .exit_code,
@@ -194,7 +194,7 @@ TEST_F(Frames, GoOnWithAResumedRun) {
   EXPECT_NE(resumed.find("1 event<"), std::string::npos);
 }
 
-TEST_F(Frames, OfTracksShowAllObservations) {
+TEST_F(Frames, of_tracks_show_all_observations) {
   write("t.txt", "0 1 0 0\n10 1 8 0\n0 2 0 3\n10 2 0 7\n5 3 2 2\n10 3 -2 2\n");
   const Outcome outcome = run({"tracks", "t.txt", "--format", "frames", "--fps", "5", "--frames",
                                "f", "--frames-per-time", "2", "--until", "1.5"});
@@ -207,7 +207,7 @@ TEST_F(Frames, OfTracksShowAllObservations) {
       << read("f/frame_000002.svg");
 }
 
-TEST_F(Frames, MayTakeThePlaceOfAnEmptyDirectory) {
+TEST_F(Frames, may_take_the_place_of_an_empty_directory) {
   fs::create_directory(file("f"));
   EXPECT_EQ(simulate(one_flip, {"--until", "1", "--frames", "f", "--fps", "1"}).exit_code, 0);
   EXPECT_EQ(entries_of("f").size(), 2U);
@@ -215,7 +215,7 @@ TEST_F(Frames, MayTakeThePlaceOfAnEmptyDirectory) {
 
 // ---- what is refused ----
 
-TEST_F(Frames, OfARunThatFailsAreNotThere) {
+TEST_F(Frames, of_a_run_that_fails_are_not_there) {
   // From t = 1 on both go the same way.
   write("t.csv", "t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n");
   fs::create_directory(file("v"));
@@ -237,7 +237,7 @@ class FramesInterruption : public Frames {
   }
 };
 
-TEST_F(FramesInterruption, LeavesTheFramesSoFar) {
+TEST_F(Frames_interruption, leaves_the_frames_so_far) {
   Arguments arguments = long_run();
   if (gnuplot_is_there()) arguments.insert(arguments.end(), {"--plot", "plot.svg"});
   Process process(KINETRI_PROGRAM, arguments, {.directory = directory()});
@@ -265,7 +265,7 @@ TEST_F(FramesInterruption, LeavesTheFramesSoFar) {
 
 // Such a run stands at the time of an event, which most likely is no binary64 number: the first
 // frame is at the next one.
-TEST_F(FramesInterruption, MayBeFollowedByFrames) {
+TEST_F(Frames_interruption, may_be_followed_by_frames) {
   long_run();
   Process process(KINETRI_PROGRAM,
                   {"simulate", "p.csv", "--until", "1000", "--progress", "always", "--checkpoint",
@@ -289,7 +289,7 @@ TEST_F(FramesInterruption, MayBeFollowedByFrames) {
 }
 
 // An audit of so many points takes longer than the test.
-TEST_F(FramesInterruption, BySecondSignalLeavesNothing) {
+TEST_F(Frames_interruption, by_second_signal_leaves_nothing) {
   Arguments arguments = long_run();
   arguments.insert(arguments.end(), {"--audit", "events"});
   Process process(KINETRI_PROGRAM, arguments, {.directory = directory()});
@@ -326,7 +326,7 @@ class Plot : public Frames {
   }
 };
 
-TEST_F(Plot, ShowsTheKindsOfEventThatThereWere) {
+TEST_F(Plot, shows_the_kinds_of_event_that_there_were) {
   const std::string free = plot(one_flip, {"--until", "3"});
   EXPECT_NE(free.find("4 points from t = 0 to 3: 1 event<"), std::string::npos);
   EXPECT_NE(free.find(">flips<"), std::string::npos);
@@ -341,12 +341,12 @@ TEST_F(Plot, ShowsTheKindsOfEventThatThereWere) {
   EXPECT_NE(discs.find("contacts and changes"), std::string::npos);
 }
 
-TEST_F(Plot, OfARunWithoutEventsSaysSo) {
+TEST_F(Plot, of_a_run_without_events_says_so) {
   EXPECT_NE(plot("x,y,vx,vy\n", {"--until", "3"}).find("no events"), std::string::npos);
 }
 
 // Times that gnuplot could not tell apart, or does not know.
-TEST_F(Plot, OfEveryTimeWorks) {
+TEST_F(Plot, of_every_time_works) {
   const std::vector<std::array<const char*, 2>> runs = {
       {"2", "2"}, {"0", "5e-324"}, {"-1e308", "1e308"}, {"1e17", "1.00000000000001e17"}};
   for (const auto& [from, until] : runs) {
@@ -355,7 +355,7 @@ TEST_F(Plot, OfEveryTimeWorks) {
   }
 }
 
-TEST_F(Plot, OfOtherCommandsWorks) {
+TEST_F(Plot, of_other_commands_works) {
   EXPECT_EQ(simulate(one_flip, {"--until", "0.5", "--checkpoint", "run.kinetri"}).exit_code, 0);
   const Outcome resumed = run({"resume", "run.kinetri", "--until", "2", "--plot", "resumed.svg"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;

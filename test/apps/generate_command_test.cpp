@@ -32,14 +32,14 @@ class Generate : public test::Program_test {
   }
 };
 
-TEST_F(Generate, EveryScenarioGivesTheLibrarysNumbersExactly) {
+TEST_F(Generate, every_scenario_gives_the_librarys_numbers_exactly) {
   for (const Scenario scenario : all_scenarios) {
     EXPECT_EQ(motions({std::string(name(scenario)), "--points", "50", "--seed", "9"}),
               make_scenario(scenario, {.points = 50, .seed = 9}));
   }
 }
 
-TEST_F(Generate, OptionsReachTheScenario) {
+TEST_F(Generate, options_reach_the_scenario) {
   EXPECT_EQ(motions({"uniform", "--points", "9", "--seed", "3", "--side", "0x1p4", "--speed", "0"}),
             make_scenario(Scenario::uniform, {.points = 9, .seed = 3, .side = 16, .speed = 0}));
   EXPECT_EQ(motions({"lattice-jitter", "--points", "9", "--spacing", "2", "--jitter", "0.5"}),
@@ -50,16 +50,16 @@ TEST_F(Generate, OptionsReachTheScenario) {
   }
 }
 
-TEST_F(Generate, SeedDefaultsToOne) {
+TEST_F(Generate, seed_defaults_to_one) {
   EXPECT_EQ(motions({"uniform", "--points", "5"}),
             motions({"uniform", "--points", "5", "--seed", "1"}));
 }
 
-TEST_F(Generate, NoPointsIsAHeader) {
+TEST_F(Generate, no_points_is_a_header) {
   EXPECT_EQ(generate({"uniform", "--points", "0"}).out, "x,y,vx,vy\n");
 }
 
-TEST_F(Generate, WritesAFile) {
+TEST_F(Generate, writes_a_file) {
   EXPECT_EQ(generate({"uniform", "--points", "3", "--output", "p.csv"}).exit_code, 0);
   EXPECT_EQ(read("p.csv"), generate({"uniform", "--points", "3"}).out);
   EXPECT_EQ(entries(), Entries{"p.csv"});

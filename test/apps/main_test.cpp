@@ -23,13 +23,13 @@ using test::Process;
 
 class Program : public test::Program_test {};
 
-TEST_F(Program, PrintsItsVersion) {
+TEST_F(Program, prints_its_version) {
   const Outcome outcome = run({"--version"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out, std::string("kinetri ") + version + "\n");
 }
 
-TEST_F(Program, HelpIsShownInThreeWays) {
+TEST_F(Program, help_is_shown_in_three_ways) {
   const std::string help = run({"generate", "uniform", "--help"}).out;
   EXPECT_NE(help.find("Usage: kinetri generate uniform --points N [OPTIONS]\n"), std::string::npos)
       << help;
@@ -40,7 +40,7 @@ TEST_F(Program, HelpIsShownInThreeWays) {
   EXPECT_NE(run({"help", "--help"}).out.find("Usage: kinetri help [COMMAND]"), std::string::npos);
 }
 
-TEST_F(Program, LinesOfHelpFitATerminal) {
+TEST_F(Program, lines_of_help_fit_a_terminal) {
   for (const char* command : {"simulate", "tracks", "wave", "experiment", "completion"}) {
     std::istringstream help(run({command, "--help"}).out);
     for (std::string line; std::getline(help, line);) {
@@ -51,7 +51,7 @@ TEST_F(Program, LinesOfHelpFitATerminal) {
   }
 }
 
-TEST_F(Program, UnknownWordIsNamedBeforeWhatIsMissing) {
+TEST_F(Program, unknown_word_is_named_before_what_is_missing) {
   const auto problem = [&](const Arguments& arguments) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 2);
@@ -71,7 +71,7 @@ TEST_F(Program, UnknownWordIsNamedBeforeWhatIsMissing) {
             "kinetri help: 'simulte' is unknown; did you mean simulate?");
 }
 
-TEST_F(Program, ShortOptionsAreThoseOfTheLongOnes) {
+TEST_F(Program, short_options_are_those_of_the_long_ones) {
   EXPECT_EQ(run({"generate", "uniform", "--points", "20", "-o", "p.csv"}).exit_code, 0);
   const Outcome outcome = run({"simulate", "p.csv", "--until", "2", "-q", "-o", "events.csv"});
   EXPECT_EQ(outcome.exit_code, 0);
@@ -80,7 +80,7 @@ TEST_F(Program, ShortOptionsAreThoseOfTheLongOnes) {
             run({"simulate", "p.csv", "--until", "2", "--quiet", "--events", "-"}).out);
 }
 
-TEST_F(Program, SummaryCountsInTheSingularAndInThePlural) {
+TEST_F(Program, summary_counts_in_the_singular_and_in_the_plural) {
   write("one.csv", "x,y,vx,vy\n0,0,0,0\n");
   EXPECT_EQ(run({"simulate", "one.csv", "--until", "1"}).err.rfind("kinetri: 1 point from t", 0),
             0U);
@@ -91,7 +91,7 @@ TEST_F(Program, SummaryCountsInTheSingularAndInThePlural) {
   EXPECT_NE(one.find("\n  events       1 at 1 instant (1 flip)\n"), std::string::npos) << one;
 }
 
-TEST_F(Program, EveryHelpHasAnExample) {
+TEST_F(Program, every_help_has_an_example) {
   std::vector<Arguments> commands = {{},         {"simulate"}, {"resume"},     {"generate"},
                                      {"tracks"}, {"wave"},     {"experiment"}, {"completion"},
                                      {"manual"}, {"help"}};
@@ -113,7 +113,7 @@ TEST_F(Program, EveryHelpHasAnExample) {
 
 // ---- failures inside, which a right library does not have: faults.cpp makes them ----
 
-class FaultyProgram : public test::Program_test {
+class Faulty_program : public test::Program_test {
  protected:
   // A run whose audit does what `fault` says, on top of an old file of edges.
   Outcome run_with(const std::string& fault) const {
@@ -127,7 +127,7 @@ class FaultyProgram : public test::Program_test {
   }
 };
 
-TEST_F(FaultyProgram, FailedAuditIsReportedWithItsFindingsAndOutputsAreWritten) {
+TEST_F(Faulty_program, failed_audit_is_reported_with_its_findings_and_outputs_are_written) {
   const Outcome outcome = run_with("audit");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("kinetri: audit just after t = 0: the edge 1-2 is wrong\n"),
@@ -158,7 +158,7 @@ class Interruption : public test::Program_test {
   }
 };
 
-TEST_F(Interruption, StopsAtTheNextEventAndWritesWhatItHas) {
+TEST_F(Interruption, stops_at_the_next_event_and_writes_what_it_has) {
   write_many_points();
   for (const int signal : {SIGINT, SIGTERM}) {
     Process process(KINETRI_PROGRAM, long_run, {.directory = directory()});
@@ -178,7 +178,7 @@ TEST_F(Interruption, StopsAtTheNextEventAndWritesWhatItHas) {
   }
 }
 
-TEST_F(Interruption, BeforeTheRunEndsAtOnceAndLeavesNothing) {
+TEST_F(Interruption, before_the_run_ends_at_once_and_leaves_nothing) {
   ASSERT_EQ(::mkfifo(file("p.csv").c_str(), 0600), 0);
   write("edges.csv", "before");
   Process process(KINETRI_PROGRAM, long_run, {.directory = directory()});
@@ -193,7 +193,7 @@ TEST_F(Interruption, BeforeTheRunEndsAtOnceAndLeavesNothing) {
 }
 
 // An audit of so many points takes longer than the test.
-TEST_F(Interruption, SecondSignalEndsAtOnceAndLeavesNothing) {
+TEST_F(Interruption, second_signal_ends_at_once_and_leaves_nothing) {
   write_many_points();
   Arguments arguments = long_run;
   arguments.insert(arguments.end(), {"--audit", "events"});

@@ -15,7 +15,7 @@ namespace {
 
 using Times = std::vector<double>;
 
-TEST(RegularTimes, GoOnUpToTheEnd) {
+TEST(Regular_times, go_on_up_to_the_end) {
   EXPECT_EQ(regular_times(0, 2, 2, 10), (Times{0, 0.5, 1, 1.5, 2}));
   EXPECT_EQ(regular_times(-1, 0.4, 1, 10), (Times{-1, 0}));
   EXPECT_EQ(regular_times(3, 3, 25, 10), Times{3});
@@ -23,7 +23,7 @@ TEST(RegularTimes, GoOnUpToTheEnd) {
 }
 
 // Sums of 0.1 are not those: 0.1 + 0.1 + 0.1 > 0.3, which is the last time.
-TEST(RegularTimes, AreRoundedOnce) {
+TEST(Regular_times, are_rounded_once) {
   EXPECT_EQ(regular_times(0, 0.3, 10, 10), (Times{0, 0.1, 0.2, 0.3}));
   const auto times = regular_times(0.7, 9, 30, 1000);
   ASSERT_TRUE(times);
@@ -33,7 +33,7 @@ TEST(RegularTimes, AreRoundedOnce) {
   }
 }
 
-TEST(RegularTimes, HaveALimit) {
+TEST(Regular_times, have_a_limit) {
   EXPECT_EQ(regular_times(0, 9, 1, 10)->size(), 10U);
   EXPECT_EQ(regular_times(0, 10, 1, 10), std::nullopt);
   EXPECT_EQ(regular_times(-1e308, 1e308, 1e308, 1'000'000), std::nullopt);
@@ -42,14 +42,14 @@ TEST(RegularTimes, HaveALimit) {
             std::nullopt);
 }
 
-TEST(RegularTimes, ThatAreOneNumberAreThereOnce) {
+TEST(Regular_times, that_are_one_number_are_there_once) {
   EXPECT_EQ(regular_times(1e17, 1e17 + 32, 1, 100), (Times{1e17, 1e17 + 16, 1e17 + 32}));
   EXPECT_EQ(evenly_spaced_times(1, std::nextafter(1, 2), 100),
             (Times{1, std::nextafter(1.0, 2.0)}));
   EXPECT_EQ(evenly_spaced_times(5, 5, 100), Times{5});
 }
 
-TEST(RegularTimes, DivideARunEvenly) {
+TEST(Regular_times, divide_a_run_evenly) {
   EXPECT_EQ(evenly_spaced_times(-1, 1, 4), (Times{-1, -0.5, 0, 0.5, 1}));
   const Times times = evenly_spaced_times(0, 10, 100);
   ASSERT_EQ(times.size(), 101U);

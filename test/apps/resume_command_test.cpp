@@ -36,7 +36,7 @@ Arguments operator+(Arguments one, const Arguments& more) {
   return one;
 }
 
-TEST_F(Resume, ARunInTwoPartsIsTheRunInOne) {
+TEST_F(Resume, a_run_in_two_parts_is_the_run_in_one) {
   write("discs.csv",
         run({"generate", "lattice-jitter", "--points", "49", "--speed", "5", "--seed", "2"}).out);
   write("free.csv", run({"generate", "uniform", "--points", "60", "--seed", "3"}).out);
@@ -65,7 +65,7 @@ TEST_F(Resume, ARunInTwoPartsIsTheRunInOne) {
   }
 }
 
-TEST_F(Resume, AnInterruptedRunCanBeTakenUp) {
+TEST_F(Resume, an_interrupted_run_can_be_taken_up) {
   write("p.csv", run({"generate", "uniform", "--points", "10000", "--seed", "1"}).out);
   Process process(KINETRI_PROGRAM,
                   {"simulate", "p.csv", "--until", "1000", "--events", "one.csv", "--checkpoint",
@@ -89,7 +89,7 @@ TEST_F(Resume, AnInterruptedRunCanBeTakenUp) {
   EXPECT_EQ(read("end.csv"), read("edges.csv"));
 }
 
-TEST_F(Resume, ReadsStandardInputAndCountsOn) {
+TEST_F(Resume, reads_standard_input_and_counts_on) {
   write("p.csv", one_flip);
   done({"simulate", "p.csv", "--until", "2", "--checkpoint", "run.kinetri"});
   const Outcome outcome = run({"resume", "-", "--until", "3", "--stats", "stats.json"},

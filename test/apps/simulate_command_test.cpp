@@ -41,7 +41,7 @@ std::size_t lines(const std::string& text) {
 
 // ---- what a run gives ----
 
-TEST_F(Simulate, WritesEventsEdgesAndStatistics) {
+TEST_F(Simulate, writes_events_edges_and_statistics) {
   const Outcome outcome = simulate(
       one_flip, {"--until", "3", "--events", "events.csv", "--initial-edges", "initial.csv",
                  "--edges", "edges.csv", "--stats", "stats.json", "--audit", "events"});
@@ -70,7 +70,7 @@ TEST_F(Simulate, WritesEventsEdgesAndStatistics) {
   }
 }
 
-TEST_F(Simulate, SummaryGoesToStandardErrorUnlessQuiet) {
+TEST_F(Simulate, summary_goes_to_standard_error_unless_quiet) {
   const Outcome outcome =
       simulate(one_flip, {"--until", "3", "--audit", "end", "--edges", "e.csv"});
   EXPECT_EQ(outcome.out, "");
@@ -81,7 +81,7 @@ TEST_F(Simulate, SummaryGoesToStandardErrorUnlessQuiet) {
   EXPECT_EQ(simulate(one_flip, {"--until", "3", "--quiet"}).err, "");
 }
 
-TEST_F(Simulate, EveryEventAtOrBeforeTheEndHappens) {
+TEST_F(Simulate, every_event_at_or_before_the_end_happens) {
   const auto events = [&](const char* until) {
     return lines(simulate(one_flip, {"--until", until, "--events", "-", "--quiet"}).out) - 1;
   };
@@ -89,7 +89,7 @@ TEST_F(Simulate, EveryEventAtOrBeforeTheEndHappens) {
   EXPECT_EQ(events("1"), 1U);
 }
 
-TEST_F(Simulate, StartsJustAfterFrom) {
+TEST_F(Simulate, starts_just_after_from) {
   const Outcome after = simulate(one_flip, {"--from", "1", "--until", "2", "--events", "events.csv",
                                             "--initial-edges", "initial.csv", "--audit", "events"});
   EXPECT_EQ(after.exit_code, 0);
@@ -101,13 +101,13 @@ TEST_F(Simulate, StartsJustAfterFrom) {
   EXPECT_NE(before.out.find("1,2"), std::string::npos);
 }
 
-TEST_F(Simulate, FromEqualToUntilIsAnEmptyRun) {
+TEST_F(Simulate, from_equal_to_until_is_an_empty_run) {
   const Outcome outcome = simulate(one_flip, {"--from", "2", "--until", "2", "--edges", "-"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out, "a,b\n0,1\n0,2\n1,2\n1,3\n2,3\n");
 }
 
-TEST_F(Simulate, AuditsAtTheEndOrAfterEveryInstant) {
+TEST_F(Simulate, audits_at_the_end_or_after_every_instant) {
   const auto audits = [&](const char* mode) {
     simulate(one_flip, {"--until", "3", "--audit", mode, "--stats", "s.json"});
     return nlohmann::json::parse(read("s.json"))["audits"]["run"].get<int>();
@@ -117,7 +117,7 @@ TEST_F(Simulate, AuditsAtTheEndOrAfterEveryInstant) {
   EXPECT_EQ(audits("events"), 3);
 }
 
-TEST_F(Simulate, FewPointsWork) {
+TEST_F(Simulate, few_points_work) {
   for (const char* rows : {"", "1,2,3,4\n", "1,2,3,4\n5,6,7,8\n", "0,0,0,0\n1,1,0,0\n2,2,0,0\n"}) {
     const Outcome outcome = simulate(std::string("x,y,vx,vy\n") + rows,
                                      {"--until", "10", "--edges", "-", "--audit", "events"});
@@ -126,7 +126,7 @@ TEST_F(Simulate, FewPointsWork) {
   }
 }
 
-TEST_F(Simulate, SpellingOfTheInputDoesNotMatter) {
+TEST_F(Simulate, spelling_of_the_input_does_not_matter) {
   const auto events = [&](const std::string& text) {
     return simulate(text, {"--until", "10", "--events", "-", "--quiet"}).out;
   };
@@ -139,7 +139,7 @@ TEST_F(Simulate, SpellingOfTheInputDoesNotMatter) {
   EXPECT_EQ(events("x,y,vx,vy,radius\n0,0,0,0,1\n4,0,0,0,1\n0,4,0,0,1\n3,3,1,1,1\n"), expected);
 }
 
-TEST_F(Simulate, ReadsStandardInputAndWritesStandardOutput) {
+TEST_F(Simulate, reads_standard_input_and_writes_standard_output) {
   write("p.csv", one_flip);
   const Outcome outcome =
       run({"simulate", "-", "--until", "3", "--edges", "-"}, {.standard_input = file("p.csv")});
@@ -148,7 +148,7 @@ TEST_F(Simulate, ReadsStandardInputAndWritesStandardOutput) {
   EXPECT_EQ(entries(), Entries{"p.csv"});
 }
 
-TEST_F(Simulate, SameRunGivesTheSameBytes) {
+TEST_F(Simulate, same_run_gives_the_same_bytes) {
   const std::string points = generated({"uniform", "--points", "60", "--seed", "3"});
   const Arguments arguments = {"--until", "5", "--events", "-", "--quiet"};
   const std::string first = simulate(points, arguments).out;
@@ -156,7 +156,7 @@ TEST_F(Simulate, SameRunGivesTheSameBytes) {
   EXPECT_EQ(simulate(points, arguments).out, first);
 }
 
-TEST_F(Simulate, ProgressIsShownWhenAskedForAndClearedAtTheEnd) {
+TEST_F(Simulate, progress_is_shown_when_asked_for_and_cleared_at_the_end) {
   const std::string points = generated({"uniform", "--points", "20", "--seed", "3"});
   const Outcome shown = simulate(points, {"--until", "5", "--progress", "always"});
   EXPECT_NE(shown.err.find("triangulating 20 points ..."), std::string::npos);
@@ -174,7 +174,7 @@ constexpr const char* two_discs =
     "5,0,0,0,1\n"
     "0,9,0,0,1\n";
 
-TEST_F(Simulate, LogsWallsAndCollisions) {
+TEST_F(Simulate, logs_walls_and_collisions) {
   const Outcome outcome =
       simulate(two_discs, {"--until", "9", "--box", "-2,-2,9,10", "--collisions", "swap",
                            "--events", "-", "--stats", "stats.json", "--audit", "events"});
@@ -191,7 +191,7 @@ TEST_F(Simulate, LogsWallsAndCollisions) {
   EXPECT_EQ(stats["audits"]["failed"], 0);
 }
 
-TEST_F(Simulate, FollowsPointsThatAccelerate) {
+TEST_F(Simulate, follows_points_that_accelerate) {
   // y = 4 - t^2, and a point that rests.
   const Outcome outcome =
       simulate("x,y,vx,vy,ax,ay\n1,4,0,0,0,-2\n3,1,0,0,0,0\n",
@@ -214,7 +214,7 @@ TEST_F(Simulate, FollowsPointsThatAccelerate) {
   EXPECT_EQ(read("filtered.csv"), read("exact.csv"));
 }
 
-TEST_F(Simulate, TakesTheRadiusOfAllDiscsFromAnOption) {
+TEST_F(Simulate, takes_the_radius_of_all_discs_from_an_option) {
   const Outcome outcome = simulate(
       "x,y,vx,vy\n0,0,1,0\n5,0,0,0\n",
       {"--until", "9", "--collisions", "log", "--radius", "0.5", "--events", "-", "--quiet"});
@@ -222,7 +222,7 @@ TEST_F(Simulate, TakesTheRadiusOfAllDiscsFromAnOption) {
   EXPECT_NE(outcome.out.find("0,collision,4,4,4,,,,,0,1\n"), std::string::npos) << outcome.out;
 }
 
-TEST_F(Simulate, IgnoresUnequalRadiiWhereNothingTouches) {
+TEST_F(Simulate, ignores_unequal_radii_where_nothing_touches) {
   const Outcome outcome =
       simulate("x,y,vx,vy,radius\n1,1,1,0,1\n5,5,0,0,2\n", {"--until", "9", "--box", "0,0,10,10"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -231,7 +231,7 @@ TEST_F(Simulate, IgnoresUnequalRadiiWhereNothingTouches) {
 // ---- outputs ----
 
 // The run stops early: the whole log would be several times as long as the stream's buffer.
-TEST_F(Simulate, ClosedPipeEndsTheRun) {
+TEST_F(Simulate, closed_pipe_ends_the_run) {
   ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
   write("p.csv", generated({"uniform", "--points", "400", "--seed", "1"}));
   std::thread reader([this] {
@@ -247,14 +247,14 @@ TEST_F(Simulate, ClosedPipeEndsTheRun) {
   EXPECT_FALSE(exists("edges.csv"));
 }
 
-TEST_F(Simulate, ExistingOutputsAreReplaced) {
+TEST_F(Simulate, existing_outputs_are_replaced) {
   write("edges.csv", "before, and longer than what comes after it: " + std::string(500, 'x'));
   EXPECT_EQ(simulate(one_flip, {"--until", "3", "--edges", "edges.csv"}).exit_code, 0);
   EXPECT_EQ(read("edges.csv"), "a,b\n0,1\n0,2\n1,2\n1,3\n2,3\n");
   EXPECT_EQ(entries(), (Entries{"edges.csv", "p.csv"}));
 }
 
-TEST_F(Simulate, DevNullMayBeNamedTwice) {
+TEST_F(Simulate, dev_null_may_be_named_twice) {
   EXPECT_EQ(simulate(one_flip, {"--until", "3", "--edges", "/dev/null", "--events", "/dev/null"})
                 .exit_code,
             0);

@@ -9,7 +9,7 @@
 namespace kinetri::app {
 namespace {
 
-TEST(EditDistance, CountsInsertionsDeletionsReplacementsAndExchanges) {
+TEST(Edit_distance, counts_insertions_deletions_replacements_and_exchanges) {
   EXPECT_EQ(edit_distance("", ""), 0U);
   EXPECT_EQ(edit_distance("until", "until"), 0U);
   EXPECT_EQ(edit_distance("util", "until"), 1U);
@@ -20,7 +20,7 @@ TEST(EditDistance, CountsInsertionsDeletionsReplacementsAndExchanges) {
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
 }
 
-TEST(NearestName, IsTheOneWithTheFewestWrongLetters) {
+TEST(Nearest_name, is_the_one_with_the_fewest_wrong_letters) {
   const std::vector<std::string> names = {"--events", "--edges", "--initial-edges", "--until"};
   EXPECT_EQ(nearest_name("--util", names), "--until");
   EXPECT_EQ(nearest_name("-until", names), "--until");
@@ -29,7 +29,7 @@ TEST(NearestName, IsTheOneWithTheFewestWrongLetters) {
   EXPECT_EQ(nearest_name("--initial", names), "--initial-edges");
 }
 
-TEST(NearestName, IsEmptyWhereNoneIsNear) {
+TEST(Nearest_name, is_empty_where_none_is_near) {
   const std::vector<std::string> names = {"--events", "--edges", "--until", "-o", "-q"};
   for (const char* word : {"--wrong", "--e", "-x", "--", "-", ""}) {
     EXPECT_EQ(nearest_name(word, names), "") << word;
@@ -38,7 +38,7 @@ TEST(NearestName, IsEmptyWhereNoneIsNear) {
 }
 
 // What could be completed in two ways is not.
-TEST(NearestName, DoesNotCompleteWhatIsAmbiguous) {
+TEST(Nearest_name, does_not_complete_what_is_ambiguous) {
   const std::vector<std::string> names = {"--frames", "--frames-per-time"};
   EXPECT_EQ(nearest_name("--fram", names), "--frames");  // two letters of six are missing
   const std::vector<std::string> others = {"--progress", "--programme"};

@@ -31,7 +31,7 @@ constexpr const char* one_visitor =
     "1,visitor,1,1\n2,visitor,3,1\n4,visitor,3,1\n5,visitor,1,4\n"
     "10,a,0,0\n10,b,9,0\n10,c,0,9\n";
 
-TEST_F(Tracks, ComeTurnAndGo) {
+TEST_F(Tracks, come_turn_and_go) {
   const Outcome outcome =
       tracks(one_visitor, {"--events", "events.csv", "--ids", "ids.csv", "--edges", "edges.csv",
                            "--initial-edges", "initial.csv", "--stats", "stats.json", "--audit",
@@ -55,7 +55,7 @@ TEST_F(Tracks, ComeTurnAndGo) {
       << outcome.err;
 }
 
-TEST_F(Tracks, EndAtTheLastObservation) {
+TEST_F(Tracks, end_at_the_last_observation) {
   const Outcome outcome = tracks(one_visitor, {"--stats", "-", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto stats = nlohmann::json::parse(outcome.out);
@@ -63,7 +63,7 @@ TEST_F(Tracks, EndAtTheLastObservation) {
   EXPECT_EQ(stats["events"]["erase"], 4);
 }
 
-TEST_F(Tracks, MayBeCutByTimeAndByGaps) {
+TEST_F(Tracks, may_be_cut_by_time_and_by_gaps) {
   const Outcome outcome = tracks(
       one_visitor, {"--from", "1.5", "--until", "4.5", "--max-gap", "1", "--ids", "-", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -71,7 +71,7 @@ TEST_F(Tracks, MayBeCutByTimeAndByGaps) {
   EXPECT_EQ(outcome.out, "point,id,first,last\n0,visitor,1,2\n1,visitor,4,5\n");
 }
 
-TEST_F(Tracks, TellWhatWasLeftOut) {
+TEST_F(Tracks, tell_what_was_left_out) {
   const Outcome outcome = tracks("t,id,x,y\n2,a,1,0\n1,a,0,0\n1,a,0,0\n5,once,3,3\n");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("1 row left out, being a copy of another"), std::string::npos);
@@ -80,13 +80,13 @@ TEST_F(Tracks, TellWhatWasLeftOut) {
       << outcome.err;
 }
 
-TEST_F(Tracks, ThatAreEmptyAreARunOfNothing) {
+TEST_F(Tracks, that_are_empty_are_a_run_of_nothing) {
   const Outcome outcome = tracks("t,id,x,y\n", {"--edges", "-", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "a,b\n");
 }
 
-TEST_F(Tracks, PrintTheClosestApproaches) {
+TEST_F(Tracks, print_the_closest_approaches) {
   const Outcome outcome = tracks(
       "t,id,x,y\n0,left,0,0\n10,left,10,0\n0,right,10,3\n10,right,-10,3\n0,far,0,90\n10,far,0,90\n",
       {"--closest", "2", "--quiet"});
@@ -99,7 +99,7 @@ TEST_F(Tracks, PrintTheClosestApproaches) {
       << outcome.out;
 }
 
-TEST_F(Tracks, LogContactsOfDiscs) {
+TEST_F(Tracks, log_contacts_of_discs) {
   const Outcome outcome =
       tracks("t,id,x,y\n0,a,0,0\n10,a,10,0\n0,b,8,0\n10,b,8,0\n",
              {"--collisions", "log", "--radius", "1", "--events", "-", "--quiet"});
@@ -111,7 +111,7 @@ TEST_F(Tracks, LogContactsOfDiscs) {
 
 class Crowd : public Tracks, public testing::WithParamInterface<const char*> {};
 
-TEST_P(Crowd, RunsWholeAudited) {
+TEST_P(Crowd, runs_whole_audited) {
   const std::filesystem::path data =
       std::filesystem::path(KINETRI_SHARED_DATA) / "crowd" / GetParam();
   if (!std::filesystem::exists(data)) GTEST_SKIP() << data << " is not there";

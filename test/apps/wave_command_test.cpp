@@ -28,7 +28,7 @@ class Wave : public test::Program_test {
   }
 };
 
-TEST_F(Wave, RunsAcrossAndBack) {
+TEST_F(Wave, runs_across_and_back) {
   const Outcome outcome =
       wave({"--html", "wave.html", "--stats", "stats.json", "--audit", "events"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -46,7 +46,7 @@ TEST_F(Wave, RunsAcrossAndBack) {
   EXPECT_EQ(data["box"], nlohmann::json({-5, -5, 55, 45}));
 }
 
-TEST_F(Wave, HasJitterWhereItIsAskedFor) {
+TEST_F(Wave, has_jitter_where_it_is_asked_for) {
   const auto edges = [&](const Arguments& arguments) {
     Arguments all = {"--initial-edges", "-", "--quiet"};
     all.insert(all.end(), arguments.begin(), arguments.end());
@@ -61,7 +61,7 @@ TEST_F(Wave, HasJitterWhereItIsAskedFor) {
   EXPECT_NE(edges({"--jitter", "3"}), edges({"--jitter", "3", "--seed", "2"}));
 }
 
-TEST_F(Wave, ThePageOfARunWithNamesHasThem) {
+TEST_F(Wave, the_page_of_a_run_with_names_has_them) {
   write("t.csv", "t,id,x,y\n0,ann,0,0\n0,bob,9,0\n0,<i>,0,9\n10,ann,1,1\n10,bob,9,0\n10,<i>,0,9\n");
   const Outcome outcome = run({"tracks", file("t.csv"), "--html", "t.html", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -71,7 +71,7 @@ TEST_F(Wave, ThePageOfARunWithNamesHasThem) {
   EXPECT_TRUE(data["wave"].is_null());
 }
 
-TEST_F(Wave, ThePageOfAFailingRunIsNotThere) {
+TEST_F(Wave, the_page_of_a_failing_run_is_not_there) {
   write("p.csv", "x,y,vx,vy\n0,0,0,0\n0,0,0,0\n");
   EXPECT_EQ(run({"simulate", "p.csv", "--until", "1", "--html", "p.html"}).exit_code, 2);
   EXPECT_EQ(entries(), Entries{"p.csv"});

@@ -165,7 +165,7 @@ class Pair_of_queues {
   Linear_scan_queue reference_;
 };
 
-class RandomOperations : public testing::TestWithParam<std::uint64_t> {};
+class Random_operations : public testing::TestWithParam<std::uint64_t> {};
 
 template <class Less>
 void expect_agreement_with_linear_scan(std::uint64_t seed) {
@@ -187,17 +187,17 @@ void expect_agreement_with_linear_scan(std::uint64_t seed) {
   }
 }
 
-TEST_P(RandomOperations, AgreeWithLinearScan) {
+TEST_P(Random_operations, agree_with_linear_scan) {
   expect_agreement_with_linear_scan<Loosely_bounded>(GetParam());
 }
 
-TEST_P(RandomOperations, WithoutBoundsAgreeWithLinearScan) {
+TEST_P(Random_operations, without_bounds_agree_with_linear_scan) {
   expect_agreement_with_linear_scan<Unbounded>(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomOperations, testing::Range<std::uint64_t>(1, 9));
+INSTANTIATE_TEST_SUITE_P(Seeds, Random_operations, testing::Range<std::uint64_t>(1, 9));
 
-TEST(IndexedQueue, PopsComeInAscendingOrder) {
+TEST(Indexed_queue, pops_come_in_ascending_order) {
   std::mt19937_64 random(7);
   Queue queue;
   std::vector<Item> items;
@@ -211,7 +211,7 @@ TEST(IndexedQueue, PopsComeInAscendingOrder) {
 }
 
 // Two queues with the same items and different histories pop the same: the order is the items' own.
-TEST(IndexedQueue, OrderOfPopsDoesNotDependOnHistory) {
+TEST(Indexed_queue, order_of_pops_does_not_depend_on_history) {
   Queue plain;
   Queue shuffled;
   std::vector<Item> items;
@@ -249,7 +249,7 @@ void assign(Queue& queue, const std::vector<Item>& items) {
 
 // The bounds of the first item reach beyond the near ones, which matters when another one comes
 // that is not near.
-TEST(IndexedQueue, AnItemOfWideBoundsIsComparedWithLaterOnes) {
+TEST(Indexed_queue, an_item_of_wide_bounds_is_compared_with_later_ones) {
   for (double width : {0.0, 1.0, 10.0, 1000.0, 1e6}) {
     Indexed_queue<Bounded_item, By_value> queue;
     std::vector<Bounded_item> items;
@@ -273,7 +273,7 @@ TEST(IndexedQueue, AnItemOfWideBoundsIsComparedWithLaterOnes) {
 }
 
 // Items assigned at once are under their indices, and go on like pushed ones.
-TEST(IndexedQueue, AssignedItemsAreLikePushedOnes) {
+TEST(Indexed_queue, assigned_items_are_like_pushed_ones) {
   std::mt19937_64 random(5);
   std::vector<Item> items;
   for (int i = 0; i < 3000; ++i) items.emplace_back(static_cast<int>(random() % 100'000), i);
@@ -297,7 +297,7 @@ TEST(IndexedQueue, AssignedItemsAreLikePushedOnes) {
 }
 
 // Handles that are left out when others are assigned are the first ones that are given later.
-TEST(IndexedQueue, HandlesThatWereNotAssignedAreFree) {
+TEST(Indexed_queue, handles_that_were_not_assigned_are_free) {
   Queue queue;
   queue.assign(100, [](const auto& put) {
     for (int i = 0; i < 100; ++i) {
@@ -319,7 +319,7 @@ TEST(IndexedQueue, HandlesThatWereNotAssignedAreFree) {
   EXPECT_TRUE(empty.is_valid());
 }
 
-TEST(IndexedQueue, ErasingAnItemMayMoveItsReplacementUp) {
+TEST(Indexed_queue, erasing_an_item_may_move_its_replacement_up) {
   // The last leaf (2) is smaller than the ancestors of the erased one (10, under 9).
   Indexed_queue<int, By_number> queue;
   std::vector<Queue_handle> handles;
@@ -331,7 +331,7 @@ TEST(IndexedQueue, ErasingAnItemMayMoveItsReplacementUp) {
   EXPECT_EQ(popped, (std::vector<int>{0, 1, 1, 1, 2, 9, 10, 10, 10}));
 }
 
-TEST(IndexedQueue, HandleStaysWithItsItemUntilItLeavesAndIsThenReused) {
+TEST(Indexed_queue, handle_stays_with_its_item_until_it_leaves_and_is_then_reused) {
   Indexed_queue<int, By_number> queue;
   const Queue_handle a = queue.push(5);
   const Queue_handle b = queue.push(3);
@@ -350,7 +350,7 @@ TEST(IndexedQueue, HandleStaysWithItsItemUntilItLeavesAndIsThenReused) {
   EXPECT_EQ(queue.top_handle(), a);
 }
 
-TEST(IndexedQueue, CountersSayWhatHappened) {
+TEST(Indexed_queue, counters_say_what_happened) {
   Indexed_queue<int, By_number> queue;
   EXPECT_EQ(queue.counters(), (Queue_counters{}));
   const Queue_handle a = queue.push(1);
@@ -366,7 +366,7 @@ TEST(IndexedQueue, CountersSayWhatHappened) {
   EXPECT_EQ(queue.counters(), (Queue_counters{.pushed = 5, .discarded = 4, .peak = 4}));
 }
 
-TEST(IndexedQueue, HoldsItemsThatCanOnlyBeMoved) {
+TEST(Indexed_queue, holds_items_that_can_only_be_moved) {
   Indexed_queue<std::unique_ptr<int>, By_number> queue;
   for (int i = 100; i > 0; --i) queue.push(std::make_unique<int>(i));
   EXPECT_EQ(*queue.erase(queue.top_handle()), 1);
@@ -376,7 +376,7 @@ TEST(IndexedQueue, HoldsItemsThatCanOnlyBeMoved) {
   EXPECT_EQ(*queue.pop(), 1000);
 }
 
-TEST(IndexedQueue, ReleasesWhatAnItemOwnsWhenItLeaves) {
+TEST(Indexed_queue, releases_what_an_item_owns_when_it_leaves) {
   Indexed_queue<std::shared_ptr<int>, By_number> queue;
   const auto popped = std::make_shared<int>(0);
   const auto erased = std::make_shared<int>(1);
@@ -393,7 +393,7 @@ TEST(IndexedQueue, ReleasesWhatAnItemOwnsWhenItLeaves) {
   EXPECT_EQ(cleared.use_count(), 1);
 }
 
-TEST(IndexedQueue, MisuseThrows) {
+TEST(Indexed_queue, misuse_throws) {
   Indexed_queue<int, By_number> queue;
   EXPECT_PRECONDITION_ERROR(queue.top(), "top of an empty queue");
   EXPECT_PRECONDITION_ERROR(queue.top_handle(), "top of an empty queue");

@@ -344,7 +344,7 @@ TEST_F(Damaged_checkpoint, says_what_is_wrong) {
   EXPECT_THROW(read_checkpoint_file(directory.path()), Input_error);
 }
 
-TEST(CheckpointFile, that_cannot_be_written_leaves_the_old_one) {
+TEST(Checkpoint_file, that_cannot_be_written_leaves_the_old_one) {
   test::Temporary_directory directory;
   const Simulation simulation({}, {});
   EXPECT_THROW(write_checkpoint_file(directory.file("no/run"), {simulation.snapshot(), "none"}),

@@ -11,13 +11,13 @@
 namespace kinetri {
 namespace {
 
-TEST(WriteEdges, WritesAHeaderAndOneEdgeALine) {
+TEST(Write_edges, writes_a_header_and_one_edge_a_line) {
   std::ostringstream out;
   write_edges(out, std::vector<Edge_ids>{{0, 1}, {0, 4294967294}, {12, 345}});
   EXPECT_EQ(out.str(), "a,b\n0,1\n0,4294967294\n12,345\n");
 }
 
-TEST(WriteEdges, WithoutEdgesWritesTheHeader) {
+TEST(Write_edges, without_edges_writes_the_header) {
   std::ostringstream out;
   write_edges(out, {});
   EXPECT_EQ(out.str(), "a,b\n");

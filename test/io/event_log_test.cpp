@@ -55,11 +55,11 @@ double read_back(const std::string& text) {
   return value;
 }
 
-TEST(EventLog, BeginsWithItsHeader) {
+TEST(Event_log, begins_with_its_header) {
   EXPECT_EQ(log_of({}), header);
 }
 
-TEST(EventLog, WritesTheFieldsOfEachKind) {
+TEST(Event_log, writes_the_fields_of_each_kind) {
   const Algebraic_number time(0.5);
   EXPECT_EQ(
       log_of({
@@ -86,7 +86,7 @@ TEST(EventLog, WritesTheFieldsOfEachKind) {
           "18446744073709551615,rebuild,0.5,0.5,0.5,,,0,9,,\n");
 }
 
-TEST(EventLog, TimesThatAreNoBinaryNumbersLieStrictlyBetweenTwo) {
+TEST(Event_log, times_that_are_no_binary_numbers_lie_strictly_between_two) {
   const std::vector<Algebraic_number> times = {
       Algebraic_number(Rational(-1, 3)), Algebraic_number(Rational(1, 10)), square_root(2),
       Algebraic_number(Rational(Integer(1), Integer("1000000000000000000000000")))};
@@ -107,7 +107,7 @@ TEST(EventLog, TimesThatAreNoBinaryNumbersLieStrictlyBetweenTwo) {
   }
 }
 
-TEST(EventLog, NumbersReadBackExactly) {
+TEST(Event_log, numbers_read_back_exactly) {
   const std::vector<double> times = {1e-300,      0.1,  1.0 / 3,
                                      123456789.0, 1e22, 1.7976931348623157e308};
   std::vector<Log_event> events;
@@ -123,7 +123,7 @@ TEST(EventLog, NumbersReadBackExactly) {
 
 // Simultaneous events share the text of their time; it must not be kept for the next instant, and a
 // time that is equal but represented otherwise prints the same.
-TEST(EventLog, EachInstantPrintsItsOwnTime) {
+TEST(Event_log, each_instant_prints_its_own_time) {
   const Algebraic_number two_as_root(Polynomial({Integer(-4), Integer(0), Integer(1)}), Rational(1),
                                      Rational(5));
   const std::string log = log_of({{.number = 0, .time = 1.0},
@@ -140,7 +140,7 @@ TEST(EventLog, EachInstantPrintsItsOwnTime) {
 }
 
 // The bytes depend on the value, not on the work done on it.
-TEST(EventLog, DoesNotDependOnRefinement) {
+TEST(Event_log, does_not_depend_on_refinement) {
   const Algebraic_number coarse = square_root(3);
   const Algebraic_number fine = square_root(3);
   fine.refine_to(Rational(1, Integer(1) << 200));

@@ -26,7 +26,7 @@ using test::Temporary_directory;
 using test::write_file;
 using Entries = std::vector<std::string>;
 
-class OutputDirectory : public testing::Test {
+class Output_directory_test : public testing::Test {
  protected:
   std::string file(const std::string& name) const { return directory_.file(name); }
   Entries entries() const { return directory_.entries(); }
@@ -55,7 +55,7 @@ class OutputDirectory : public testing::Test {
 
 constexpr const char* usable = "a directory that is not there yet, or is empty";
 
-TEST_F(OutputDirectory, AppearsWithCommitOnly) {
+TEST_F(Output_directory_test, appears_with_commit_only) {
   Output_directory output(file("out"));
   EXPECT_EQ(output.path(), file("out"));
   EXPECT_EQ(entries(), Entries{});
@@ -71,7 +71,7 @@ TEST_F(OutputDirectory, AppearsWithCommitOnly) {
   EXPECT_EQ(read_file(file("out/two")), std::string(1'000'000, 'x'));
 }
 
-TEST_F(OutputDirectory, WithoutCommitNothingIsLeft) {
+TEST_F(Output_directory_test, without_commit_nothing_is_left) {
   fs::create_directory(file("old"));
   {
     Output_directory created(file("new"));
@@ -84,7 +84,7 @@ TEST_F(OutputDirectory, WithoutCommitNothingIsLeft) {
   EXPECT_EQ(entries("old"), Entries{});
 }
 
-TEST_F(OutputDirectory, WithoutFilesIsEmpty) {
+TEST_F(Output_directory_test, without_files_is_empty) {
   Output_directory output(file("out"));
   output.commit();
   EXPECT_EQ(entries(), Entries{"out"});
@@ -93,7 +93,7 @@ TEST_F(OutputDirectory, WithoutFilesIsEmpty) {
                             "a file for a directory that is complete; write it before commit");
 }
 
-TEST_F(OutputDirectory, TakesThePlaceOfAnEmptyOne) {
+TEST_F(Output_directory_test, takes_the_place_of_an_empty_one) {
   fs::create_directory(file("out"));
   fs::permissions(file("out"), fs::perms::owner_all);
   fs::create_directory_symlink("out", file("link"));
@@ -105,7 +105,7 @@ TEST_F(OutputDirectory, TakesThePlaceOfAnEmptyOne) {
   EXPECT_EQ(fs::status(file("out")).permissions(), fs::perms::owner_all);
 }
 
-TEST_F(OutputDirectory, HasTheUsualPermissions) {
+TEST_F(Output_directory_test, has_the_usual_permissions) {
   const mode_t old = ::umask(027);
   Output_directory output(file("out"));
   output.write("a", "");
@@ -115,7 +115,7 @@ TEST_F(OutputDirectory, HasTheUsualPermissions) {
   EXPECT_EQ(static_cast<unsigned>(fs::status(file("out/a")).permissions()), 0640U);
 }
 
-TEST_F(OutputDirectory, IdentityTellsWhetherTwoPathsAreOneDirectory) {
+TEST_F(Output_directory_test, identity_tells_whether_two_paths_are_one_directory) {
   fs::create_directory(file("a"));
   fs::create_directory_symlink("a", file("link"));
   const auto identity = [](const std::string& path) { return Output_directory(path).identity(); };
@@ -125,7 +125,7 @@ TEST_F(OutputDirectory, IdentityTellsWhetherTwoPathsAreOneDirectory) {
   EXPECT_NE(identity(file("a")), identity(file("b")));
 }
 
-TEST_F(OutputDirectory, UnusablePathsAreErrorsAtOnce) {
+TEST_F(Output_directory_test, unusable_paths_are_errors_at_once) {
   fs::create_directory(file("full"));
   write_file(file("full/a"), "kept");
   EXPECT_EQ(error_of(file("full")), file("full") + ": is not empty; expected " + usable +
@@ -149,7 +149,7 @@ TEST_F(OutputDirectory, UnusablePathsAreErrorsAtOnce) {
   EXPECT_EQ(read_file(file("full/a")), "kept");
 }
 
-TEST_F(OutputDirectory, CurrentDirectoryIsRefused) {
+TEST_F(Output_directory_test, current_directory_is_refused) {
   fs::create_directory(file("here"));
   const fs::path before = fs::current_path();
   fs::current_path(file("here"));
@@ -158,7 +158,7 @@ TEST_F(OutputDirectory, CurrentDirectoryIsRefused) {
   EXPECT_EQ(error, ".: is the current directory; expected another one");
 }
 
-TEST_F(OutputDirectory, PermissionsAreRespected) {
+TEST_F(Output_directory_test, permissions_are_respected) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
   fs::create_directory(file("closed"));
   fs::permissions(file("closed"), fs::perms::owner_read | fs::perms::owner_exec);
@@ -166,7 +166,7 @@ TEST_F(OutputDirectory, PermissionsAreRespected) {
             std::string::npos);
 }
 
-TEST_F(OutputDirectory, FailureToWriteNamesTheFile) {
+TEST_F(Output_directory_test, failure_to_write_names_the_file) {
   Output_directory output(file("out"));
   const std::string name(300, 'x');  // longer than a name may be
   try {
@@ -186,7 +186,7 @@ TEST_F(OutputDirectory, FailureToWriteNamesTheFile) {
 }
 
 // As on a full disk, the part that there is room for is written.
-TEST_F(OutputDirectory, PartOfAFileIsAFailure) {
+TEST_F(Output_directory_test, part_of_a_file_is_a_failure) {
   rlimit before = {};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto signal = std::signal(SIGXFSZ, SIG_IGN);
@@ -209,7 +209,7 @@ TEST_F(OutputDirectory, PartOfAFileIsAFailure) {
   EXPECT_EQ(entries(), Entries{});
 }
 
-TEST_F(OutputDirectory, TargetThatWasFilledMeanwhileIsReported) {
+TEST_F(Output_directory_test, target_that_was_filled_meanwhile_is_reported) {
   fs::create_directory(file("out"));
   Output_directory output(file("out"));
   output.write("a", "text");
@@ -219,7 +219,7 @@ TEST_F(OutputDirectory, TargetThatWasFilledMeanwhileIsReported) {
   EXPECT_EQ(entries("out"), Entries{"other"});
 }
 
-TEST_F(OutputDirectory, SurvivesBeingMoved) {
+TEST_F(Output_directory_test, survives_being_moved) {
   std::vector<Output_directory> outputs;
   for (const char* name : {"a", "b", "c"}) {
     outputs.emplace_back(file(name)).write(name, name);
@@ -229,7 +229,7 @@ TEST_F(OutputDirectory, SurvivesBeingMoved) {
   EXPECT_EQ(read_file(file("c/c")), "c");
 }
 
-TEST_F(OutputDirectory, AllTemporariesCanBeRemovedAtOnce) {
+TEST_F(Output_directory_test, all_temporaries_can_be_removed_at_once) {
   std::vector<Output_directory> outputs;
   for (const char* name : {"a", "b", "c"}) {
     outputs.emplace_back(file(name)).write("one", "text");

@@ -23,7 +23,7 @@ using test::Temporary_directory;
 using test::write_file;
 using Entries = std::vector<std::string>;
 
-class OutputFile : public testing::Test {
+class Output_file_test : public testing::Test {
  protected:
   std::string file(const std::string& name) const { return directory_.file(name); }
   Entries entries() const { return directory_.entries(); }
@@ -46,7 +46,7 @@ class OutputFile : public testing::Test {
   Temporary_directory directory_;
 };
 
-TEST_F(OutputFile, TargetAppearsWithCommitOnly) {
+TEST_F(Output_file_test, target_appears_with_commit_only) {
   Output_file output(file("out"));
   EXPECT_EQ(output.path(), file("out"));
   output.stream() << "text";
@@ -59,7 +59,7 @@ TEST_F(OutputFile, TargetAppearsWithCommitOnly) {
   EXPECT_EQ(entries(), Entries{"out"});
 }
 
-TEST_F(OutputFile, WithoutCommitNothingChanges) {
+TEST_F(Output_file_test, without_commit_nothing_changes) {
   write_file(file("old"), "before");
   {
     Output_file changed(file("old"));
@@ -73,7 +73,7 @@ TEST_F(OutputFile, WithoutCommitNothingChanges) {
   EXPECT_EQ(entries(), Entries{"old"});
 }
 
-TEST_F(OutputFile, CommitReplacesTheOldFile) {
+TEST_F(Output_file_test, commit_replaces_the_old_file) {
   write_file(file("out"), "a longer text that was there before");
   Output_file output(file("out"));
   output.stream() << "new";
@@ -82,7 +82,7 @@ TEST_F(OutputFile, CommitReplacesTheOldFile) {
   EXPECT_EQ(entries(), Entries{"out"});
 }
 
-TEST_F(OutputFile, FinishAndCommitMayBeRepeated) {
+TEST_F(Output_file_test, finish_and_commit_may_be_repeated) {
   Output_file output(file("out"));
   output.stream() << "text";
   output.finish();
@@ -92,7 +92,7 @@ TEST_F(OutputFile, FinishAndCommitMayBeRepeated) {
   EXPECT_EQ(read_file(file("out")), "text");
 }
 
-TEST_F(OutputFile, NothingCanBeWrittenAfterFinish) {
+TEST_F(Output_file_test, nothing_can_be_written_after_finish) {
   Output_file output(file("out"));
   output.finish();
   EXPECT_FALSE(output.stream() << "late");
@@ -100,7 +100,7 @@ TEST_F(OutputFile, NothingCanBeWrittenAfterFinish) {
   EXPECT_EQ(read_file(file("out")), "");
 }
 
-TEST_F(OutputFile, SurvivesBeingMoved) {
+TEST_F(Output_file_test, survives_being_moved) {
   std::vector<Output_file> outputs;
   for (const char* name : {"a", "b", "c"}) {
     outputs.emplace_back(file(name)).stream() << name;
@@ -111,7 +111,7 @@ TEST_F(OutputFile, SurvivesBeingMoved) {
   EXPECT_EQ(entries(), (Entries{"a", "b", "c"}));
 }
 
-TEST_F(OutputFile, HoldsMoreThanItsBuffer) {
+TEST_F(Output_file_test, holds_more_than_its_buffer) {
   std::string text;
   for (int i = 0; i < 100'000; ++i) text += std::to_string(i) + '\n';
   Output_file output(file("out"));
@@ -121,7 +121,7 @@ TEST_F(OutputFile, HoldsMoreThanItsBuffer) {
   EXPECT_EQ(read_file(file("out")), text + 'x' + text);
 }
 
-TEST_F(OutputFile, KeepsThePermissionsOfTheOldFile) {
+TEST_F(Output_file_test, keeps_the_permissions_of_the_old_file) {
   write_file(file("out"), "before");
   for (const unsigned mode : {0640U, 0600U, 0666U, 0755U}) {
     fs::permissions(file("out"), static_cast<fs::perms>(mode));
@@ -130,14 +130,14 @@ TEST_F(OutputFile, KeepsThePermissionsOfTheOldFile) {
   }
 }
 
-TEST_F(OutputFile, NewFileHasTheUsualPermissions) {
+TEST_F(Output_file_test, new_file_has_the_usual_permissions) {
   const mode_t old = ::umask(027);
   Output_file(file("out")).commit();
   ::umask(old);
   EXPECT_EQ(permissions(file("out")), 0640U);
 }
 
-TEST_F(OutputFile, SymbolicLinksAreFollowed) {
+TEST_F(Output_file_test, symbolic_links_are_followed) {
   fs::create_directory(file("elsewhere"));
   write_file(file("elsewhere/target"), "before");
   fs::create_symlink("elsewhere/target", file("link"));
@@ -155,7 +155,7 @@ TEST_F(OutputFile, SymbolicLinksAreFollowed) {
   EXPECT_EQ(read_file(file("elsewhere/missing")), "created");
 }
 
-TEST_F(OutputFile, IdentityTellsWhetherTwoPathsAreOneFile) {
+TEST_F(Output_file_test, identity_tells_whether_two_paths_are_one_file) {
   fs::create_symlink("a", file("link"));
   write_file(file("a"), "");
   const auto identity = [](const std::string& path) { return Output_file(path).identity(); };
@@ -168,7 +168,7 @@ TEST_F(OutputFile, IdentityTellsWhetherTwoPathsAreOneFile) {
   EXPECT_EQ(identity("/dev/null"), "");
 }
 
-TEST_F(OutputFile, PathsThatCannotBeWrittenAreErrorsAtOnce) {
+TEST_F(Output_file_test, paths_that_cannot_be_written_are_errors_at_once) {
   EXPECT_EQ(error_of(directory()), directory() + ": is a directory; expected the path of a file");
   EXPECT_EQ(error_of(file("missing/out")),
             file("missing/out") +
@@ -183,7 +183,7 @@ TEST_F(OutputFile, PathsThatCannotBeWrittenAreErrorsAtOnce) {
   EXPECT_EQ(entries(), Entries{"plain"});
 }
 
-TEST_F(OutputFile, PermissionsAreRespected) {
+TEST_F(Output_file_test, permissions_are_respected) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
   write_file(file("read-only"), "before");
   fs::permissions(file("read-only"), fs::perms::owner_read);
@@ -195,14 +195,14 @@ TEST_F(OutputFile, PermissionsAreRespected) {
             std::string::npos);
 }
 
-TEST_F(OutputFile, DevicesAreWrittenDirectly) {
+TEST_F(Output_file_test, devices_are_written_directly) {
   Output_file output("/dev/null");
   output.stream() << "text";
   output.commit();
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(OutputFile, FullDiskIsReported) {
+TEST_F(Output_file_test, full_disk_is_reported) {
   for (const std::size_t size : {std::size_t{1}, std::size_t{1} << 20U}) {
     Output_file output("/dev/full");
     output.stream() << std::string(size, 'x');
@@ -217,13 +217,13 @@ TEST_F(OutputFile, FullDiskIsReported) {
   }
 }
 
-TEST_F(OutputFile, StreamShowsAFailureWhileWriting) {
+TEST_F(Output_file_test, stream_shows_a_failure_while_writing) {
   Output_file output("/dev/full");
   for (int i = 0; i < 1000 && output.stream(); ++i) output.stream() << std::string(1000, 'x');
   EXPECT_FALSE(output.stream());
 }
 
-TEST_F(OutputFile, NamedPipesAreWrittenDirectly) {
+TEST_F(Output_file_test, named_pipes_are_written_directly) {
   ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
   std::string received;
   std::thread reader([&] { received = read_file(file("pipe")); });
@@ -237,7 +237,7 @@ TEST_F(OutputFile, NamedPipesAreWrittenDirectly) {
   EXPECT_TRUE(fs::is_fifo(file("pipe")));
 }
 
-TEST_F(OutputFile, AllTemporariesCanBeRemovedAtOnce) {
+TEST_F(Output_file_test, all_temporaries_can_be_removed_at_once) {
   write_file(file("old"), "before");
   std::vector<Output_file> outputs;
   for (const char* name : {"old", "new", "other"}) outputs.emplace_back(file(name));
@@ -248,7 +248,7 @@ TEST_F(OutputFile, AllTemporariesCanBeRemovedAtOnce) {
   EXPECT_EQ(read_file(file("old")), "before");
 }
 
-TEST_F(OutputFile, TargetThatBecameADirectoryIsReported) {
+TEST_F(Output_file_test, target_that_became_a_directory_is_reported) {
   Output_file output(file("out"));
   fs::create_directory(file("out"));
   EXPECT_THROW(output.commit(), Output_error);

@@ -51,7 +51,7 @@ double number(const std::string& text) {
 
 // ---- numbers ----
 
-TEST(ParseNumber, ReadsDecimalNumbers) {
+TEST(Parse_number, reads_decimal_numbers) {
   EXPECT_EQ(number("0"), 0);
   EXPECT_EQ(number("12"), 12);
   EXPECT_EQ(number("+12"), 12);
@@ -64,7 +64,7 @@ TEST(ParseNumber, ReadsDecimalNumbers) {
   EXPECT_EQ(number("00012"), 12);
 }
 
-TEST(ParseNumber, ReadsHexadecimalNumbers) {
+TEST(Parse_number, reads_hexadecimal_numbers) {
   EXPECT_EQ(number("0x1.8p3"), 12);
   EXPECT_EQ(number("-0x1.8p3"), -12);
   EXPECT_EQ(number("+0X1.8P+3"), 12);
@@ -73,14 +73,14 @@ TEST(ParseNumber, ReadsHexadecimalNumbers) {
   EXPECT_EQ(number("0xAbC.dEfp-4"), 0xABC.DEFp-4);
 }
 
-TEST(ParseNumber, KeepsTheSignOfZero) {
+TEST(Parse_number, keeps_the_sign_of_zero) {
   EXPECT_FALSE(std::signbit(number("0.0")));
   EXPECT_TRUE(std::signbit(number("-0.0")));
   EXPECT_TRUE(std::signbit(number("-0x0p0")));
   EXPECT_EQ(number("0e999999999999"), 0);
 }
 
-TEST(ParseNumber, ReachesTheEndsOfTheRange) {
+TEST(Parse_number, reaches_the_ends_of_the_range) {
   EXPECT_EQ(number("1.7976931348623157e308"), std::numeric_limits<double>::max());
   EXPECT_EQ(number("0x1.fffffffffffffp1023"), std::numeric_limits<double>::max());
   EXPECT_EQ(number("2.2250738585072014e-308"), std::numeric_limits<double>::min());
@@ -92,7 +92,7 @@ TEST(ParseNumber, ReachesTheEndsOfTheRange) {
   EXPECT_EQ(number("0x.80000001p-1074"), std::numeric_limits<double>::denorm_min());
 }
 
-TEST(ParseNumber, RejectsNumbersOutOfRange) {
+TEST(Parse_number, rejects_numbers_out_of_range) {
   for (const char* text :
        {"1e309", "-1e309", "1.8e308", "1e99999999999999999999", "0x1p1024", "-0x1p5000", "1e-400",
         "-1e-324", "1e-99999999999999999999", "0x1p-1080", "0x.0000001p-1060",
@@ -102,13 +102,13 @@ TEST(ParseNumber, RejectsNumbersOutOfRange) {
   }
 }
 
-TEST(ParseNumber, RejectsNumbersThatAreNotFinite) {
+TEST(Parse_number, rejects_numbers_that_are_not_finite) {
   for (const char* text : {"nan", "NaN", "-nan", "nan(1)", "inf", "-inf", "+Infinity", "INF"}) {
     EXPECT_EQ(parse_number(text).problem, "is not finite; expected a finite number") << text;
   }
 }
 
-TEST(ParseNumber, RejectsOtherText) {
+TEST(Parse_number, rejects_other_text) {
   for (const char* text :
        {"",      "abc", "1x",   "1 ",   " 1",   "1,5",   "--1",      "+-1",   "-+1",
         "++1",   "0x",  "0x-1", "0x+1", "-0x",  "1e",    "1e+",      "0x1p",  ".",
@@ -123,7 +123,7 @@ TEST(ParseNumber, RejectsOtherText) {
 }
 
 // The C library rounds correctly.
-TEST(ParseNumber, AgreesWithTheCLibrary) {
+TEST(Parse_number, agrees_with_the_c_library) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 20'000; ++i) {
     const double value = std::bit_cast<double>(random());
@@ -148,7 +148,7 @@ TEST(ParseNumber, AgreesWithTheCLibrary) {
 
 // ---- files that are right ----
 
-TEST(ReadPoints, ReadsRowsInOrder) {
+TEST(Read_points, reads_rows_in_order) {
   const Points_file file = read("x,y,vx,vy\n1,2,3,4\n-5,0.5,0x1p-3,1e2\n");
   ASSERT_EQ(file.motions.size(), 2U);
   EXPECT_EQ(file.motions[0], (Linear_motion_2{{1, 2}, {3, 4}, 0}));
@@ -157,14 +157,14 @@ TEST(ReadPoints, ReadsRowsInOrder) {
   EXPECT_EQ(file.lines, (std::vector<std::size_t>{2, 3}));
 }
 
-TEST(ReadPoints, TakesColumnsInAnyOrder) {
+TEST(Read_points, takes_columns_in_any_order) {
   const Points_file file = read("vy,radius,x,vx,y\n4,9,1,3,2\n");
   ASSERT_EQ(file.motions.size(), 1U);
   EXPECT_EQ(file.motions[0], (Linear_motion_2{{1, 2}, {3, 4}, 0}));
   EXPECT_EQ(file.radii, std::vector<double>{9});
 }
 
-TEST(ReadPoints, ReadsHigherDerivatives) {
+TEST(Read_points, reads_higher_derivatives) {
   const Points_file bent =
       read("x,y,vx,vy,jy,jx,ax,radius,ay\n1,2,3,4,8,7,5,0.5,6\n0,0,0,0,0,0,0,1,0\n");
   EXPECT_TRUE(bent.is_polynomial);
@@ -184,7 +184,7 @@ TEST(ReadPoints, ReadsHigherDerivatives) {
             "points that differ in one of them: remove one or change its motion");
 }
 
-TEST(ReadPoints, SkipsBlankLinesAndComments) {
+TEST(Read_points, skips_blank_lines_and_comments) {
   const Points_file file =
       read("# before, the header\n\n  \t\nx,y,vx,vy\n#1,2,3,4\n\n5,6,7,8\n   \n#\n1,2,3,4\n\n");
   ASSERT_EQ(file.motions.size(), 2U);
@@ -192,7 +192,7 @@ TEST(ReadPoints, SkipsBlankLinesAndComments) {
   EXPECT_EQ(file.motions[1].position.x, 1);
 }
 
-TEST(ReadPoints, ToleratesBlanksByteOrderMarkAndCarriageReturns) {
+TEST(Read_points, tolerates_blanks_byte_order_mark_and_carriage_returns) {
   const Points_file file = read("\xEF\xBB\xBF x ,y\t, vx,vy \r\n 1 ,\t2, 3 ,4\r\n\r\n#\r\n5,6,7,8");
   ASSERT_EQ(file.motions.size(), 2U);
   EXPECT_EQ(file.motions[0], (Linear_motion_2{{1, 2}, {3, 4}, 0}));
@@ -201,7 +201,7 @@ TEST(ReadPoints, ToleratesBlanksByteOrderMarkAndCarriageReturns) {
 
 // ---- files of other programs ----
 
-TEST(ReadPoints, ReadsWhatRWrites) {
+TEST(Read_points, reads_what_r_writes) {
   // write.csv: names and row names in quotation marks; the latter have no name.
   const Points_file file =
       read("\"\",\"x\",\"y\",\"vx\",\"vy\"\n\"1\",1,2,3,4\n\"2\",5,6,7,1e-04\n");
@@ -211,7 +211,7 @@ TEST(ReadPoints, ReadsWhatRWrites) {
   EXPECT_TRUE(file.labels.empty());
 }
 
-TEST(ReadPoints, ReadsWhatPandasWrites) {
+TEST(Read_points, reads_what_pandas_writes) {
   // to_csv: an index without a name, and all columns of the frame.
   const Points_file file =
       read(",id,x,y,vx,vy,kind\n0,ada,1.0,2.0,3.0,4.0,\"walks, runs\"\n1,ben,5.0,6.0,7.0,8.0,\n");
@@ -221,7 +221,7 @@ TEST(ReadPoints, ReadsWhatPandasWrites) {
   EXPECT_EQ(file.ignored_columns, (std::vector<std::string>{"''", "'kind'"}));
 }
 
-TEST(ReadPoints, ReadsWhatSpreadsheetsWrite) {
+TEST(Read_points, reads_what_spreadsheets_write) {
   const Points_file file = read(
       "\xEF\xBB\xBFName;X;Y;VX;VY;Radius\r\n\"a;b\";\"1.5\"; 2 "
       ";3;4;0.5\r\n\"\"\"q\"\"\";5;6;7;8;1\r\n");
@@ -231,7 +231,7 @@ TEST(ReadPoints, ReadsWhatSpreadsheetsWrite) {
   EXPECT_EQ(file.ignored_columns, std::vector<std::string>{"'Name'"});
 }
 
-TEST(ReadPoints, KeepsTheColumnIdAsLabels) {
+TEST(Read_points, keeps_the_column_id_as_labels) {
   const Points_file file =
       read("x,y,vx,vy,ID\n1,2,3,4,\"Ada, \"\"the\"\" first\"\n5,6,7,8, 7 \n1,2,0,0,7.0\n");
   EXPECT_EQ(file.labels, (std::vector<std::string>{"Ada, \"the\" first", "7", "7.0"}));
@@ -239,28 +239,28 @@ TEST(ReadPoints, KeepsTheColumnIdAsLabels) {
   EXPECT_TRUE(read("x,y,vx,vy,id\n").labels.empty());
 }
 
-TEST(ReadPoints, NamesOfIgnoredColumnsArePrintable) {
+TEST(Read_points, names_of_ignored_columns_are_printable) {
   EXPECT_EQ(read("x,y,vx,vy,a\x1b[2J\n").ignored_columns,
             std::vector<std::string>{R"('a\x1b[2J')"});
 }
 
-TEST(ReadPoints, HeaderAloneMeansNoPoints) {
+TEST(Read_points, header_alone_means_no_points) {
   EXPECT_TRUE(read("x,y,vx,vy\n").motions.empty());
   EXPECT_TRUE(read("x,y,vx,vy").motions.empty());
   EXPECT_TRUE(read("# nothing yet\nx,y,vx,vy,radius\n\n").motions.empty());
 }
 
-TEST(ReadPoints, SamePlaceOrSameVelocityAloneIsAllowed) {
+TEST(Read_points, same_place_or_same_velocity_alone_is_allowed) {
   EXPECT_EQ(read("x,y,vx,vy\n1,2,3,4\n1,2,3,5\n1,2,0,4\n0,2,3,4\n1,0,3,4\n").motions.size(), 5U);
 }
 
-TEST(ReadPoints, SubnormalNumbersAreKept) {
+TEST(Read_points, subnormal_numbers_are_kept) {
   EXPECT_EQ(read("x,y,vx,vy\n5e-324,0,0,0\n").motions[0].position.x,
             std::numeric_limits<double>::denorm_min());
 }
 
 // More than one buffer of the reader, with lines of every length across its ends.
-TEST(ReadPoints, ReadsManyRowsOfVaryingLength) {
+TEST(Read_points, reads_many_rows_of_varying_length) {
   std::ostringstream text;
   text << "x,y,vx,vy\n";
   constexpr std::size_t rows = 150'000;
@@ -294,7 +294,7 @@ class Trickle : public std::streambuf {
   std::size_t next_ = 0;
 };
 
-TEST(ReadPoints, ReadsFromAStreamThatGivesLittleAtATime) {
+TEST(Read_points, reads_from_a_stream_that_gives_little_at_a_time) {
   Trickle buffer("x,y,vx,vy\r\n1,2,3,4\r\n5,6,7,8");
   std::istream in(&buffer);
   EXPECT_EQ(read_points(in, "p.csv").motions.size(), 2U);
@@ -307,9 +307,9 @@ struct Bad_file {
   const char* message;
 };
 
-class BadFile : public testing::TestWithParam<Bad_file> {};
+class Bad_points_file : public testing::TestWithParam<Bad_file> {};
 
-TEST_P(BadFile, GivesLineProblemAndExpectation) {
+TEST_P(Bad_points_file, gives_line_problem_and_expectation) {
   EXPECT_EQ(error_of(GetParam().text), GetParam().message);
 }
 
@@ -317,7 +317,7 @@ constexpr const char* number_expected =
     "expected a decimal or hexadecimal floating point number such as -1.5, 2e-3 or 0x1.8p3";
 
 INSTANTIATE_TEST_SUITE_P(
-    Header, BadFile,
+    Header, Bad_points_file,
     testing::Values(
         Bad_file{
             "",
@@ -361,7 +361,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "and optionally radius, ax,ay, jx,jy, in any order"}));
 
 INSTANTIATE_TEST_SUITE_P(
-    Rows, BadFile,
+    Rows, Bad_points_file,
     testing::Values(
         Bad_file{"x,y,vx,vy\n1,2,3\n",
                  "p.csv:2: the row has 3 fields; expected 4, one for each column of the header"},
@@ -408,7 +408,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_file{"x,y,vx,vy,radius\n1,2,3,4,-0.5\n",
                  "p.csv:2: the radius -0.5 is negative; expected at least 0"}));
 
-TEST(ReadPoints, TextThatIsNoNumberIsQuoted) {
+TEST(Read_points, text_that_is_no_number_is_quoted) {
   EXPECT_EQ(
       error_of("x,y,vx,vy\n1,2,3 m/s,4\n"),
       std::string("p.csv:2: the column vx is '3 m/s', which is not a number; ") + number_expected);
@@ -417,7 +417,7 @@ TEST(ReadPoints, TextThatIsNoNumberIsQuoted) {
       std::string("p.csv:2: the column vy is '4\"', which is not a number; ") + number_expected);
 }
 
-TEST(ReadPoints, QuotedTextIsPrintableAndShort) {
+TEST(Read_points, quoted_text_is_printable_and_short) {
   EXPECT_NE(error_of(std::string("x,y,vx,vy\n1,2,3,4\0\x1b[2J\n", 22)).find(R"('4\x00\x1b[2J')"),
             std::string::npos);
   const std::string wide = std::string(39, 'a') + "\xC3\xA4\xC3\xA4";
@@ -426,7 +426,7 @@ TEST(ReadPoints, QuotedTextIsPrintableAndShort) {
   EXPECT_LT(error_of("x,y,vx,vy\n" + std::string(100'000, '7') + "x,2,3,4\n").size(), 250U);
 }
 
-TEST(ReadPoints, OverlongLineIsAnError) {
+TEST(Read_points, overlong_line_is_an_error) {
   const std::string digits(std::size_t{1} << 20U, '1');
   EXPECT_EQ(error_of("x,y,vx,vy\n1,2,3,4\n" + digits + digits + digits),
             "p.csv:3: the line is longer than 1048576 bytes; expected one point a line");
@@ -436,7 +436,7 @@ TEST(ReadPoints, OverlongLineIsAnError) {
   EXPECT_EQ(error_of("x,y,vx,vy\n1,2,3," + blanks + "4\n"), "");
 }
 
-TEST(ReadPoints, BinaryInputIsAnError) {
+TEST(Read_points, binary_input_is_an_error) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 200; ++i) {
     std::string noise;
@@ -446,7 +446,7 @@ TEST(ReadPoints, BinaryInputIsAnError) {
   }
 }
 
-TEST(ReadPoints, EqualPointsNameBothLines) {
+TEST(Read_points, equal_points_name_both_lines) {
   EXPECT_EQ(error_of("x,y,vx,vy\n1,2,3,4\n\n5,6,7,8\n1.0,2,0x3,4e0\n"),
             "p.csv:5: the point has the same place and velocity as the one in line 2; expected "
             "points that differ in one of them: remove one or change its motion");
@@ -455,18 +455,18 @@ TEST(ReadPoints, EqualPointsNameBothLines) {
             std::string::npos);
 }
 
-TEST(ReadPoints, OfSeveralEqualPointsTheFirstRepetitionIsNamed) {
+TEST(Read_points, of_several_equal_points_the_first_repetition_is_named) {
   EXPECT_NE(error_of("x,y,vx,vy\n9,9,9,9\n1,1,1,1\n2,2,2,2\n2,2,2,2\n1,1,1,1\n9,9,9,9\n2,2,2,2\n")
                 .find("p.csv:5: the point has the same place and velocity as the one in line 4"),
             std::string::npos);
 }
 
-TEST(ReadPoints, EqualRadiiDoNotMakePointsDiffer) {
+TEST(Read_points, equal_radii_do_not_make_points_differ) {
   EXPECT_NE(error_of("x,y,vx,vy,radius\n1,2,3,4,5\n1,2,3,4,6\n"), "");
 }
 
 // Quadratic behavior would take minutes.
-TEST(ReadPoints, ManyPointsWithEqualCoordinatesAreReadQuickly) {
+TEST(Read_points, many_points_with_equal_coordinates_are_read_quickly) {
   std::ostringstream text;
   text << "x,y,vx,vy\n";
   for (int i = 0; i < 200'000; ++i) text << "1,2,3," << i << '\n';
@@ -490,7 +490,7 @@ class Failing_buffer : public std::streambuf {
   char text_[11] = "x,y,vx,vy\n";
 };
 
-TEST(ReadPoints, StreamThatFailsIsAnErrorAndNotTheEnd) {
+TEST(Read_points, stream_that_fails_is_an_error_and_not_the_end) {
   Failing_buffer buffer;
   std::istream in(&buffer);
   try {
@@ -503,13 +503,13 @@ TEST(ReadPoints, StreamThatFailsIsAnErrorAndNotTheEnd) {
 
 // ---- paths ----
 
-TEST(ReadPointsFile, ReadsAFile) {
+TEST(Read_points_file, reads_a_file) {
   const Temporary_directory directory;
   write_file(directory.file("p.csv"), "x,y,vx,vy\n1,2,3,4\n");
   EXPECT_EQ(read_points_file(directory.file("p.csv")).motions.size(), 1U);
 }
 
-TEST(ReadPointsFile, BadPathsAreNamed) {
+TEST(Read_points_file, bad_paths_are_named) {
   const Temporary_directory directory;
   const auto message = [](const std::string& path) {
     try {
@@ -534,14 +534,14 @@ TEST(ReadPointsFile, BadPathsAreNamed) {
 
 // ---- writing ----
 
-TEST(WritePoints, WritesTheShortestNumbers) {
+TEST(Write_points, writes_the_shortest_numbers) {
   std::ostringstream out;
   const std::vector<Linear_motion_2> motions = {{{0.1, -2}, {1e-5, 1e300}, 0}, {{0, -0.0}, {}, 0}};
   write_points(out, motions);
   EXPECT_EQ(out.str(), "x,y,vx,vy\n0.1,-2,1e-05,1e+300\n0,-0,0,0\n");
 }
 
-TEST(WritePoints, ReadGivesTheSameNumbersBack) {
+TEST(Write_points, read_gives_the_same_numbers_back) {
   std::mt19937_64 random(11);
   const auto any = [&random] {
     for (;;) {
@@ -562,7 +562,7 @@ TEST(WritePoints, ReadGivesTheSameNumbersBack) {
   EXPECT_EQ(file.radii, radii);
 }
 
-TEST(WritePoints, WritesHigherDerivatives) {
+TEST(Write_points, writes_higher_derivatives) {
   const std::vector<Polynomial_motion_2> motions = {{{1, 2}, {3, 4}, {-0.0, 0.1}, {1e-300, 8}, 0},
                                                     {}};
   std::ostringstream out;
@@ -571,7 +571,7 @@ TEST(WritePoints, WritesHigherDerivatives) {
   EXPECT_EQ(read(out.str()).polynomial_motions, motions);
 }
 
-TEST(WritePoints, WhatTheFormatCannotHoldThrows) {
+TEST(Write_points, what_the_format_cannot_hold_throws) {
   std::ostringstream out;
   EXPECT_PRECONDITION_ERROR(
       write_points(out, std::vector<Linear_motion_2>{{{0, 0}, {0, 0}, 1}}),

@@ -27,7 +27,7 @@ std::vector<std::string> keys(const Json& object) {
   return result;
 }
 
-TEST(WriteStats, EachNumberStandsUnderItsKey) {
+TEST(Write_stats, each_number_stands_under_its_key) {
   Run_statistics statistics;
   statistics.points = 100;
   statistics.from = -1;
@@ -83,7 +83,7 @@ TEST(WriteStats, EachNumberStandsUnderItsKey) {
   EXPECT_EQ(statistics.seconds.total(), 15.75);
 }
 
-TEST(WriteStats, KeysAreAlwaysThereInOneOrder) {
+TEST(Write_stats, keys_are_always_there_in_one_order) {
   const Json document = written({});
   EXPECT_EQ(keys(document), (std::vector<std::string>{"points",
                                                       "from",

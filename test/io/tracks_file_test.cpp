@@ -99,7 +99,7 @@ void expect_well_formed(const Tracks_file& file) {
 
 // ---- the format of rows ----
 
-TEST(ReadTracksRows, GathersTheRowsOfEachId) {
+TEST(Read_tracks_rows, gathers_the_rows_of_each_id) {
   const Tracks_file file = rows("t,id,x,y\n0,a,1,2\n0,b,-3,0.5\n0.5,a,0x1p-3,1e2\n");
   EXPECT_EQ(shown(file), "a: 0 (1, 2) line 2 0.5 (0.125, 100) line 4; b: 0 (-3, 0.5) line 3");
   EXPECT_EQ(file.observations, 3U);
@@ -107,33 +107,33 @@ TEST(ReadTracksRows, GathersTheRowsOfEachId) {
   EXPECT_EQ(file.rows_out_of_order, 0U);
 }
 
-TEST(ReadTracksRows, TakesColumnsInAnyOrder) {
+TEST(Read_tracks_rows, takes_columns_in_any_order) {
   EXPECT_EQ(shown(rows("y,x,id,t\n4,3,a,1\n")), "a: 1 (3, 4) line 2");
   EXPECT_EQ(shown(rows("id,t,y,x\na,1,4,3\n")), "a: 1 (3, 4) line 2");
 }
 
-TEST(ReadTracksRows, SkipsBlankLinesAndComments) {
+TEST(Read_tracks_rows, skips_blank_lines_and_comments) {
   EXPECT_EQ(shown(rows("# before\n\n \t\nt,id,x,y\n#0,a,0,0\n\n0,a,1,2\n  \n1,a,1,2\n\n")),
             "a: 0 (1, 2) line 7 1 (1, 2) line 9");
 }
 
-TEST(ReadTracksRows, ToleratesBlanksByteOrderMarkAndCarriageReturns) {
+TEST(Read_tracks_rows, tolerates_blanks_byte_order_mark_and_carriage_returns) {
   EXPECT_EQ(shown(rows("\xEF\xBB\xBF t ,id\t, x,y \r\n 0 ,\ta , 1 ,2\r\n\r\n#\r\n1,a,3,4")),
             "a: 0 (1, 2) line 2 1 (3, 4) line 5");
 }
 
-TEST(ReadTracksRows, IdIsAnyTextWithoutCommas) {
+TEST(Read_tracks_rows, id_is_any_text_without_commas) {
   EXPECT_EQ(shown(rows("t,id,x,y\n0, a man ,1,2\n1,a man,1,3\n2,\"q\",0,0\n3,\xC3\xA4#,0,0\n")),
             "a man: 0 (1, 2) line 2 1 (1, 3) line 3; \"q\": 2 (0, 0) line 4; "
             "\xC3\xA4#: 3 (0, 0) line 5");
 }
 
-TEST(ReadTracksRows, IdsAreTextsAndNotNumbers) {
+TEST(Read_tracks_rows, ids_are_texts_and_not_numbers) {
   EXPECT_EQ(rows("t,id,x,y\n0,1,1,2\n0,1.0,1,2\n0,01,1,2\n0,+1,1,2\n").tracks.size(), 4U);
   EXPECT_EQ(rows("t,id,x,y\n0,a,1,2\n0,A,1,2\n").tracks.size(), 2U);
 }
 
-TEST(ReadTracksRows, HeaderAloneMeansNoTracks) {
+TEST(Read_tracks_rows, header_alone_means_no_tracks) {
   for (const char* text : {"t,id,x,y\n", "t,id,x,y", "# nothing yet\nid,x,y,t\n\n#\n"}) {
     const Tracks_file file = rows(text);
     EXPECT_TRUE(file.tracks.empty());
@@ -143,14 +143,14 @@ TEST(ReadTracksRows, HeaderAloneMeansNoTracks) {
 
 // ---- the format of frames ----
 
-TEST(ReadTracksFrames, TimeIsFrameByFramesASecond) {
+TEST(Read_tracks_frames, time_is_frame_by_frames_a_second) {
   EXPECT_EQ(shown(frames("780\t1.0\t8.46\t3.59\n800\t1.0\t9.5\t3.75\n")),
             "1.0: 31.2 (8.46, 3.59) line 1 32 (9.5, 3.75) line 2");
   EXPECT_EQ(shown(frames("0.0 7 1 2\n-5e0 7 1 2\n2.5 7 1 2\n", 2)),
             "7: -2.5 (1, 2) line 2 0 (1, 2) line 1 1.25 (1, 2) line 3");
 }
 
-TEST(ReadTracksFrames, TimeIsRoundedToNearest) {
+TEST(Read_tracks_frames, time_is_rounded_to_nearest) {
   const Tracks_file file = frames("1 a 0 0\n10 a 0 0\n", 29.97);
   EXPECT_EQ(file.tracks[0].observations[0].time, 1 / 29.97);
   EXPECT_EQ(frames("10 a 0 0\n").tracks[0].observations[0].time, 0.4);
@@ -158,12 +158,12 @@ TEST(ReadTracksFrames, TimeIsRoundedToNearest) {
   EXPECT_EQ(frames("3 a 0 0\n").tracks[0].observations[0].time, 0.12);
 }
 
-TEST(ReadTracksFrames, FieldsAreSeparatedByTabsOrBlanks) {
+TEST(Read_tracks_frames, fields_are_separated_by_tabs_or_blanks) {
   EXPECT_EQ(shown(frames("  0\ta 1   2\t\n\t25 \t a,b\t3 \t4")),
             "a: 0 (1, 2) line 1; a,b: 1 (3, 4) line 2");
 }
 
-TEST(ReadTracksFrames, SkipsBlankLinesAndComments) {
+TEST(Read_tracks_frames, skips_blank_lines_and_comments) {
   EXPECT_EQ(
       shown(frames("\xEF\xBB\xBF# seen from above\r\n\r\n0 a 1 2\r\n \t\r\n#0 a 5 5\r\n25 a 1 2")),
       "a: 0 (1, 2) line 3 1 (1, 2) line 6");
@@ -172,18 +172,18 @@ TEST(ReadTracksFrames, SkipsBlankLinesAndComments) {
             "a: 0 (1, 2) line 1");
 }
 
-TEST(ReadTracksFrames, IdsAreTextsAndNotNumbers) {
+TEST(Read_tracks_frames, ids_are_texts_and_not_numbers) {
   EXPECT_EQ(shown(frames("0 1 1 2\n0 1.0 1 2\n")), "1: 0 (1, 2) line 1; 1.0: 0 (1, 2) line 2");
 }
 
-TEST(ReadTracksFrames, EmptyFileMeansNoTracks) {
+TEST(Read_tracks_frames, empty_file_means_no_tracks) {
   for (const char* text : {"", "\n", "# nothing\n\n"}) {
     EXPECT_TRUE(frames(text).tracks.empty());
     EXPECT_EQ(frames(text).observations, 0U);
   }
 }
 
-TEST(ReadTracksFrames, FramesASecondMustBePositiveAndFinite) {
+TEST(Read_tracks_frames, frames_a_second_must_be_positive_and_finite) {
   for (const double fps : {0.0, -25.0, std::numeric_limits<double>::infinity(),
                            std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_PRECONDITION_ERROR(frames("0 a 1 2\n", fps),
@@ -193,7 +193,7 @@ TEST(ReadTracksFrames, FramesASecondMustBePositiveAndFinite) {
   EXPECT_EQ(frames("0 a 1 2\n", std::numeric_limits<double>::denorm_min()).observations, 1U);
 }
 
-TEST(ReadTracksFrames, FramesTooCloseForTheirTimesAreAtOneTime) {
+TEST(Read_tracks_frames, frames_too_close_for_their_times_are_at_one_time) {
   // Of two neighbors in [1.5, 2) the thirds may be the same number.
   const char* const first = "0x1.8000000000001p0";
   const char* const second = "0x1.8000000000002p0";
@@ -216,7 +216,7 @@ constexpr const char* exchange =
 constexpr const char* or_confirm =
     ", or, if this is their order, add the line '# frame id x y' above the rows";
 
-TEST(ReadTracksFrames, RefusesACommentThatNamesAnotherOrder) {
+TEST(Read_tracks_frames, refuses_a_comment_that_names_another_order) {
   for (const auto& [comment, names] :
        {std::pair{"# id frame x y", "id frame x y"}, std::pair{"#ID\tFR\tX\tY\tZ", "id fr x y"},
         std::pair{"# PersID Frame X Y Z", "persid frame x y"},
@@ -231,7 +231,7 @@ TEST(ReadTracksFrames, RefusesACommentThatNamesAnotherOrder) {
   EXPECT_NE(frames_error("# frame id x y\n# id frame x y\n1 0 1 2\n"), "");
 }
 
-TEST(ReadTracksFrames, CommentsThatNameNoOtherOrderAreSkipped) {
+TEST(Read_tracks_frames, comments_that_name_no_other_order_are_skipped) {
   for (const char* comment :
        {"# frame id x y", "# Frame PersID X Y", "#frame\tped_id\tx/m\ty/m", "# the id of a frame",
         "# frame: x y", "# x y", "# framerate", "# the framerate is unknown", "#", "# id frame"}) {
@@ -239,7 +239,7 @@ TEST(ReadTracksFrames, CommentsThatNameNoOtherOrderAreSkipped) {
   }
 }
 
-TEST(ReadTracksFrames, RefusesAFrameRateUnlessTheOrderIsConfirmed) {
+TEST(Read_tracks_frames, refuses_a_frame_rate_unless_the_order_is_confirmed) {
   for (const char* comment : {"# framerate: 16", "#framerate: 16.00 fps", "# Frame rate = 16",
                               "# frame_rate 16", "# fps: 16"}) {
     EXPECT_EQ(frames_error(std::string(comment) + "\n1 0 1 2\n", 16),
@@ -257,7 +257,7 @@ TEST(ReadTracksFrames, RefusesAFrameRateUnlessTheOrderIsConfirmed) {
   }
 }
 
-TEST(ReadTracksFrames, RefusesIdsThatNeverRepeat) {
+TEST(Read_tracks_frames, refuses_ids_that_never_repeat) {
   // One person, in the order id, frame, x, y.
   const std::string one_person = "1 100 0 0\n1 101 0.1 0\n1 102 0.2 0\n";
   EXPECT_EQ(frames_error(one_person),
@@ -284,7 +284,7 @@ std::string walk(bool id_first, double step) {
   return out.str();
 }
 
-TEST(ReadTracksFrames, RefusesPlacesThatMakeSenseOnlyInTheOtherOrder) {
+TEST(Read_tracks_frames, refuses_places_that_make_sense_only_in_the_other_order) {
   EXPECT_EQ(frames_error(walk(true, 0.125)),
             std::string("t.csv: successive rows of one id are 2 apart on average, but those of one "
                         "frame only 0.125, as if the first two columns were exchanged") +
@@ -296,7 +296,7 @@ TEST(ReadTracksFrames, RefusesPlacesThatMakeSenseOnlyInTheOtherOrder) {
   EXPECT_EQ(frames_error(walk(false, 3)), "");
 }
 
-TEST(ReadTracks, SortsByTimeAndCountsRowsOutOfOrder) {
+TEST(Read_tracks, sorts_by_time_and_counts_rows_out_of_order) {
   const Tracks_file file =
       rows("t,id,x,y\n3,a,0,0\n1,a,0,0\n9,b,0,0\n2,a,0,0\n4,a,0,0\n-1,a,0,0\n10,b,0,0\n");
   EXPECT_EQ(shown(file),
@@ -307,17 +307,17 @@ TEST(ReadTracks, SortsByTimeAndCountsRowsOutOfOrder) {
   EXPECT_EQ(frames("50 a 0 0\n25 a 0 0\n").rows_out_of_order, 1U);
 }
 
-TEST(ReadTracks, OtherIdsBetweenAreNotOutOfOrder) {
+TEST(Read_tracks, other_ids_between_are_not_out_of_order) {
   EXPECT_EQ(rows("t,id,x,y\n5,a,0,0\n1,b,0,0\n6,a,0,0\n2,b,0,0\n").rows_out_of_order, 0U);
 }
 
-TEST(ReadTracks, TracksAreSortedByFirstTimeThenLine) {
+TEST(Read_tracks, tracks_are_sorted_by_first_time_then_line) {
   EXPECT_EQ(shown(rows("t,id,x,y\n5,e,0,0\n1,d,0,0\n1,b,0,0\n7,c,0,0\n1,c,0,0\n0,e,0,0\n")),
             "e: 0 (0, 0) line 7 5 (0, 0) line 2; d: 1 (0, 0) line 3; b: 1 (0, 0) line 4; "
             "c: 1 (0, 0) line 6 7 (0, 0) line 5");
 }
 
-TEST(ReadTracks, RepeatedRowsAreDroppedAndCounted) {
+TEST(Read_tracks, repeated_rows_are_dropped_and_counted) {
   const Tracks_file file =
       rows("t,id,x,y\n0,a,1,2\n0,a,1,2\n0,b,1,2\n1,a,1,2\n0.0,a,1e0,2\n1,a,1.0,2\n0,a,1,2\n");
   EXPECT_EQ(shown(file), "a: 0 (1, 2) line 2 1 (1, 2) line 5; b: 0 (1, 2) line 4");
@@ -328,7 +328,7 @@ TEST(ReadTracks, RepeatedRowsAreDroppedAndCounted) {
   EXPECT_EQ(frames("0 a 1 2\n0.0 a 1.0 2\n").doubled_rows, 1U);
 }
 
-TEST(ReadTracks, ZerosOfBothSignsAreTheSame) {
+TEST(Read_tracks, zeros_of_both_signs_are_the_same) {
   const Tracks_file file = rows("t,id,x,y\n0,a,0,-0\n-0,a,-0,0\n");
   EXPECT_EQ(file.doubled_rows, 1U);
   EXPECT_EQ(file.rows_out_of_order, 0U);
@@ -337,7 +337,7 @@ TEST(ReadTracks, ZerosOfBothSignsAreTheSame) {
   EXPECT_TRUE(std::signbit(file.tracks[0].observations[0].place.y));
 }
 
-TEST(ReadTracks, TwoPlacesAtOneTimeNameBothLines) {
+TEST(Read_tracks, two_places_at_one_time_name_both_lines) {
   EXPECT_EQ(rows_error("t,id,x,y\n0.4,x,1,2\n0.4,z,1,2\n\n0.4,x,1,2.5\n"),
             "t.csv:5: id 'x' is at two places at t = 0.4: at (1, 2.5), and at (1, 2) in line 2; "
             "expected one");
@@ -346,7 +346,7 @@ TEST(ReadTracks, TwoPlacesAtOneTimeNameBothLines) {
             "expected one");
 }
 
-TEST(ReadTracks, OfSeveralIdsAtTwoPlacesTheFirstInTheFileIsNamed) {
+TEST(Read_tracks, of_several_ids_at_two_places_the_first_in_the_file_is_named) {
   EXPECT_NE(rows_error("t,id,x,y\n9,a,0,0\n5,b,0,0\n1,c,0,0\n5,b,0,0\n5,b,0,1\n9,a,1,0\n1,c,2,0\n")
                 .find("t.csv:6: id 'b' is at two places at t = 5: at (0, 1), and at (0, 0) in "
                       "line 3;"),
@@ -357,7 +357,7 @@ TEST(ReadTracks, OfSeveralIdsAtTwoPlacesTheFirstInTheFileIsNamed) {
             std::string::npos);
 }
 
-TEST(ReadTracks, QuotedIdsArePrintableAndShort) {
+TEST(Read_tracks, quoted_ids_are_printable_and_short) {
   EXPECT_NE(rows_error("t,id,x,y\n0,\x1b[2J,0,0\n0,\x1b[2J,1,0\n").find(R"(id '\x1b[2J' is)"),
             std::string::npos);
   const std::string id(100'000, 'a');
@@ -378,7 +378,7 @@ Places places_of(const Tracks_file& file) {
   return result;
 }
 
-TEST(ReadTracks, ShuffledRowsGiveTheSameTracks) {
+TEST(Read_tracks, shuffled_rows_give_the_same_tracks) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -429,7 +429,7 @@ TEST(ReadTracks, ShuffledRowsGiveTheSameTracks) {
 }
 
 // Quadratic behavior would take minutes.
-TEST(ReadTracks, ManyRowsInTheWrongOrderAreReadQuickly) {
+TEST(Read_tracks, many_rows_in_the_wrong_order_are_read_quickly) {
   std::string text;
   constexpr int count = 60'000;
   for (int i = count; i > 0; --i) {
@@ -448,19 +448,19 @@ struct Bad_tracks {
   const char* message;
 };
 
-class BadTracksRows : public testing::TestWithParam<Bad_tracks> {};
-class BadTracksFrames : public testing::TestWithParam<Bad_tracks> {};
+class Bad_tracks_rows : public testing::TestWithParam<Bad_tracks> {};
+class Bad_tracks_frames : public testing::TestWithParam<Bad_tracks> {};
 
-TEST_P(BadTracksRows, GiveLineProblemAndExpectation) {
+TEST_P(Bad_tracks_rows, give_line_problem_and_expectation) {
   EXPECT_EQ(rows_error(GetParam().text), GetParam().message);
 }
 
-TEST_P(BadTracksFrames, GiveLineProblemAndExpectation) {
+TEST_P(Bad_tracks_frames, give_line_problem_and_expectation) {
   EXPECT_EQ(frames_error(GetParam().text), GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Header, BadTracksRows,
+    Header, Bad_tracks_rows,
     testing::Values(
         Bad_tracks{"",
                    "t.csv:1: the file is empty; expected a header line with the columns t,id,x,y, "
@@ -485,7 +485,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "t,id,x,y, in any order"}));
 
 INSTANTIATE_TEST_SUITE_P(
-    Rows, BadTracksRows,
+    Rows, Bad_tracks_rows,
     testing::Values(
         Bad_tracks{"t,id,x,y\n0,a,1\n",
                    "t.csv:2: the row has 3 fields; expected 4, one for each column of the header"},
@@ -508,7 +508,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "expected 0, or a magnitude from 4.9e-324 to 1.8e308"}));
 
 INSTANTIATE_TEST_SUITE_P(
-    Rows, BadTracksFrames,
+    Rows, Bad_tracks_frames,
     testing::Values(
         Bad_tracks{"frame id x y\n",
                    "t.csv:1: the column frame is 'frame', which is not a number; expected a "
@@ -537,14 +537,14 @@ INSTANTIATE_TEST_SUITE_P(
                    "t.csv:2: the time of the frame 5e-324 at 25 frames a second is out of the "
                    "range of binary64; expected 0, or a magnitude from 4.9e-324 to 1.8e308"}));
 
-TEST(ReadTracks, TimesTooLargeAreErrors) {
+TEST(Read_tracks, times_too_large_are_errors) {
   EXPECT_EQ(frames_error("-1e308 a 1 2\n", 0.5),
             "t.csv:1: the time of the frame -1e+308 at 0.5 frames a second is out of the range of "
             "binary64; expected 0, or a magnitude from 4.9e-324 to 1.8e308");
   EXPECT_EQ(frames_error("-1e308 a 1 2\n", 1), "");
 }
 
-TEST(ReadTracks, OverlongLineIsAnError) {
+TEST(Read_tracks, overlong_line_is_an_error) {
   const std::string blanks(std::size_t{1} << 20U, ' ');
   EXPECT_EQ(rows_error("t,id,x,y\n0,a,1,2\n" + blanks + blanks + "\n"),
             "t.csv:3: the line is longer than 1048576 bytes; expected one observation a line");
@@ -553,7 +553,7 @@ TEST(ReadTracks, OverlongLineIsAnError) {
   EXPECT_EQ(frames_error("0 a 1 2" + blanks.substr(7)), "");
 }
 
-TEST(ReadTracks, BinaryInputIsAnError) {
+TEST(Read_tracks, binary_input_is_an_error) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 200; ++i) {
     std::string noise;
@@ -582,7 +582,7 @@ class Breaking_buffer : public std::streambuf {
   std::string text_;
 };
 
-TEST(ReadTracks, StreamThatFailsIsAnErrorAndNotTheEnd) {
+TEST(Read_tracks, stream_that_fails_is_an_error_and_not_the_end) {
   for (const auto& [text, format] :
        {std::pair{"t,id,x,y\n", Tracks_format::rows}, {"0 a 1 2\n", Tracks_format::frames}}) {
     Breaking_buffer buffer(text);
@@ -597,7 +597,7 @@ TEST(ReadTracks, StreamThatFailsIsAnErrorAndNotTheEnd) {
   }
 }
 
-TEST(ReadTracks, StreamThatHasFailedBeforeIsNotAnEmptyFile) {
+TEST(Read_tracks, stream_that_has_failed_before_is_not_an_empty_file) {
   std::ifstream in;
   in.setstate(std::ios::failbit);
   EXPECT_EQ(error_of([&] { read_tracks(in, "t.csv", Tracks_format::frames, 25); }),
@@ -606,7 +606,7 @@ TEST(ReadTracks, StreamThatHasFailedBeforeIsNotAnEmptyFile) {
 
 // ---- paths ----
 
-TEST(ReadTracksFile, ReadsAFileOfEitherFormat) {
+TEST(Read_tracks_file, reads_a_file_of_either_format) {
   const Temporary_directory directory;
   write_file(directory.file("t.csv"), "t,id,x,y\n0,a,1,2\n");
   write_file(directory.file("t.txt"), "25\ta\t1\t2\n");
@@ -616,7 +616,7 @@ TEST(ReadTracksFile, ReadsAFileOfEitherFormat) {
             "a: 1 (1, 2) line 1");
 }
 
-TEST(ReadTracksFile, DashIsStandardInput) {
+TEST(Read_tracks_file, dash_is_standard_input) {
   std::istringstream text("oops\n");
   std::streambuf* const before = std::cin.rdbuf(text.rdbuf());
   const std::string message = error_of([] { read_tracks_file("-", Tracks_format::frames, 25); });
@@ -626,7 +626,7 @@ TEST(ReadTracksFile, DashIsStandardInput) {
             "standard input:1: the column frame is 'oops', which is not a number");
 }
 
-TEST(ReadTracksFile, BadPathsAreNamed) {
+TEST(Read_tracks_file, bad_paths_are_named) {
   const Temporary_directory directory;
   const auto message = [](const std::string& path) {
     return error_of([&path] { read_tracks_file(path, Tracks_format::frames, 25); });
@@ -652,9 +652,9 @@ struct Recording {
   std::size_t tracks;
 };
 
-class RecordedTracks : public testing::TestWithParam<Recording> {};
+class Recorded_tracks : public testing::TestWithParam<Recording> {};
 
-TEST_P(RecordedTracks, AreReadWhole) {
+TEST_P(Recorded_tracks, are_read_whole) {
   const std::filesystem::path path =
       std::filesystem::path(KINETRI_SHARED_DATA) / "crowd" / GetParam().file;
   if (!std::filesystem::exists(path)) {
@@ -672,7 +672,7 @@ TEST_P(RecordedTracks, AreReadWhole) {
 }
 
 // The same rows in the form `id frame x y`.
-TEST_P(RecordedTracks, AreRefusedWithExchangedColumns) {
+TEST_P(Recorded_tracks, are_refused_with_exchanged_columns) {
   const std::filesystem::path path =
       std::filesystem::path(KINETRI_SHARED_DATA) / "crowd" / GetParam().file;
   if (!std::filesystem::exists(path)) {
@@ -687,7 +687,7 @@ TEST_P(RecordedTracks, AreRefusedWithExchangedColumns) {
             std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Crowd, RecordedTracks,
+INSTANTIATE_TEST_SUITE_P(Crowd, Recorded_tracks,
                          testing::Values(Recording{"students003.txt", 17953, 434},
                                          Recording{"biwi_eth.txt", 5492, 360}),
                          [](const auto& test) {

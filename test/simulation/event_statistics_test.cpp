@@ -92,7 +92,7 @@ void expect_counts(const Statistics& statistics, const Events& events, Point_id 
   }
 }
 
-TEST(EventStatistics, OfGridsIsThatOfTheListOfAllEvents) {
+TEST(Event_statistics, of_grids_is_that_of_the_list_of_all_events) {
   std::uint64_t largest = 0;
   for (unsigned seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE(seed);
@@ -108,7 +108,7 @@ TEST(EventStatistics, OfGridsIsThatOfTheListOfAllEvents) {
   EXPECT_GT(largest, 3u);
 }
 
-TEST(EventStatistics, OfDiscsThatComeAndGoInABoxIsThatOfTheListOfAllEvents) {
+TEST(Event_statistics, of_discs_that_come_and_go_in_a_box_is_that_of_the_list_of_all_events) {
   const std::size_t n = 36;
   Simulation_options options;
   options.box = test::box_of(n);
@@ -131,7 +131,7 @@ TEST(EventStatistics, OfDiscsThatComeAndGoInABoxIsThatOfTheListOfAllEvents) {
 }
 
 // Events at the ends of intervals, and beside them by less than binary64 can tell.
-TEST(EventStatistics, IntervalsAreOpenBelowAndClosedAbove) {
+TEST(Event_statistics, intervals_are_open_below_and_closed_above) {
   const Rational tiny(Integer(1), Integer(1) << 200);
   Events events;
   for (const int end : {0, 1, 2, 3}) {
@@ -150,7 +150,7 @@ TEST(EventStatistics, IntervalsAreOpenBelowAndClosedAbove) {
   expect_counts(statistics, events, 3);
 }
 
-TEST(EventStatistics, APointCountsOnceInAnEvent) {
+TEST(Event_statistics, a_point_counts_once_in_an_event) {
   Statistics statistics;
   statistics.after_event({.kind = Event_kind::collision,
                           .time = 1.0,
@@ -162,7 +162,7 @@ TEST(EventStatistics, APointCountsOnceInAnEvent) {
   for (const Point_id id : {0u, 3u, 8u, no_point}) EXPECT_EQ(statistics.events_of(id), 0u);
 }
 
-TEST(EventStatistics, WithoutEventsIsEmpty) {
+TEST(Event_statistics, without_events_is_empty) {
   const Statistics statistics(-1, 1, 2);
   expect_counts(statistics, {}, 3);
   std::ostringstream text;
@@ -173,7 +173,7 @@ TEST(EventStatistics, WithoutEventsIsEmpty) {
             "from 0 to 1: events 0, rate 0\n");
 }
 
-TEST(EventStatistics, IsSummedUpForPeople) {
+TEST(Event_statistics, is_summed_up_for_people) {
   Statistics statistics(0, 4, 2);
   statistics.after_event(
       {.kind = Event_kind::flip, .time = 1.0, .removed = Edge_ids{0, 1}, .added = Edge_ids{2, 3}});
@@ -197,7 +197,7 @@ TEST(EventStatistics, IsSummedUpForPeople) {
             "from 2 to 4: events 1, rate 0.5: flip 1\n");
 }
 
-TEST(EventStatistics, RefusesIntervalsThatAreNone) {
+TEST(Event_statistics, refuses_intervals_that_are_none) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_PRECONDITION_ERROR(
       Statistics(1, 1, 1),

@@ -27,38 +27,38 @@ std::tuple<double, double, double, double> numbers(const Linear_motion_2& m) {
   return {m.position.x, m.position.y, m.velocity.x, m.velocity.y};
 }
 
-class EachScenario : public testing::TestWithParam<Scenario> {
+class Each_scenario : public testing::TestWithParam<Scenario> {
  protected:
   Motions make(std::size_t points, std::uint64_t seed = 1) const {
     return make_scenario(GetParam(), {.points = points, .seed = seed});
   }
 };
 
-TEST_P(EachScenario, HasTheNumberOfPointsAskedFor) {
+TEST_P(Each_scenario, has_the_number_of_points_asked_for) {
   for (const std::size_t points : {0U, 1U, 2U, 3U, 4U, 5U, 99U, 100U, 101U}) {
     EXPECT_EQ(make(points).size(), points);
   }
 }
 
-TEST_P(EachScenario, IsFiniteAndStartsAtTimeZero) {
+TEST_P(Each_scenario, is_finite_and_starts_at_time_zero) {
   for (const Linear_motion_2& motion : make(500)) {
     EXPECT_TRUE(is_finite(motion));
     EXPECT_EQ(motion.epoch, 0);
   }
 }
 
-TEST_P(EachScenario, HasNoTrajectoryTwice) {
+TEST_P(Each_scenario, has_no_trajectory_twice) {
   std::set<std::tuple<double, double, double, double>> seen;
   for (const Linear_motion_2& motion : make(2000)) seen.insert(numbers(motion));
   EXPECT_EQ(seen.size(), 2000U);
 }
 
-TEST_P(EachScenario, DependsOnTheSeedOnly) {
+TEST_P(Each_scenario, depends_on_the_seed_only) {
   EXPECT_EQ(make(50, 7), make(50, 7));
   EXPECT_NE(make(50, 7), make(50, 8));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachScenario, testing::ValuesIn(all_scenarios),
+INSTANTIATE_TEST_SUITE_P(All, Each_scenario, testing::ValuesIn(all_scenarios),
                          [](const auto& parameter) {
                            std::string result(name(parameter.param));
                            std::replace(result.begin(), result.end(), '-', '_');
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(All, EachScenario, testing::ValuesIn(all_scenarios),
                          });
 
 // The expected numbers come from a separate implementation, of the Mersenne Twister too, in Python.
-TEST(Scenario, NumbersArePinned) {
+TEST(Scenario, numbers_are_pinned) {
   const Motions uniform = make_scenario(Scenario::uniform, {.points = 100, .seed = 1});
   EXPECT_EQ(uniform[0].position, (Vector_2{0x1.ac67bf2ca6991p+3, 0x1.b480a4e9b6b82p+3}));
   EXPECT_EQ(uniform[99].velocity, (Vector_2{-0x1.7f3e97fb5dfc8p-3, -0x1.6fa9b4c1c37e0p+1}));
@@ -76,7 +76,7 @@ TEST(Scenario, NumbersArePinned) {
   EXPECT_EQ(constant[99].velocity, (Vector_2{-0x1.2edf3126b8000p+2, -0x1.9d279dd2c9af8p+0}));
 }
 
-TEST(UniformScenario, FillsTheSquareAndTheVelocities) {
+TEST(Uniform_scenario, fills_the_square_and_the_velocities) {
   const Motions motions =
       make_scenario(Scenario::uniform, {.points = 10'000, .seed = 2, .side = 8, .speed = 3});
   std::vector<int> cells(64);
@@ -93,13 +93,13 @@ TEST(UniformScenario, FillsTheSquareAndTheVelocities) {
   EXPECT_LT(*std::max_element(cells.begin(), cells.end()), 219);
 }
 
-TEST(UniformScenario, SideDefaultsToConstantDensity) {
+TEST(Uniform_scenario, side_defaults_to_constant_density) {
   for (const Linear_motion_2& m : make_scenario(Scenario::uniform, {.points = 400, .seed = 3})) {
     EXPECT_LT(std::max(m.position.x, m.position.y), 200);
   }
 }
 
-TEST(GaussianScenario, HasTheMomentsAndTailsOfTheNormalDistribution) {
+TEST(Gaussian_scenario, has_the_moments_and_tails_of_the_normal_distribution) {
   const Motions motions =
       make_scenario(Scenario::gaussian, {.points = 100'000, .seed = 4, .side = 4});
   double sum = 0;
@@ -127,7 +127,7 @@ Rational squared_speed(const Linear_motion_2& m) {
   return x * x + y * y;
 }
 
-TEST(ConstantSpeedScenario, SpeedsAreExactlyEqual) {
+TEST(Constant_speed_scenario, speeds_are_exactly_equal) {
   for (const double speed : {5.0, 0.1, 1e-100, 1e100, 1.0 / 3}) {
     const Motions motions =
         make_scenario(Scenario::constant_speed, {.points = 300, .seed = 5, .speed = speed});
@@ -141,19 +141,19 @@ TEST(ConstantSpeedScenario, SpeedsAreExactlyEqual) {
   }
 }
 
-TEST(ConstantSpeedScenario, SpeedZeroRests) {
+TEST(Constant_speed_scenario, speed_zero_rests) {
   for (const auto& m : make_scenario(Scenario::constant_speed, {.points = 9, .speed = 0})) {
     EXPECT_EQ(m.velocity, Vector_2{});
   }
 }
 
-TEST(OneMoverScenario, OnlyTheFirstPointMoves) {
+TEST(One_mover_scenario, only_the_first_point_moves) {
   const Motions motions = make_scenario(Scenario::one_mover, {.points = 50, .seed = 6});
   EXPECT_NE(motions[0].velocity, Vector_2{});
   for (std::size_t i = 1; i < motions.size(); ++i) EXPECT_EQ(motions[i].velocity, Vector_2{});
 }
 
-TEST(LatticeScenario, PlacesAreTheMultiplesOfTheSpacingRowByRow) {
+TEST(Lattice_scenario, places_are_the_multiples_of_the_spacing_row_by_row) {
   for (const std::size_t points : {1U, 9U, 10U, 11U, 12U, 13U, 16U}) {
     const auto width = static_cast<std::size_t>(std::ceil(std::sqrt(points)));
     const Motions motions = make_scenario(Scenario::lattice, {.points = points, .spacing = 3});
@@ -164,7 +164,7 @@ TEST(LatticeScenario, PlacesAreTheMultiplesOfTheSpacingRowByRow) {
   }
 }
 
-TEST(LatticeScenario, AllVelocitiesAreWholeNumbersUpToTheSpeed) {
+TEST(Lattice_scenario, all_velocities_are_whole_numbers_up_to_the_speed) {
   std::set<double> seen;
   for (const auto& m : make_scenario(Scenario::lattice, {.points = 900, .speed = 2.9})) {
     seen.insert({m.velocity.x, m.velocity.y});
@@ -172,7 +172,7 @@ TEST(LatticeScenario, AllVelocitiesAreWholeNumbersUpToTheSpeed) {
   EXPECT_EQ(seen, (std::set<double>{-2, -1, 0, 1, 2}));
 }
 
-TEST(LatticeScenario, MoversAreTheOnesAskedFor) {
+TEST(Lattice_scenario, movers_are_the_ones_asked_for) {
   for (const std::size_t points : {1U, 2U, 3U, 5U, 9U, 10U, 100U}) {
     const auto movers = [&](Lattice_movers which) {
       const Motions motions =
@@ -190,7 +190,7 @@ TEST(LatticeScenario, MoversAreTheOnesAskedFor) {
   }
 }
 
-TEST(LatticeJitterScenario, OffsetsAreSmallAndRandom) {
+TEST(Lattice_jitter_scenario, offsets_are_small_and_random) {
   const Scenario_options options = {.points = 400, .seed = 9, .spacing = 2, .jitter = 0.25};
   const Motions motions = make_scenario(Scenario::lattice_jitter, options);
   std::set<double> offsets;
@@ -203,7 +203,7 @@ TEST(LatticeJitterScenario, OffsetsAreSmallAndRandom) {
   EXPECT_GT(offsets.size(), 700U);
 }
 
-TEST(Scenario, OptionsOutOfRangeThrow) {
+TEST(Scenario, options_out_of_range_throw) {
   const auto rejects = [](Scenario scenario, const Scenario_options& options, const char* message) {
     EXPECT_PRECONDITION_ERROR(make_scenario(scenario, options), message);
   };
@@ -232,7 +232,7 @@ TEST(Scenario, OptionsOutOfRangeThrow) {
   EXPECT_NO_THROW(make_scenario(Scenario::lattice, {.speed = 0, .movers = Lattice_movers::none}));
 }
 
-TEST(Scenario, NamesAreFixed) {
+TEST(Scenario, names_are_fixed) {
   std::vector<std::string> names;
   for (const Scenario scenario : all_scenarios) names.emplace_back(name(scenario));
   EXPECT_EQ(names, (std::vector<std::string>{"uniform", "gaussian", "constant-speed", "one-mover",

@@ -92,7 +92,7 @@ void expect_right(const Kinetic& kinetic) {
 
 // ---- tests ----
 
-TEST(Frame, IsTheTriangulationAtItsTime) {
+TEST(Frame, is_the_triangulation_at_its_time) {
   const auto motions = test::random_motions(24, 100, 10, 5);
   Kinetic_delaunay kinetic(motions);
   for (const double time : {0.0, 0.5, 1.25, 7.0}) {
@@ -110,7 +110,7 @@ TEST(Frame, IsTheTriangulationAtItsTime) {
   EXPECT_GT(kinetic.counters().number_of_events(), 20U);
 }
 
-TEST(Frame, FollowsPointsThatAccelerate) {
+TEST(Frame, follows_points_that_accelerate) {
   std::vector<Polynomial_motion_2> motions;
   for (const Linear_motion_2& m : test::random_motions(16, 100, 10, 6)) {
     motions.push_back({m.position, m.velocity, {0.5, -2}, {0, 0.25}, 1});
@@ -124,7 +124,7 @@ TEST(Frame, FollowsPointsThatAccelerate) {
   EXPECT_DOUBLE_EQ(frame.velocities[4].y, motions[4].velocity.y - 3.5);
 }
 
-TEST(Frame, NamesPointsByTheirPlacesAmongThoseThatAreThere) {
+TEST(Frame, names_points_by_their_places_among_those_that_are_there) {
   Kinetic_delaunay kinetic(test::random_motions(12, 100, 10, 7));
   for (const Point_id gone : {0U, 5U, 6U}) kinetic.erase(gone);
   kinetic.insert({{50, 50}, {1, 2}});
@@ -134,7 +134,7 @@ TEST(Frame, NamesPointsByTheirPlacesAmongThoseThatAreThere) {
   expect_right(kinetic);
 }
 
-TEST(Frame, OfFewOrCollinearPointsHasNoTriangles) {
+TEST(Frame, of_few_or_collinear_points_has_no_triangles) {
   struct Case {
     std::vector<Linear_motion_2> motions;
     std::vector<Edge> edges;
@@ -154,7 +154,7 @@ TEST(Frame, OfFewOrCollinearPointsHasNoTriangles) {
 }
 
 // The order of faces in memory is another one there.
-TEST(Frame, DependsOnTheStateAlone) {
+TEST(Frame, depends_on_the_state_alone) {
   Kinetic_delaunay kinetic(test::random_motions(40, 100, 10, 8));
   kinetic.advance_to(2.0);
   EXPECT_EQ(frame_of(Kinetic_delaunay::restore(kinetic.snapshot())), frame_of(kinetic));
@@ -165,7 +165,7 @@ TEST(Frame, DependsOnTheStateAlone) {
   EXPECT_EQ(frame_of(Kinetic_delaunay(motions, 2.0)), later);
 }
 
-TEST(Frame, OfAnIrrationalTimeIsRounded) {
+TEST(Frame, of_an_irrational_time_is_rounded) {
   // 2 t^2 = 1: at sqrt(1/2) the fourth point reaches the circle of the others.
   Kinetic_delaunay kinetic(std::vector<Linear_motion_2>{
       {{1, 0}, {0, 0}}, {{-1, 0}, {0, 0}}, {{0, -1}, {0, 0}}, {{0, 0}, {1, 1}}});

@@ -746,7 +746,7 @@ TEST(Queries, of_erased_and_inserted_points_know_them) {
 }
 
 // has_event_before looks again where next_event_time does, but keeps nothing.
-TEST(HasEventBefore, agrees_with_the_next_event_time_and_changes_nothing) {
+TEST(Has_event_before, agrees_with_the_next_event_time_and_changes_nothing) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
     const auto motions = seed % 3 == 0 ? test::grid_motions(6, 3, 1, seed)
@@ -774,7 +774,7 @@ TEST(HasEventBefore, agrees_with_the_next_event_time_and_changes_nothing) {
   }
 }
 
-TEST(HasEventBefore, of_a_triangulation_that_never_changes_is_never_true) {
+TEST(Has_event_before, of_a_triangulation_that_never_changes_is_never_true) {
   const Kinetic_delaunay kinetic({{{0, 0}, {1, 1}}, {{2, 0}, {1, 1}}, {{0, 5}, {1, 1}}});
   EXPECT_FALSE(kinetic.has_event_before(1e300));
 }
