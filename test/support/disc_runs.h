@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinetri/simulation/simulation_2.h"
@@ -18,6 +20,38 @@ namespace kinetri::test {
 
 using Simulation = Simulation_2<>;
 using Simulation_event = Event;
+
+/// All events, in their order.
+struct Recorder : Simulation::Observer {
+  void after_event(const Simulation_event& event) override { events.push_back(event); }
+
+  std::vector<Simulation_event> of(Event_kind kind) const {
+    std::vector<Simulation_event> result;
+    for (const auto& event : events) {
+      if (event.kind == kind) result.push_back(event);
+    }
+    return result;
+  }
+
+  std::vector<Simulation_event> events;
+};
+
+inline Simulation_options in_box(const Box_2& box) {
+  Simulation_options options;
+  options.box = box;
+  return options;
+}
+
+inline Simulation_options discs(double radius, Collision_response response) {
+  Simulation_options options;
+  options.radius = radius;
+  options.response = std::move(response);
+  return options;
+}
+
+inline Vector_2 velocity(const Simulation& simulation, Point_id id) {
+  return simulation.triangulation().motion(id).velocity;
+}
 
 /// n discs on a square lattice of width 10, each shifted by up to `jitter`, in the box that the
 /// lattice fills, with velocity components in [-5, 5].
