@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Files of points that are given as text.
+#ifndef KINETRI_TEST_SUPPORT_POINTS_TEXT_H
+#define KINETRI_TEST_SUPPORT_POINTS_TEXT_H
+
+#include <sstream>
+#include <string>
+
+#include "kinetri/io/points_file.h"
+#include "support/wrong_input.h"
+
+namespace kinetri::test {
+
+inline Points_file points_of(const std::string& text) {
+  std::istringstream in(text);
+  return read_points(in, "p.csv");
+}
+
+/// The message of the error that `text` causes; empty if it is read.
+inline std::string points_error(const std::string& text) {
+  return input_problem([&] { points_of(text); });
+}
+
+}  // namespace kinetri::test
+
+#endif  // KINETRI_TEST_SUPPORT_POINTS_TEXT_H

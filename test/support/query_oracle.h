@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is asked at one time, and the answers of an oracle that looks at all points, pairs, edges
+// and triangles at their exact places.
+#ifndef KINETRI_TEST_SUPPORT_QUERY_ORACLE_H
+#define KINETRI_TEST_SUPPORT_QUERY_ORACLE_H
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "kinetri/triangulation/queries_2.h"
+#include "support/kinetic_runs.h"
+#include "support/motions.h"
+
+namespace kinetri::test {
+
+inline Static_point static_point(const Vector_2& place) {
+  return {to_rational(place.x), to_rational(place.y)};
+}
+
+inline Static_point static_point(const Exact_position_2& p) {
+  return {p.x, p.y};
+}
+
+/// The points of a triangulation at a rational time, and what a look at all of them says.
+class Query_oracle {
+ public:
+  Query_oracle(const Kinetic_delaunay& kinetic, const Rational& t) : kinetic_(kinetic) {
+    for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+      if (kinetic.contains(id)) places_.emplace(id, place_at(kinetic.motion(id), t));
+    }
+    for (const auto& [a, p] : places_) {
+      for (const auto& [b, r] : places_) {
+        if (p == r) continue;
+        bool bounds = true;
+        for (const auto& [c, s] : places_) {
+          const auto side = CGAL::orientation(p, r, s);
+          if (side != CGAL::COLLINEAR) is_flat_ = false;
+          if (side == CGAL::RIGHT_TURN) bounds = false;
+        }
+        if (bounds) hull_lines_.emplace_back(p, r);
+      }
+    }
+  }
+
+  const std::map<Point_id, Static_point>& places() const { return places_; }
+  const Static_point& place(Point_id id) const { return places_.at(id); }
+
+  std::optional<Point_id> nearest(const Static_point& q) const {
+    std::optional<Point_id> result;
+    for (const auto& [id, p] : places_) {
+      if (!result || CGAL::compare_distance_to_point(q, p, place(*result)) == CGAL::SMALLER) {
+        result = id;
+      }
+    }
+    return result;
+  }
+
+  std::optional<Edge_ids> closest_pair() const {
+    std::optional<Edge_ids> result;
+    Rational least;
+    for (const auto& [a, p] : places_) {
+      for (const auto& [b, q] : places_) {
+        if (a >= b) continue;
+        const Rational length = CGAL::squared_distance(p, q);
+        if (result && length >= least) continue;
+        result = Edge_ids{a, b};
+        least = length;
+      }
+    }
+    return result;
+  }
+
+  Location_2 locate(const Static_point& q) const {
+    for (const auto& [id, p] : places_) {
+      if (p == q) return {Location_2::Kind::vertex, {id}};
+    }
+    for (const Edge_ids& edge : kinetic_.finite_edge_ids()) {
+      const auto is_inside = [&](const Static_point& p) {
+        return is_strictly_between(place(edge[0]), p, place(edge[1]));
+      };
+      if (!is_inside(q)) continue;
+      if (std::ranges::any_of(places_,
+                              [&](const auto& entry) { return is_inside(entry.second); })) {
+        continue;
+      }
+      return {Location_2::Kind::edge, {edge[0], edge[1]}};
+    }
+    for (const auto& face : triangles()) {
+      const Static_point& a = place(face[0]);
+      const Static_point& b = place(face[1]);
+      const Static_point& c = place(face[2]);
+      if (CGAL::left_turn(a, b, q) && CGAL::left_turn(b, c, q) && CGAL::left_turn(c, a, q)) {
+        return {Location_2::Kind::face, face};
+      }
+    }
+    return {};
+  }
+
+  /// Whether a line through two points has the place strictly on one side, and all points on the
+  /// other or on it. If all points are collinear: whether the place is not between two.
+  bool is_outside_hull(const Static_point& q) const {
+    if (!is_flat_) {
+      return std::ranges::any_of(hull_lines_, [&](const auto& line) {
+        return CGAL::right_turn(line.first, line.second, q);
+      });
+    }
+    for (const auto& [a, p] : places_) {
+      for (const auto& [b, r] : places_) {
+        if (p == q || is_strictly_between(p, q, r)) return false;
+      }
+    }
+    return true;
+  }
+
+  static bool is_strictly_between(const Static_point& a, const Static_point& b,
+                                  const Static_point& c) {
+    return a != c && CGAL::are_strictly_ordered_along_line(a, b, c);
+  }
+
+  /// A side of a Voronoi cell: the part of the bisector from `source` to `target`, where these are
+  /// not at infinity.
+  struct Side {
+    std::optional<Static_point> source;
+    std::optional<Static_point> target;
+  };
+
+  /// The sides of the cell of `id`, by the point across: of each bisector the part that no other
+  /// point is nearer to.
+  std::map<Point_id, Side> cell(Point_id id) const {
+    std::map<Point_id, Side> result;
+    std::set<Static_point> seen = {place(id)};
+    for (const auto& [other, there] : places_) {
+      if (!seen.insert(there).second) continue;
+      if (const auto side = this->side(place(id), there)) result.emplace(other, *side);
+    }
+    return result;
+  }
+
+ private:
+  std::vector<std::vector<Point_id>> triangles() const {
+    std::vector<std::vector<Point_id>> result;
+    if (kinetic_.triangulation().dimension() < 2) return result;
+    for (const auto face : kinetic_.triangulation().finite_face_handles()) {
+      std::vector<Point_id> ids;
+      for (int i = 0; i < 3; ++i) ids.push_back(face->vertex(i)->point().id());
+      std::rotate(ids.begin(), std::ranges::min_element(ids), ids.end());
+      result.push_back(ids);
+    }
+    return result;
+  }
+
+  // The point m + s d of the bisector of p and u, d to the left of u - p, is as near to p as to w
+  // where 2 (w - p).(m + s d - p) <= |w - p|^2.
+  std::optional<Side> side(const Static_point& p, const Static_point& u) const {
+    const auto m = CGAL::midpoint(p, u);
+    const auto d = (u - p).perpendicular(CGAL::COUNTERCLOCKWISE);
+    std::optional<Rational> from;
+    std::optional<Rational> to;
+    for (const auto& [id, w] : places_) {
+      const Rational slope = 2 * ((w - p) * d);
+      const Rational rest = (w - p) * (w - p) - 2 * ((w - p) * (m - p));
+      if (slope == 0) {
+        if (rest < 0) return std::nullopt;
+      } else if (slope > 0) {
+        const Rational bound = rest / slope;
+        if (!to || bound < *to) to = bound;
+      } else {
+        const Rational bound = rest / slope;
+        if (!from || bound > *from) from = bound;
+      }
+    }
+    if (from && to && *from >= *to) return std::nullopt;
+    Side result;
+    if (from) result.source = m + *from * d;
+    if (to) result.target = m + *to * d;
+    return result;
+  }
+
+  const Kinetic_delaunay& kinetic_;
+  std::map<Point_id, Static_point> places_;
+  std::vector<std::pair<Static_point, Static_point>> hull_lines_;
+  bool is_flat_ = true;
+};
+
+/// The cell must consist of the sides that the oracle has, joined at their ends.
+inline void expect_same_cell(const Voronoi_cell_2<Exact_position_2>& cell,
+                             const Query_oracle& oracle, Point_id id) {
+  const auto expected = oracle.cell(id);
+  std::vector<Point_id> neighbors = cell.neighbors;
+  std::ranges::sort(neighbors);
+  std::vector<Point_id> expected_neighbors;
+  for (const auto& [other, side] : expected) expected_neighbors.push_back(other);
+  ASSERT_EQ(neighbors, expected_neighbors);
+  const std::size_t n = neighbors.size();
+  if (n == 0) {
+    EXPECT_TRUE(cell.vertices.empty() && !cell.rays && !cell.is_bounded());
+    return;
+  }
+  const bool is_bounded = std::ranges::all_of(
+      expected, [](const auto& entry) { return entry.second.source && entry.second.target; });
+  ASSERT_EQ(cell.is_bounded(), is_bounded);
+  ASSERT_EQ(cell.rays.has_value(), !is_bounded);
+  const Static_point& here = oracle.place(id);
+  if (is_bounded) {
+    ASSERT_EQ(cell.vertices.size(), n);
+    for (std::size_t i = 0; i < n; ++i) {
+      ASSERT_EQ(static_point(cell.vertices[i]), expected.at(cell.neighbors[i]).target);
+      ASSERT_EQ(static_point(cell.vertices[i]), expected.at(cell.neighbors[(i + 1) % n]).source);
+    }
+    const Static_point& first = oracle.place(cell.neighbors.front());
+    for (const Point_id other : neighbors) {
+      EXPECT_NE(CGAL::compare_distance_to_point(here, oracle.place(other), first), CGAL::SMALLER);
+    }
+    return;
+  }
+  const Query_oracle::Side& first = expected.at(cell.neighbors.front());
+  const Query_oracle::Side& last = expected.at(cell.neighbors.back());
+  EXPECT_FALSE(first.source);
+  EXPECT_FALSE(last.target);
+  if (n == 2 && !first.target) {
+    EXPECT_FALSE(last.source);  // a strip
+    EXPECT_TRUE(cell.vertices.empty());
+  } else {
+    ASSERT_EQ(cell.vertices.size(), n - 1);
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      ASSERT_EQ(static_point(cell.vertices[i]), expected.at(cell.neighbors[i]).target);
+      ASSERT_EQ(static_point(cell.vertices[i]), expected.at(cell.neighbors[i + 1]).source);
+    }
+  }
+  const auto right = (oracle.place(cell.neighbors.front()) - here).perpendicular(CGAL::CLOCKWISE);
+  const auto left =
+      (oracle.place(cell.neighbors.back()) - here).perpendicular(CGAL::COUNTERCLOCKWISE);
+  EXPECT_EQ(static_point((*cell.rays)[0]) - Static_point(CGAL::ORIGIN), right);
+  EXPECT_EQ(static_point((*cell.rays)[1]) - Static_point(CGAL::ORIGIN), left);
+}
+
+/// The rounded cell must be the exact one with each number rounded.
+inline void expect_rounded(const Voronoi_cell_2<Vector_2>& rounded,
+                           const Voronoi_cell_2<Exact_position_2>& cell) {
+  const auto is_rounded = [](const Vector_2& r, const Exact_position_2& p) {
+    return r == Vector_2{to_double(p.x), to_double(p.y)};
+  };
+  EXPECT_EQ(rounded.neighbors, cell.neighbors);
+  ASSERT_EQ(rounded.vertices.size(), cell.vertices.size());
+  for (std::size_t i = 0; i < cell.vertices.size(); ++i) {
+    EXPECT_TRUE(is_rounded(rounded.vertices[i], cell.vertices[i]));
+  }
+  ASSERT_EQ(rounded.rays.has_value(), cell.rays.has_value());
+  for (std::size_t i = 0; cell.rays && i < 2; ++i) {
+    EXPECT_TRUE(is_rounded((*rounded.rays)[i], (*cell.rays)[i]));
+  }
+}
+
+/// Where the points of the triangulation are, or near: the points, middles of pairs, places on
+/// grids and in between.
+inline std::vector<Vector_2> places_to_ask(const Query_oracle& oracle, std::mt19937_64& random) {
+  std::vector<Vector_2> result;
+  std::uniform_int_distribution<int> halves(-3, 13);
+  for (int i = 0; i < 6; ++i) result.push_back({halves(random) / 2.0, halves(random) / 2.0});
+  std::vector<Static_point> points;
+  for (const auto& [id, p] : oracle.places()) points.push_back(p);
+  if (points.empty()) return result;
+  std::uniform_int_distribution<std::size_t> any(0, points.size() - 1);
+  const auto rounded = [](const Static_point& p) {
+    return Vector_2{to_double(p.x()), to_double(p.y())};
+  };
+  for (int i = 0; i < 4; ++i) {
+    const Static_point& a = points[any(random)];
+    const Static_point& b = points[any(random)];
+    result.push_back(rounded(a));
+    result.push_back(rounded(CGAL::midpoint(a, b)));
+    result.push_back(rounded(a + Rational(3, 2) * (b - a)));
+  }
+  std::erase_if(result,
+                [](const Vector_2& p) { return !std::isfinite(p.x) || !std::isfinite(p.y); });
+  return result;
+}
+
+/// Everything that can be asked at a rational time, against the oracle.
+inline void expect_right_answers(const Kinetic_delaunay& kinetic, const Algebraic_number& time,
+                                 const Rational& t, std::mt19937_64& random) {
+  const Kinetic_queries_2 queries(kinetic, time);
+  const Query_oracle oracle(kinetic, t);
+  ASSERT_EQ(queries.closest_pair(), oracle.closest_pair());
+  for (const Vector_2& place : places_to_ask(oracle, random)) {
+    SCOPED_TRACE(testing::Message() << "at " << place.x << ", " << place.y);
+    ASSERT_EQ(queries.nearest_vertex(place), oracle.nearest(static_point(place)));
+    const Location_2 location = queries.locate(place);
+    const Location_2 expected = oracle.locate(static_point(place));
+    ASSERT_EQ(location.kind, expected.kind);
+    ASSERT_EQ(location.points, expected.points);
+    ASSERT_EQ(location.kind == Location_2::Kind::outside_convex_hull,
+              oracle.is_outside_hull(static_point(place)));
+  }
+  const Kinetic_queries_2 rational_queries(kinetic, Algebraic_number(t));
+  for (const auto& [id, place] : oracle.places()) {
+    SCOPED_TRACE(testing::Message() << "cell of " << id);
+    const auto cell = rational_queries.voronoi_cell(id);
+    ASSERT_NO_FATAL_FAILURE(expect_same_cell(cell, oracle, id));
+    ASSERT_NO_FATAL_FAILURE(expect_rounded(queries.rounded_voronoi_cell(id), cell));
+  }
+}
+
+/// The value of a time where it is a rational number that is easily found.
+inline std::optional<Rational> rational_value(const Algebraic_number& time) {
+  const Double_interval interval = time.tight_interval();
+  if (interval.lower == interval.upper) return to_rational(interval.lower);
+  if (time.is_known_rational()) return time.rational();
+  if (time.polynomial().degree() == 1) {
+    return Rational(-time.polynomial()[0], time.polynomial()[1]);
+  }
+  return std::nullopt;
+}
+
+}  // namespace kinetri::test
+
+#endif  // KINETRI_TEST_SUPPORT_QUERY_ORACLE_H
