@@ -228,7 +228,7 @@ TEST_F(Frames, of_a_run_that_fails_are_not_there) {
 
 // ---- interruption ----
 
-class FramesInterruption : public Frames {
+class Frames_interruption : public Frames {
  protected:
   // A run that takes far longer than the test.
   Arguments long_run() const {
