@@ -3,6 +3,7 @@
 // The program kinetri: runs the command that the command line names, and turns every exception into
 // a message and an exit code.
 #include <exception>
+#include <ios>
 #include <new>
 #include <string>
 
@@ -93,6 +94,9 @@ Exit_code guarded_run(int argc, char** argv) {
 }  // namespace kinetri::app
 
 int main(int argc, char** argv) {
+  kinetri::app::occupy_closed_streams();
+  // With C's stdin below it, std::cin shows a failure to read as the end of the file.
+  std::ios::sync_with_stdio(false);
   kinetri::app::install_signal_handlers();
   return static_cast<int>(kinetri::app::guarded_run(argc, argv));
 }

@@ -117,6 +117,11 @@ Output_file::Output_file(std::string path) : path_(std::move(path)) {
   if (path_.empty()) {
     fail_output("''", "is no path of an output file", 0, "a path, or - for standard output");
   } else if (path_ == "-") {
+    // Known before a long run, not after it.
+    const int flags = ::fcntl(STDOUT_FILENO, F_GETFL);
+    if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) {
+      fail_output(path_, "is closed, or open for reading alone", 0, "it open for writing");
+    }
     identity_ = path_;
     buffer_ = std::make_unique<Buffer>(STDOUT_FILENO, false);
   } else if (::stat(path_.c_str(), &status) != 0) {

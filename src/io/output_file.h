@@ -22,7 +22,8 @@ namespace kinetri {
 /// named pipe) and standard output, named "-", are written directly.
 class Output_file {
  public:
-  /// Opens the output. Throws Output_error if the target is a directory or cannot be written.
+  /// Opens the output. Throws Output_error if the target is a directory or cannot be written, or if
+  /// standard output is closed.
   explicit Output_file(std::string path);
   /// Removes the temporary if there is one.
   ~Output_file();

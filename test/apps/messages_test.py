@@ -62,6 +62,7 @@ class Case:
     prepare: object = None  # called with the directory, before the run
     meanwhile: object = None  # called with it and the process when that waits for p.csv, a pipe
     output: object = subprocess.PIPE  # a path takes its place
+    closes_output: bool = False
     limit_files: int = 0  # how many the process may have open
     unprivileged: bool = False  # as a user whom permissions bind
     faulty: bool = False
@@ -411,6 +412,10 @@ def output_cases():
     yield case("generate uniform --points 3", output="/dev/full", path="standard output",
                reason="No space left on device")
 
+    for arguments in ("simulate p.csv --until 1 --edges - --stats stats.json", "--version", "manual",
+                      "generate uniform --points 3", "tracks t.csv --closest 1"):
+        yield case(arguments, closes_output=True)
+
     def make_directory(directory, _):
         (directory / "edges").mkdir()
 
@@ -529,6 +534,8 @@ def contents(directory):
 def limits(case):
     """What is to be done in the new process."""
     def apply():
+        if case.closes_output:
+            os.close(1)
         if case.limit_files:
             resource.setrlimit(resource.RLIMIT_NOFILE, (case.limit_files, case.limit_files))
         if case.unprivileged and os.geteuid() == 0:

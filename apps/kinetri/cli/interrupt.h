@@ -10,7 +10,8 @@
 
 namespace kinetri::app {
 
-/// Installs the handlers. Also makes writing to a closed pipe an error instead of a signal.
+/// Installs the handlers. Also makes writing to a closed pipe, or beyond the size that files may
+/// have, an error instead of a signal.
 void install_signal_handlers();
 
 /// From now on the first signal only makes interrupted() true.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/terminal.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 
+#include "cli/exit_code.h"
 #include "cli/text.h"
 
 namespace kinetri::app {
@@ -23,6 +26,17 @@ std::string colored(std::string_view text, Stream stream, std::string_view code)
 }
 
 }  // namespace
+
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const bool is_closed = ::fcntl(stream, F_GETFD) < 0 && errno == EBADF;
+    // It gets the lowest number that is free. A directory, unlike /dev/null, is always there, and
+    // can be neither read nor written.
+    if (is_closed && ::open("/", O_RDONLY | O_DIRECTORY) != stream) {
+      ::_exit(static_cast<int>(Exit_code::bad_input));
+    }
+  }
+}
 
 bool is_terminal(Stream stream) {
   return ::isatty(stream == Stream::output ? STDOUT_FILENO : STDERR_FILENO) == 1;

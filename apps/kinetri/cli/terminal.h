@@ -11,6 +11,11 @@ namespace kinetri::app {
 
 enum class Stream { output, error };
 
+/// Opens those standard streams that are closed, so that no file that is opened later takes the
+/// place of one, and with it what is meant for that stream. Reading and writing them still fails.
+/// To be called before any file is opened.
+void occupy_closed_streams();
+
 /// Whether the standard stream is a terminal.
 bool is_terminal(Stream stream);
 
