@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cases of the messages about input: command lines, and files of points and tracks."""
+from message_case import DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, simulate, tracks
+
+COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion, manual or help"
+SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice or lattice-jitter"
+POINTS_COLUMNS = "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"
+TRACKS_COLUMNS = "t,id,x,y, in any order"
+
+
+def usage_cases():
+    yield case("", commands=COMMANDS)
+    yield case("stimulate", word="stimulate", name="simulate")
+    yield case("arrange", word="arrange", commands=COMMANDS)
+    yield case("help arrange", word="arrange", commands=COMMANDS)
+    yield case("generate uniform --point 5", word="--point", name="--points")
+    yield simulate("--evnets e.csv", word="--evnets", name="--events")
+    yield case("--wrong", word="--wrong", commands=COMMANDS)
+    yield case("--quiet simulate p.csv --until 1", word="--quiet")
+    yield case("--points 5 generate uniform --points 5", word="--points")
+    yield case("generate --points 5 uniform --points 5", word="--points")
+    yield case("generate", commands=SCENARIOS)
+    yield case("generate spiral", word="spiral", commands=SCENARIOS)
+    yield simulate("--wrong", word="--wrong")
+    yield simulate("q.csv", word="q.csv")
+    yield case("resume p.csv --until 3 --box 0,0,1,1", word="--box")
+    yield case("generate uniform --points 5 --spacing 1", word="--spacing")
+    yield case("simulate p.csv", option="--until", value="T")
+    yield case("resume p.csv", option="--until", value="T")
+    yield case("generate uniform", option="--points", value="N")
+    for command, argument in (("simulate", "POINTS"), ("resume", "CHECKPOINT"), ("tracks", "TRACKS")):
+        yield case(command, argument=argument)
+    yield case("completion", argument="SHELL", choices="bash|zsh|fish")
+    yield case("completion tcsh", option="SHELL", text="tcsh", choices="bash, zsh or fish")
+    yield case("manual page", word="page")
+    yield case("simulate p.csv --until", option="--until")
+    yield case("simulate p.csv --until=", option="--until")
+    yield simulate("--fps", option="--fps")
+    yield simulate("--until 2", option="--until")
+    yield simulate("--fps 1 --frames-per-time 2", option="--fps")
+    yield simulate("--quiet=perhaps", flag="--quiet", value="perhaps")
+    yield case("experiment --output r --events e", option="--events", other="--single")
+    yield case("experiment --seed 3", option="--seed", other="--single")
+    yield case("experiment --single 50 --output r", option="--output", other="--single")
+
+
+def number_cases():
+    """Values of options."""
+    for text in ("soon", "", "1,5", "--1"):
+        yield case(f"simulate p.csv --until '{text}'" if text else "generate uniform --points 1 --side ''",
+                   option="--until" if text else "--side", text=text)
+    for text in ("inf", "-nan"):
+        yield case(f"simulate p.csv --until {text}", option="--until", text=text)
+    yield case("simulate p.csv --until 1e999", option="--until", text="1e999")
+    yield simulate("--from nan", option="--from", text="nan")
+    yield simulate("--box 0,0,1,inf", option="--box", text="inf")
+    yield simulate("--frames f --fps many", option="--fps,--frames-per-time", text="many")
+    yield case("wave --until x", option="--until", text="x")
+    yield simulate("--collisions log --radius -0.5", option="--radius", number=-0.5)
+    yield simulate("--frames f --fps 0", option="--fps,--frames-per-time", number=0)
+    yield case("tracks t.csv --max-gap 0", option="--max-gap", number=0)
+    yield case("wave --speed 0", option="--speed", number=0, lowest=1e-100, highest=1e100)
+    yield case("generate lattice --points 5 --speed 0.5", option="--speed", number=0.5, lowest=1,
+               highest=9007199254740992)
+    yield case("generate uniform --points 5 --speed -1", option="--speed", number=-1, lowest=1e-100,
+               highest=1e100)
+    for text in ("-1", "many", "", "1.5", "1e3", "100000001", "9" * 23, "0x10", " 5"):
+        yield case(f"generate uniform --points '{text}'", option="--points", text=text,
+                   highest=100000000)
+    yield case("generate uniform --points 5 --seed -1", option="--seed", text="-1",
+               highest=18446744073709551615)
+    yield case("experiment --single 101", option="--single", text="101", highest=100)
+    for option, word, choices in (("--audit", "all", "none, end or events"),
+                                  ("--progress", "loud", "auto, always or never"),
+                                  ("--collisions", "bump", "none, log, swap, elastic, stop or remove")):
+        yield simulate(f"{option} {word}", option=option, text=word, choices=choices)
+    yield case("tracks t.csv --format xml", option="--format", text="xml", choices="rows or frames")
+    yield case("experiment --output r --collisions none", option="--collisions", text="none",
+               choices="log, swap, elastic, stop or remove")
+    yield case("generate lattice --points 5 --movers two", option="--movers", text="two",
+               choices="none, one, columns or all")
+
+
+def meaning_cases():
+    """Options that do not go together."""
+    yield simulate("--from 1.5", until=1, **{"from": 1.5}, what="--from")
+    yield case("simulate p.csv --until -1", until=-1, **{"from": 0}, what="--from")
+    yield case("tracks t.csv --until -1", until=-1, **{"from": 0}, what="the first observation")
+    yield case("resume c --until 1.5", files={"c": checkpoint()}, until=1.5, file="c", time=2)
+    yield simulate("--box 0,0,1", text="0,0,1", n=3)
+    yield simulate("--box 0,0,1,2,3", text="0,0,1,2,3", n=5)
+    yield simulate("--box 0,0,1,2,", text="0,0,1,2,", n=5)
+    yield simulate("--box 5,0,5,9", text="5,0,5,9")
+    yield simulate("--rim")
+    yield simulate("--rim --box -5,-5,15,5 --radius 5", radius=5)
+    yield simulate("--radius 1")
+    yield case("tracks t.csv --radius 1")
+    yield case("simulate d.csv --until 1 --collisions log --radius 1", file="d.csv")
+    for option in ("--collisions", "--rim"):
+        yield simulate("--collisions swap" if option == "--collisions" else "--rim --box -5,-5,5,5",
+                       option=option, file="p.csv")
+    yield case("tracks t.csv --collisions log")
+    yield case("tracks t.csv --fps 25")
+    yield simulate("--fps 5", option="--fps,--frames-per-time")
+    yield simulate("--frames-per-time 5", option="--fps,--frames-per-time")
+    yield case("tracks t.csv --frames-per-time 5", option="--frames-per-time")
+    yield simulate("--frames f --fps 1e9", option="--fps,--frames-per-time", rate="1000000000",
+                   **{"from": 0}, until=1, most=1000000)
+    nowhere = {"PATH": "/nowhere"}
+    yield simulate("--plot plot.svg", environment=nowhere, otherwise="no --plot")
+    yield case("experiment --output r", environment=nowhere, otherwise="--no-plots")
+    yield case("tracks t.csv --closest 0")
+    yield case("experiment --output r --points 0")
+    yield case("experiment --output r --seeds 0")
+    yield case("experiment")
+    yield case("wave --columns 0", option="--columns")
+    yield case("wave --rows 0", option="--rows")
+    yield case("wave --rows 1000000 --columns 2", columns=2, rows=1000000, most=1000000)
+    yield case("wave --radius 5", radius=5, half=5)
+    yield case("wave --jitter 5", jitter=5, room=4.921875)
+    yield simulate("--edges p.csv", option="--edges", path="p.csv")
+    yield case("resume c --until 3 --checkpoint c", files={"c": checkpoint()}, option="--checkpoint",
+               path="c")
+    yield simulate("--edges old.csv --events ./old.csv", option="--events", other="--edges",
+                   path="old.csv")
+    yield simulate("--edges - --stats -", option="--edges", other="--stats", path="-")
+    yield case("tracks t.csv --closest 1 --edges -", option="--edges", other="--closest", path="-")
+    yield simulate("--frames f --edges f/edges.csv", option="--edges", path="f/edges.csv",
+                   other="--frames", directory="f", prepare=lambda d: (d / "f").mkdir())
+    yield simulate("--frames ./f/ --vtu f", option="--vtu", path="f", other="--frames",
+                   directory="./f/")
+    yield simulate("--frames f --vtu f/v", option="--vtu", path="f/v", other="--frames", directory="f",
+                   prepare=lambda d: (d / "f").mkdir())
+    yield simulate("--frames f --edges f", option="--edges", path="f", other="--frames", directory="f")
+    yield case("wave --html x --events x", option="--events", other="--html", path="x")
+
+
+def table_cases():
+    """Files of points and tracks."""
+    for content, command in (("points", "simulate {} --until 1"), ("tracks", "tracks {}"),
+                             ("a simulation's state", "resume {} --until 1")):
+        yield case(command.format("."), file=".", content=content)
+        yield case(command.format("missing"), file="missing", content=content, reason=NO_FILE)
+        yield case(command.format("old.csv"), file="old.csv", content=content, reason=DENIED,
+                   unprivileged=True, prepare=lambda d: (d / "old.csv").chmod(0))
+    for content, command in (("points", "simulate"), ("tracks", "tracks")):
+        yield case(f"{command} /proc/self/mem" + (" --until 1" if command == "simulate" else ""),
+                   file="/proc/self/mem", line=1, content=content)
+    yield points("", columns=POINTS_COLUMNS)
+    yield points("# x,y,vx,vy\n\n", columns=POINTS_COLUMNS)
+    yield case("simulate - --until 1", file="standard input", columns=POINTS_COLUMNS)
+    yield tracks("", columns=TRACKS_COLUMNS)
+    yield points("x,y,vx,vy\n" + "1" * (1 << 20) + ",2,3,4\n", line=2, row="point")
+    yield tracks("t,id,x,y\n" + "1" * (1 << 20) + ",2,3,4\n", line=2, row="observation")
+    yield tracks("t,id,x,y,z\n", line=1, column="z", columns=TRACKS_COLUMNS)
+    yield tracks("t;id;x;y\n", line=1, column="t;id;x;y", columns=TRACKS_COLUMNS)
+    yield points("x,y,vx,vy,id\n1,2,3,4,\n", line=2, column="id")
+    yield points("x,y,vx,vy,id\n1,2,3,4,a\n2,2,3,4,a\n", line=3, id="a", first=2)
+    yield points('x,y,vx,vy\n"1,2,3,4\n', line=2, text='"1,2,3,4')
+    yield points('x,y,vx,vy\n"1"2,2,3,4\n', line=2, text="2", separator=",")
+    yield points("x;y;vx;vy\n1,5;2;3;4\n", line=2, column="x", text="1,5")
+    yield tracks("# id frame x y\n1 1 0 0\n", "--format frames", line=1, columns="id frame x y")
+    yield tracks("# framerate: 16\n1 1 0 0\n", "--format frames --fps 25", line=1, rate=16, fps=25)
+    yield points("\n# c\nx,y,x,vx,vy\n", line=3, column="x", columns=POINTS_COLUMNS)
+    yield points("x,y,vx\n1,2,3\n", line=1, column="vy", columns=POINTS_COLUMNS)
+    yield tracks("t,id,x\n", line=1, column="y", columns=TRACKS_COLUMNS)
+    yield points("x,y,vx,vy,ax\n1,2,3,4,5\n", line=1, column="ay", first="ax", second="ay")
+    yield points("x,y,vx,vy,jy\n1,2,3,4,5\n", line=1, column="jx", first="jx", second="jy")
+    yield points("x,y,vx,vy\n1,2,3,4\n1,2,3\n", line=3, n=3, columns=4)
+    yield points("x,y,vx,vy\n1,2,3,4,5\n", line=2, n=5, columns=4)
+    yield points("x,y,vx,vy\n1\n", line=2, columns=4)
+    yield tracks("0 a 1\n", "--format frames", line=1, n=3)
+    yield tracks("5\n", "--format frames", line=1)
+    yield points("x,y,vx,vy\n1,,3,4\n", line=2, column="y")
+    yield tracks("t,id,x,y\n1, ,3,4\n", line=2, column="id")
+    yield points("x,y,vx,vy\n1,two,3,4\n", line=2, column="y", text="two")
+    yield tracks("5 a zero 0\n", "--format frames", line=1, column="x", text="zero")
+    yield points("x,y,vx,vy\n1,2,nan,4\n", line=2, column="vx", text="nan")
+    yield points("x,y,vx,vy\n1,2,3,-inf\n", line=2, column="vy", text="-inf")
+    yield points("x,y,vx,vy\n1e400,2,3,4\n", line=2, column="x", text="1e400")
+    yield points("x,y,vx,vy,radius\n1,2,3,4,-1\n", line=2, radius=-1)
+    discs = "--until 1 --collisions elastic"
+    yield points("x,y,vx,vy,radius\n1,1,1,0,0\n", discs, line=2)
+    yield points("x,y,vx,vy,radius\n1,1,1,0,1\n5,5,0,0,2\n", discs, line=3, radius=2, other=1, first=2)
+    yield points(ONE_FLIP + "4,0,0,0\n", line=6, first=3, motion="velocity")
+    yield points("x,y,vx,vy,jx,jy\n1,2,3,4,5,6\n1,2,3,4,5,6\n", line=3, first=2, motion="derivatives")
+    box = "--until 1 --box 0,0,10,10"
+    yield points("x,y,vx,vy\n0,0,1,0\n5,12,0,0\n", box, line=3, time=0, x=5, y=12, side="upper",
+                 position=10)
+    yield points("x,y,vx,vy\n1,5,1,0\n5,5,0,0\n", box + " --rim --radius 2", line=2, time=0, x=1, y=5,
+                 side="left", position=0)
+    yield points("x,y,vx,vy\n0,5,1,0\n0,5,-1,0\n", box, time=0, a=0, b=1)
+    yield tracks("t,id,x,y\n0,a,0,0\n1,b,0,0\n0,a,2,1.5\n", line=4, id="a", time=0, x=2, y=1.5, x2=0,
+                 y2=0, first=2)
+    yield tracks("1e300 a 0 0\n", "--format frames --fps 1e-300", line=1, frame="1e+300", fps="1e-300")
+    yield tracks("t,id,x,y\n0,a,-1e308,0\n1,a,1e308,0\n", line=3, id="a", first=2)
+    yield tracks("t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n", line=6, time=1,
+                 a="a", b="b", first=3)
+
+
+def cases():
+    for some in (usage_cases, number_cases, meaning_cases, table_cases):
+        yield from some()

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cases of the messages about checkpoints, about outputs, and of runs that end early."""
+import os
+import pathlib
+import signal
+
+from message_case import (DENIED, DISCS, NO_FILE, ONE_FLIP, case, checkpoint, forged, setter, signed,
+                          simulate)
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def checkpoint_cases():
+    def resume(content, **values):
+        return case("resume c --until 3", files={"c": content}, file="c", **values)
+
+    good = checkpoint()
+    body = good[: good.rindex("checksum")]
+    first = "kinetri checkpoint 2"
+    yield resume("")
+    yield resume(ONE_FLIP, text="x,y,vx,vy")
+    yield resume(good.replace(first, "kinetri checkpoint 9", 1), text="9")
+    yield resume(good[: len(good) // 2])
+    yield resume(good + "\n")
+    yield resume(good.replace("linear", "lineal", 1))
+    yield case("resume /proc/self/mem --until 3", file="/proc/self/mem")
+    yield resume(signed(body[:-4] + "\n"))
+    yield resume(signed(first + "\n[]\n"), member="state")
+    yield resume(forged(lambda state: state.pop("motion")), member="state", key="motion")
+    yield resume(forged(setter("points", 5)), member="state.points")
+    yield resume(forged(setter("box", [1.0])), member="state.box", n=1, m=4)
+    yield resume(forged(setter("radius", 1)), member="state.radius")
+    yield resume(forged(setter("dimension", 3)), member="state.dimension", lowest=-1, highest=2)
+    yield resume(forged(setter("max_contacts_per_instant", -1)), member="state.max_contacts_per_instant",
+                 lowest=0, highest=18446744073709551615)
+    yield resume(forged(setter("rim_touches", 0)), member="state.rim_touches")
+    yield resume(forged(setter("response", 0)), member="state.response")
+    root = {"root_of": ["1.5"], "between": ["0", "1"]}
+    yield resume(forged(setter("time", root)), member="state.time.root_of[0]")
+    yield resume(forged(setter("time", "1/0")), member="state.time")
+    root = {"root_of": ["1", "0", "1"], "between": ["0", "1"]}
+    yield resume(forged(setter("time", root)), member="state.time")
+    yield resume(forged(setter("points", 2, [1.0])), member="state.points[2]", n=1)
+    polynomial = setter("motion", "polynomial")
+    yield resume(forged(polynomial), member="state.points[0]", n=5)
+    change = [{"time": "3", "kind": "flip", "point": 0, "motion": None}]
+    yield resume(forged(setter("scheduled", change)), member="state.scheduled[0].kind")
+    yield resume(forged(setter("motion", "circular")), member="state.motion", text="circular")
+    yield resume(forged(setter("response", "bump")), name="bump")
+    yield resume(forged(setter("response", "log")), name="log")
+    yield resume(forged(setter("infinite_vertex_face", 99)),
+                 problem="the snapshot gives the infinite vertex the face 99, which does not have it")
+    yield resume(forged(setter("points", 0, 0, 9.0)),
+                 problem="the snapshot's triangle of points 2, 0 and 1 is not counterclockwise")
+
+
+def chmod(name, mode):
+    return lambda directory: (directory / name).chmod(mode)
+
+
+def mounts():
+    table = pathlib.Path("/proc/self/mounts")
+    if not table.exists():
+        return []
+    return [line.split()[1] for line in table.read_text(encoding="utf-8").splitlines()]
+
+
+def is_empty(path):
+    """Whether another file system begins at the path, with nothing in it."""
+    try:
+        other = os.stat(path).st_dev != os.stat(os.path.dirname(path)).st_dev
+        return path != "/" and other and os.path.isdir(path) and not os.listdir(path)
+    except OSError:
+        return False
+
+
+def fake_gnuplot(directory):
+    (directory / "bin").mkdir()
+    program = directory / "bin" / "gnuplot"
+    program.write_text("#!/bin/sh\n[ \"$1\" = --version ] || { echo no such terminal >&2; exit 1; }\n",
+                       encoding="utf-8")
+    program.chmod(0o755)
+
+
+def output_cases():
+    yield simulate("--edges ''")
+    yield simulate("--edges old.csv --events .", path=".")
+    yield simulate("--events p.csv/events.csv", path="p.csv/events.csv", reason="Not a directory")
+    yield simulate("--events missing/events.csv", path="missing/events.csv", reason=NO_FILE)
+    yield case("generate uniform --points 3 --output missing/p.csv", path="missing/p.csv",
+               reason=NO_FILE)
+    yield case("wave --html nowhere/x.html", path="nowhere/x.html", reason=NO_FILE)
+    yield simulate("--events new.csv", path="new.csv", reason=DENIED, unprivileged=True,
+                   prepare=lambda d: d.chmod(0o555))
+    yield simulate("--events old.csv", path="old.csv", reason=DENIED, unprivileged=True,
+                   prepare=chmod("old.csv", 0o444))
+    yield simulate("--events pipe", path="pipe", reason=DENIED, unprivileged=True,
+                   prepare=lambda d: os.mkfifo(d / "pipe", 0o444))
+    for option in ("--events", "--edges", "--stats", "--checkpoint", "--html"):
+        outputs = {"--edges": "old.csv", "--stats": "stats.json", option: "/dev/full"}
+        yield simulate(" ".join(f"{name} {path}" for name, path in outputs.items()),
+                       path="/dev/full", reason="No space left on device")
+    yield simulate("--frames f --vtu v --stats /dev/full", path="/dev/full",
+                   reason="No space left on device")
+    yield simulate("--edges - --stats stats.json", output="/dev/full", path="standard output",
+                   reason="No space left on device")
+    yield case("generate uniform --points 3", output="/dev/full", path="standard output",
+               reason="No space left on device")
+
+    for arguments in ("simulate p.csv --until 1 --edges - --stats stats.json", "--version", "manual",
+                      "generate uniform --points 3", "tracks t.csv --closest 1"):
+        yield case(arguments, closes_output=True)
+
+    def make_directory(directory, _):
+        (directory / "edges").mkdir()
+
+    def fill_directory(directory, _=None):
+        (directory / "f").mkdir()
+        (directory / "f" / "other").touch()
+
+    yield simulate("--edges edges", meanwhile=make_directory, path="edges", reason="Is a directory")
+    yield simulate("--frames f", meanwhile=fill_directory, path="f", reason="Directory not empty")
+    for path in ("", "-"):
+        yield simulate(f"--frames '{path}'", path=path)
+    yield simulate("--frames f", path="f", prepare=lambda d: (d / "f").symlink_to("nothing"))
+    yield simulate("--vtu old.csv", path="old.csv")
+    yield simulate("--frames f", path="f", reason=DENIED, unprivileged=True,
+                   prepare=lambda d: (d / "f").mkdir(0))
+    for option in ("--frames", "--vtu"):
+        yield simulate(f"{option} f", path="f", prepare=fill_directory)
+    yield case("simulate ../p.csv --until 1 --frames .", below="empty", path=".")
+    for mount in filter(is_empty, mounts()):
+        yield simulate(f"--frames {mount}", path=mount)
+        break
+    yield simulate("--frames missing/f", path="missing/f", reason=NO_FILE)
+    yield case("experiment --output old.csv/r --no-plots", path="old.csv/r", reason="Not a directory")
+    yield simulate("--plot plot.svg", limit_files=4, reason="Too many open files")
+    yield simulate("--plot plot.svg --edges old.csv", text="no such terminal", prepare=fake_gnuplot,
+                   environment={"PATH": "bin:/bin:/usr/bin"})
+
+
+def run_cases():
+    def endless(content, options, most, until, **values):
+        few = forged(setter("max_contacts_per_instant", most), content, f"--until 0.5 {options}")
+        return case(f"resume c --until {until} --edges old.csv", files={"c": few}, most=most, **values)
+
+    # The point comes to rest at the wall, and its jerk presses it on.
+    pressed = "x,y,vx,vy,ax,ay,jx,jy\n2,1,0,-3,0,6,0,-6\n"
+    yield endless(pressed, "--box 0,0,9,9", 10, 2, time=1, a=0)
+    yield endless(DISCS, "--collisions swap", 0, 4, time=3, a=0, b=1)
+
+    def fault(name, until=1, **options):
+        return case(f"simulate p.csv --until {until} --audit events --edges old.csv", faulty=True,
+                    environment={"KINETRI_TEST_FAULT": name}, **options)
+
+    source = (ROOT / "test/apps/faults.cpp").read_text(encoding="utf-8").splitlines()
+    line = {kind: 1 + next(i for i, text in enumerate(source) if f"KINETRI_{kind}(" in text)
+            for kind in ("ASSERT", "PRECONDITION")}
+    yield fault("memory")
+    yield fault("internal", what="made on purpose", condition="false", file="faults.cpp",
+                line=line["ASSERT"])
+    yield fault("precondition", what="precondition violated: made on purpose (expected false; "
+                f"faults.cpp:{line['PRECONDITION']})")
+    yield fault("unexpected", what="an exception made on purpose")
+    finding = "the edge 1-2 is wrong"
+    yield fault("audit", time=0, finding=finding, writes=True)
+    yield fault("audit", n=3, m=3, writes=True)
+    many = "x,y,vx,vy\n" + "".join(f"{i},{i * i % 7},{i % 5},{i % 3}\n" for i in range(40))
+    yield fault("audit", until=20, files={"p.csv": many}, writes=True)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        yield simulate("--edges old.csv --stats stats.json",
+                       meanwhile=lambda _, process, number=number: process.send_signal(number))
+
+
+def cases():
+    for some in (checkpoint_cases, output_cases, run_cases):
+        yield from some()

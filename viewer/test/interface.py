@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Switches, keys, addresses, light and dark, narrow screens."""
+import time
+
+import browser
+from page import SWITCHES, Page, edges
+
+
+class Interface(Page):
+    """Of one page: switches, keys, light and dark, narrow."""
+
+    def setUp(self):
+        super().setUp()
+        self.run_ = self.run_of("discs")
+        self.open(self.run_.page)
+        self.go_to(3.0)
+
+    def test_each_switch_changes_the_picture_and_back(self):
+        left, top, right, bottom = self.picture_box()
+        for key, identifier in (("d", "delaunay"), ("h", "hull"), ("v", "voronoi"), ("o", "discs"),
+                                ("c", "circle"), ("t", "trails"), ("i", "ids")):
+            with self.subTest(switch=identifier):
+                # The pointer stays, since it has a circumcircle of its own.
+                middle = ((left + right) / 2, (top + bottom) / 2)
+                self.browser.move(*middle)
+                pressed = f"document.getElementById('switch-{identifier}').ariaPressed"
+                was = self.evaluate(pressed)
+                # The button itself looks other when it is on: look below it.
+                before = self.look(SWITCHES)
+                self.browser.key(key)
+                self.assertNotEqual(self.evaluate(pressed), was)
+                self.assertNotEqual(self.look(SWITCHES), before)
+                self.browser.click_element(f"switch-{identifier}")
+                self.browser.move(*middle)
+                self.assertEqual(self.evaluate(pressed), was)
+                self.assertEqual(self.look(SWITCHES), before)
+
+    def test_voronoi_diagram_is_drawn(self):
+        self.browser.key("v")
+        self.assertGreater(self.look(SWITCHES).counts().get(bytes.fromhex("009e73"), 0), 500)
+
+    def test_keys(self):
+        state = "[kinetri.time, kinetri.event]"
+        instants = self.run_.instants()
+        at = [i for i, instant in enumerate(instants) if instant[0][2] <= 3.0][-1]
+        self.browser.key("ArrowRight")
+        self.assertEqual(self.evaluate(state), [instants[at + 1][0][2], instants[at + 1][1]])
+        self.browser.key("ArrowLeft")
+        self.assertEqual(self.evaluate(state), [instants[at][0][2], instants[at][1]])
+        self.play(" ", 1)
+        self.play("b", -1)
+        scale = "kinetri.screen(1, 0)[0] - kinetri.screen(0, 0)[0]"
+        was = self.evaluate(scale)
+        self.browser.key("+")
+        larger = self.evaluate(scale)
+        self.assertGreater(larger, was)
+        self.browser.key("-")
+        self.browser.key("-")
+        self.assertLess(self.evaluate(scale), was)
+        self.browser.key("f")
+        self.assertEqual(self.evaluate(scale), was)
+        speed = "parseFloat(document.getElementById('speed').textContent)"
+        slow = self.evaluate(speed)
+        self.browser.key("ArrowUp")
+        self.assertGreater(self.evaluate(speed), slow)
+        self.browser.key("ArrowDown")
+        self.assertEqual(self.evaluate(speed), slow)
+        self.browser.key("?")
+        self.assertTrue(self.evaluate("document.getElementById('help').open"))
+        self.browser.key("Escape")
+        self.assertFalse(self.evaluate("document.getElementById('help').open"))
+
+    def play(self, key, direction):
+        before = self.evaluate("kinetri.time")
+        self.browser.key(key, code="Space" if key == " " else None)
+        deadline = time.monotonic() + browser.SECONDS
+        while (self.evaluate("kinetri.time") - before) * direction <= 0:
+            self.assertLess(time.monotonic(), deadline, f"'{key}' does not play")
+        self.browser.key(key)
+        self.assertTrue((self.evaluate("kinetri.time") - before) * direction > 0)
+        now = self.evaluate("kinetri.time")
+        self.browser.settle()
+        self.assertEqual(self.evaluate("kinetri.time"), now, f"'{key}' does not pause")
+        self.assertEqual(edges(self.evaluate("kinetri.edges()")),
+                         [e for t, _, e in self.run_.instants() if t[2] <= now][-1])
+
+    def test_wheel_and_drag(self):
+        left, top, right, bottom = self.picture_box()
+        x, y = (left + right) // 2, (top + bottom) // 2
+        place = "kinetri.screen(0, 0)"
+        before = self.evaluate(place)
+        self.drag(80, 40)
+        after = self.evaluate(place)
+        self.assertAlmostEqual(after[0] - before[0], 80, 6)
+        self.assertAlmostEqual(after[1] - before[1], 40, 6)
+        scale = "kinetri.screen(1, 0)[0] - kinetri.screen(0, 0)[0]"
+        was = self.evaluate(scale)
+        self.browser.mouse("mouseWheel", x, y, deltaX=0, deltaY=-120)
+        deadline = time.monotonic() + browser.SECONDS
+        while self.evaluate(scale) <= was:
+            self.assertLess(time.monotonic(), deadline, "the wheel does not zoom")
+
+    def test_pinch(self):
+        left, top, right, bottom = self.picture_box()
+        x, y = (left + right) / 2, (top + bottom) / 2
+        fingers = lambda apart: [{"x": x - apart, "y": y, "id": 1}, {"x": x + apart, "y": y, "id": 2}]
+        scale = "kinetri.screen(1, 0)[0] - kinetri.screen(0, 0)[0]"
+        was = self.evaluate(scale)
+        self.browser.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+        touch = lambda kind, points: self.browser.call("Input.dispatchTouchEvent", type=kind,
+                                                       touchPoints=points)
+        touch("touchStart", fingers(50))
+        for apart in range(55, 101, 5):
+            touch("touchMove", fingers(apart))
+        touch("touchEnd", [])
+        self.browser.settle()
+        # Twice as far apart, but for the first pixels, in which it might be a click.
+        self.assertGreater(self.evaluate(scale), 1.5 * was)
+        self.assertLess(self.evaluate(scale), 2.1 * was)
+
+    def test_scrub_bar_and_list(self):
+        self.evaluate("(() => { const bar = document.getElementById('scrub'); bar.value = 0.5;"
+                      " bar.dispatchEvent(new Event('input')); })()")
+        self.browser.settle()
+        self.assertEqual(self.evaluate("kinetri.time"), self.run_.until / 2)
+        here = self.evaluate("kinetri.event")
+        row = self.evaluate("document.querySelector('.row.future:not([hidden])').dataset.row")
+        self.assertEqual(int(row), here)
+        self.evaluate("document.querySelector('.row.future:not([hidden])').click()")
+        self.browser.settle()
+        instant = next(instant for instant in self.run_.instants() if instant[1] > here)
+        self.assertEqual(self.evaluate("[kinetri.time, kinetri.event]"), [instant[0][2], instant[1]])
+        self.assertEqual(self.evaluate("document.querySelectorAll('.row.present:not([hidden])').length > 0"), True)
+
+    def test_hover_says_where_a_point_is(self):
+        place = self.evaluate("kinetri.positions()")[7]
+        self.browser.move(*self.evaluate(f"kinetri.screen({place[0]!r}, {place[1]!r})"))
+        text = self.evaluate("document.getElementById('tip').textContent")
+        self.assertFalse(self.evaluate("document.getElementById('tip').hidden"))
+        self.assertIn("Point 7", text)
+        numbers = text.replace("\u2212", "-").split("position")[1].split("(")[1].split(")")[0].split(",")
+        for found, wanted in zip(numbers, place):
+            self.assertEqual(float(found), float(f"{wanted:.7g}"))
+
+    def test_dark_and_light(self):
+        light = self.look(SWITCHES)
+        self.browser.media(("prefers-color-scheme", "dark"), ("prefers-reduced-motion", "reduce"))
+        self.browser.settle()
+        dark = self.look(SWITCHES)
+        self.assertLess(max(dark.most_frequent()), 80)
+        self.assertGreater(min(light.most_frequent()), 200)
+        self.browser.click_element("button-theme")
+        self.browser.move(5, 5)
+        self.assertEqual(self.look(SWITCHES), light)
+
+    def test_address(self):
+        """A fragment of the address does what clicks and keys do, and reports what is not possible."""
+        note = "document.getElementById('address-note')"
+
+        def follow(fragment):
+            self.evaluate(f"void (location.hash = '{fragment}')")
+            self.browser.settle()
+            return self.evaluate(f"{note}.hidden ? '' : {note}.textContent")
+
+        self.browser.move(5, 5)
+        start = self.look(SWITCHES)
+        a, b = self.evaluate("kinetri.edges()")[7]
+        self.assertEqual(follow(f"t=3&show=voronoi,trails&hide=hull&edge={b}-{a}&theme=dark"), "")
+        self.assertEqual(self.evaluate("kinetri.time"), 3)
+        switch = "document.getElementById('switch-%s').ariaPressed"
+        self.assertEqual([self.evaluate(switch % name) for name in ("voronoi", "trails", "hull")],
+                         ["true", "true", "false"])
+        self.assertEqual(self.evaluate("document.getElementById('certificate-title').textContent"),
+                         f"Edge {a}\u2013{b}")
+        self.assertLess(max(self.look(SWITCHES).most_frequent()), 80)
+        self.browser.click_element("button-close")
+        self.assertEqual(follow("show=hull&hide=voronoi,trails&theme=light"), "")
+        self.browser.move(5, 5)
+        self.assertEqual(self.look(SWITCHES), start)
+        for state in ("off", "on"):
+            self.assertEqual(follow(f"list={state}"), "")
+            self.assertEqual(self.evaluate("document.getElementById('events').hidden"),
+                             state == "off")
+        for number in (5, 0, len(self.run_.events)):
+            self.assertEqual(follow(f"event={number}"), "")
+            self.assertGreaterEqual(self.evaluate("kinetri.event"), number)
+        count = self.evaluate("kinetri.counts.rows")
+        switches = "of delaunay, hull, voronoi, circle, discs, trails, ids"
+        edge = "the ids of two points that an edge joins at that time, as in 4-17"
+        problems = {
+            "t=x": "t: 'x' is not possible; expected a number",
+            "t=": "t: '' is not possible; expected a number",
+            "event=1000000":
+                f"event: '1000000' is not possible; expected a whole number from 0 to {count}",
+            "event=-1": f"event: '-1' is not possible; expected a whole number from 0 to {count}",
+            "show=wave": f"show: 'wave' is not possible; expected {switches}",
+            "hide=wave": f"hide: 'wave' is not possible; expected {switches}",
+            "edge=0-0": f"edge: '0-0' is not possible; expected {edge}",
+            "edge=x": f"edge: 'x' is not possible; expected {edge}",
+            "theme=blue&list=maybe": "theme: 'blue' is not possible; expected light or dark, and "
+                                     "list: 'maybe' is not possible; expected on or off",
+            "speed=1": "'speed' is unknown; expected t, event, show, hide, edge, theme, list"}
+        for wrong, problem in problems.items():
+            self.assertEqual(follow(wrong),
+                             "The address of this page asks for something that is not possible: "
+                             f"{problem}.")
+        self.assertEqual(follow("t=1"), "")
+
+    def test_address_of_a_page_that_is_opened(self):
+        self.browser.open(self.run_.page, "#t=2.25&show=trails")
+        self.assertEqual(self.evaluate("kinetri.time"), 2.25)
+        self.assertEqual(self.evaluate("document.getElementById('switch-trails').ariaPressed"), "true")
+
+    def test_narrow_screens_have_room_for_everything(self):
+        self.browser.resize(360, 640, 2)
+        self.browser.settle()
+        self.assertEqual(self.evaluate("[document.documentElement.scrollWidth, "
+                                       "document.documentElement.scrollHeight]"), [360, 640])
+        for button in ("play", "next", "previous", "faster", "help", "list", "fit"):
+            box = self.evaluate(f"document.getElementById('button-{button}').getBoundingClientRect()"
+                                ".toJSON()")
+            self.assertTrue(0 <= box["left"] and box["right"] <= 360 and 0 <= box["top"] and
+                            box["bottom"] <= 640, (button, box))
+        self.assertGreater(self.evaluate("document.getElementById('picture').clientHeight"), 200)
+
+    def test_controls_have_names(self):
+        self.assertEqual(self.evaluate(
+            "[...document.querySelectorAll('button, input, canvas:not([aria-hidden])')]"
+            ".filter((e) => !e.hidden && !(e.ariaLabel || e.textContent.trim())"
+            " && e.id !== 'plot').map((e) => e.outerHTML)"), [])

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What all tests of the page share: a browser that shows it, and looks at the picture."""
+import unittest
+
+import browser
+import runs
+
+SWITCHES = 130  # pixels at the top of the picture that switches and buttons take
+MARGIN = 20
+STEPS = """(() => {
+  const seen = [];
+  const note = () => seen.push([kinetri.time, kinetri.event, kinetri.edges(), kinetri.triangles()]);
+  note();
+  while (kinetri.DIRECTION()) note();
+  return seen;
+})()"""
+PICTURE_AT = "document.getElementById('picture').getBoundingClientRect().toJSON()"
+
+
+def edges(pairs):
+    return [tuple(pair) for pair in pairs]
+
+
+class Page(unittest.TestCase):
+    """A test with a browser, whose page must have had no problem at the end."""
+
+    program = folder = None  # the arguments of viewer_test.py
+
+    def setUp(self):
+        self.maxDiff = 2000
+        self.browser = browser.Browser(1000, 640, [("prefers-reduced-motion", "reduce")])
+        self.addCleanup(self.browser.close)
+
+    def tearDown(self):
+        self.assertEqual(self.browser.problems, [])
+
+    def run_of(self, name):
+        return runs.Run(self.program, self.folder, name)
+
+    def open(self, path):
+        self.browser.open(path)
+        self.assertFalse(self.evaluate("document.getElementById('viewer').hidden"),
+                         "the page shows no viewer")
+
+    def evaluate(self, expression):
+        return self.browser.evaluate(expression)
+
+    def go_to(self, when):
+        self.evaluate(f"kinetri.goTo({when!r})")
+        self.browser.settle()
+
+    def picture_box(self):
+        at = self.evaluate(PICTURE_AT)
+        return tuple(round(at[side]) for side in ("left", "top", "right", "bottom"))
+
+    def drag(self, dx, dy):
+        """From the middle of the picture, in four steps."""
+        left, top, right, bottom = self.picture_box()
+        x, y = (left + right) // 2, (top + bottom) // 2 + 40
+        self.browser.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
+        for step in range(1, 5):
+            self.browser.mouse("mouseMoved", x + dx * step / 4, y + dy * step / 4, button="left",
+                               buttons=1)
+        self.browser.mouse("mouseReleased", x + dx, y + dy, button="left", clickCount=1)
+        self.browser.move(5, 5)
+
+    def look(self, skipped=0):
+        """What is in the picture, but for the rows at the top, and for its edges: the round corners
+        are not drawn alike each time."""
+        left, top, right, bottom = self.picture_box()
+        inside = (left + MARGIN, top + max(skipped, MARGIN), right - MARGIN, bottom - MARGIN)
+        return browser.Picture(self.browser.screenshot(inside))
