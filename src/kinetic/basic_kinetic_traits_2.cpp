@@ -347,17 +347,37 @@ Time Basic_kinetic_traits_2<Motion>::wall_failure(const Point_2& p, const Wall_2
 template <class Motion>
 bool Basic_kinetic_traits_2<Motion>::do_approach(const Point_2& p, const Point_2& q,
                                                  const Time& t) const {
-  if (arithmetic_ == Arithmetic::filtered &&
-      certainly_do_not_approach(p.motion(), q.motion(), t.interval())) {
-    return false;
+  if (arithmetic_ == Arithmetic::filtered) {
+    const Sign certain = certain_distance_slope(p.motion(), q.motion(), t.interval());
+    if (certain != CGAL::ZERO) return certain == CGAL::NEGATIVE;
   }
   return sign_just_after(derivative(contact_polynomial(p, q, 0)), t) == CGAL::NEGATIVE;
 }
 
 template <class Motion>
+bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Point_2& p, const Point_2& q,
+                                                        const Time& t) const {
+  if (arithmetic_ == Arithmetic::filtered) {
+    const Sign certain = certain_distance_slope(p.motion(), q.motion(), t.interval());
+    if (certain != CGAL::ZERO) return certain == CGAL::NEGATIVE;
+  }
+  return sign_at(derivative(contact_polynomial(p, q, 0)), t) == CGAL::NEGATIVE;
+}
+
+template <class Motion>
+bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Point_2& p, const Wall_2& wall,
+                                                        const Time& t) const {
+  return sign_at(derivative(wall_polynomial(p, wall)), t) == CGAL::NEGATIVE;
+}
+
+template <class Motion>
 bool Basic_kinetic_traits_2<Motion>::do_overlap(const Point_2& p, const Point_2& q, double diameter,
                                                 const Time& t) const {
-  return sign_at(contact_polynomial(p, q, diameter), t) != CGAL::POSITIVE;
+  if (arithmetic_ == Arithmetic::filtered) {
+    const Sign certain = certain_gap(p.motion(), q.motion(), diameter, t.interval());
+    if (certain != CGAL::ZERO) return certain == CGAL::NEGATIVE;
+  }
+  return sign_just_after(contact_polynomial(p, q, diameter), t) == CGAL::NEGATIVE;
 }
 
 template <class Motion>

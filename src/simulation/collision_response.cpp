@@ -12,7 +12,9 @@ Contact_response_2 log_contact(const Contact_2& /*contact*/) {
 }
 
 Contact_response_2 swap_velocities(const Contact_2& contact) {
-  if (contact.would_approach(contact.velocity_b, contact.velocity_a)) return {};
+  if (!contact.is_pressed && contact.would_approach(contact.velocity_b, contact.velocity_a)) {
+    return {};
+  }
   return {contact.velocity_b, contact.velocity_a};
 }
 
@@ -32,6 +34,7 @@ Contact_response_2 collide_elastically(const Contact_2& contact) {
                               Vector_2{b.x - change.x, b.y - change.y}};
   };
   Contact_response_2 result = velocities(impulse);
+  if (contact.is_pressed) return result;
   const double size = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)}) /
                       std::max(std::abs(n.x), std::abs(n.y));
   for (double further =
@@ -44,7 +47,7 @@ Contact_response_2 collide_elastically(const Contact_2& contact) {
 }
 
 Contact_response_2 stop_both(const Contact_2& /*contact*/) {
-  return {Vector_2{}, Vector_2{}};
+  return {.stops_a = true, .stops_b = true};
 }
 
 Contact_response_2 erase_both(const Contact_2& /*contact*/) {

@@ -75,16 +75,93 @@ TEST(Accelerated_points, that_only_touch_a_wall_are_not_reflected) {
 }
 
 TEST(Accelerated_points, pressed_against_a_wall_end_the_run_with_their_name) {
-  Simulation_options options = in_box({0, 0, 2, 2});
-  options.max_contacts_per_instant = 1000;
+  const Simulation_options options = in_box({0, 0, 2, 2});
   Simulation simulation(
       {{{0.5, 1}, {0, 0}, {0, 0}, {0, 0}, 0}, {{1, 0}, {0, 0}, {0, -1}, {0, 0}, 0}}, options);
   try {
     simulation.advance_to(1.0);
     FAIL() << "a point on the floor that falls";
   } catch (const Endless_contacts_error& error) {
-    EXPECT_NE(std::string(error.what()).find("point 1 and a wall"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("point 1 accelerates toward the lower wall at t = 0"),
+              std::string::npos)
         << error.what();
+  }
+}
+
+// Two discs that touch, at rest, and accelerate toward each other.
+const std::vector<Polynomial_motion_2> pressed = {{{0, 0}, {0, 0}, {1, 0}, {0, 0}, 0},
+                                                  {{2, 0}, {0, 0}, {-1, 0}, {0, 0}, 0}};
+
+TEST(Pressed_discs, end_the_run_with_their_names_where_velocities_are_exchanged) {
+  for (const Collision_response& response :
+       {Collision_response(swap_velocities), Collision_response(collide_elastically)}) {
+    Simulation_options options;
+    options.radius = 1;
+    options.response = response;
+    Simulation simulation(pressed, options);
+    try {
+      simulation.advance_to(3.0);
+      FAIL() << "discs that pass through each other";
+    } catch (const Endless_contacts_error& error) {
+      EXPECT_NE(
+          std::string(error.what()).find("points 0 and 1 accelerate toward each other at t = 0"),
+          std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST(Pressed_discs, stay_where_they_are_if_they_stop) {
+  Simulation_options options;
+  options.radius = 1;
+  options.response = stop_both;
+  Simulation simulation(pressed, options);
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  simulation.advance_to(3.0);
+  EXPECT_EQ(recorder.contacts.size(), 1u);
+  EXPECT_EQ(simulation.triangulation().motion(0), (Polynomial_motion_2{{0, 0}, {}, {}, {}, 0}));
+  EXPECT_EQ(simulation.triangulation().motion(1), (Polynomial_motion_2{{2, 0}, {}, {}, {}, 0}));
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
+TEST(Pressed_discs, pass_if_contacts_are_only_logged) {
+  Simulation_options options;
+  options.radius = 1;
+  options.response = log_contact;
+  Simulation simulation(pressed, options);
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  simulation.advance_to(3.0);
+  EXPECT_EQ(recorder.contacts.size(), 1u);
+}
+
+TEST(Pressed_discs, are_told_to_the_response_which_may_kick_them_apart) {
+  Simulation_options options;
+  options.radius = 1;
+  int calls = 0;
+  options.response = [&calls](const Contact_2& contact) {
+    EXPECT_EQ(contact.is_pressed, calls == 0);  // later they come back with a speed
+    ++calls;
+    return Contact_response_2{Vector_2{-1, 0}, Vector_2{1, 0}};
+  };
+  Simulation simulation(pressed, options);
+  simulation.advance_to(3.0);
+  EXPECT_EQ(calls, 2);  // at 0 and at 2
+}
+
+TEST(Accelerated_discs, that_stop_stay) {
+  Simulation_options options;
+  options.radius = 1;
+  options.response = stop_both;
+  Simulation simulation(
+      {{{0, 0}, {0, 0}, {1, 0}, {0, 0}, 0}, {{3.1, 0.3}, {0, 0}, {-1, 0}, {0, 0}, 0}}, options);
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  simulation.advance_to(8.0);
+  EXPECT_EQ(recorder.contacts.size(), 1u);
+  for (Point_id id = 0; id < 2; ++id) {
+    EXPECT_TRUE(is_at_rest(simulation.triangulation().motion(id)));
   }
 }
 

@@ -62,6 +62,36 @@ TEST(Discs, that_overlap_at_the_start_collide_at_once_only_if_they_approach) {
   EXPECT_EQ(collisions[0].time, Algebraic_number(0.0));
 }
 
+TEST(Discs, that_are_logged_are_found_behind_one_that_overlaps_both) {
+  // On one line: 0 and 2 come toward 1, which rests between them, and are no neighbors.
+  Simulation simulation({{{0, 0}, {1, 0}, 0}, {{3, 0}, {0, 0}, 0}, {{6, 0}, {-1, 0}, 0}},
+                        discs(1, log_contact));
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  simulation.advance_to(7.0);
+  const auto contacts = recorder.of(Event_kind::collision);
+  ASSERT_EQ(contacts.size(), 3u);
+  EXPECT_EQ(contacts[0].time, Algebraic_number(1.0));
+  EXPECT_EQ(contacts[1].time, Algebraic_number(1.0));
+  EXPECT_EQ(contacts[2].time, Algebraic_number(2.0));
+  EXPECT_EQ(contacts[2].point_a, 0u);
+  EXPECT_EQ(contacts[2].point_b, 2u);
+}
+
+TEST(Discs, that_overlap_without_being_neighbors_collide_at_once_if_they_approach) {
+  // Point 1 lies between 0 and 2, which approach; it moves with 0.
+  Simulation simulation({{{0, 0}, {1, 0}, 0}, {{1, 0}, {1, 0}, 0}, {{1.5, 0}, {0, 0}, 0}},
+                        discs(1, collide_elastically));
+  Recorder recorder;
+  simulation.add_observer(recorder);
+  simulation.advance_to(0.0);
+  const auto contacts = recorder.of(Event_kind::collision);
+  ASSERT_GE(contacts.size(), 1u);
+  EXPECT_EQ(contacts[0].point_a, 0u);
+  EXPECT_EQ(contacts[0].point_b, 2u);
+  EXPECT_EQ(contacts[0].time, Algebraic_number(0.0));
+}
+
 TEST(Discs, of_a_cradle_pass_the_velocity_on) {
   // Ten touching discs on a line that is no axis, hit by an eleventh.
   for (const Collision_response& response :

@@ -78,6 +78,8 @@ class Basic_kinetic_traits_2 {
                        const Double_interval& bounds) const;
   Time wall_failure(const Point_2& p, const Wall_2& wall, const Double_interval& bounds) const;
   bool do_approach(const Point_2& p, const Point_2& q, const Time& t) const;
+  bool has_approach_speed(const Point_2& p, const Point_2& q, const Time& t) const;
+  bool has_approach_speed(const Point_2& p, const Wall_2& wall, const Time& t) const;
   bool do_overlap(const Point_2& p, const Point_2& q, double diameter, const Time& t) const;
   bool is_inside(const Point_2& p, const Wall_2& wall, const Time& t) const;
   /// @}

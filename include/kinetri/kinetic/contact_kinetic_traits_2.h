@@ -26,8 +26,10 @@ namespace kinetri {
 /// | `wall_certificate(p, wall, t)` | fails at the contact of p and the bound of the wall |
 /// | `contact_failure(p, q, diameter, bounds)` | the failure time, from a certificate's bounds |
 /// | `wall_failure(p, wall, bounds)` | the failure time, from a certificate's bounds |
-/// | `do_approach(p, q, t)` | whether the distance of p and q decreases at t |
-/// | `do_overlap(p, q, diameter, t)` | whether their distance at t is at most the diameter |
+/// | `do_approach(p, q, t)` | whether the distance of p and q decreases just after t |
+/// | `has_approach_speed(p, q, t)` | the same with a speed: the first derivative at t is not zero |
+/// | `has_approach_speed(p, wall, t)` | whether p moves outward at t with a speed that is not zero
+/// | | `do_overlap(p, q, diameter, t)` | whether they are nearer than the diameter just after t |
 /// | `is_inside(p, wall, t)` | whether p is on the inner side of the bound at t, or at it |
 ///
 /// Only the first contact of a pair matters. `next_contact_certificate` gives the first contact
@@ -35,7 +37,8 @@ namespace kinetri {
 ///
 /// And what responses need of a motion, with binary64 numbers (see Linear_motion_2):
 /// `rounded_place(motion, t)`, `rounded_velocity(motion, t)`,
-/// `with_velocity_at(motion, velocity, t)`, and `clamped_inside(motion, wall, times)`.
+/// `with_velocity_at(motion, velocity, t)`, `at_rest_at(motion, t)`, `is_at_rest(motion)`, and
+/// `clamped_inside(motion, wall, times)`.
 template <class Traits>
 concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
     requires(const Traits traits, const typename Traits::Motion motion,
@@ -47,11 +50,15 @@ concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.contact_failure(p, p, 1.0, bounds) } -> std::same_as<Algebraic_number>;
   { traits.wall_failure(p, wall, bounds) } -> std::same_as<Algebraic_number>;
   { traits.do_approach(p, p, t) } -> std::same_as<bool>;
+  { traits.has_approach_speed(p, p, t) } -> std::same_as<bool>;
+  { traits.has_approach_speed(p, wall, t) } -> std::same_as<bool>;
   { traits.do_overlap(p, p, 1.0, t) } -> std::same_as<bool>;
   { traits.is_inside(p, wall, t) } -> std::same_as<bool>;
   { rounded_place(motion, 1.0) } -> std::same_as<Vector_2>;
   { rounded_velocity(motion, 1.0) } -> std::same_as<Vector_2>;
   { with_velocity_at(motion, velocity, 1.0) } -> std::same_as<typename Traits::Motion>;
+  { at_rest_at(motion, 1.0) } -> std::same_as<typename Traits::Motion>;
+  { is_at_rest(motion) } -> std::same_as<bool>;
   { clamped_inside(motion, wall, bounds) } -> std::same_as<typename Traits::Motion>;
 };
 

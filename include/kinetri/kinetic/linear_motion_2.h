@@ -49,6 +49,16 @@ inline Vector_2 rounded_velocity(const Linear_motion_2& motion, double /*t*/) {
 /// library is approximated. The coordinates are infinite where they are too large.
 Linear_motion_2 with_velocity_at(const Linear_motion_2& motion, const Vector_2& velocity, double t);
 
+/// The motion at rest, from its place at t on, rounded as with_velocity_at does.
+inline Linear_motion_2 at_rest_at(const Linear_motion_2& motion, double t) {
+  return with_velocity_at(motion, {}, t);
+}
+
+/// Whether the place never changes.
+inline bool is_at_rest(const Linear_motion_2& motion) {
+  return motion.velocity == Vector_2();
+}
+
 /// The motion itself if it is on the inner side of the wall, or at its bound, at every time in
 /// `times`; else with the position changed to the nearest one with which it is. Exact.
 /// Precondition: the bounds of `times` are finite.

@@ -52,6 +52,17 @@ Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t);
 Polynomial_motion_2 with_velocity_at(const Polynomial_motion_2& motion, const Vector_2& velocity,
                                      double t);
 
+/// The motion at rest, from its place at t on, rounded as with_velocity_at does.
+inline Polynomial_motion_2 at_rest_at(const Polynomial_motion_2& motion, double t) {
+  return {with_velocity_at(motion, {}, t).position, {}, {}, {}, t};
+}
+
+/// Whether the place never changes.
+inline bool is_at_rest(const Polynomial_motion_2& motion) {
+  constexpr Vector_2 zero = {};
+  return motion.velocity == zero && motion.acceleration == zero && motion.jerk == zero;
+}
+
 /// The motion itself if it is certainly on the inner side of the wall, or at its bound, at every
 /// time in `times`; else with the position moved inward, by about as little as makes it certain.
 /// Precondition: the bounds of `times` are finite.

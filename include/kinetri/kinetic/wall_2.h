@@ -5,7 +5,9 @@
 #define KINETRI_KINETIC_WALL_2_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "kinetri/base/cxx20.h"
 
@@ -34,6 +36,12 @@ struct Wall_2 {
 
   friend bool operator==(const Wall_2&, const Wall_2&) = default;
 };
+
+/// The side in words: "left", "right", "lower" or "upper".
+constexpr std::string_view name(Wall_2::Side side) {
+  constexpr std::array<std::string_view, 4> names = {"left", "right", "lower", "upper"};
+  return names[static_cast<std::size_t>(side)];
+}
 
 }  // namespace kinetri
 

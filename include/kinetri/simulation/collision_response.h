@@ -24,18 +24,32 @@ struct Contact_2 {
   Vector_2 separation;          ///< centre of b minus centre of a; may be rounded to zero
   Vector_2 velocity_a;          ///< of point_a just before the contact
   Vector_2 velocity_b;          ///< of point_b just before the contact
+  /// Whether they have no speed toward each other, but accelerate toward each other: the first
+  /// derivative of their squared distance is zero, exactly. No exchange of velocities parts them.
+  bool is_pressed = false;
   /// Whether the two would approach each other with these new velocities, decided exactly for the
   /// resulting motions. A response with such velocities leads to the same contact again.
   std::function<bool(const Vector_2& a, const Vector_2& b)> would_approach;
 };
 
-/// The result of a response. A point without a new velocity keeps its motion. If both keep their
-/// motions, the discs stay in contact, and have no further contact until they have separated.
+/// The result of a response. A point gets a new velocity and keeps its acceleration; or comes to
+/// rest; or is erased; or else keeps its motion. If the response says nothing of either point, the
+/// discs pass through each other: they have no further contact until they have separated.
+///
+/// A response to discs that are pressed must not leave them so, unless it lets them pass: the
+/// simulation then throws Endless_contacts_error.
 struct Contact_response_2 {
   std::optional<Vector_2> velocity_a = std::nullopt;  ///< new velocity of point_a; finite
   std::optional<Vector_2> velocity_b = std::nullopt;  ///< new velocity of point_b; finite
   bool erases_a = false;                              ///< whether point_a is erased
   bool erases_b = false;                              ///< whether point_b is erased
+  bool stops_a = false;  ///< whether point_a rests from now on: velocity, acceleration, jerk are 0
+  bool stops_b = false;  ///< whether point_b rests from now on
+
+  /// Whether a point gets another velocity, or rests, and both stay.
+  bool is_motion_given() const {
+    return !erases_a && !erases_b && (velocity_a || velocity_b || stops_a || stops_b);
+  }
 };
 
 /// A response: called at every contact. It must not change the simulation. An empty function means
@@ -47,8 +61,8 @@ Contact_response_2 log_contact(const Contact_2& contact);
 
 /// The two points exchange their velocities: a point that hits a resting point stops and sets it in
 /// motion. Energy and momentum are conserved exactly. If the exchanged velocities would still make
-/// the discs approach, because of rounded positions of nearly equal centres, both keep their
-/// motions. Source: Computation of Topologic Events in Kinetic Delaunay Triangulation using Sturm
+/// the discs approach, because of rounded positions of nearly equal centres, they pass through each
+/// other. Source: Computation of Topologic Events in Kinetic Delaunay Triangulation using Sturm
 /// Sequences of Polynomials, section 6.3.
 Contact_response_2 swap_velocities(const Contact_2& contact);
 
@@ -56,10 +70,10 @@ Contact_response_2 swap_velocities(const Contact_2& contact);
 /// are exchanged. Energy and momentum are conserved up to rounding. If the rounded velocities would
 /// still approach, as in a nearly tangential contact, they get the least further change with which
 /// they do not. If no change up to the size of the speeds achieves that, because the centres nearly
-/// coincide, both points keep their motions.
+/// coincide, they pass through each other.
 Contact_response_2 collide_elastically(const Contact_2& contact);
 
-/// Both points stop.
+/// Both points stop, and stay where they are: velocity, acceleration and jerk are 0.
 Contact_response_2 stop_both(const Contact_2& contact);
 
 /// Both points are erased.

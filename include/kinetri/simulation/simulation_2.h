@@ -4,11 +4,14 @@
 // contacts that change its motions.
 //
 // The triangulation's events have a queue of their own. This one holds, for each point, the next
-// wall that it reaches and, for each edge of the triangulation, the contact of the discs at its
-// ends; and changes of points that were scheduled. It follows the edges as an observer. Discs of
-// equal diameter that do not overlap and come into contact are neighbors, since the disc with their
-// centres at the ends of a diameter is empty of others; so the edges are enough (docs/MATH.md,
-// section 8).
+// wall that it reaches; for each pair of discs that may touch next, their contact; and changes of
+// points that were scheduled.
+//
+// Which pairs these are follows from the triangulation. The points in a disc are connected by edges
+// inside of it. So two discs of equal diameter that come into contact are neighbors, or one of them
+// is a neighbor of a disc that overlaps both (docs/MATH.md, section 8). The pairs that overlap are
+// kept, and a disc is watched against its neighbors and the neighbors of the discs that it
+// overlaps. The simulation follows the edges as an observer of the triangulation.
 //
 // One contact's way through the code: `step` lets the triangulation execute what is before it, in
 // exact order; `execute_due_entries` takes it out of the queue; `hit_wall` or `collide` finds the
@@ -37,7 +40,8 @@
 
 namespace kinetri {
 
-/// More contacts at one time than allowed: points that keep colliding without time advancing.
+/// Contacts that do not end: more at one time than allowed; or a point that is pressed against a
+/// wall or another point, so that no new velocity separates them.
 class Endless_contacts_error : public Error {
  public:
   using Error::Error;
@@ -169,8 +173,9 @@ class Simulation_2 : private Event_observer {
   Certificate_counters certificate_counters() const;
 
   /// Audits the triangulation up to `level`, and from the level `links` on the queue of contacts;
-  /// from `delaunay` on that no point is outside of the box just after now; from `certificates` on
-  /// every contact is computed anew.
+  /// from `delaunay` on that no point is outside of the box, and that no two discs overlap and
+  /// approach each other unless a response has let them pass; from `certificates` on every contact
+  /// is computed anew. All of it exactly, just after now.
   Audit_report audit(Audit_level level) const;
 
   /// Whether the simulation is valid: audit() up to the level `links` if `level` is 0, else up to
@@ -210,18 +215,23 @@ class Simulation_2 : private Event_observer {
     static void prefetch_first(const Entry&) {}
   };
 
-  /// A neighbor whose disc may come into contact.
+  /// A disc that may come into contact.
   struct Partner {
     Point_id id;
     Queue_handle event;
   };
 
-  /// The entries of a point in the queue, and the discs that a response has left in contact with
-  /// its own.
+  /// A disc that overlaps, or has overlapped until a short time ago.
+  struct Overlap {
+    Point_id id;
+    bool passes;  // a response has let the two pass: they have no contact until they have separated
+  };
+
+  /// The entries of a point in the queue, and its overlaps. Of each pair both points have a record.
   struct Contacts {
     Queue_handle wall_event = no_event;
-    std::vector<Partner> partners;   // of greater ids
-    std::vector<Point_id> touching;  // of all ids: both points know it
+    std::vector<Partner> partners;
+    std::vector<Overlap> overlaps;  // all those of the present time, and perhaps others
   };
 
   const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
@@ -237,17 +247,37 @@ class Simulation_2 : private Event_observer {
   void schedule_wall(Point_id id, const Time& after);
   void unschedule_wall(Point_id id);
   void schedule_pair(const Edge_ids& pair, const Time& after);
-  Certificate pair_certificate(const Contacts& contacts, const Edge_ids& pair, const Time& after,
-                               const Traits& traits) const;
+  Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
   void unschedule_pair(const Edge_ids& pair);
   void schedule_contacts(Point_id id, Point_id scheduled);
+  void schedule_inserted(Point_id id);
+  void schedule_all();
   void unschedule_contacts(Point_id id);
   void discard(Queue_handle handle);
   Entry pop();
   void forget(const Entry& entry);
-  static Queue_handle forget_partner(Contacts& contacts, Point_id b);
+  Queue_handle forget_pair(const Edge_ids& pair);
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
+
+  // Overlaps, and the pairs that are watched because of them.
+  const std::vector<Overlap>& overlaps(Point_id id) const;
+  const Overlap* find_overlap(const Edge_ids& pair) const;
+  std::vector<Point_id> overlapping_points(Point_id id, const Traits& traits) const;
+  bool is_edge(Point_id a, Point_id b) const;
+  bool is_watched(const Edge_ids& pair) const;
+  void watch(const Edge_ids& pair, const Time& after);
+  void unwatch(const Edge_ids& pair);
+  template <class Function>
+  void for_each_pair_beside(Point_id a, Point_id b, Function function) const;
+  template <class Function>
+  void for_each_pair_across(const Edge_ids& edge, Function function) const;
+  void find_all_overlaps();
+  void start_overlap(Point_id a, Point_id b);
+  void end_overlap(Point_id a, Point_id b);
+  void mark_passing(Point_id a, Point_id b);
+  void let_pass(Point_id a, Point_id b);
+  void update_overlaps(Point_id id);
 
   // Events.
   std::size_t step(const Time* until);
@@ -256,6 +286,7 @@ class Simulation_2 : private Event_observer {
   std::size_t execute_due_entries();
   void execute_due_entries(std::vector<Due_change>& postponed);
   void check_limit(const Entry& entry, std::uint64_t contacts) const;
+  [[noreturn]] void refuse_press(const std::string& who) const;
   void hit_wall(Point_id id, std::size_t wall);
   void collide(Point_id a, Point_id b);
   void schedule(const Time& time, Entry_kind kind, Point_id id,
@@ -268,11 +299,8 @@ class Simulation_2 : private Event_observer {
   void change(Event_kind kind, std::span<const Point_id> points,
               std::span<const typename Triangulation::Change> changes);
   Motion clamped_with_velocity(const Motion& motion, const Vector_2& velocity, double time) const;
+  Motion clamped(Motion motion) const;
   void after_event(const Event& event) override;
-
-  // Discs that a response has left in contact.
-  void leave_in_contact(Point_id a, Point_id b);
-  void part_from_others(Point_id id);
 
   Traits traits_;
   Simulation_options options_;

@@ -43,8 +43,8 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
   if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
   for (Point_id id = 0; id < motions.size(); ++id) check_inside(point(id));
   triangulation_.add_observer(*this);
-  for (Point_id id = 0; id < motions.size(); ++id) schedule_wall(id, start);
-  for (const Edge_ids& edge : triangulation_.finite_edge_ids()) schedule_pair(edge, start);
+  find_all_overlaps();
+  schedule_all();
 }
 
 // What is wrong with the options; null if nothing is.
@@ -76,14 +76,12 @@ void Simulation_2<Traits>::check_inside(const Point_2& p) const {
     if (traits_.is_inside(p, wall, current_time())) continue;
     const double time = current_time().to_double();
     const Vector_2 place = rounded_place(p.motion(), time);
-    constexpr std::array<const char*, 4> sides = {"left", "right", "lower", "upper"};
-    throw Outside_box_error(p.id(), "the point is outside of the box at t = " + detail::text(time) +
-                                        ": at " + detail::text(place.x) + ", " +
-                                        detail::text(place.y) +
-                                        (wall.clearance > 0 ? ", its rim" : "") + " beyond the " +
-                                        sides[static_cast<std::size_t>(wall.side)] + " side at " +
-                                        detail::text(wall.position) +
-                                        "; expected every point inside of the box or on its sides");
+    throw Outside_box_error(
+        p.id(), "the point is outside of the box at t = " + detail::text(time) + ": at " +
+                    detail::text(place.x) + ", " + detail::text(place.y) +
+                    (wall.clearance > 0 ? ", its rim" : "") + " beyond the " +
+                    std::string(name(wall.side)) + " side at " + detail::text(wall.position) +
+                    "; expected every point inside of the box or on its sides");
   }
 }
 
@@ -213,6 +211,7 @@ void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t contact
 #include "kinetri/simulation/detail/audit_impl.h"
 #include "kinetri/simulation/detail/changes_impl.h"
 #include "kinetri/simulation/detail/contacts_impl.h"
+#include "kinetri/simulation/detail/overlaps_impl.h"
 #include "kinetri/simulation/detail/scheduling_impl.h"
 #include "kinetri/simulation/detail/snapshot_impl.h"
 

@@ -41,11 +41,32 @@ Double_interval widened(double x, double error) {
 
 }  // namespace
 
-bool certainly_do_not_approach(const Linear_motion_2& p, const Linear_motion_2& q,
-                               const Double_interval& interval) {
+// The slope grows with time: the ends of the interval decide.
+Sign certain_distance_slope(const Linear_motion_2& p, const Linear_motion_2& q,
+                            const Double_interval& interval) {
+  const Approach first(p, q, interval.lower);
+  if (!first.is_in_range()) return CGAL::ZERO;
+  if (first.half_slope() > first.error) return CGAL::POSITIVE;
+  if (first.half_slope() >= -first.error) return CGAL::ZERO;
+  const Approach last(p, q, interval.upper);
+  return last.is_in_range() && last.half_slope() < -last.error ? CGAL::NEGATIVE : CGAL::ZERO;
+}
+
+Sign certain_gap(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,
+                 const Double_interval& interval) {
   const Approach approach(p, q, interval.lower);
-  if (approach.is_at_rest()) return true;
-  return approach.is_in_range() && approach.half_slope() > approach.error;
+  const Magnitudes& magnitudes = approach.magnitudes;
+  const double moved = greatest(magnitudes.slope) * (interval.upper - interval.lower);
+  const double total = sum(magnitudes.terms) + moved;
+  if (!kinetri::is_in_range(total) || !(diameter < greatest_size)) return CGAL::ZERO;
+  const double squared_diameter = diameter * diameter;
+  const auto& place = approach.difference.place;
+  const double gap = sum(place * place) - squared_diameter;
+  const double size = greatest(magnitudes.extent) + moved + 0x1p-49 * total;
+  // The second term bounds the change of the squared distance during the interval.
+  const double error = 256 * unit_roundoff * (size * total + squared_diameter) + 8 * size * moved;
+  if (gap > error) return CGAL::POSITIVE;
+  return gap < -error ? CGAL::NEGATIVE : CGAL::ZERO;
 }
 
 Filter_result filter_contact(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,

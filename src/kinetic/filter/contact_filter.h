@@ -22,9 +22,15 @@ Filter_result filter_contact(const Linear_motion_2& p, const Linear_motion_2& q,
 Filter_result filter_wall_contact(const Linear_motion_2& p, const Wall_2& wall,
                                   const Double_interval& after);
 
-/// Whether p and q certainly do not approach each other at any time in `interval`, nor later.
-bool certainly_do_not_approach(const Linear_motion_2& p, const Linear_motion_2& q,
-                               const Double_interval& interval);
+/// The sign of the derivative of the squared distance of p and q throughout `interval`, where it is
+/// certain; zero says that nothing is known.
+Sign certain_distance_slope(const Linear_motion_2& p, const Linear_motion_2& q,
+                            const Double_interval& interval);
+
+/// The sign of the squared distance of p and q minus the square of `diameter` throughout
+/// `interval`, where it is certain; zero says that nothing is known.
+Sign certain_gap(const Linear_motion_2& p, const Linear_motion_2& q, double diameter,
+                 const Double_interval& interval);
 
 /// Whether p is certainly on the inner side of the wall throughout `interval`.
 bool certainly_inside(const Linear_motion_2& p, const Wall_2& wall,

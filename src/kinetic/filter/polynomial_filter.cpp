@@ -201,6 +201,9 @@ template <std::size_t N>
 double orientation_error(const Differences<N>& d) {
   return 512 * unit_roundoff * (d.size() * d.total());
 }
+double contact_error(const Differences<1>& d, double squared_diameter) {
+  return 512 * unit_roundoff * (d.size() * d.total() + squared_diameter);
+}
 template <std::size_t N>
 double coordinate_error(const Differences<N>& d) {
   return 128 * unit_roundoff * d.total();
@@ -329,16 +332,29 @@ Filter_result filter_contact(const Polynomial_motion_2& p, const Polynomial_moti
   Coefficients<6> c = dot(d[0], d[0]);
   const double squared_diameter = diameter * diameter;
   c[0] -= squared_diameter;
-  const double error = 512 * unit_roundoff * (d.size() * d.total() + squared_diameter);
-  return first_contact(c, error, *window, after);
+  return first_contact(c, contact_error(d, squared_diameter), *window, after);
 }
 
-bool certainly_do_not_approach(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
-                               const Double_interval& interval) {
+Sign certain_distance_slope(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                            const Double_interval& interval) {
   return sign_throughout(
-             Differences<1>({&p}, q, interval.lower),
-             [](const auto& d) { return slope_of(dot(d[0], d[0])); },
-             [](const auto& d) { return 7 * orientation_error(d); }, interval) == CGAL::POSITIVE;
+      Differences<1>({&p}, q, interval.lower),
+      [](const auto& d) { return slope_of(dot(d[0], d[0])); },
+      [](const auto& d) { return 7 * orientation_error(d); }, interval);
+}
+
+Sign certain_gap(const Polynomial_motion_2& p, const Polynomial_motion_2& q, double diameter,
+                 const Double_interval& interval) {
+  if (!(diameter < greatest_size)) return CGAL::ZERO;
+  const double squared_diameter = diameter * diameter;
+  return sign_throughout(
+      Differences<1>({&p}, q, interval.lower),
+      [&](const auto& d) {
+        Coefficients<6> c = dot(d[0], d[0]);
+        c[0] -= squared_diameter;
+        return c;
+      },
+      [&](const auto& d) { return contact_error(d, squared_diameter); }, interval);
 }
 
 namespace {

@@ -53,9 +53,13 @@ Filter_result filter_wall_contact(const Polynomial_motion_2& p, const Wall_2& wa
                                   const Double_interval& after);
 /// @}
 
-/// Whether p and q certainly do not approach each other at any time in `interval`.
-bool certainly_do_not_approach(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
-                               const Double_interval& interval);
+/// @{
+/// As the functions of the same names for linear motion (contact_filter.h).
+Sign certain_distance_slope(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+                            const Double_interval& interval);
+Sign certain_gap(const Polynomial_motion_2& p, const Polynomial_motion_2& q, double diameter,
+                 const Double_interval& interval);
+/// @}
 
 /// Whether p is certainly on the inner side of the wall throughout `interval`.
 bool certainly_inside(const Polynomial_motion_2& p, const Wall_2& wall,

@@ -72,7 +72,7 @@ void Simulation_2<Traits>::execute_change(const Due_change& change) {
   } else if (change.entry.kind == Entry_kind::insert) {
     check_inside(Point_2(*change.motion, id));
     triangulation_.insert(*change.motion, id);
-    schedule_contacts(id, no_point);
+    schedule_inserted(id);
   } else if (triangulation_.contains(id)) {  // else it has left while the change was postponed
     set_motion(id, *change.motion);
   }
@@ -93,7 +93,7 @@ template <ContactKineticTraits_2 Traits>
 Point_id Simulation_2<Traits>::insert(const Motion& motion) {
   check_inside(Point_2(motion, triangulation_.next_id()));
   const Point_id id = triangulation_.insert(motion);
-  schedule_contacts(id, no_point);
+  schedule_inserted(id);
   return id;
 }
 

@@ -8,7 +8,7 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <vector>
+#include <string>
 
 #include "kinetri/base/check.h"
 #include "kinetri/simulation/simulation_2.h"
@@ -17,6 +17,10 @@ namespace kinetri {
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
+  if (!traits_.has_approach_speed(point(id), walls_[wall], current_time())) {
+    refuse_press("point " + std::to_string(id) + " accelerates toward the " +
+                 std::string(name(walls_[wall].side)) + " wall");
+  }
   const double time = current_time().to_double();
   const Motion& motion = triangulation_.motion(id);
   Vector_2 velocity = rounded_velocity(motion, time);
@@ -39,6 +43,7 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
                                Point_2(clamped_with_velocity(motion_b, velocity_b, time), b),
                                current_time());
   };
+  const bool is_pressed = !traits_.has_approach_speed(point(a), point(b), current_time());
   const Contact_response_2 response =
       options_.response({time,
                          a,
@@ -46,24 +51,35 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
                          {place_b.x - place_a.x, place_b.y - place_a.y},
                          rounded_velocity(motion_a, time),
                          rounded_velocity(motion_b, time),
+                         is_pressed,
                          would_approach});
 
+  // The motion that a point gets; none where it keeps its own.
+  const auto new_motion = [&](const Motion& motion, bool stops,
+                              const std::optional<Vector_2>& velocity) -> std::optional<Motion> {
+    if (stops) {
+      if (is_at_rest(motion)) return std::nullopt;
+      return clamped(at_rest_at(motion, time));
+    }
+    if (!velocity || *velocity == rounded_velocity(motion, time)) return std::nullopt;
+    return clamped_with_velocity(motion, *velocity, time);
+  };
+  const auto new_a = new_motion(motion_a, response.stops_a, response.velocity_a);
+  const auto new_b = new_motion(motion_b, response.stops_b, response.velocity_b);
+  if (is_pressed && response.is_motion_given() &&
+      traits_.do_approach(Point_2(new_a.value_or(motion_a), a),
+                          Point_2(new_b.value_or(motion_b), b), current_time())) {
+    refuse_press("points " + std::to_string(a) + " and " + std::to_string(b) +
+                 " accelerate toward each other");
+  }
   std::array<typename Triangulation::Change, 2> changes;
   std::size_t number = 0;
-  const auto add = [&](Point_id id, const Motion& motion, bool erases,
-                       const std::optional<Vector_2>& velocity) {
-    if (erases) {
-      changes[number++] = {id, std::nullopt};
-    } else if (velocity && *velocity != rounded_velocity(motion, time)) {
-      changes[number++] = {id, clamped_with_velocity(motion, *velocity, time)};
-    }
-  };
-  add(a, motion_a, response.erases_a, response.velocity_a);
-  add(b, motion_b, response.erases_b, response.velocity_b);
+  if (response.erases_a || new_a) changes[number++] = {a, response.erases_a ? std::nullopt : new_a};
+  if (response.erases_b || new_b) changes[number++] = {b, response.erases_b ? std::nullopt : new_b};
   if (number == 0) {
-    leave_in_contact(a, b);
+    let_pass(a, b);
     triangulation_.apply(Event_kind::collision, a, b, {});
-    return schedule_pair(edge_ids(a, b), current_time());
+    return schedule_pair({a, b}, current_time());
   }
   const std::array<Point_id, 2> points = {a, b};
   change(Event_kind::collision, points, {changes.data(), number});
@@ -76,7 +92,10 @@ void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> poi
   for (const Point_id id : points) unschedule_contacts(id);
   const auto second = points.size() > 1 ? std::optional(points[1]) : std::nullopt;
   const auto schedule_anew = [&] {
-    for (const Point_id id : points) part_from_others(id);
+    changing_points_ = {};
+    if (options_.response) {
+      for (const Point_id id : points) update_overlaps(id);
+    }
     for (const Point_id id : points) {
       if (!triangulation_.contains(id)) {
         contacts_.erase(id);
@@ -90,61 +109,59 @@ void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> poi
   try {
     triangulation_.apply(kind, points[0], second, changes);
   } catch (const Coincident_trajectories_error&) {
-    changing_points_ = {};
     schedule_anew();
     throw;
   }
-  changing_points_ = {};
   schedule_anew();
+}
+
+// The motion that is not outside of the box at the present time.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::clamped(Motion motion) const -> Motion {
+  if (!options_.box) return motion;
+  const Double_interval times = current_time().tight_interval();
+  for (const Wall_2& wall : walls_) motion = clamped_inside(motion, wall, times);
+  return motion;
 }
 
 template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::clamped_with_velocity(const Motion& motion, const Vector_2& velocity,
                                                  double time) const -> Motion {
-  Motion result = with_velocity_at(motion, velocity, time);
-  if (!options_.box) return result;
-  const Double_interval times = current_time().tight_interval();
-  for (const Wall_2& wall : walls_) result = clamped_inside(result, wall, times);
-  return result;
+  return clamped(with_velocity_at(motion, velocity, time));
+}
+
+// `who` touches something, without a speed toward it, but with an acceleration toward it.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::refuse_press(const std::string& who) const {
+  throw Endless_contacts_error(
+      who + " at t = " + detail::text(current_time().to_double()) +
+      ", in contact without any speed, so that no change of velocities separates them; expected "
+      "contacts with a speed: change the accelerations, end before that time, or take a response "
+      "that stops or removes points or lets them pass");
 }
 
 // Follows the edges of the triangulation. While points change, `change` schedules their contacts.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::after_event(const Event& event) {
   if (!options_.response) return;
-  if (event.removed) unschedule_pair(*event.removed);
-  if (!event.added) return;
-  const bool is_scheduled_later = std::ranges::any_of(
-      *event.added, [&](Point_id id) { return std::ranges::count(changing_points_, id) > 0; });
-  if (!is_scheduled_later) schedule_pair(*event.added, event.time);
-}
-
-// ---- discs in contact ----
-
-template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::leave_in_contact(Point_id a, Point_id b) {
-  const auto add = [this](Point_id id, Point_id other) {
-    std::vector<Point_id>& touching = contacts_[id].touching;
-    if (std::ranges::find(touching, other) == touching.end()) touching.push_back(other);
-  };
-  add(a, b);
-  add(b, a);
-}
-
-// Of a point that has a new motion, or none, those that it does not overlap now are no longer in
-// contact with it. As long as two keep their motions, next_contact_certificate knows.
-template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::part_from_others(Point_id id) {
-  const auto contacts = contacts_.find(id);
-  if (contacts == contacts_.end()) return;
-  std::erase_if(contacts->second.touching, [&](Point_id other) {
-    if (triangulation_.contains(id) && triangulation_.contains(other) &&
-        traits_.do_overlap(point(id), point(other), diameter_, current_time())) {
-      return false;
+  if (event.removed) {
+    const Edge_ids& edge = *event.removed;
+    // A disc without overlaps is watched against its neighbors only.
+    if (overlaps(edge[0]).empty()) {
+      unschedule_pair(edge);
+    } else {
+      unwatch(edge);
     }
-    std::erase(contacts_.at(other).touching, id);
-    return true;
-  });
+    for_each_pair_across(edge, [this](const Edge_ids& pair) { unwatch(pair); });
+  }
+  if (!event.added) return;
+  const auto watch_now = [&](const Edge_ids& pair) {
+    const bool is_scheduled_later = std::ranges::any_of(
+        pair, [&](Point_id id) { return std::ranges::count(changing_points_, id) > 0; });
+    if (!is_scheduled_later) watch(pair, event.time);
+  };
+  watch_now(*event.added);
+  for_each_pair_across(*event.added, watch_now);
 }
 
 }  // namespace kinetri

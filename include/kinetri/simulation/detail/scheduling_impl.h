@@ -76,21 +76,26 @@ void Simulation_2<Traits>::forget(const Entry& entry) {
   if (entry.kind == Entry_kind::wall) {
     contacts_.at(entry.point_a).wall_event = no_event;
   } else if (entry.kind == Entry_kind::collision) {
-    forget_partner(contacts_.at(entry.point_a), entry.point_b);
+    forget_pair({entry.point_a, entry.point_b});
   } else {
     --scheduled_entries_;
   }
 }
 
-// Returns the handle of the partner's entry; none if there is no such partner.
+// Returns the handle of the pair's entry; no_event if it has none.
 template <ContactKineticTraits_2 Traits>
-Queue_handle Simulation_2<Traits>::forget_partner(Contacts& contacts, Point_id b) {
-  auto& partners = contacts.partners;
-  const auto partner = std::ranges::find(partners, b, &Partner::id);
-  if (partner == partners.end()) return no_event;
-  const Queue_handle event = partner->event;
-  *partner = partners.back();
-  partners.pop_back();
+Queue_handle Simulation_2<Traits>::forget_pair(const Edge_ids& pair) {
+  Queue_handle event = no_event;
+  for (const auto& [id, other] : {std::pair(pair[0], pair[1]), std::pair(pair[1], pair[0])}) {
+    const auto contacts = contacts_.find(id);
+    if (contacts == contacts_.end()) return no_event;
+    auto& partners = contacts->second.partners;
+    const auto partner = std::ranges::find(partners, other, &Partner::id);
+    if (partner == partners.end()) return no_event;
+    event = partner->event;
+    *partner = partners.back();
+    partners.pop_back();
+  }
   return event;
 }
 
@@ -133,39 +138,37 @@ void Simulation_2<Traits>::unschedule_wall(Point_id id) {
   if (event != no_event) discard(event);
 }
 
+// Schedules the next contact of a pair anew.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after) {
   if (!options_.response) return;
-  const auto [a, b] = pair;
-  Contacts& contacts = contacts_[a];
-  if (const Queue_handle old = forget_partner(contacts, b); old != no_event) discard(old);
+  unschedule_pair(pair);
   Entry entry;
   entry.kind = Entry_kind::collision;
-  entry.point_a = a;
-  entry.point_b = b;
-  Certificate certificate = pair_certificate(contacts, {a, b}, after, traits_);
+  entry.point_a = pair[0];
+  entry.point_b = pair[1];
+  Certificate certificate = pair_certificate(pair, after, traits_);
   certificate_counters_.count(certificate);
   const Queue_handle event = push(entry, std::move(certificate));
-  if (event != no_event) contacts.partners.push_back({b, event});
+  if (event == no_event) return;
+  contacts_[pair[0]].partners.push_back({pair[1], event});
+  contacts_[pair[1]].partners.push_back({pair[0], event});
 }
 
-// The certificate of the next contact of a pair; `contacts` are those of its first point.
 template <ContactKineticTraits_2 Traits>
-Certificate Simulation_2<Traits>::pair_certificate(const Contacts& contacts, const Edge_ids& pair,
-                                                   const Time& after, const Traits& traits) const {
-  const auto [a, b] = pair;
-  if (std::ranges::find(contacts.touching, b) != contacts.touching.end()) {
-    return traits.next_contact_certificate(point(a), point(b), diameter_, after);
-  }
-  return traits.contact_certificate(point(a), point(b), diameter_, after);
+Certificate Simulation_2<Traits>::pair_certificate(const Edge_ids& pair, const Time& after,
+                                                   const Traits& traits) const {
+  const Point_2& p = point(pair[0]);
+  const Point_2& q = point(pair[1]);
+  const Overlap* const overlap = find_overlap(pair);
+  return overlap != nullptr && overlap->passes
+             ? traits.next_contact_certificate(p, q, diameter_, after)
+             : traits.contact_certificate(p, q, diameter_, after);
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unschedule_pair(const Edge_ids& pair) {
-  const auto contacts = contacts_.find(pair[0]);
-  if (contacts == contacts_.end()) return;
-  const Queue_handle event = forget_partner(contacts->second, pair[1]);
-  if (event != no_event) discard(event);
+  if (const Queue_handle event = forget_pair(pair); event != no_event) discard(event);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -175,21 +178,51 @@ void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) con
                             [&](auto neighbor) { function(neighbor->point().id()); });
 }
 
-// Of the neighbor `scheduled`, if there is one, the pair has been done.
+// Schedules what a point may touch. Of the neighbor `scheduled`, if there is one, the pair has been
+// done.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_contacts(Point_id id, Point_id scheduled) {
   schedule_wall(id, current_time());
   if (!options_.response) return;
   for_each_neighbor(id, [&](Point_id other) {
-    if (other != scheduled) schedule_pair(edge_ids(id, other), current_time());
+    if (other != scheduled) watch(edge_ids(id, other), current_time());
   });
+  const auto watch_pair = [this](const Edge_ids& pair) { watch(pair, current_time()); };
+  for_each_neighbor(id, [&](Point_id other) { for_each_pair_across({id, other}, watch_pair); });
+  for (const Overlap& overlap : overlaps(id)) for_each_pair_beside(id, overlap.id, watch_pair);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_inserted(Point_id id) {
+  if (options_.response) update_overlaps(id);
+  schedule_contacts(id, no_point);
+}
+
+// Schedules the contacts of all points of a new simulation.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_all() {
+  const Point_id ids = triangulation_.next_id();
+  for (Point_id id = 0; id < ids; ++id) {
+    if (triangulation_.contains(id)) schedule_wall(id, current_time());
+  }
+  if (!options_.response) return;
+  for (const Edge_ids& edge : triangulation_.finite_edge_ids()) watch(edge, current_time());
+  for (Point_id id = 0; id < ids; ++id) {
+    for (const Overlap& overlap : overlaps(id)) {
+      if (overlap.id < id) continue;
+      for_each_pair_beside(id, overlap.id,
+                           [this](const Edge_ids& pair) { watch(pair, current_time()); });
+    }
+  }
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unschedule_contacts(Point_id id) {
   unschedule_wall(id);
-  if (!options_.response) return;
-  for_each_neighbor(id, [&](Point_id other) { unschedule_pair(edge_ids(id, other)); });
+  const auto contacts = contacts_.find(id);
+  if (contacts == contacts_.end()) return;
+  const auto& partners = contacts->second.partners;
+  while (!partners.empty()) unschedule_pair(edge_ids(id, partners.back().id));
 }
 
 }  // namespace kinetri

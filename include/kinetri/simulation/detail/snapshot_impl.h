@@ -27,8 +27,8 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   result.counters = counters_;
   result.certificates = certificate_counters_;
   for (const auto& [a, contacts] : contacts_) {
-    for (const Point_id b : contacts.touching) {
-      if (a < b) result.in_contact.push_back({a, b});
+    for (const auto& [b, passes] : contacts.overlaps) {
+      if (passes && a < b) result.in_contact.push_back({a, b});
     }
   }
   std::ranges::sort(result.in_contact);
@@ -76,6 +76,7 @@ Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& sna
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
+  find_all_overlaps();
   for (std::size_t i = 0; i < snapshot.in_contact.size(); ++i) {
     const auto [a, b] = snapshot.in_contact[i];
     if (!options_.response || a >= b || !triangulation_.contains(a) ||
@@ -84,7 +85,8 @@ void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
                            std::to_string(b) +
                            " in contact; expected two points that are there, once, and a response");
     }
-    leave_in_contact(a, b);
+    // A pair that has separated since may have any contact.
+    if (find_overlap({a, b}) != nullptr) mark_passing(a, b);
   }
   for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
     if (!triangulation_.contains(id)) continue;
@@ -93,11 +95,8 @@ void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
     } catch (const Outside_box_error& error) {
       throw Snapshot_error("point " + std::to_string(id) + " of the snapshot: " + error.what());
     }
-    schedule_wall(id, current_time());
   }
-  for (const Edge_ids& edge : triangulation_.finite_edge_ids()) {
-    schedule_pair(edge, current_time());
-  }
+  schedule_all();
 }
 
 template <ContactKineticTraits_2 Traits>

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Simulation_2: which discs overlap, and which pairs are watched because of that.
+//
+// A pair (p, q), p < q, is watched if pq is an edge, or if there is an edge wq to a point w whose
+// disc overlaps that of p. Let p and q come into contact. The points in the closed disc with
+// diameter pq are connected by edges inside of it, so there is a path from q to p. If its first
+// edge does not lead to p, then to a point w whose disc overlaps both: the pair is watched.
+#ifndef KINETRI_SIMULATION_DETAIL_OVERLAPS_IMPL_H
+#define KINETRI_SIMULATION_DETAIL_OVERLAPS_IMPL_H
+
+#include <algorithm>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri {
+
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::overlaps(Point_id id) const -> const std::vector<Overlap>& {
+  static const std::vector<Overlap> none;
+  const auto contacts = contacts_.find(id);
+  return contacts == contacts_.end() ? none : contacts->second.overlaps;
+}
+
+// The record of a pair that overlaps; null if there is none.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::find_overlap(const Edge_ids& pair) const -> const Overlap* {
+  const std::vector<Overlap>& of_first = overlaps(pair[0]);
+  const auto overlap = std::ranges::find(of_first, pair[1], &Overlap::id);
+  return overlap == of_first.end() ? nullptr : &*overlap;
+}
+
+// The points whose discs overlap that of a point just after the present time. Edges connect them
+// to the point, and are walked along.
+template <ContactKineticTraits_2 Traits>
+std::vector<Point_id> Simulation_2<Traits>::overlapping_points(Point_id id,
+                                                               const Traits& traits) const {
+  std::vector<Point_id> result;
+  const auto add_neighbors = [&](Point_id of) {
+    for_each_neighbor(of, [&](Point_id other) {
+      if (other != id && std::ranges::find(result, other) == result.end() &&
+          traits.do_overlap(point(id), point(other), diameter_, current_time())) {
+        result.push_back(other);
+      }
+    });
+  };
+  add_neighbors(id);
+  for (std::size_t i = 0; i < result.size(); ++i) add_neighbors(result[i]);
+  return result;
+}
+
+// Whether both points are there, with an edge.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::is_edge(Point_id a, Point_id b) const {
+  if (!triangulation_.contains(a) || !triangulation_.contains(b)) return false;
+  bool result = false;
+  for_each_neighbor(a, [&](Point_id other) { result = result || other == b; });
+  return result;
+}
+
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::is_watched(const Edge_ids& pair) const {
+  return is_edge(pair[0], pair[1]) ||
+         std::ranges::any_of(overlaps(pair[0]), [&](const Overlap& overlap) {
+           return overlap.id != pair[1] && is_edge(overlap.id, pair[1]);
+         });
+}
+
+// Schedules the contact of a pair that has none.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::watch(const Edge_ids& pair, const Time& after) {
+  const auto contacts = contacts_.find(pair[0]);
+  if (contacts != contacts_.end() &&
+      std::ranges::find(contacts->second.partners, pair[1], &Partner::id) !=
+          contacts->second.partners.end()) {
+    return;
+  }
+  schedule_pair(pair, after);
+}
+
+// To be called when a reason to watch the pair has gone.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::unwatch(const Edge_ids& pair) {
+  if (!is_watched(pair)) unschedule_pair(pair);
+}
+
+// Calls `function` with the pairs that are watched because the discs of a and b overlap, both
+// points there.
+template <ContactKineticTraits_2 Traits>
+template <class Function>
+void Simulation_2<Traits>::for_each_pair_beside(Point_id a, Point_id b, Function function) const {
+  for_each_neighbor(b, [&](Point_id other) {
+    if (a < other) function(Edge_ids{a, other});
+  });
+  for_each_neighbor(a, [&](Point_id other) {
+    if (b < other) function(Edge_ids{b, other});
+  });
+}
+
+// Calls `function` with the pairs that are watched because of an edge, but for that of its ends.
+template <ContactKineticTraits_2 Traits>
+template <class Function>
+void Simulation_2<Traits>::for_each_pair_across(const Edge_ids& edge, Function function) const {
+  const auto [a, b] = edge;
+  for (const Overlap& overlap : overlaps(a)) {
+    if (overlap.id < b) function(Edge_ids{overlap.id, b});
+  }
+  for (const Overlap& overlap : overlaps(b)) {
+    if (overlap.id < a) function(Edge_ids{overlap.id, a});
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::find_all_overlaps() {
+  if (!options_.response) return;
+  for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
+    if (!triangulation_.contains(id)) continue;
+    for (const Point_id other : overlapping_points(id, traits_)) start_overlap(id, other);
+  }
+}
+
+// Does nothing for a pair that has a record.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::start_overlap(Point_id a, Point_id b) {
+  if (find_overlap({a, b}) != nullptr) return;
+  contacts_[a].overlaps.push_back({b, false});
+  contacts_[b].overlaps.push_back({a, false});
+}
+
+// The points need not be there any more.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::end_overlap(Point_id a, Point_id b) {
+  const auto forget = [this](Point_id id, Point_id other) {
+    std::erase_if(contacts_.at(id).overlaps,
+                  [&](const Overlap& overlap) { return overlap.id == other; });
+  };
+  forget(a, b);
+  forget(b, a);
+  if (!triangulation_.contains(a) || !triangulation_.contains(b)) return;
+  for_each_pair_beside(a, b, [this](const Edge_ids& pair) { unwatch(pair); });
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::mark_passing(Point_id a, Point_id b) {
+  std::ranges::find(contacts_.at(a).overlaps, b, &Overlap::id)->passes = true;
+  std::ranges::find(contacts_.at(b).overlaps, a, &Overlap::id)->passes = true;
+}
+
+// Two discs in contact that overlap from now on, and have no contact until they have separated.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::let_pass(Point_id a, Point_id b) {
+  update_overlaps(a);
+  update_overlaps(b);
+  start_overlap(a, b);
+  mark_passing(a, b);
+  for_each_pair_beside(a, b, [this](const Edge_ids& pair) { watch(pair, current_time()); });
+}
+
+// Finds the overlaps of a point that has come, gone, or got another motion. Its own contacts are
+// still to be scheduled.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::update_overlaps(Point_id id) {
+  const std::vector<Point_id> found =
+      triangulation_.contains(id) ? overlapping_points(id, traits_) : std::vector<Point_id>();
+  const std::vector<Overlap> known = overlaps(id);
+  for (const Overlap& overlap : known) {
+    if (std::ranges::find(found, overlap.id) == found.end()) end_overlap(id, overlap.id);
+  }
+  for (const Point_id other : found) start_overlap(id, other);
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_DETAIL_OVERLAPS_IMPL_H
