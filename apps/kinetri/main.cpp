@@ -15,6 +15,7 @@
 #include "cli/text.h"
 #include "commands/commands.h"
 #include "io/output_file.h"
+#include "io/text.h"
 #include "kinetri/base/error.h"
 #include "kinetri/version.h"
 
@@ -30,7 +31,7 @@ Exit_code print(const std::string& text) {
 
 Exit_code report_usage(const Invocation& invocation, const std::string& problem) {
   report(invocation.name, problem);
-  print_error(concat({"Run '", invocation.name, " --help' for what is possible.\n"}));
+  print_error(joined("Run '", invocation.name, " --help' for what is possible.\n"));
   return Exit_code::bad_input;
 }
 
@@ -53,7 +54,7 @@ Exit_code run(int argc, char** argv) {
     case Invocation::Request::help:
       return print(help_text(*invocation.command, invocation.name));
     case Invocation::Request::version:
-      return print(concat({"kinetri ", version, "\n"}));
+      return print(joined("kinetri ", version, "\n"));
     case Invocation::Request::nothing:
       return report_usage(invocation, invocation.problem);
     case Invocation::Request::run:
@@ -85,8 +86,8 @@ Exit_code guarded_run(int argc, char** argv) {
     return report_failure(Exit_code::internal_error, error.what());
   } catch (const std::exception& error) {
     return report_failure(Exit_code::internal_error,
-                          concat({"unexpected error: ", error.what(),
-                                  "; please report this with the input that caused it"}));
+                          joined("unexpected error: ", error.what(),
+                                 "; please report this with the input that caused it"));
   }
 }
 

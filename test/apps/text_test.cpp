@@ -3,51 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
 namespace kinetri::app {
 namespace {
 
-TEST(Shortest, has_an_exponent_only_where_it_helps) {
-  EXPECT_EQ(shortest(0), "0");
-  EXPECT_EQ(shortest(-0.0), "-0");
-  EXPECT_EQ(shortest(0.1), "0.1");
-  EXPECT_EQ(shortest(100000), "100000");
-  EXPECT_EQ(shortest(-2.5), "-2.5");
-  EXPECT_EQ(shortest(0.0001), "0.0001");
-  EXPECT_EQ(shortest(0.00001), "1e-05");
-  EXPECT_EQ(shortest(9999999999999998.0), "9999999999999998");
-  EXPECT_EQ(shortest(1e16), "1e+16");
-  EXPECT_EQ(shortest(1e-100), "1e-100");
-  EXPECT_EQ(shortest(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
-}
-
-TEST(Shortest, reads_back_as_the_same_number) {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> exponent(-300, 300);
-  std::uniform_real_distribution<double> fraction(-1, 1);
-  for (int i = 0; i < 10'000; ++i) {
-    const double number = fraction(random) * std::pow(10, exponent(random));
-    EXPECT_EQ(std::strtod(shortest(number).c_str(), nullptr), number);
-  }
-}
-
-TEST(Concat, joins_words_and_numbers) {
-  const std::string word = "point";
-  EXPECT_EQ(concat({}), "");
-  EXPECT_EQ(concat({word, " ", 7, " at t = ", 0.5, ", ", 18446744073709551615U}),
-            "point 7 at t = 0.5, 18446744073709551615");
-}
-
-TEST(Joined, has_the_separator_between_words) {
-  EXPECT_EQ(joined({}, ", "), "");
-  EXPECT_EQ(joined(std::vector<std::string>{"a"}, ", "), "a");
-  EXPECT_EQ(joined(std::vector<std::string>{"a", "b", "c"}, ", "), "a, b, c");
+TEST(Separated, has_the_separator_between_words) {
+  EXPECT_EQ(separated({}, ", "), "");
+  EXPECT_EQ(separated(std::vector<std::string>{"a"}, ", "), "a");
+  EXPECT_EQ(separated(std::vector<std::string>{"a", "b", "c"}, ", "), "a, b, c");
 }
 
 TEST(Counted, has_a_plural_for_all_numbers_but_one) {

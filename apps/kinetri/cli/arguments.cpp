@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "cli/text.h"
+#include "io/text.h"
 #include "kinetri/io/points_file.h"
 
 namespace kinetri::app {
@@ -12,7 +12,7 @@ namespace kinetri::app {
 double number_argument(std::string_view option, std::string_view text) {
   const Parsed_number parsed = parse_number(text);
   if (!parsed.problem.empty()) {
-    throw Usage_error(concat({option, ": '", text, "' ", parsed.problem}));
+    throw Usage_error(joined(option, ": '", text, "' ", parsed.problem));
   }
   return parsed.value;
 }
@@ -21,15 +21,15 @@ double positive_argument(std::string_view option, std::string_view text) {
   const double value = number_argument(option, text);
   if (value > 0) return value;
   throw Usage_error(
-      concat({option, ": ", text, " cannot be used; expected a number greater than 0"}));
+      joined(option, ": ", text, " cannot be used; expected a number greater than 0"));
 }
 
 double size_argument(std::string_view option, std::string_view text, double lowest, double highest,
                      bool zero_allowed) {
   const double value = number_argument(option, text);
   if ((value >= lowest && value <= highest) || (value == 0 && zero_allowed)) return value;
-  throw Usage_error(concat({option, ": ", text, " is out of range; expected a number from ", lowest,
-                            " to ", highest, zero_allowed ? ", or 0" : ""}));
+  throw Usage_error(joined(option, ": ", text, " is out of range; expected a number from ", lowest,
+                           " to ", highest, zero_allowed ? ", or 0" : ""));
 }
 
 std::uint64_t count_argument(std::string_view option, std::string_view text,
@@ -38,8 +38,8 @@ std::uint64_t count_argument(std::string_view option, std::string_view text,
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || value > highest) {
-    throw Usage_error(concat(
-        {option, ": '", text, "' cannot be used; expected a whole number from 0 to ", highest}));
+    throw Usage_error(joined(option, ": '", text,
+                             "' cannot be used; expected a whole number from 0 to ", highest));
   }
   return value;
 }
@@ -49,7 +49,7 @@ std::size_t choice_argument(std::string_view option, std::string_view text,
   const auto found = std::find(choices.begin(), choices.end(), text);
   if (found == choices.end()) {
     throw Usage_error(
-        concat({option, ": '", text, "' is unknown; expected ", alternatives(choices)}));
+        joined(option, ": '", text, "' is unknown; expected ", alternatives(choices)));
   }
   return static_cast<std::size_t>(found - choices.begin());
 }

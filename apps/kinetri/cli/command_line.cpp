@@ -7,6 +7,7 @@
 #include "cli/arguments.h"
 #include "cli/spelling.h"
 #include "cli/text.h"
+#include "io/text.h"
 
 namespace kinetri::app {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Request = Invocation::Request;
 
 CLI::Option* declare_option(CLI::App& app, const Option& option) {
-  const std::string names = joined(option.names, ",");
+  const std::string names = separated(option.names, ",");
   return std::visit(
       [&](auto* target) -> CLI::Option* {
         if constexpr (std::is_same_v<decltype(target), bool*>) {
@@ -76,11 +77,11 @@ std::string unknown_problem(const std::string& word, const Command& command) {
   const std::vector<std::string> names =
       is_option ? names_of_options(command) : names_of_commands(command);
   if (const std::string_view near = nearest_name(word, names); !near.empty()) {
-    return concat({"'", word, "' is unknown; did you mean ", near, "?"});
+    return joined("'", word, "' is unknown; did you mean ", near, "?");
   }
   const std::string expected = command.commands.empty() ? "only what --help lists"
                                                         : alternatives(names_of_commands(command));
-  return concat({"'", word, "' is unknown; expected ", expected});
+  return joined("'", word, "' is unknown; expected ", expected);
 }
 
 // The option, or the argument, that the command cannot do without and does not have.
@@ -90,7 +91,7 @@ std::string missing_problem(const Chosen& chosen) {
     const std::string expected = !option.positional()    ? option.name() + " " + option.type
                                  : option.type == "FILE" ? "a path, or - for standard input"
                                                          : option.type;
-    return concat({option.name(), " is missing; expected ", expected});
+    return joined(option.name(), " is missing; expected ", expected);
   }
   return {};
 }
@@ -101,8 +102,8 @@ std::string mismatch_problem(const CLI::App& app, const std::string& message) {
   const std::string name = message.substr(0, message.find(':'));
   const CLI::Option* const option = app.get_option_no_throw(name);
   const bool is_repeated = option != nullptr && option->count() > 1;
-  return concat({name, ": ", is_repeated ? "is there more than once" : "has no value",
-                 "; expected it once, with one value"});
+  return joined(name, ": ", is_repeated ? "is there more than once" : "has no value",
+                "; expected it once, with one value");
 }
 
 // What is wrong with a command line that CLI11 rejects.
@@ -119,7 +120,7 @@ std::string usage_problem(const CLI::App& program, const Chosen& chosen,
     return "nothing to do; expected " + alternatives(names_of_commands(*chosen.command));
   }
   if (const auto rest = program.remaining(true); !rest.empty()) {
-    return concat({"'", rest.front(), "' is before the command; expected it after"});
+    return joined("'", rest.front(), "' is before the command; expected it after");
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     return mismatch_problem(*chosen.app, error.what());

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/text.h"
+#include "io/text.h"
 
 namespace kinetri::app {
 namespace {
@@ -36,7 +37,7 @@ std::string shell_quoted(std::string_view text) {
 
 // One word of fish's language.
 std::string fish_quoted(std::string_view text) {
-  return concat({"'", escaped(text, R"(\')"), "'"});
+  return joined("'", escaped(text, R"(\')"), "'");
 }
 
 std::vector<std::string> names_of_commands(const Command& command) {
@@ -51,7 +52,7 @@ std::vector<std::string> names_of_commands(const Command& command) {
 std::string bash_value(const Option& option) {
   switch (option.kind()) {
     case Value_kind::choice:
-      return "words=" + shell_quoted(joined(option.choices(), " "));
+      return "words=" + shell_quoted(separated(option.choices(), " "));
     case Value_kind::file:
       return "files=default";
     case Value_kind::directory:
@@ -65,7 +66,7 @@ std::string bash_value(const Option& option) {
 
 void write_bash_command(std::ostream& out, const Command& command, const std::string& name) {
   std::vector<std::string> options;
-  std::string value = "words=" + shell_quoted(joined(names_of_commands(command), " "));
+  std::string value = "words=" + shell_quoted(separated(names_of_commands(command), " "));
   for (const Option& option : command.options) {
     if (option.positional()) {
       value = bash_value(option);
@@ -73,9 +74,8 @@ void write_bash_command(std::ostream& out, const Command& command, const std::st
       options.insert(options.end(), option.names.begin(), option.names.end());
     }
   }
-  out << "        " << shell_quoted(name)
-      << ")\n          if [[ $current == -* ]]; then words=" << shell_quoted(joined(options, " "))
-      << "; else " << value << "; fi ;;\n";
+  out << "        " << shell_quoted(name) << ")\n          if [[ $current == -* ]]; then words="
+      << shell_quoted(separated(options, " ")) << "; else " << value << "; fi ;;\n";
 }
 
 // ---- zsh ----
@@ -90,7 +90,7 @@ std::string zsh_function(const std::string& name) {
 std::string zsh_value(const Option& option) {
   switch (option.kind()) {
     case Value_kind::choice:
-      return concat({"(", joined(option.choices(), " "), ")"});
+      return joined("(", separated(option.choices(), " "), ")");
     case Value_kind::file:
       return "_files";
     case Value_kind::directory:
@@ -106,15 +106,15 @@ std::string zsh_value(const Option& option) {
 std::vector<std::string> zsh_specifications(const Option& option) {
   std::string value;
   if (option.kind() != Value_kind::none) {
-    value = concat({":", escaped(option.type, ":\\"), ":", zsh_value(option)});
+    value = joined(":", escaped(option.type, ":\\"), ":", zsh_value(option));
   }
   if (option.positional()) return {"1" + value};
   std::vector<std::string> result;
   for (const std::string& name : option.names) {
     // A long name takes its value after `=` or in the next word, a short one also directly.
     const std::string_view separator = value.empty() ? "" : name.starts_with("--") ? "=" : "+";
-    result.push_back(concat({"(", joined(option.names, " "), ")", name, separator, "[",
-                             escaped(option.help, "[]:\\"), "]", value}));
+    result.push_back(joined("(", separated(option.names, " "), ")", name, separator, "[",
+                            escaped(option.help, "[]:\\"), "]", value));
   }
   return result;
 }
@@ -133,9 +133,9 @@ void write_zsh_function(std::ostream& out, const Command& command, const std::st
   }
   std::string commands;
   for (const Command& inner : command.commands) {
-    commands += concat({" ", inner.name, "\\:", shell_quoted(escaped(inner.summary, ":\\"))});
+    commands += joined(" ", inner.name, "\\:", shell_quoted(escaped(inner.summary, ":\\")));
   }
-  out << " \\\n    " << shell_quoted(concat({"1:command:((", commands, "))"}))
+  out << " \\\n    " << shell_quoted(joined("1:command:((", commands, "))"))
       << " \\\n    '*::argument:->arguments'\n"
          "  [[ $state == arguments ]] || return\n"
          "  case $words[1] in\n";
@@ -158,7 +158,7 @@ void write_fish_option(std::ostream& out, const std::string& condition, const Op
     case Value_kind::none:
       break;
     case Value_kind::choice:
-      out << " -x -a " << fish_quoted(joined(option.choices(), " "));
+      out << " -x -a " << fish_quoted(separated(option.choices(), " "));
       break;
     case Value_kind::file:
       out << (option.positional() ? " -F" : " -r -F");

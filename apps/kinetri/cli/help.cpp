@@ -6,6 +6,7 @@
 
 #include "cli/terminal.h"
 #include "cli/text.h"
+#include "io/text.h"
 
 namespace kinetri::app {
 namespace {
@@ -40,18 +41,18 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
 
 // A line "  label   text"; the text begins on the next one where the label is long.
 std::string row(const std::string& label, const std::string& text) {
-  std::string result = concat({"  ", label});
+  std::string result = joined("  ", label);
   if (result.size() + 2 > label_width) {
     result += '\n';
     result.append(label_width, ' ');
   } else {
     result = left_aligned(result, label_width);
   }
-  return concat({result, wrapped(text, label_width, label_width)});
+  return joined(result, wrapped(text, label_width, label_width));
 }
 
 std::string section(const std::string& title) {
-  return concat({"\n", heading(concat({title, ":"}), Stream::output), "\n"});
+  return joined("\n", heading(joined(title, ":"), Stream::output), "\n");
 }
 
 // The headings in the order in which they occur.
@@ -70,28 +71,27 @@ std::string usage_line(const Command& command, const std::string& name) {
   std::string result = name;
   for (const Option& option : command.options) {
     if (!option.positional()) continue;
-    result += option.required ? concat({" ", option.name()}) : concat({" [", option.name(), "]"});
+    result += option.required ? joined(" ", option.name()) : joined(" [", option.name(), "]");
   }
   for (const Option& option : command.options) {
     if (option.required && !option.positional()) {
-      result += concat({" ", option.name(), " ", option.type});
+      result += joined(" ", option.name(), " ", option.type);
     }
   }
-  return concat({result, command.commands.empty() ? " [OPTIONS]" : " COMMAND [OPTIONS]"});
+  return joined(result, command.commands.empty() ? " [OPTIONS]" : " COMMAND [OPTIONS]");
 }
 
 std::string option_label(const Option& option) {
-  std::string result = joined(option.names, ", ");
-  return option.type.empty() ? result : concat({result, " ", option.type});
+  std::string result = separated(option.names, ", ");
+  return option.type.empty() ? result : joined(result, " ", option.type);
 }
 
 std::string help_text(const Command& command, const std::string& name) {
   std::string result =
-      concat({wrapped(concat({command.summary, "."}), 0, 0), "\n",
-              heading("Usage:", Stream::output), " ", usage_line(command, name), "\n"});
+      joined(wrapped(joined(command.summary, "."), 0, 0), "\n", heading("Usage:", Stream::output),
+             " ", usage_line(command, name), "\n");
   const auto add = [&result](const Option& option) {
-    result +=
-        row(option_label(option), concat({option.help, option.required ? " (required)" : ""}));
+    result += row(option_label(option), joined(option.help, option.required ? " (required)" : ""));
   };
   const auto is_positional = [](const Option& option) { return option.positional(); };
   if (std::any_of(command.options.begin(), command.options.end(), is_positional)) {
@@ -109,10 +109,10 @@ std::string help_text(const Command& command, const std::string& name) {
     }
   }
   for (const std::string& paragraph : command.description) {
-    result += concat({"\n", wrapped(paragraph, 0, 0)});
+    result += joined("\n", wrapped(paragraph, 0, 0));
   }
   result += section("Example");
-  for (const std::string& example : command.examples) result += concat({"  ", example, "\n"});
+  for (const std::string& example : command.examples) result += joined("  ", example, "\n");
   return result;
 }
 

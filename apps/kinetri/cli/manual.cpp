@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/text.h"
+#include "io/text.h"
 #include "kinetri/version.h"
 
 namespace kinetri::app {
@@ -29,14 +29,14 @@ std::string plain(std::string_view text) {
 // A line of text, which must not begin like a request.
 std::string line(std::string_view text) {
   const bool is_request = text.starts_with('.') || text.starts_with('\'');
-  return concat({is_request ? "\\&" : "", plain(text), "\n"});
+  return joined(is_request ? "\\&" : "", plain(text), "\n");
 }
 
 std::string bold(std::string_view text) {
-  return concat({"\\fB", plain(text), "\\fR"});
+  return joined("\\fB", plain(text), "\\fR");
 }
 std::string italic(std::string_view text) {
-  return concat({"\\fI", plain(text), "\\fR"});
+  return joined("\\fI", plain(text), "\\fR");
 }
 
 // What stands below the options in --help.

@@ -8,6 +8,7 @@
 
 #include "cli/terminal.h"
 #include "cli/text.h"
+#include "io/text.h"
 
 namespace kinetri::app {
 namespace {
@@ -33,11 +34,11 @@ std::string readable_duration(double seconds) {
   if (!(seconds < longest)) return "very long";
   const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
   const auto two_digits = [](std::int64_t number) {
-    return concat({number < 10 ? "0" : "", number});
+    return joined(number < 10 ? "0" : "", number);
   };
-  if (whole < 60) return concat({whole, " s"});
-  if (whole < 3600) return concat({whole / 60, " min ", two_digits(whole % 60), " s"});
-  return concat({whole / 3600, " h ", two_digits(whole / 60 % 60), " min"});
+  if (whole < 60) return joined(whole, " s");
+  if (whole < 3600) return joined(whole / 60, " min ", two_digits(whole % 60), " s");
+  return joined(whole / 3600, " h ", two_digits(whole / 60 % 60), " min");
 }
 
 std::string progress_text(double from, double until, double time, std::uint64_t events,
@@ -46,12 +47,12 @@ std::string progress_text(double from, double until, double time, std::uint64_t 
   const double span = until / 2 - from / 2;
   const double share = span > 0 ? (time / 2 - from / 2) / span : 1;
   const double rate = seconds > 0 ? static_cast<double>(events) / seconds : 0;
-  std::string text = concat({right_aligned(fixed(std::floor(100 * share), 0), 3),
-                             " %, t = ", significant(time, 6), " of ", significant(until, 6), ", ",
-                             counted(events, "event"), ", ", fixed(rate, 0), " events/s"});
+  std::string text = joined(right_aligned(fixed(std::floor(100 * share), 0), 3),
+                            " %, t = ", significant(time, 6), " of ", significant(until, 6), ", ",
+                            counted(events, "event"), ", ", fixed(rate, 0), " events/s");
   constexpr double settled = 1;  // what came before says nothing about the rate
   if (share > 0 && seconds >= settled) {
-    text += concat({", ", readable_duration(seconds * (1 - share) / share), " left"});
+    text += joined(", ", readable_duration(seconds * (1 - share) / share), " left");
   }
   return text;
 }
@@ -70,7 +71,7 @@ bool Progress::due() const {
 void Progress::show_stage(std::string_view stage) {
   start_ = Clock::now();
   next_ = start_ + period;
-  show_line(concat({stage, " ..."}));
+  show_line(joined(stage, " ..."));
 }
 
 void Progress::show(double time, std::uint64_t events) {

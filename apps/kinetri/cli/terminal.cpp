@@ -11,6 +11,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/text.h"
+#include "io/text.h"
 
 namespace kinetri::app {
 namespace {
@@ -22,7 +23,7 @@ std::string_view variable(const char* name) {
 
 std::string colored(std::string_view text, Stream stream, std::string_view code) {
   if (!has_colors(stream)) return std::string(text);
-  return concat({"\x1b[", code, "m", text, "\x1b[0m"});
+  return joined("\x1b[", code, "m", text, "\x1b[0m");
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ std::string alarm(std::string_view text, Stream stream) {
 }
 
 void report(std::string_view where, std::string_view what) {
-  print_error(concat({alarm(concat({where, ":"}), Stream::error), " ", what, "\n"}));
+  print_error(joined(alarm(joined(where, ":"), Stream::error), " ", what, "\n"));
 }
 
 bool nobody_reads_output() {

@@ -2,8 +2,9 @@
 #include "cli/text.h"
 
 #include <array>
-#include <charconv>
 #include <cstdio>
+
+#include "io/text.h"
 
 namespace kinetri::app {
 namespace {
@@ -16,26 +17,7 @@ std::string printed(const char* format, int digits, double number) {
 
 }  // namespace
 
-std::string shortest(double number) {
-  // Below 1e16 without an exponent, so that counts and lengths read as such.
-  constexpr double large = 1e16;
-  constexpr double small = 1e-4;
-  const double magnitude = number < 0 ? -number : number;
-  const bool has_exponent = magnitude != 0 && !(magnitude >= small && magnitude < large);
-  std::array<char, 64> buffer;
-  const auto [end, error] =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
-                    has_exponent ? std::chars_format::scientific : std::chars_format::fixed);
-  return {buffer.data(), end};
-}
-
-std::string concat(std::initializer_list<Word> words) {
-  std::string result;
-  for (const Word& word : words) result += word.text();
-  return result;
-}
-
-std::string joined(std::span<const std::string> words, std::string_view separator) {
+std::string separated(std::span<const std::string> words, std::string_view separator) {
   std::string result;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i > 0) result += separator;
@@ -63,7 +45,7 @@ std::string left_aligned(std::string text, std::size_t width) {
 }
 
 std::string counted(std::uint64_t number, std::string_view noun) {
-  return concat({number, " ", noun, number == 1 ? "" : "s"});
+  return joined(number, ' ', noun, number == 1 ? "" : "s");
 }
 
 void print_error(std::string_view text) {

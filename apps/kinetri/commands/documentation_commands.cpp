@@ -67,7 +67,7 @@ Command help_command(const std::vector<std::string>& names) {
   Command result;
   result.name = "help";
   result.summary = "Show the help of a command";
-  result.add("COMMAND", command.get(), joined(names, "|"),
+  result.add("COMMAND", command.get(), separated(names, "|"),
              "The command; without one, all commands are listed");
   result.description = {
       "`kinetri help COMMAND` shows what `kinetri COMMAND --help` shows. A scenario of generate is "

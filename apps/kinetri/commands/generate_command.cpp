@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/text.h"
 #include "commands/commands.h"
 #include "io/output_file.h"
+#include "io/text.h"
 #include "kinetri/io/points_file.h"
 #include "kinetri/simulation/scenarios.h"
 
@@ -87,7 +87,7 @@ Command scenario_command(Scenario scenario) {
   result.summary = summary(scenario);
   result
       .add("--points", &options->points, "N",
-           concat({"Number of points, from 0 to ", most_generated_points}))
+           joined("Number of points, from 0 to ", most_generated_points))
       .required = true;
   result.add("--seed", &options->seed, "S",
              "Seed of the random numbers, from 0 to 2^64 - 1 (default 1)");
@@ -113,7 +113,7 @@ Command scenario_command(Scenario scenario) {
              "Write the points here; - (default) is standard output");
   const std::string_view more = scenario == Scenario::lattice ? " --movers one" : "";
   result.examples = {
-      concat({"kinetri generate ", result.name, " --points 100 --seed 1", more, " > points.csv"})};
+      joined("kinetri generate ", result.name, " --points 100 --seed 1", more, " > points.csv")};
   result.run = [options, scenario](const Command& /*program*/) {
     return generate(scenario, *options);
   };

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "cli/arguments.h"
-#include "cli/text.h"
+#include "io/text.h"
 #include "outputs/gnuplot.h"
 
 namespace kinetri::app {
@@ -71,7 +71,7 @@ Run_settings run_settings(const Run_options& options) {
     const std::string& option = options.frames_per_time_option;
     if (!result.outputs[Output::frames] && !result.outputs[Output::vtu]) {
       throw Usage_error(
-          concat({option, ": no frames are written; expected --frames or --vtu as well"}));
+          joined(option, ": no frames are written; expected --frames or --vtu as well"));
     }
     result.frame_rate = Frame_rate{positive_argument(option, *options.frames_per_time), option};
   }

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "cli/arguments.h"
-#include "cli/text.h"
 #include "commands/commands.h"
 #include "commands/run_options.h"
+#include "io/text.h"
 #include "runs/simulation_run.h"
 #include "sources/points_source.h"
 
@@ -36,14 +36,14 @@ Box_2 box_argument(const std::string& text) {
     start = comma + 1;
   }
   if (number != sides.size()) {
-    throw Usage_error(concat(
-        {"--box: '", text, "' has ", number, " numbers; expected four, XMIN,YMIN,XMAX,YMAX"}));
+    throw Usage_error(
+        joined("--box: '", text, "' has ", number, " numbers; expected four, XMIN,YMIN,XMAX,YMAX"));
   }
   const auto& [xmin, ymin, xmax, ymax] = sides;
   if (xmin < xmax && ymin < ymax) return {xmin, ymin, xmax, ymax};
   throw Usage_error(
-      concat({"--box: '", text,
-              "' has no area; expected XMIN,YMIN,XMAX,YMAX with XMIN < XMAX and YMIN < YMAX"}));
+      joined("--box: '", text,
+             "' has no area; expected XMIN,YMIN,XMAX,YMAX with XMIN < XMAX and YMIN < YMAX"));
 }
 
 Points_settings points_settings(const Simulate_options& options) {
@@ -52,9 +52,8 @@ Points_settings points_settings(const Simulate_options& options) {
   result.from = number_argument("--from", options.from);
   result.until = number_argument("--until", options.until);
   if (result.until < result.from) {
-    throw Usage_error(
-        concat({"--until: ", options.until, " is before the start; expected at least ",
-                options.from, ", which is --from"}));
+    throw Usage_error(joined("--until: ", options.until, " is before the start; expected at least ",
+                             options.from, ", which is --from"));
   }
   if (options.box) result.box = box_argument(*options.box);
   result.rim_touches = options.rim;

@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "cli/arguments.h"
-#include "cli/text.h"
 #include "commands/commands.h"
 #include "commands/run_options.h"
+#include "io/text.h"
 #include "kinetri/simulation/scenarios.h"
 #include "runs/simulation_run.h"
 #include "sources/generated_source.h"
@@ -38,7 +38,7 @@ double wave_size(std::string_view option, const std::string& text, bool zero_all
 std::size_t lattice_count(std::string_view option, const std::string& text) {
   const std::uint64_t value = count_argument(option, text, most_wave_points);
   if (value > 0) return static_cast<std::size_t>(value);
-  throw Usage_error(concat({option, ": 0 make no lattice; expected 1 or more"}));
+  throw Usage_error(joined(option, ": 0 make no lattice; expected 1 or more"));
 }
 
 Wave_setting wave_setting(const Wave_options& options) {
@@ -46,8 +46,8 @@ Wave_setting wave_setting(const Wave_options& options) {
   result.columns = lattice_count("--columns", options.columns);
   result.rows = lattice_count("--rows", options.rows);
   if (result.columns > most_wave_points / result.rows) {
-    throw Usage_error(concat({"--rows: ", result.columns, " x ", result.rows,
-                              " points are too many; expected at most ", most_wave_points}));
+    throw Usage_error(joined("--rows: ", result.columns, " x ", result.rows,
+                             " points are too many; expected at most ", most_wave_points));
   }
   result.spacing = wave_size("--spacing", options.spacing);
   result.speed = options.speed ? wave_size("--speed", *options.speed) : result.spacing;
@@ -55,15 +55,15 @@ Wave_setting wave_setting(const Wave_options& options) {
       options.radius ? wave_size("--radius", *options.radius) : result.spacing / 128;
   result.diameter = 2 * radius;
   if (!(result.diameter < result.spacing)) {
-    throw Usage_error(concat({"--radius: ", radius, " makes neighbors overlap; expected less than ",
-                              result.spacing / 2, ", half of --spacing"}));
+    throw Usage_error(joined("--radius: ", radius, " makes neighbors overlap; expected less than ",
+                             result.spacing / 2, ", half of --spacing"));
   }
   result.jitter = wave_size("--jitter", options.jitter, true);
   const double room = (result.spacing - result.diameter) / 2;
   if (!(result.jitter < room)) {
-    throw Usage_error(
-        concat({"--jitter: ", options.jitter, " lets neighbors overlap; expected less than ", room,
-                ", half of what is between them"}));
+    throw Usage_error(joined("--jitter: ", options.jitter,
+                             " lets neighbors overlap; expected less than ", room,
+                             ", half of what is between them"));
   }
   result.seed = count_argument("--seed", options.seed, std::numeric_limits<std::uint64_t>::max());
   return result;

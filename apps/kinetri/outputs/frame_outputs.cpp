@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cli/arguments.h"
-#include "cli/text.h"
+#include "io/text.h"
 #include "outputs/regular_times.h"
 
 namespace kinetri::app {
@@ -37,7 +37,7 @@ Box_2 extent_of(const Kinetic_delaunay_triangulation_2<Traits>& kinetic, double 
 std::string frame_name(std::size_t number, const char* extension) {
   const std::string digits = std::to_string(number);
   const std::string zeros(digits.size() < 6 ? 6 - digits.size() : 0, '0');
-  return concat({"frame_", zeros, digits, ".", extension});
+  return joined("frame_", zeros, digits, ".", extension);
 }
 
 }  // namespace
@@ -49,8 +49,8 @@ void Frame_outputs::start(const Run_source& source, const Any_simulation& simula
     auto times = rate_ ? regular_times(from, until, rate_->per_time, most_frames)
                        : evenly_spaced_times(from, until, usual_intervals);
     if (!times) {
-      throw Usage_error(concat({rate_->option, ": ", rate_->per_time, " from t = ", from, " to ",
-                                until, " are more than ", most_frames, " frames; expected fewer"}));
+      throw Usage_error(joined(rate_->option, ": ", rate_->per_time, " from t = ", from, " to ",
+                               until, " are more than ", most_frames, " frames; expected fewer"));
     }
     times_ = std::move(*times);
     const std::optional<Box_2>& box = s.options().box;

@@ -13,8 +13,8 @@
 #include <system_error>
 
 #include "cli/arguments.h"
-#include "cli/text.h"
 #include "io/output_file.h"
+#include "io/text.h"
 
 extern char** environ;
 
@@ -31,8 +31,8 @@ File temporary_file() {
   File file(std::tmpfile());
   if (file) return file;
   throw Output_error(
-      concat({"/tmp: no temporary file can be made: ", std::generic_category().message(errno),
-              "; expected a directory in which files can be created"}));
+      joined("/tmp: no temporary file can be made: ", std::generic_category().message(errno),
+             "; expected a directory in which files can be created"));
 }
 
 std::string content(std::FILE* file) {
@@ -97,9 +97,9 @@ std::string drawn(const std::string& terminal, const std::string& script) {
   const Result result = run_gnuplot("set terminal " + terminal + "\n" + plot_style + script);
   if (!result.ran || result.status != 0 || result.out.empty()) {
     throw Output_error(
-        concat({"gnuplot: drawing failed; expected a gnuplot with the terminals svg and pngcairo "
-                "(Debian: gnuplot-nox); it said: ",
-                result.err.substr(0, result.err.find_last_not_of('\n') + 1)}));
+        joined("gnuplot: drawing failed; expected a gnuplot with the terminals svg and pngcairo "
+               "(Debian: gnuplot-nox); it said: ",
+               result.err.substr(0, result.err.find_last_not_of('\n') + 1)));
   }
   return result.out;
 }
@@ -110,22 +110,22 @@ void require_gnuplot(std::string_view otherwise) {
   const Result result = run_gnuplot("", "--version");
   if (result.ran && result.status == 0) return;
   throw Usage_error(
-      concat({"plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
-              "gnuplot-nox), or ",
-              otherwise}));
+      joined("plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
+             "gnuplot-nox), or ",
+             otherwise));
 }
 
 std::string draw_svg(const std::string& script, int width, int height) {
-  return drawn(concat({"svg size ", width, ",", height,
-                       " dynamic font 'sans-serif,14' background '#ffffff'"}),
-               script);
+  return drawn(
+      joined("svg size ", width, ",", height, " dynamic font 'sans-serif,14' background '#ffffff'"),
+      script);
 }
 
 Plot draw(const std::string& script, int width, int height) {
   return {draw_svg(script, width, height),
-          drawn(concat({"pngcairo size ", 2 * width, ",", 2 * height,
-                        " font 'sans,14' background '#ffffff' fontscale 1.8 linewidth 2 "
-                        "pointscale 2"}),
+          drawn(joined("pngcairo size ", 2 * width, ",", 2 * height,
+                       " font 'sans,14' background '#ffffff' fontscale 1.8 linewidth 2 "
+                       "pointscale 2"),
                 script)};
 }
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "cli/arguments.h"
-#include "cli/text.h"
+#include "io/text.h"
 
 namespace kinetri::app {
 
@@ -41,12 +41,12 @@ void Run_outputs::check_files(const std::string& input_path) const {
     if (files_[i].identity().empty()) continue;
     if (files_[i].identity() == input) {
       throw Usage_error(
-          concat({options_[i], ": ", files_[i].path(), " is the input; expected another file"}));
+          joined(options_[i], ": ", files_[i].path(), " is the input; expected another file"));
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (files_[i].identity() != files_[j].identity()) continue;
-      throw Usage_error(concat({options_[j], " and ", options_[i], " name the same file, ",
-                                files_[i].path(), "; expected different files"}));
+      throw Usage_error(joined(options_[j], " and ", options_[i], " name the same file, ",
+                               files_[i].path(), "; expected different files"));
     }
   }
 }
@@ -56,9 +56,9 @@ void Run_outputs::check_directories() const {
   for (std::size_t i = 0; i < directories_.size(); ++i) {
     const auto check = [&](const char* option, const auto& other) {
       if (!(other.identity() + '/').starts_with(directories_[i].identity() + '/')) return;
-      throw Usage_error(concat({option, ": ", other.path(), " is, or is in, the directory of ",
-                                directory_options_[i], ", ", directories_[i].path(),
-                                "; expected a path elsewhere"}));
+      throw Usage_error(joined(option, ": ", other.path(), " is, or is in, the directory of ",
+                               directory_options_[i], ", ", directories_[i].path(),
+                               "; expected a path elsewhere"));
     };
     for (std::size_t j = 0; j < files_.size(); ++j) check(options_[j], files_[j]);
     for (std::size_t j = 0; j < directories_.size(); ++j) {

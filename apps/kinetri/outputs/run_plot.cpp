@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "cli/text.h"
+#include "io/text.h"
 #include "kinetri/algebra/number_types.h"
 #include "outputs/gnuplot.h"
 #include "outputs/regular_times.h"
@@ -61,7 +62,7 @@ class Axis {
   double lower() const { return of(from_); }
   double upper() const { return is_time_ ? to_ : 100; }
   std::string label() const {
-    return is_time_ ? "time" : concat({"% of the time from ", from_, " to ", to_});
+    return is_time_ ? "time" : joined("% of the time from ", from_, " to ", to_);
   }
   std::string_view unit() const { return is_time_ ? "unit of time" : "% of the time"; }
 
@@ -77,24 +78,24 @@ class Panel {
   Panel(std::string_view name, std::string_view label) : name_(name), label_(label) {}
 
   void begin_curve(std::string_view title, std::size_t style) {
-    const std::string block = concat({"$", name_, curves_++});
+    const std::string block = joined("$", name_, curves_++);
     if (curves_ > 1) data_ += "END\n";
     data_ += block + " << END\n";
     if (curves_ > 1) plot_ += ", ";
-    plot_ += concat({block, " with lines ls ", style, " title '", title, "'"});
+    plot_ += joined(block, " with lines ls ", style, " title '", title, "'");
   }
   void add(double x, double y) {
-    data_ += concat({x, " ", y, "\n"});
+    data_ += joined(x, " ", y, "\n");
     highest_ = std::max(highest_, y);
   }
 
   // `top` and `bottom` are shares of the figure's height.
   std::string script(double top, double bottom, bool has_key) const {
-    const std::string height = concat({"[0:", highest_ > 0 ? 1.06 * highest_ : 1, "]"});
-    return concat({data_, "END\nset tmargin at screen ", top, "\nset bmargin at screen ", bottom,
-                   "\nset ylabel '", label_, "'\nset yrange ", height,
-                   "\nset key at screen 0.73, screen ", top, " left top\n",
-                   has_key ? "" : "unset key\n", "plot ", plot_, "\n"});
+    const std::string height = joined("[0:", highest_ > 0 ? 1.06 * highest_ : 1, "]");
+    return joined(data_, "END\nset tmargin at screen ", top, "\nset bmargin at screen ", bottom,
+                  "\nset ylabel '", label_, "'\nset yrange ", height,
+                  "\nset key at screen 0.73, screen ", top, " left top\n",
+                  has_key ? "" : "unset key\n", "plot ", plot_, "\n");
   }
 
  private:
@@ -156,42 +157,28 @@ std::string stages(const Run_seconds& seconds, double top, double bottom) {
   double y = top;
   for (const Stage& stage : all) {
     const double share = 100 * stage.seconds / total;
-    result += concat({"set object rectangle from first ",
-                      from,
-                      ", graph 0 to first ",
-                      from + share,
-                      ", graph 1 fc rgb '",
-                      stage.color,
-                      "' fs solid border lc rgb '#ffffff'\n"
-                      "set object rectangle from screen 0.743, screen ",
-                      y - 0.004,
-                      " to screen 0.782, screen ",
-                      y + 0.004,
-                      " fc rgb '",
-                      stage.color,
-                      "' fs solid noborder\nset label '",
-                      stage.name,
-                      ", ",
-                      significant(stage.seconds, 2),
-                      " s (",
-                      fixed(share, 0),
-                      " %)' at screen 0.793, screen ",
-                      y,
-                      "\n"});
+    result +=
+        joined("set object rectangle from first ", from, ", graph 0 to first ", from + share,
+               ", graph 1 fc rgb '", stage.color,
+               "' fs solid border lc rgb '#ffffff'\n"
+               "set object rectangle from screen 0.743, screen ",
+               y - 0.004, " to screen 0.782, screen ", y + 0.004, " fc rgb '", stage.color,
+               "' fs solid noborder\nset label '", stage.name, ", ", significant(stage.seconds, 2),
+               " s (", fixed(share, 0), " %)' at screen 0.793, screen ", y, "\n");
     from += share;
     y -= line;
   }
-  return result + concat({"set tmargin at screen ", top, "\nset bmargin at screen ", bottom,
-                          "\nunset ytics\nunset grid\nunset ylabel\nunset key\nset border 1\n"
-                          "set xrange [0:100]\nset yrange [0:1]\n"
-                          "set xlabel 'stages of the run, % of ",
-                          significant(seconds.total(), 3), " s'\nplot -1\n"});
+  return result + joined("set tmargin at screen ", top, "\nset bmargin at screen ", bottom,
+                         "\nunset ytics\nunset grid\nunset ylabel\nunset key\nset border 1\n"
+                         "set xrange [0:100]\nset yrange [0:1]\n"
+                         "set xlabel 'stages of the run, % of ",
+                         significant(seconds.total(), 3), " s'\nplot -1\n");
 }
 
 std::string script(const std::vector<Run_sample>& samples, const Run_statistics& statistics) {
   const Axis axis(samples);
   Panel total("total", "events so far");
-  Panel rate("rate", concat({"events in a ", axis.unit()}));
+  Panel rate("rate", joined("events in a ", axis.unit()));
   add_groups(samples, axis, total, rate);
   const Event_counts& counts = samples.back().events;
   const std::uint64_t events = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
@@ -210,14 +197,14 @@ std::string script(const std::vector<Run_sample>& samples, const Run_statistics&
   if (std::ranges::any_of(samples, [](const Run_sample& s) { return s.contact_queue > 0; })) {
     add_queue("contacts and changes", 2, &Run_sample::contact_queue);
   }
-  return concat({"set multiplot title '", counted(statistics.points, "point"),
-                 " from t = ", statistics.from, " to ", statistics.reached,
-                 statistics.interrupted ? ", interrupted" : "", ": ", counted(events, "event"),
-                 "' font ',17'\nset lmargin at screen 0.1\nset rmargin at screen 0.7\n"
-                 "set xrange [",
-                 axis.lower(), ":", axis.upper(), "]\nset format x ''\n"}) +
+  return joined("set multiplot title '", counted(statistics.points, "point"),
+                " from t = ", statistics.from, " to ", statistics.reached,
+                statistics.interrupted ? ", interrupted" : "", ": ", counted(events, "event"),
+                "' font ',17'\nset lmargin at screen 0.1\nset rmargin at screen 0.7\n"
+                "set xrange [",
+                axis.lower(), ":", axis.upper(), "]\nset format x ''\n") +
          total.script(0.93, 0.71, true) + rate.script(0.67, 0.45, false) +
-         concat({"set format x '%g'\nset xlabel '", axis.label(), "'\n"}) +
+         joined("set format x '%g'\nset xlabel '", axis.label(), "'\n") +
          queue.script(0.41, 0.25, true) + stages(statistics.seconds, 0.15, 0.11) +
          "unset multiplot\n";
 }

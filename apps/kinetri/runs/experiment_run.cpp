@@ -15,6 +15,7 @@
 #include "cli/terminal.h"
 #include "cli/text.h"
 #include "io/output_file.h"
+#include "io/text.h"
 #include "outputs/gnuplot.h"
 #include "simulation/experiment.h"
 
@@ -109,8 +110,8 @@ Exit_code Experiments::run() {
   std::error_code failure;
   std::filesystem::create_directories(plan_.directory, failure);
   if (failure) {
-    throw Output_error(concat({plan_.directory, ": the directory cannot be made: ",
-                               failure.message(), "; expected a path where that is possible"}));
+    throw Output_error(joined(plan_.directory, ": the directory cannot be made: ",
+                              failure.message(), "; expected a path where that is possible"));
   }
   stop_gracefully_from_now_on();
   measure();
@@ -131,7 +132,7 @@ void Experiments::measure() {
     for (const int percentage : percentages) {
       if (interrupted()) return;
       progress_.show_stage(
-          concat({"seed ", setting.seed, " of ", plan_.seeds, ", ", percentage, " % moving"}));
+          joined("seed ", setting.seed, " of ", plan_.seeds, ", ", percentage, " % moving"));
       setting.movers = setting.points * static_cast<std::size_t>(percentage) / 100;
       runs_.push_back({percentage, setting.seed, run_experiment(setting)});
     }
@@ -145,7 +146,7 @@ void Experiments::compare() {
   setting.movers = setting.points;
   for (setting.seed = 1; setting.seed <= plan_.seeds; ++setting.seed) {
     if (interrupted()) return;
-    progress_.show_stage(concat({"discrete approach, seed ", setting.seed, " of ", plan_.seeds}));
+    progress_.show_stage(joined("discrete approach, seed ", setting.seed, " of ", plan_.seeds));
     for (const auto& result : compare_with_discrete_steps(setting, times)) {
       comparisons_.push_back({setting.seed, result});
     }
@@ -198,14 +199,14 @@ void Experiments::write_runs(std::ostream& out) const {
   }
   out << ",certificates,root_solves,exact_decided\n";
   for (const Run& run : runs_) {
-    out << concat({run.percentage, ",", run.seed, ",", setting_.points, ",", run.result.seconds});
+    out << joined(run.percentage, ",", run.seed, ",", setting_.points, ",", run.result.seconds);
     for (std::size_t i = 0; i <= static_cast<std::size_t>(Event_kind::collision); ++i) {
       const auto kind = static_cast<Event_kind>(i);
       out << ',' << executed(run, {kind}) << ',' << discarded(run, {kind});
     }
     const Certificate_counters& certificates = run.result.certificates;
-    out << concat({",", certificates.created, ",", certificates.root_solves, ",",
-                   certificates.exact_decided, "\n"});
+    out << joined(",", certificates.created, ",", certificates.root_solves, ",",
+                  certificates.exact_decided, "\n");
   }
 }
 
@@ -213,26 +214,9 @@ void Experiments::write_comparisons(std::ostream& out) const {
   out << "step,seed,points,seconds,kinetic_seconds,topologic_events,edge_changes,"
          "edge_changes_missed,contacts,contacts_missed\n";
   for (const auto& [seed, c] : comparisons_) {
-    out << concat({c.step,
-                   ",",
-                   seed,
-                   ",",
-                   setting_.points,
-                   ",",
-                   c.seconds,
-                   ",",
-                   c.kinetic_seconds,
-                   ",",
-                   c.topologic_events,
-                   ",",
-                   c.edge_changes,
-                   ",",
-                   c.edge_changes_missed,
-                   ",",
-                   c.contacts,
-                   ",",
-                   c.contacts_missed,
-                   "\n"});
+    out << joined(c.step, ",", seed, ",", setting_.points, ",", c.seconds, ",", c.kinetic_seconds,
+                  ",", c.topologic_events, ",", c.edge_changes, ",", c.edge_changes_missed, ",",
+                  c.contacts, ",", c.contacts_missed, "\n");
   }
 }
 
@@ -246,19 +230,19 @@ void Experiments::plot(const std::string& name, const std::string& script, int w
 }
 
 std::string data_row(double x, const Spread& s) {
-  return concat({x, " ", s.median, " ", s.least, " ", s.greatest, "\n"});
+  return joined(x, " ", s.median, " ", s.least, " ", s.greatest, "\n");
 }
 
 // Median with the spread over seeds.
 std::string curve(std::string_view block, std::string_view title, int style, bool dashed) {
-  return concat({"$", block, " using 1:2:3:4 with yerrorbars ls ", style, " lw 1 pt 0 notitle, $",
-                 block, " using 1:2 with linespoints ls ", style, dashed ? " dt 2" : "", " title '",
-                 title, "'"});
+  return joined("$", block, " using 1:2:3:4 with yerrorbars ls ", style, " lw 1 pt 0 notitle, $",
+                block, " using 1:2 with linespoints ls ", style, dashed ? " dt 2" : "", " title '",
+                title, "'");
 }
 
 std::string Experiments::title() const {
-  return concat({counted(setting_.points, "point"), ", ", setting_.duration,
-                 " units of time: median and range of ", counted(plan_.seeds, "seed")});
+  return joined(counted(setting_.points, "point"), ", ", setting_.duration,
+                " units of time: median and range of ", counted(plan_.seeds, "seed"));
 }
 
 std::string Experiments::run_time_plot() const {
@@ -268,10 +252,10 @@ std::string Experiments::run_time_plot() const {
         data_row(percentage,
                  over_seeds(percentage, [](const Run& run) { return 1000 * run.result.seconds; }));
   }
-  return script + concat({"END\nset title '", title(),
-                          "'\nset xlabel 'moving points (%)'\nset ylabel 'run time (ms)'\n"
-                          "set yrange [0:*]\nset xrange [-2:102]\nunset key\nplot ",
-                          curve("time", "run time", 1, false), "\n"});
+  return script + joined("END\nset title '", title(),
+                         "'\nset xlabel 'moving points (%)'\nset ylabel 'run time (ms)'\n"
+                         "set yrange [0:*]\nset xrange [-2:102]\nunset key\nplot ",
+                         curve("time", "run time", 1, false), "\n");
 }
 
 std::string Experiments::events_plot() const {
@@ -290,24 +274,24 @@ std::string Experiments::events_plot() const {
   for (const Kinds& group : curves_of) {
     ++style;
     const auto add = [&](std::string_view fate, bool dashed, const auto& count) {
-      const std::string block = concat({fate, style});
-      script += concat({"$", block, " << END\n"});
+      const std::string block = joined(fate, style);
+      script += joined("$", block, " << END\n");
       for (const int percentage : percentages) {
         script += data_row(percentage, over_seeds(percentage, count));
       }
       script += "END\n";
       std::string& panel = curves[style == 1 ? 0 : 1];
       if (!panel.empty()) panel += ", ";
-      panel += curve(block, concat({group.name, ", ", fate}), style, dashed);
+      panel += curve(block, joined(group.name, ", ", fate), style, dashed);
     };
     add("executed", false, [&group](const Run& run) { return executed(run, group.kinds); });
     add("discarded", true, [&group](const Run& run) { return discarded(run, group.kinds); });
   }
   return script +
-         concat({"set multiplot layout 1,2 title '", title(),
-                 "'\nset xlabel 'moving points (%)'\nset ylabel 'events'\nset yrange [0:*]\n"
-                 "set xrange [-2:102]\nset key inside left top\nplot ",
-                 curves[0], "\nplot ", curves[1], "\nunset multiplot\n"});
+         joined("set multiplot layout 1,2 title '", title(),
+                "'\nset xlabel 'moving points (%)'\nset ylabel 'events'\nset yrange [0:*]\n"
+                "set xrange [-2:102]\nset key inside left top\nplot ",
+                curves[0], "\nplot ", curves[1], "\nunset multiplot\n");
 }
 
 std::string Experiments::comparison_plot() const {
@@ -333,25 +317,25 @@ std::string Experiments::comparison_plot() const {
                         }));
   }
   return edges + contacts + seconds + kinetic +
-         concat({"END\nset multiplot layout 1,2 title '", setting_.points,
-                 " moving points: the discrete approach, median and range of ",
-                 counted(plan_.seeds, "seed"),
-                 "'\nset logscale x\nset xlabel 'time step (units of time)'\n"
-                 "set key inside left top\nset ylabel 'missed (%)'\nset yrange [0:100]\nplot ",
-                 curve("edges", "edge changes", 1, false), ", ",
-                 curve("contacts", "contacts of discs", 2, false),
-                 "\nset logscale y\nset yrange [*:*]\nset ylabel 'run time (ms)'\n"
-                 "set key inside right top\nplot ",
-                 curve("discrete", "discrete", 1, false), ", ",
-                 curve("kinetic", "kinetic", 3, false), "\nunset multiplot\n"});
+         joined("END\nset multiplot layout 1,2 title '", setting_.points,
+                " moving points: the discrete approach, median and range of ",
+                counted(plan_.seeds, "seed"),
+                "'\nset logscale x\nset xlabel 'time step (units of time)'\n"
+                "set key inside left top\nset ylabel 'missed (%)'\nset yrange [0:100]\nplot ",
+                curve("edges", "edge changes", 1, false), ", ",
+                curve("contacts", "contacts of discs", 2, false),
+                "\nset logscale y\nset yrange [*:*]\nset ylabel 'run time (ms)'\n"
+                "set key inside right top\nplot ",
+                curve("discrete", "discrete", 1, false), ", ",
+                curve("kinetic", "kinetic", 3, false), "\nunset multiplot\n");
 }
 
 // ---- summary ----
 
 void Experiments::summarize() const {
-  print_error(
-      concat({heading("kinetri experiment:", Stream::error), " ", counted(setting_.points, "point"),
-              ", ", counted(runs_.size(), "run"), interrupted() ? ", interrupted" : "", "\n"}));
+  print_error(joined(heading("kinetri experiment:", Stream::error), " ",
+                     counted(setting_.points, "point"), ", ", counted(runs_.size(), "run"),
+                     interrupted() ? ", interrupted" : "", "\n"));
   print_error(heading("  moving   run time    events   discarded", Stream::error) + "\n");
   for (const int percentage : {0, 50, 100}) {
     const Spread time = over_seeds(percentage, [](const Run& run) { return run.result.seconds; });
@@ -364,9 +348,9 @@ void Experiments::summarize() const {
     const auto column = [](double number, int decimals, std::size_t width) {
       return right_aligned(fixed(number, decimals), width);
     };
-    print_error(
-        concat({"  ", column(percentage, 0, 4), " %  ", column(1000 * time.median, 1, 6), " ms  ",
-                column(events.median, 0, 8), "   ", column(lost.median, 0, 8), "\n"}));
+    print_error(joined("  ", column(percentage, 0, 4), " %  ", column(1000 * time.median, 1, 6),
+                       " ms  ", column(events.median, 0, 8), "   ", column(lost.median, 0, 8),
+                       "\n"));
   }
   for (const double relative : {steps.front(), steps.back()}) {
     const double step = relative * setting_.duration;
@@ -384,10 +368,10 @@ void Experiments::summarize() const {
         missed(&Discrete_comparison::edge_changes_missed, &Discrete_comparison::edge_changes);
     const double contacts =
         missed(&Discrete_comparison::contacts_missed, &Discrete_comparison::contacts);
-    print_error(concat({"  steps of ", step, ": ", fixed(edges, 0), " % of edge changes and ",
-                        fixed(contacts, 0), " % of contacts missed\n"}));
+    print_error(joined("  steps of ", step, ": ", fixed(edges, 0), " % of edge changes and ",
+                       fixed(contacts, 0), " % of contacts missed\n"));
   }
-  print_error(concat({"  ", heading("written", Stream::error), "      ", plan_.directory, "\n"}));
+  print_error(joined("  ", heading("written", Stream::error), "      ", plan_.directory, "\n"));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "cli/terminal.h"
 #include "cli/text.h"
 #include "io/stats_file.h"
+#include "io/text.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
@@ -125,8 +126,8 @@ Exit_code Simulation_run::run() {
   progress_.clear();
   if (!settings_.quiet) summarize();
   if (statistics_.audits_failed > 0) {
-    report("kinetri", concat({statistics_.audits_failed, " of ", statistics_.audits_run,
-                              " audits failed; please report this with the input that caused it"}));
+    report("kinetri", joined(statistics_.audits_failed, " of ", statistics_.audits_run,
+                             " audits failed; please report this with the input that caused it"));
     return Exit_code::audit_failed;
   }
   return statistics_.interrupted ? Exit_code::interrupted : Exit_code::done;
@@ -140,7 +141,7 @@ void Simulation_run::build() {
   statistics_.from = source_.from();
   statistics_.until = source_.until();
   progress_.set_range(source_.from(), source_.until());
-  progress_.show_stage(concat({"triangulating ", counted(statistics_.points, "point")}));
+  progress_.show_stage(joined("triangulating ", counted(statistics_.points, "point")));
   statistics_.seconds.read = stopwatch_.lap();
   simulation_ =
       source_.make_simulation(settings_.exact_only ? Arithmetic::exact_only : Arithmetic::filtered);
@@ -220,7 +221,7 @@ void Simulation_run::audit(Audit_level level) {
   for (const std::string& failure : audited.failures) {
     ++failures_;
     if (failures_ > most_messages) break;
-    report("kinetri", concat({"audit just after t = ", time(), ": ", failure}));
+    report("kinetri", joined("audit just after t = ", time(), ": ", failure));
     if (failures_ == most_messages) {
       report("kinetri", "further failures of audits are counted, not shown");
     }
@@ -232,9 +233,9 @@ void Simulation_run::write_approaches(std::ostream& out) {
   out << "id_a,id_b,time,time_lo,time_hi,distance\n";
   for (const Approach& approach : closest_->approaches()) {
     const Double_interval time = approach.time.tight_interval();
-    out << concat({source_.name(approach.points[0]), ",", source_.name(approach.points[1]), ",",
-                   approach.time.to_double(), ",", time.lower, ",", time.upper, ",",
-                   approach.distance, "\n"});
+    out << joined(source_.name(approach.points[0]), ",", source_.name(approach.points[1]), ",",
+                  approach.time.to_double(), ",", time.lower, ",", time.upper, ",",
+                  approach.distance, "\n");
   }
 }
 
@@ -300,7 +301,7 @@ std::string events_per_kind(const Triangulation_counters& counters) {
   for (std::size_t kind = 0; kind < event_kinds; ++kind) {
     if (counters.events[kind] == 0) continue;
     if (!result.empty()) result += ", ";
-    result += concat({counters.events[kind], " ", name(static_cast<Event_kind>(kind))});
+    result += joined(counters.events[kind], " ", name(static_cast<Event_kind>(kind)));
   }
   return result;
 }
@@ -314,7 +315,7 @@ std::string stage_shares(const Run_seconds& seconds) {
     const double share = seconds.total() > 0 ? 100 * time / seconds.total() : 0;
     if (share < 0.5) continue;
     if (!result.empty()) result += ", ";
-    result += concat({stage, " ", fixed(share, 0), " %"});
+    result += joined(stage, " ", fixed(share, 0), " %");
   }
   return result;
 }
@@ -323,10 +324,10 @@ std::string stage_shares(const Run_seconds& seconds) {
 std::string events_summary(const Run_statistics& statistics) {
   const std::uint64_t events = statistics.triangulation.number_of_events();
   if (events == 0) return "none";
-  return concat(
-      {events, " at ",
-       counted(statistics.triangulation.instants + statistics.contacts.instants, "instant"), " (",
-       events_per_kind(statistics.triangulation), ")"});
+  return joined(
+      events, " at ",
+      counted(statistics.triangulation.instants + statistics.contacts.instants, "instant"), " (",
+      events_per_kind(statistics.triangulation), ")");
 }
 
 void Simulation_run::summarize() const {
@@ -336,26 +337,26 @@ void Simulation_run::summarize() const {
   const auto print = [](std::string_view label, const std::string& text) {
     constexpr std::size_t width = 13;
     const std::string blanks(width - label.size(), ' ');
-    print_error(concat({"  ", heading(label, Stream::error), blanks, text, "\n"}));
+    print_error(joined("  ", heading(label, Stream::error), blanks, text, "\n"));
   };
-  print_error(concat({heading("kinetri:", Stream::error), " ", counted(s.points, "point"),
-                      " from t = ", s.from, " to ", s.reached, s.interrupted ? ", interrupted" : "",
-                      "\n"}));
+  print_error(joined(heading("kinetri:", Stream::error), " ", counted(s.points, "point"),
+                     " from t = ", s.from, " to ", s.reached, s.interrupted ? ", interrupted" : "",
+                     "\n"));
   for (const std::string& remark : source_.remarks()) print("input", remark);
   print("events", events_summary(s));
-  print("time", concat({significant(s.seconds.total(), 3), " s (", stage_shares(s.seconds), "), ",
-                        fixed(rate, 0), " events/s"}));
+  print("time", joined(significant(s.seconds.total(), 3), " s (", stage_shares(s.seconds), "), ",
+                       fixed(rate, 0), " events/s"));
   print("certificates",
-        concat({s.certificates.created, " made, ", s.certificates.root_solves,
-                " solved for roots; ", s.certificates.filter_decided, " decided by the filter, ",
-                s.certificates.exact_decided, " exactly"}));
-  print("queue", concat({s.queue.pushed, " pushed, ", s.queue.discarded, " discarded, at most ",
-                         s.queue.peak, " at a time"}));
+        joined(s.certificates.created, " made, ", s.certificates.root_solves, " solved for roots; ",
+               s.certificates.filter_decided, " decided by the filter, ",
+               s.certificates.exact_decided, " exactly"));
+  print("queue", joined(s.queue.pushed, " pushed, ", s.queue.discarded, " discarded, at most ",
+                        s.queue.peak, " at a time"));
   if (s.audits_run > 0) {
-    print("audits", concat({s.audits_run, " run, ", s.audits_failed, " failed"}));
+    print("audits", joined(s.audits_run, " run, ", s.audits_failed, " failed"));
   }
   const std::vector<std::string> paths = outputs_.paths();
-  if (!paths.empty()) print("written", joined(paths, ", "));
+  if (!paths.empty()) print("written", separated(paths, ", "));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
+#include "io/text.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "sources/any_simulation.h"
 
@@ -39,8 +40,8 @@ class Checkpoint_source final : public Run_source {
 void Checkpoint_source::read() {
   checkpoint_ = read_checkpoint_file(path_);
   if (time() > Algebraic_number(until_)) {
-    throw Usage_error(concat({"--until: ", until_, " is before the time of ", input_name(path_),
-                              "; expected at least ", time().tight_interval().upper}));
+    throw Usage_error(joined("--until: ", until_, " is before the time of ", input_name(path_),
+                             "; expected at least ", time().tight_interval().upper));
   }
 }
 
@@ -60,11 +61,11 @@ Any_simulation Checkpoint_source::make_simulation(Arithmetic arithmetic) const {
     return {input_name(path_), 0, problem + "; expected a checkpoint as kinetri writes it"};
   };
   if (response == named_responses.end()) {
-    throw fail(concat({"the response '", checkpoint_.response, "' is unknown"}));
+    throw fail(joined("the response '", checkpoint_.response, "' is unknown"));
   }
   const auto restored = [&]<class Traits>(const Simulation_snapshot<Traits>& snapshot) {
     if ((response->response != nullptr) != snapshot.has_response) {
-      throw fail(concat({"the response '", response->name, "' does not go with the state"}));
+      throw fail(joined("the response '", response->name, "' does not go with the state"));
     }
     using Simulation = Simulation_2<Traits>;
     return Any_simulation(std::unique_ptr<Simulation>(
@@ -81,7 +82,7 @@ std::vector<std::string> Checkpoint_source::remarks() const {
   const auto events = std::visit(
       [](const auto& snapshot) { return snapshot.triangulation.counters.number_of_events(); },
       checkpoint_.simulation);
-  return {concat({"taken up after ", counted(events, "event"), "; counts go on from there"})};
+  return {joined("taken up after ", counted(events, "event"), "; counts go on from there")};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/text.h"
+#include "io/text.h"
 #include "kinetri/io/viewer_page.h"
 #include "simulation/experiment.h"
 #include "sources/any_simulation.h"
@@ -52,7 +53,7 @@ class Generated_source final : public Run_source {
 std::unique_ptr<Run_source> wave_source(const Wave_run& run) {
   const Wave_setting& setting = run.setting;
   return std::make_unique<Generated_source>(Generated_run{
-      concat({"wave of ", setting.columns, " x ", setting.rows, " points"}), wave_motions(setting),
+      joined("wave of ", setting.columns, " x ", setting.rows, " points"), wave_motions(setting),
       wave_options(setting), "swap", run.until, Wave_shape{run.height, run.width}});
 }
 
@@ -72,8 +73,8 @@ Experiment_setting experiment_setting(const Experiment_run& run) {
 std::unique_ptr<Run_source> experiment_source(const Experiment_run& run) {
   const Experiment_setting setting = experiment_setting(run);
   return std::make_unique<Generated_source>(
-      Generated_run{concat({"experiment: ", counted(run.points, "point"), ", ", run.percentage,
-                            " % moving, seed ", run.seed}),
+      Generated_run{joined("experiment: ", counted(run.points, "point"), ", ", run.percentage,
+                           " % moving, seed ", run.seed),
                     experiment_motions(setting), experiment_options(setting),
                     std::string(run.collisions.name), run.duration});
 }

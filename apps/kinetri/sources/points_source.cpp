@@ -6,6 +6,7 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
+#include "io/text.h"
 #include "kinetri/io/points_file.h"
 #include "sources/any_simulation.h"
 
@@ -39,7 +40,7 @@ void Points_source::read() {
 
 std::vector<std::string> Points_source::remarks() const {
   if (points_.ignored_columns.empty()) return {};
-  return {concat({"columns that are ignored: ", joined(points_.ignored_columns, ", ")})};
+  return {joined("columns that are ignored: ", separated(points_.ignored_columns, ", "))};
 }
 
 Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
@@ -69,9 +70,9 @@ Simulation_options Points_source::options() const {
   const auto& [xmin, ymin, xmax, ymax] = *settings_.box;
   if (to_rational(xmax) - to_rational(xmin) <= diameter ||
       to_rational(ymax) - to_rational(ymin) <= diameter) {
-    throw Usage_error(concat({"--rim: a disc of radius ", result.radius,
-                              " does not fit the box; expected a box wider and higher than its "
-                              "diameter"}));
+    throw Usage_error(joined("--rim: a disc of radius ", result.radius,
+                             " does not fit the box; expected a box wider and higher than its "
+                             "diameter"));
   }
   return result;
 }
@@ -82,13 +83,13 @@ double Points_source::radius() const {
       settings_.collisions.response != nullptr ? "--collisions" : "--rim";
   if (settings_.radius) {
     if (points_.radii.empty()) return *settings_.radius;
-    throw Usage_error(concat(
-        {"--radius: ", input_name(path()), " has a column radius; expected one of the two"}));
+    throw Usage_error(
+        joined("--radius: ", input_name(path()), " has a column radius; expected one of the two"));
   }
   if (points_.radii.empty()) {
     if (points_.lines.empty()) return 1;  // of no disc
-    throw Usage_error(concat({option, ": discs have a radius; expected a column radius in ",
-                              input_name(path()), ", or --radius R"}));
+    throw Usage_error(joined(option, ": discs have a radius; expected a column radius in ",
+                             input_name(path()), ", or --radius R"));
   }
   for (std::size_t i = 0; i < points_.radii.size(); ++i) {
     if (points_.radii[i] == 0) {
@@ -99,10 +100,10 @@ double Points_source::radius() const {
     if (points_.radii[i] == points_.radii[0]) continue;
     throw Input_error(
         input_name(path()), points_.lines[i],
-        concat({"the radius is ", points_.radii[i], ", but ", points_.radii[0], " in line ",
-                points_.lines[0],
-                "; expected equal radii, since unequal discs can touch without being neighbors in "
-                "the Delaunay triangulation, and weighted ones are not supported yet"}));
+        joined("the radius is ", points_.radii[i], ", but ", points_.radii[0], " in line ",
+               points_.lines[0],
+               "; expected equal radii, since unequal discs can touch without being neighbors in "
+               "the Delaunay triangulation, and weighted ones are not supported yet"));
   }
   return points_.radii.empty() ? 1 : points_.radii[0];
 }

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "cli/text.h"
+#include "io/text.h"
 #include "kinetri/io/viewer_page.h"
 
 namespace kinetri::app {
@@ -19,8 +19,8 @@ std::string Run_source::title() const {
 Input_error Run_source::coincidence(const Coincident_trajectories_error& error, double time) const {
   return Input_error(
       path().empty() ? title() : input_name(path()), 0,
-      concat({"at t = ", time, " a contact leaves points ", error.first(), " and ", error.second(),
-              " in one place with one velocity; expected trajectories that stay distinct"}));
+      joined("at t = ", time, " a contact leaves points ", error.first(), " and ", error.second(),
+             " in one place with one velocity; expected trajectories that stay distinct"));
 }
 
 void Run_source::describe(Viewer_settings& settings) const {

@@ -11,6 +11,7 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
+#include "io/text.h"
 #include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/tracks.h"
 #include "sources/any_simulation.h"
@@ -68,9 +69,8 @@ void Tracks_source::read() {
   from_ = settings_.from.value_or(file_.tracks.empty() ? 0 : first);
   until_ = settings_.until.value_or(file_.tracks.empty() ? from_ : std::max(last, from_));
   if (until_ < from_) {
-    throw Usage_error(
-        concat({"--until: ", until_, " is before the start; expected at least ", from_,
-                ", which is ", settings_.from ? "--from" : "the first observation"}));
+    throw Usage_error(joined("--until: ", until_, " is before the start; expected at least ", from_,
+                             ", which is ", settings_.from ? "--from" : "the first observation"));
   }
   Tracks_options options;
   options.from = from_;
@@ -88,8 +88,8 @@ void Tracks_source::check_velocities() const {
       const Track& track = file_.tracks[stay.track];
       throw Input_error(
           input_name(path()), track.observations[i + 1].line,
-          concat({"id '", track.id, "' goes too far too fast since line ",
-                  track.observations[i].line, "; expected a velocity that is a binary64 number"}));
+          joined("id '", track.id, "' goes too far too fast since line ",
+                 track.observations[i].line, "; expected a velocity that is a binary64 number"));
     }
   }
 }
@@ -119,17 +119,17 @@ Input_error Tracks_source::coincidence(const Coincident_trajectories_error& erro
   const std::size_t other = line(error.second());
   return Input_error(
       input_name(path()), std::max(one, other),
-      concat({"from t = ", time, " on ids '", name(error.first()), "' and '", name(error.second()),
-              "' go the same way (see line ", std::min(one, other),
-              "); expected things that are apart at one of two observations"}));
+      joined("from t = ", time, " on ids '", name(error.first()), "' and '", name(error.second()),
+             "' go the same way (see line ", std::min(one, other),
+             "); expected things that are apart at one of two observations"));
 }
 
 void Tracks_source::write_points(std::ostream& out) const {
   out << "point,id,first,last\n";
   for (std::size_t point = 0; point < stays_.size(); ++point) {
     const auto& [track, first, last] = stays_[point];
-    out << concat({point, ",", file_.tracks[track].id, ",", observations_[track][first].time, ",",
-                   observations_[track][last].time, "\n"});
+    out << joined(point, ",", file_.tracks[track].id, ",", observations_[track][first].time, ",",
+                  observations_[track][last].time, "\n");
   }
 }
 
@@ -140,22 +140,21 @@ void Tracks_source::describe(Viewer_settings& settings) const {
 
 std::vector<std::string> Tracks_source::remarks() const {
   std::vector<std::string> result;
-  result.push_back(
-      concat({counted(file_.observations, "observation"), " of ",
-              counted(file_.tracks.size(), "id"), ", ", counted(stays_.size(), "stay")}));
+  result.push_back(joined(counted(file_.observations, "observation"), " of ",
+                          counted(file_.tracks.size(), "id"), ", ",
+                          counted(stays_.size(), "stay")));
   if (file_.doubled_rows > 0) {
     result.push_back(
-        concat({counted(file_.doubled_rows, "row"), " left out, being a copy of another"}));
+        joined(counted(file_.doubled_rows, "row"), " left out, being a copy of another"));
   }
   if (file_.rows_out_of_order > 0) {
-    result.push_back(
-        concat({counted(file_.rows_out_of_order, "row"), " out of the order of time"}));
+    result.push_back(joined(counted(file_.rows_out_of_order, "row"), " out of the order of time"));
   }
   const auto singles = std::ranges::count_if(
       file_.tracks, [](const Track& track) { return track.observations.size() == 1; });
   if (singles > 0) {
-    result.push_back(concat({counted(static_cast<std::uint64_t>(singles), "id"),
-                             " left out, having one observation and so no path"}));
+    result.push_back(joined(counted(static_cast<std::uint64_t>(singles), "id"),
+                            " left out, having one observation and so no path"));
   }
   return result;
 }
