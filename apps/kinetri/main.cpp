@@ -72,11 +72,11 @@ Exit_code guarded_run(int argc, char** argv) {
     return run(argc, argv);
   } catch (const Input_error& error) {
     return report_file(error.what());
-  } catch (const Output_error& error) {
+  } catch (const Unread_output_error&) {
     // What reads the output of `kinetri ... | head` has what it wants.
-    const std::string message = error.what();
-    if (message.starts_with("standard output: ") && nobody_reads_output()) end_by_closed_pipe();
-    return report_file(message);
+    end_by_closed_pipe();
+  } catch (const Output_error& error) {
+    return report_file(error.what());
   } catch (const Run_error& error) {
     return report_failure(Exit_code::bad_input, error.what());
   } catch (const std::bad_alloc&) {

@@ -12,11 +12,12 @@
 namespace kinetri {
 
 /// Throws an Output_error about `path`. `error` is an errno, 0 if there is none to tell.
-[[noreturn]] inline void fail_output(const std::string& path, const std::string& problem, int error,
-                                     const std::string& expected) {
-  throw Output_error((path == "-" ? "standard output" : path) + ": " + problem +
-                     (error == 0 ? "" : ": " + std::generic_category().message(error)) +
-                     "; expected " + expected);
+template <class Kind_of_error = Output_error>
+[[noreturn]] void fail_output(const std::string& path, const std::string& problem, int error,
+                              const std::string& expected) {
+  throw Kind_of_error((path == "-" ? "standard output" : path) + ": " + problem +
+                      (error == 0 ? "" : ": " + std::generic_category().message(error)) +
+                      "; expected " + expected);
 }
 
 }  // namespace kinetri

@@ -198,7 +198,9 @@ void Output_file::finish() {
   stream_->setstate(std::ios::badbit);  // what is written from now on is lost
   if (!stream_good || !closed) {
     discard();
-    fail_output(path_, "writing failed", buffer_->error(), "a place that takes all of it");
+    const bool is_unread = path_ == "-" && buffer_->error() == EPIPE;
+    const auto fail = is_unread ? fail_output<Unread_output_error> : fail_output<Output_error>;
+    fail(path_, "writing failed", buffer_->error(), "a place that takes all of it");
   }
   finished_ = true;
 }

@@ -15,6 +15,12 @@ struct stat;
 
 namespace kinetri {
 
+/// Nobody reads standard output any more: it is a pipe whose other end was closed.
+class Unread_output_error : public Output_error {
+ public:
+  using Output_error::Output_error;
+};
+
 /// An output file. Until `commit` the target is untouched; without `commit` it stays so.
 ///
 /// The temporary is in the target's directory, and hidden. An existing target keeps its permissions
@@ -43,8 +49,8 @@ class Output_file {
   std::ostream& stream() noexcept;
 
   /// Writes out what is buffered and closes the file. Throws Output_error if anything since the
-  /// construction was not written. Where several outputs belong together, finish them all before
-  /// the first commit. Idempotent.
+  /// construction was not written, Unread_output_error if that is because nobody reads it. Where
+  /// several outputs belong together, finish them all before the first commit. Idempotent.
   void finish();
 
   /// finish(), then the target is the new file. Throws Output_error. Idempotent.

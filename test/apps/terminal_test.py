@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the program does with terminals and pipes: colors on terminals only, and a silent end where
-nobody reads its output.
+nobody reads standard output, with all outputs that are files.
 
 usage: terminal_test.py PROGRAM
 """
+import json
 import os
 import pathlib
 import pty
+import shutil
 import signal
 import subprocess
 import sys
@@ -86,21 +88,55 @@ class ClosedPipe(Program):
             with os.fdopen(ours) as output:
                 for _ in range(lines):
                     output.readline()
+        self.addCleanup(process.kill)
         error = process.communicate(timeout=60)[1].decode()
         return process.returncode, error
 
-    def test_the_program_ends_silently_and_leaves_no_file(self):
-        points = subprocess.run([PROGRAM, "generate", "uniform", "--points", "300"], check=True,
-                                capture_output=True).stdout
-        (self.folder / "many.csv").write_bytes(points)
-        (self.folder / "edges.csv").write_text("before", encoding="utf-8")
+    def write_many_points(self):
+        subprocess.run([PROGRAM, "generate", "uniform", "--points", "300", "-o", self.folder / "many.csv"],
+                       check=True)
+
+    def outputs(self):
+        """What is in the files that a run has written, but for run times."""
+        found = {path.relative_to(self.folder): path.read_bytes() for path in self.folder.rglob("*")
+                 if path.is_file() and path.suffix != ".json"}
+        stats = json.loads((self.folder / "stats.json").read_text(encoding="utf-8"))
+        return found, stats["events"], stats["reached"]
+
+    def test_the_program_ends_silently_when_its_only_output_is_not_read(self):
+        self.write_many_points()
         before = sorted(os.listdir(self.folder))
-        code, error = self.run_into_closed_pipe(
-            ["simulate", "many.csv", "--until", "100", "--events", "-", "--edges", "edges.csv",
-             "--stats", "stats.json", "--frames", "frames"], lines=1)
+        for output in ("--events", "--initial-edges"):
+            # In a box a run to this time takes days.
+            code, error = self.run_into_closed_pipe(
+                ["simulate", "many.csv", "--until", "1e9", "--box", "-1,-1,200,200", output, "-"],
+                lines=1 if output == "--events" else 0)
+            self.assertEqual((code, error), (-signal.SIGPIPE, ""))
+            self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_outputs_that_are_files_are_complete(self):
+        self.write_many_points()
+        run = ["simulate", "many.csv", "--until", "20", "--edges", "edges.csv", "--stats", "stats.json",
+               "--frames", "frames", "--checkpoint", "run.kinetri", "--html", "run.html"]
+        for output, lines in (("--events", 1), ("--events", 0), ("--initial-edges", 0)):
+            subprocess.run([PROGRAM, *run, output, "/dev/null", "--quiet"], cwd=self.folder, check=True)
+            usual = self.outputs()
+            for path in usual[0]:
+                if path.name not in ("p.csv", "many.csv"):
+                    (self.folder / path).write_text("before", encoding="utf-8")
+            shutil.rmtree(self.folder / "frames")
+            code, error = self.run_into_closed_pipe([*run, output, "-"], lines)
+            self.assertEqual((code, error), (-signal.SIGPIPE, ""))
+            self.assertEqual(self.outputs(), usual)
+            shutil.rmtree(self.folder / "frames")
+
+    def test_tracks_are_complete(self):
+        (self.folder / "t.csv").write_text("t,id,x,y\n0,a,0,0\n0,b,9,0\n5,a,1,1\n5,b,9,1\n",
+                                           encoding="utf-8")
+        code, error = self.run_into_closed_pipe(["tracks", "t.csv", "--closest", "1", "--ids", "ids.csv"])
         self.assertEqual((code, error), (-signal.SIGPIPE, ""))
-        self.assertEqual(sorted(os.listdir(self.folder)), before)
-        self.assertEqual((self.folder / "edges.csv").read_text(encoding="utf-8"), "before")
+        self.assertEqual((self.folder / "ids.csv").read_text(encoding="utf-8"),
+                         "point,id,first,last\n0,a,0,5\n1,b,0,5\n")
 
     def test_so_do_other_commands(self):
         for arguments in (["--help"], ["help", "simulate"], ["manual"], ["completion", "zsh"],

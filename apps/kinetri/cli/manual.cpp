@@ -113,7 +113,8 @@ void write_manual(std::ostream& out, const Command& program) {
          ".TP\n2\nBad usage or bad input; standard error says what was expected.\n"
          ".TP\n3\nAn internal check failed.\n"
          ".TP\n130\nInterrupted; the outputs hold what happened until then.\n"
-         ".TP\n141\nNobody reads the pipe to which standard output goes.\n"
+         ".TP\n141\nNobody reads the pipe to which standard output goes; outputs that are files "
+         "are complete.\n"
          ".SH ENVIRONMENT\n"
          ".TP\nNO_COLOR\nIf it is set, and not empty, nothing is colored.\n";
 }

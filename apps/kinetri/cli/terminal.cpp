@@ -2,7 +2,6 @@
 #include "cli/terminal.h"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -57,12 +56,6 @@ std::string alarm(std::string_view text, Stream stream) {
 
 void report(std::string_view where, std::string_view what) {
   print_error(joined(alarm(joined(where, ":"), Stream::error), " ", what, "\n"));
-}
-
-bool nobody_reads_output() {
-  pollfd output = {STDOUT_FILENO, POLLOUT, 0};
-  constexpr int at_once = 0;
-  return ::poll(&output, 1, at_once) == 1 && (output.revents & POLLERR) != 0;
 }
 
 void end_by_closed_pipe() {

@@ -32,11 +32,8 @@ std::string alarm(std::string_view text, Stream stream);
 /// Writes `where: what` as a line to standard error.
 void report(std::string_view where, std::string_view what);
 
-/// Whether standard output is a pipe that nobody reads any more.
-bool nobody_reads_output();
-
-/// Ends the process as writing to such a pipe does by default: silently, by the signal SIGPIPE,
-/// which a shell shows as exit code 141.
+/// Ends the process as writing to a pipe that nobody reads does by default: silently, by the signal
+/// SIGPIPE, which a shell shows as exit code 141.
 [[noreturn]] void end_by_closed_pipe();
 
 }  // namespace kinetri::app

@@ -67,10 +67,22 @@ void Run_outputs::check_directories() const {
   }
 }
 
+void Run_outputs::finish(Output_file& file) {
+  if (is_unread(file)) return;
+  try {
+    file.finish();
+  } catch (const Unread_output_error& error) {
+    if (files_.size() + directories_.size() == 1) throw;
+    unread_ = error;
+  }
+}
+
 void Run_outputs::commit() {
-  for (Output_file& file : files_) file.finish();
+  for (Output_file& file : files_) finish(file);
   for (Output_directory& directory : directories_) directory.commit();
-  for (Output_file& file : files_) file.commit();
+  for (Output_file& file : files_) {
+    if (!is_unread(file)) file.commit();
+  }
 }
 
 std::vector<std::string> Run_outputs::paths() const {

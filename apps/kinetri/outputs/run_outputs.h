@@ -5,6 +5,7 @@
 #define KINETRI_APPS_RUN_OUTPUTS_H
 
 #include <array>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -30,14 +31,29 @@ class Run_outputs {
   /// Precondition: the output is an open file.
   std::ostream& stream(Output output) { return file(output)->stream(); }
 
+  /// To be called when all of the output has been written, or when writing it has failed. Throws
+  /// Output_error if it has failed; but if nobody reads standard output any more and there are
+  /// other outputs, these are still worth the run.
+  void finish(Output output) { finish(*file(output)); }
+
   /// All are complete before the first takes its place. Throws Output_error.
   void commit();
+
+  /// Whether nobody reads standard output any more. Known when all are complete.
+  bool is_unread() const { return unread_.has_value(); }
+
+  /// Throws Unread_output_error if nobody reads standard output any more.
+  void expect_reader() const {
+    if (unread_) throw Unread_output_error(*unread_);
+  }
 
   /// As given, for people.
   std::vector<std::string> paths() const;
 
  private:
   void open(const Output_row& row, const std::string& path);
+  void finish(Output_file& file);
+  bool is_unread(const Output_file& file) const { return is_unread() && file.path() == "-"; }
   void check_files(const std::string& input_path) const;
   void check_directories() const;
 
@@ -48,6 +64,7 @@ class Run_outputs {
   std::vector<const char*> directory_options_;
   std::array<Output_file*, number_of_outputs> files_of_ = {};
   std::array<Output_directory*, number_of_outputs> directories_of_ = {};
+  std::optional<Unread_output_error> unread_;
 };
 
 }  // namespace kinetri::app

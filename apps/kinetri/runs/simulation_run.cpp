@@ -124,13 +124,15 @@ Exit_code Simulation_run::run() {
   progress_.show_stage("writing");
   write_outputs();
   progress_.clear();
-  if (!settings_.quiet) summarize();
+  if (!settings_.quiet && !outputs_.is_unread()) summarize();
   if (statistics_.audits_failed > 0) {
     report("kinetri", joined(statistics_.audits_failed, " of ", statistics_.audits_run,
                              " audits failed; please report this with the input that caused it"));
     return Exit_code::audit_failed;
   }
-  return statistics_.interrupted ? Exit_code::interrupted : Exit_code::done;
+  if (statistics_.interrupted) return Exit_code::interrupted;
+  outputs_.expect_reader();
+  return Exit_code::done;
 }
 
 // Reads the input and makes the first triangulation.
@@ -150,7 +152,10 @@ void Simulation_run::build() {
       simulation_.visit([](const auto& s) { return s.triangulation().construction_seconds(); });
   statistics_.seconds.initialize = construction.initialize;
   statistics_.seconds.build = stopwatch_.lap() - construction.initialize;
-  if (outputs_.has(Output::initial_edges)) write_edges_now(outputs_.stream(Output::initial_edges));
+  if (outputs_.has(Output::initial_edges)) {
+    write_edges_now(outputs_.stream(Output::initial_edges));
+    outputs_.finish(Output::initial_edges);
+  }
   if (outputs_.has(Output::events)) {
     log_.emplace(outputs_.stream(Output::events));
     simulation_.visit([this](auto& s) { s.add_observer(*log_); });
@@ -198,7 +203,7 @@ void Simulation_run::advance() {
 bool Simulation_run::go_to(double end) {
   const Algebraic_number until(end);
   while (!interrupted() && step(until) > 0) {
-    if (log_ && !outputs_.stream(Output::events)) outputs_.file(Output::events)->finish();
+    if (log_ && !outputs_.stream(Output::events)) outputs_.finish(Output::events);
     if (progress_.due()) progress_.show(time(), number_of_events());
     // Recomputing all certificates exactly is left to the audits at the two ends: it would take
     // nearly all the time of the run.

@@ -12,12 +12,13 @@ namespace kinetri::app {
 class Run_source;
 
 /// Runs. Outputs are opened first, and take the place of what was there only after all of them have
-/// been written: a run that throws changes no file. Failures of audits and a summary go to standard
-/// error.
+/// been written: a run that throws changes no file, but for Unread_output_error. Failures of audits
+/// and a summary go to standard error.
 ///
 /// Throws Usage_error if two outputs, or an output and the input, are one file, or there are too
-/// many frames; Run_error if points keep colliding without time advancing; Output_error; and what
-/// the source and Simulation_2 throw.
+/// many frames; Run_error if points keep colliding without time advancing; Output_error, of which
+/// Unread_output_error after the other outputs have been written; and what the source and
+/// Simulation_2 throw.
 Exit_code run_simulation(const Run_settings& settings, Run_source& source);
 
 }  // namespace kinetri::app
