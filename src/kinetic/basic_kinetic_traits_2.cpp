@@ -381,6 +381,14 @@ bool Basic_kinetic_traits_2<Motion>::do_overlap(const Point_2& p, const Point_2&
 }
 
 template <class Motion>
+bool Basic_kinetic_traits_2<Motion>::may_overlap(const Point_2& p, const Point_2& q,
+                                                 double diameter, const Time& t) const {
+  return arithmetic_ == Arithmetic::filtered
+             ? certain_gap(p.motion(), q.motion(), diameter, t.interval()) != CGAL::POSITIVE
+             : do_overlap(p, q, diameter, t);
+}
+
+template <class Motion>
 bool Basic_kinetic_traits_2<Motion>::is_inside(const Point_2& p, const Wall_2& wall,
                                                const Time& t) const {
   if (arithmetic_ == Arithmetic::filtered && certainly_inside(p.motion(), wall, t.interval())) {

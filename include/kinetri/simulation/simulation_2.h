@@ -8,10 +8,9 @@
 // points that were scheduled.
 //
 // Which pairs these are follows from the triangulation. The points in a disc are connected by edges
-// inside of it. So two discs of equal diameter that come into contact are neighbors, or one of them
-// is a neighbor of a disc that overlaps both (docs/MATH.md, section 8). The pairs that overlap are
-// kept, and a disc is watched against its neighbors and the neighbors of the discs that it
-// overlaps. The simulation follows the edges as an observer of the triangulation.
+// inside of it. So two discs of equal diameter that come into contact are neighbors, or there is a
+// disc that overlaps both and is a neighbor of one (docs/MATH.md, section 8). The pairs that
+// overlap are kept. The simulation follows the edges as an observer of the triangulation.
 //
 // One contact's way through the code: `step` lets the triangulation execute what is before it, in
 // exact order; `execute_due_entries` takes it out of the queue; `hit_wall` or `collide` finds the
@@ -221,7 +220,7 @@ class Simulation_2 : private Event_observer {
     Queue_handle event;
   };
 
-  /// A disc that overlaps, or has overlapped until a short time ago.
+  /// A disc that overlaps, or almost does, or has overlapped until a short time ago.
   struct Overlap {
     Point_id id;
     bool passes;  // a response has let the two pass: they have no contact until they have separated
@@ -271,7 +270,7 @@ class Simulation_2 : private Event_observer {
   template <class Function>
   void for_each_pair_beside(Point_id a, Point_id b, Function function) const;
   template <class Function>
-  void for_each_pair_across(const Edge_ids& edge, Function function) const;
+  void for_each_pair_over(const Edge_ids& edge, Function function) const;
   void find_all_overlaps();
   void start_overlap(Point_id a, Point_id b);
   void end_overlap(Point_id a, Point_id b);

@@ -53,7 +53,8 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
       if (b < a) continue;
       ++entries;
       if (!is_watched({a, b})) {
-        fail(pair_name(a, b) + " have a contact but neither an edge nor an overlap beside one");
+        fail(pair_name(a, b) +
+             " have a contact but neither an edge nor a third disc that overlaps");
       }
     }
   }

@@ -151,8 +151,10 @@ void Simulation_2<Traits>::after_event(const Event& event) {
       unschedule_pair(edge);
     } else {
       unwatch(edge);
+      if (find_overlap(edge) != nullptr) {
+        for_each_pair_over(edge, [this](const Edge_ids& pair) { unwatch(pair); });
+      }
     }
-    for_each_pair_across(edge, [this](const Edge_ids& pair) { unwatch(pair); });
   }
   if (!event.added) return;
   const auto watch_now = [&](const Edge_ids& pair) {
@@ -161,7 +163,7 @@ void Simulation_2<Traits>::after_event(const Event& event) {
     if (!is_scheduled_later) watch(pair, event.time);
   };
   watch_now(*event.added);
-  for_each_pair_across(*event.added, watch_now);
+  if (find_overlap(*event.added) != nullptr) for_each_pair_over(*event.added, watch_now);
 }
 
 }  // namespace kinetri

@@ -3,9 +3,9 @@
 // Definitions of Simulation_2: which discs overlap, and which pairs are watched because of that.
 //
 // A pair (p, q), p < q, is watched if pq is an edge, or if there is an edge wq to a point w whose
-// disc overlaps that of p. Let p and q come into contact. The points in the closed disc with
-// diameter pq are connected by edges inside of it, so there is a path from q to p. If its first
-// edge does not lead to p, then to a point w whose disc overlaps both: the pair is watched.
+// disc overlaps those of p and q. Let p and q come into contact. The points in the closed disc with
+// diameter pq are connected by edges inside of it, so there is a path from p to q; if that is not
+// the edge pq, then the last point before q is such a point w.
 #ifndef KINETRI_SIMULATION_DETAIL_OVERLAPS_IMPL_H
 #define KINETRI_SIMULATION_DETAIL_OVERLAPS_IMPL_H
 
@@ -32,8 +32,8 @@ auto Simulation_2<Traits>::find_overlap(const Edge_ids& pair) const -> const Ove
   return overlap == of_first.end() ? nullptr : &*overlap;
 }
 
-// The points whose discs overlap that of a point just after the present time. Edges connect them
-// to the point, and are walked along.
+// The points whose discs overlap that of a point just after the present time, and perhaps some
+// whose discs almost do. Edges connect them to the point, and are walked along.
 template <ContactKineticTraits_2 Traits>
 std::vector<Point_id> Simulation_2<Traits>::overlapping_points(Point_id id,
                                                                const Traits& traits) const {
@@ -41,7 +41,7 @@ std::vector<Point_id> Simulation_2<Traits>::overlapping_points(Point_id id,
   const auto add_neighbors = [&](Point_id of) {
     for_each_neighbor(of, [&](Point_id other) {
       if (other != id && std::ranges::find(result, other) == result.end() &&
-          traits.do_overlap(point(id), point(other), diameter_, current_time())) {
+          traits.may_overlap(point(id), point(other), diameter_, current_time())) {
         result.push_back(other);
       }
     });
@@ -64,7 +64,7 @@ template <ContactKineticTraits_2 Traits>
 bool Simulation_2<Traits>::is_watched(const Edge_ids& pair) const {
   return is_edge(pair[0], pair[1]) ||
          std::ranges::any_of(overlaps(pair[0]), [&](const Overlap& overlap) {
-           return overlap.id != pair[1] && is_edge(overlap.id, pair[1]);
+           return find_overlap({overlap.id, pair[1]}) != nullptr && is_edge(overlap.id, pair[1]);
          });
 }
 
@@ -86,23 +86,25 @@ void Simulation_2<Traits>::unwatch(const Edge_ids& pair) {
   if (!is_watched(pair)) unschedule_pair(pair);
 }
 
-// Calls `function` with the pairs that are watched because the discs of a and b overlap, both
-// points there.
+// Calls `function` with the pairs that are watched because the discs of a and b overlap.
 template <ContactKineticTraits_2 Traits>
 template <class Function>
 void Simulation_2<Traits>::for_each_pair_beside(Point_id a, Point_id b, Function function) const {
-  for_each_neighbor(b, [&](Point_id other) {
-    if (a < other) function(Edge_ids{a, other});
-  });
-  for_each_neighbor(a, [&](Point_id other) {
-    if (b < other) function(Edge_ids{b, other});
-  });
+  const auto as_first = [&](Point_id p, Point_id w) {
+    for (const Overlap& overlap : overlaps(w)) {
+      if (p < overlap.id && is_edge(w, overlap.id)) function(Edge_ids{p, overlap.id});
+    }
+  };
+  as_first(a, b);
+  as_first(b, a);
+  if (is_edge(a, b)) for_each_pair_over({a, b}, function);
 }
 
-// Calls `function` with the pairs that are watched because of an edge, but for that of its ends.
+// Calls `function` with the pairs that are watched because of an edge, but for its own ends.
+// Precondition: the discs at the ends overlap.
 template <ContactKineticTraits_2 Traits>
 template <class Function>
-void Simulation_2<Traits>::for_each_pair_across(const Edge_ids& edge, Function function) const {
+void Simulation_2<Traits>::for_each_pair_over(const Edge_ids& edge, Function function) const {
   const auto [a, b] = edge;
   for (const Overlap& overlap : overlaps(a)) {
     if (overlap.id < b) function(Edge_ids{overlap.id, b});
@@ -138,7 +140,6 @@ void Simulation_2<Traits>::end_overlap(Point_id a, Point_id b) {
   };
   forget(a, b);
   forget(b, a);
-  if (!triangulation_.contains(a) || !triangulation_.contains(b)) return;
   for_each_pair_beside(a, b, [this](const Edge_ids& pair) { unwatch(pair); });
 }
 
@@ -165,8 +166,13 @@ void Simulation_2<Traits>::update_overlaps(Point_id id) {
   const std::vector<Point_id> found =
       triangulation_.contains(id) ? overlapping_points(id, traits_) : std::vector<Point_id>();
   const std::vector<Overlap> known = overlaps(id);
-  for (const Overlap& overlap : known) {
-    if (std::ranges::find(found, overlap.id) == found.end()) end_overlap(id, overlap.id);
+  for (const auto& [other, passes] : known) {
+    const bool is_found = std::ranges::find(found, other) != found.end();
+    // What passes is decided exactly: the next contact depends on it.
+    if (!is_found ||
+        (passes && !traits_.do_overlap(point(id), point(other), diameter_, current_time()))) {
+      end_overlap(id, other);
+    }
   }
   for (const Point_id other : found) start_overlap(id, other);
 }

@@ -187,9 +187,10 @@ void Simulation_2<Traits>::schedule_contacts(Point_id id, Point_id scheduled) {
   for_each_neighbor(id, [&](Point_id other) {
     if (other != scheduled) watch(edge_ids(id, other), current_time());
   });
-  const auto watch_pair = [this](const Edge_ids& pair) { watch(pair, current_time()); };
-  for_each_neighbor(id, [&](Point_id other) { for_each_pair_across({id, other}, watch_pair); });
-  for (const Overlap& overlap : overlaps(id)) for_each_pair_beside(id, overlap.id, watch_pair);
+  for (const Overlap& overlap : overlaps(id)) {
+    for_each_pair_beside(id, overlap.id,
+                         [this](const Edge_ids& pair) { watch(pair, current_time()); });
+  }
 }
 
 template <ContactKineticTraits_2 Traits>
