@@ -188,21 +188,10 @@ Simulation_snapshot<Traits> simulation_snapshot(const Json_value& state) {
   return result;
 }
 
-std::string content(std::istream& in, const std::string& name) {
-  std::string result;
-  std::array<char, 1U << 16U> buffer;
-  while (in.read(buffer.data(), buffer.size()), in.gcount() > 0) {
-    result.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
-  }
-  if (in.bad()) throw Input_error(name, 0, "cannot be read to its end; expected a readable file");
-  return result;
-}
-
 }  // namespace
 
 Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
-  const std::string file = content(in, name);
-  const Json_document document(checkpoint_state(file, name));
+  const Json_document document(read_checkpoint_state(in, name));
   if (!document.is_valid()) {
     throw Input_error(
         name, 0, "is no JSON between its first and last line; expected the file as it was written");

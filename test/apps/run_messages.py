@@ -24,6 +24,8 @@ def checkpoint_cases():
     yield resume(good + "\n")
     yield resume(good.replace("linear", "lineal", 1))
     yield case("resume /proc/self/mem --until 3", file="/proc/self/mem")
+    yield case("resume /dev/zero --until 3", file="/dev/zero", text="\\x00" * 40 + "...")
+    yield resume(f"{first}\n{{\n" + "x" * ((1 << 24) + 1), line=3)
     yield resume(signed(body[:-4] + "\n"))
     yield resume(signed(first + "\n[]\n"), member="state")
     yield resume(forged(lambda state: state.pop("motion")), member="state", key="motion")

@@ -181,6 +181,27 @@ class Streams(unittest.TestCase):
                                           "takes all of it\n")
             self.assertEqual((done.returncode, os.listdir(folder)), (2, []))
 
+    def test_input_without_line_ends_is_refused_in_little_memory(self):
+        longest = "the line is longer than {} bytes; expected"
+        first_line = "kinetri checkpoint 2\\n"
+        for arguments, beginning, problem in (
+                ("simulate {} --until 1", "x,y,vx,vy\\n", longest.format(1 << 20)),
+                ("tracks {}", "t,id,x,y\\n", longest.format(1 << 20)),
+                ("tracks {} --format frames", "0 a 1 2\\n", longest.format(1 << 20)),
+                ("resume {} --until 1", first_line, longest.format(1 << 24)),
+                ("resume {} --until 1", "", "is no checkpoint: it begins with '\\x00")):
+            for line in ('exec "$0" ' + arguments.format("/dev/zero"),
+                         f"(printf '{beginning}'; cat /dev/zero) | \"$0\" " + arguments.format("-")):
+                if line.startswith("exec") and beginning == first_line:
+                    continue  # Only a pipe begins so.
+                with self.subTest(line):
+                    # Of the limit, in units of 1024 bytes, most is for what the program itself takes.
+                    done = subprocess.run(["sh", "-c", f"ulimit -v 600000; {line}", PROGRAM],
+                                          stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                                          check=False, timeout=120)
+                    self.assertIn(problem, done.stderr)
+                    self.assertEqual((done.returncode, done.stdout), (2, ""))
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

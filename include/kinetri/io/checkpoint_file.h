@@ -37,7 +37,8 @@ void write_checkpoint(std::ostream& out, const Checkpoint& checkpoint);
 void write_checkpoint_file(const std::string& path, const Checkpoint& checkpoint);
 
 /// Reads a checkpoint. Throws Input_error `name: what is wrong, what was expected` if it is none,
-/// is one of another version, is damaged (its checksum differs), or holds what no checkpoint holds.
+/// is one of another version, is damaged (its checksum differs), or holds what no checkpoint holds:
+/// a line of more than 2^24 bytes, for one. A file that is none is refused after its first bytes.
 /// Whether the state makes sense is seen when a simulation is made of it, which throws
 /// Snapshot_error. Cost: linear; needs memory for several times the size of the text.
 Checkpoint read_checkpoint(std::istream& in, const std::string& name);
