@@ -25,18 +25,21 @@ Contact_response_2 collide_elastically(const Contact_2& contact) {
   // Scaled by a power of two, which changes no result: else the square might underflow.
   const int exponent = -std::ilogb(length);
   n = {std::scalbn(n.x, exponent), std::scalbn(n.y, exponent)};
-  const Vector_2& a = contact.velocity_a;
-  const Vector_2& b = contact.velocity_b;
+  const auto size_of = [](const Vector_2& v) { return std::max(std::abs(v.x), std::abs(v.y)); };
+  // Velocities whose differences might overflow are scaled as well.
+  const double greatest = std::max(size_of(contact.velocity_a), size_of(contact.velocity_b));
+  const double scale = greatest > 0x1p1000 ? 0x1p10 : 1;
+  const Vector_2 a = {contact.velocity_a.x / scale, contact.velocity_a.y / scale};
+  const Vector_2 b = {contact.velocity_b.x / scale, contact.velocity_b.y / scale};
   const double impulse = ((b.x - a.x) * n.x + (b.y - a.y) * n.y) / (n.x * n.x + n.y * n.y);
   const auto velocities = [&](double along) {
     const Vector_2 change = {along * n.x, along * n.y};
-    return Contact_response_2{Vector_2{a.x + change.x, a.y + change.y},
-                              Vector_2{b.x - change.x, b.y - change.y}};
+    return Contact_response_2{Vector_2{(a.x + change.x) * scale, (a.y + change.y) * scale},
+                              Vector_2{(b.x - change.x) * scale, (b.y - change.y) * scale}};
   };
   Contact_response_2 result = velocities(impulse);
   if (contact.is_pressed) return result;
-  const double size = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)}) /
-                      std::max(std::abs(n.x), std::abs(n.y));
+  const double size = std::max(size_of(a), size_of(b)) / size_of(n);
   for (double further =
            size * std::numeric_limits<double>::epsilon() + std::numeric_limits<double>::min();
        contact.would_approach(*result.velocity_a, *result.velocity_b); further *= 2) {

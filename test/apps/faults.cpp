@@ -3,6 +3,8 @@
 // Failures that the program must survive and that a right library never has. Linked in front of the
 // library, this definition of Kinetic_delaunay_triangulation_2<>::audit takes the place of the real
 // one; the environment variable KINETRI_TEST_FAULT chooses the failure.
+#include <unistd.h>
+
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
@@ -28,6 +30,7 @@ Audit_report faulty_audit(const Kinetic_delaunay_triangulation_2<>* /*audited*/,
   if (fault == "internal") KINETRI_ASSERT(false, "made on purpose");
   if (fault == "precondition") KINETRI_PRECONDITION(false, "made on purpose");
   if (fault == "unexpected") throw std::logic_error("an exception made on purpose");
+  while (fault == "endless") ::pause();
   if (fault == "memory") throw std::bad_alloc();
   return {{"the edge 1-2 is wrong"}};
 }

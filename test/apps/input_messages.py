@@ -94,6 +94,7 @@ def meaning_cases():
     yield simulate("--rim")
     yield simulate("--rim --box -5,-5,15,5 --radius 5", radius=5)
     yield simulate("--radius 1")
+    yield simulate("--collisions log --radius 1e308", radius="1e308")
     yield case("tracks t.csv --radius 1")
     yield case("simulate d.csv --until 1 --collisions log --radius 1", file="d.csv")
     for option in ("--collisions", "--rim"):
@@ -181,6 +182,7 @@ def table_cases():
     yield points("x,y,vx,vy,radius\n1,2,3,4,-1\n", line=2, radius=-1)
     discs = "--until 1 --collisions elastic"
     yield points("x,y,vx,vy,radius\n1,1,1,0,0\n", discs, line=2)
+    yield points("x,y,vx,vy,radius\n1,1,1,0,1e308\n", discs, line=2, radius="1e+308")
     yield points("x,y,vx,vy,radius\n1,1,1,0,1\n5,5,0,0,2\n", discs, line=3, radius=2, other=1, first=2)
     yield points(ONE_FLIP + "4,0,0,0\n", line=6, first=3, motion="velocity")
     yield points("x,y,vx,vy,jx,jy\n1,2,3,4,5,6\n1,2,3,4,5,6\n", line=3, first=2, motion="derivatives")

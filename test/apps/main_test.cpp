@@ -178,6 +178,23 @@ TEST_F(Interruption, stops_at_the_next_event_and_writes_what_it_has) {
   }
 }
 
+TEST_F(Interruption, by_the_greatest_number_of_events_writes_what_there_is) {
+  // Back and forth between two walls, twice in a unit of time.
+  write("p.csv", "x,y,vx,vy\n1,1,2,0\n");
+  const Arguments arguments = {"simulate", "p.csv",    "--until", "1e9",     "--box",
+                               "0,0,1,2",  "--events", "e.csv",   "--stats", "stats.json"};
+  Arguments limited = arguments;
+  limited.insert(limited.end(), {"--max-events", "6"});
+  const Outcome outcome = run(limited);
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_NE(outcome.err.find("kinetri: more than 6 events, and time has come to t = 3 only, of "
+                             "1000000000; results up to then are written; expected fewer events, or a "
+                             "greater --max-events\n"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(read("stats.json"))["events_total"], 7);
+}
+
 TEST_F(Interruption, before_the_run_ends_at_once_and_leaves_nothing) {
   ASSERT_EQ(::mkfifo(file("p.csv").c_str(), 0600), 0);
   write("edges.csv", "before");
@@ -190,6 +207,26 @@ TEST_F(Interruption, before_the_run_ends_at_once_and_leaves_nothing) {
   EXPECT_NE(outcome.err.find("kinetri: interrupted, nothing written\n"), std::string::npos);
   EXPECT_EQ(entries(), (Entries{"edges.csv", "p.csv"}));
   EXPECT_EQ(read("edges.csv"), "before");
+}
+
+TEST_F(Interruption, within_a_step_that_does_not_end_ends_the_run_and_leaves_nothing) {
+  write("p.csv", one_flip);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Arguments arguments = long_run;
+    arguments.insert(arguments.end(), {"--audit", "events"});
+    Process process(KINETRI_FAULTY_PROGRAM, arguments,
+                    {.directory = directory(), .environment = {"KINETRI_TEST_FAULT=endless"}});
+    process.wait_until(
+        [&] { return process.errors_so_far().find("running ...") != std::string::npos; });
+    process.send(signal);
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_NE(outcome.err.find("kinetri: interrupted within an instant, or another step that is "
+                               "long; nothing written\n"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(entries(), Entries{"p.csv"});
+  }
 }
 
 // An audit of so many points takes longer than the test.

@@ -146,10 +146,23 @@ def run_cases():
         few = forged(setter("max_contacts_per_instant", most), content, f"--until 0.5 {options}")
         return case(f"resume c --until {until} --edges old.csv", files={"c": few}, most=most, **values)
 
-    # The point comes to rest at the wall, and its jerk presses it on.
-    pressed = "x,y,vx,vy,ax,ay,jx,jy\n2,1,0,-3,0,6,0,-6\n"
-    yield endless(pressed, "--box 0,0,9,9", 10, 2, time=1, a=0)
+    yield endless("x,y,vx,vy\n2,1,0,-1\n", "--box 0,0,9,9", 0, 2, time=1, a=0)
     yield endless(DISCS, "--collisions swap", 0, 4, time=3, a=0, b=1)
+
+    # The point comes to rest at the wall, and its jerk presses it on.
+    at_wall = "x,y,vx,vy,ax,ay,jx,jy\n2,1,0,-3,0,6,0,-6\n"
+    yield case("simulate d.csv --until 2 --box 0,0,9,9 --edges old.csv", files={"d.csv": at_wall},
+               file="d.csv", line=2, a=0, side="lower", time=1)
+    at_disc = "x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n2,0,0,0,-1,0\n"
+    for response in ("swap", "elastic"):
+        yield case(f"simulate d.csv --until 2 --collisions {response} --radius 1 --edges old.csv",
+                   files={"d.csv": at_disc}, file="d.csv", line=2, a=0, b=1, time=0)
+    fast = "x,y,vx,vy\n0,0,1.7e308,-1.7e308\n1,1,-1.7e308,-1.7e308\n"
+    yield case("simulate d.csv --until 2 --collisions elastic --radius 1 --edges old.csv",
+               files={"d.csv": fast}, file="d.csv", line=2, a=0, time=0)
+    yield case("simulate d.csv --until 12 --box 0,0,9,9 --max-events 2 --edges e.csv "
+               "--quiet", files={"d.csv": "x,y,vx,vy\n2,1,0,-2\n"}, most=2, time="9.5",
+               until=12, writes=True)
 
     def fault(name, until=1, **options):
         return case(f"simulate p.csv --until {until} --audit events --edges old.csv", faulty=True,

@@ -24,6 +24,13 @@ double positive_argument(std::string_view option, std::string_view text) {
       joined(option, ": ", text, " cannot be used; expected a number greater than 0"));
 }
 
+double radius_argument(std::string_view option, std::string_view text) {
+  const double value = positive_argument(option, text);
+  if (value <= greatest_radius) return value;
+  throw Usage_error(joined(option, ": ", text, " is too large; expected at most ", greatest_radius,
+                           ", so that the diameter is a binary64 number"));
+}
+
 double size_argument(std::string_view option, std::string_view text, double lowest, double highest,
                      bool zero_allowed) {
   const double value = number_argument(option, text);

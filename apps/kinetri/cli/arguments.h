@@ -7,6 +7,7 @@
 #define KINETRI_APPS_ARGUMENTS_H
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -33,6 +34,12 @@ double number_argument(std::string_view option, std::string_view text);
 
 /// As number_argument, greater than 0.
 double positive_argument(std::string_view option, std::string_view text);
+
+/// The greatest radius whose double is a binary64 number.
+inline constexpr double greatest_radius = std::numeric_limits<double>::max() / 2;
+
+/// As positive_argument, up to greatest_radius.
+double radius_argument(std::string_view option, std::string_view text);
 
 /// As number_argument, from `lowest` to `highest`, or 0 if `zero_allowed`.
 double size_argument(std::string_view option, std::string_view text, double lowest, double highest,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interrupt.h"
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -16,16 +17,29 @@ namespace {
 volatile std::sig_atomic_t graceful = 0;
 volatile std::sig_atomic_t stop_requested = 0;
 
+// How long a run may take until it notices that it is to stop: some of its steps are long.
+constexpr suseconds_t patience_us = 400'000;
+
+// Sends SIGALRM after so many microseconds; not at all after 0.
+void set_alarm(suseconds_t microseconds) {
+  const itimerval timer = {{0, 0}, {0, microseconds}};
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
 }  // namespace
 
-// A handler: only async-signal-safe calls.
+// A handler: only async-signal-safe calls (setitimer is a plain system call).
 extern "C" {
-static void on_signal(int /*signal*/) {
+static void on_signal(int signal) {
   if (graceful != 0 && stop_requested == 0) {
     stop_requested = 1;
+    set_alarm(patience_us);
     return;
   }
-  constexpr std::string_view message = "\nkinetri: interrupted, nothing written\n";
+  constexpr std::string_view at_once = "\nkinetri: interrupted, nothing written\n";
+  constexpr std::string_view within =
+      "\nkinetri: interrupted within an instant, or another step that is long; nothing written\n";
+  const std::string_view message = signal == SIGALRM ? within : at_once;
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
   Output_file::remove_all_temporaries();
   Output_directory::remove_all_temporaries();
@@ -40,8 +54,10 @@ void install_signal_handlers() {
   sigemptyset(&action.sa_mask);
   sigaddset(&action.sa_mask, SIGINT);
   sigaddset(&action.sa_mask, SIGTERM);
+  sigaddset(&action.sa_mask, SIGALRM);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGALRM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
@@ -51,7 +67,9 @@ void stop_gracefully_from_now_on() {
 }
 
 bool interrupted() noexcept {
-  return stop_requested != 0;
+  if (stop_requested == 0) return false;
+  set_alarm(0);
+  return true;
 }
 
 }  // namespace kinetri::app

@@ -4,7 +4,8 @@
 //
 // Normally it ends the process at once, with exit code 130, and removes the temporaries of output
 // files. While a run is under way the first one only asks it to stop, so that it writes what it
-// has; the second one ends the process.
+// has; the second one ends the process. So does the first one if the run does not notice it within
+// 0.4 s: a single step may be long, such as an instant with very many events, or an audit.
 #ifndef KINETRI_APPS_INTERRUPT_H
 #define KINETRI_APPS_INTERRUPT_H
 
@@ -17,7 +18,7 @@ void install_signal_handlers();
 /// From now on the first signal only makes interrupted() true.
 void stop_gracefully_from_now_on();
 
-/// Whether a signal has asked the run to stop.
+/// Whether a signal has asked the run to stop. If so, the caller stops, and may take its time.
 bool interrupted() noexcept;
 
 }  // namespace kinetri::app

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "cli/arguments.h"
@@ -15,6 +17,8 @@ namespace {
 // In the order of the enumerators that they name.
 constexpr std::array<std::string_view, 3> audit_modes = {"none", "end", "events"};
 constexpr std::array<std::string_view, 3> progress_modes = {"auto", "always", "never"};
+
+constexpr std::uint64_t most_events = std::numeric_limits<std::uint64_t>::max();
 
 constexpr const char* outputs_heading = "Outputs";
 constexpr const char* run_heading = "Run and display";
@@ -52,6 +56,12 @@ void add_run_options(Command& command, Run_options& options,
            "start, after every event and at the end")
       .heading = run_heading;
   command
+      .add(
+          "--max-events", &options.max_events, "N",
+          "Stop once more than N events have happened, and write what there is up to then (default "
+          "1000000000)")
+      .heading = run_heading;
+  command
       .add_flag("--exact-only", options.exact_only,
                 "Use exact arithmetic for every decision, without floating-point filters: the same "
                 "events, but slower")
@@ -76,6 +86,9 @@ Run_settings run_settings(const Run_options& options) {
     result.frame_rate = Frame_rate{positive_argument(option, *options.frames_per_time), option};
   }
   if (result.outputs[Output::plot]) require_gnuplot("no --plot");
+  if (options.max_events) {
+    result.max_events = count_argument("--max-events", *options.max_events, most_events);
+  }
   result.audit = static_cast<Audit_mode>(choice_argument("--audit", options.audit, audit_modes));
   result.exact_only = options.exact_only;
   result.progress =

@@ -65,7 +65,7 @@ Points_settings points_settings(const Simulate_options& options) {
   result.collisions =
       named_responses[choice_argument("--collisions", options.collisions, responses)];
   if (options.radius) {
-    result.radius = positive_argument("--radius", *options.radius);
+    result.radius = radius_argument("--radius", *options.radius);
     if (result.collisions.response == nullptr && !options.rim) {
       throw Usage_error(
           "--radius: nothing touches a disc; expected --collisions or --rim as well, or no radius");
@@ -104,8 +104,8 @@ Command simulate_command() {
       "The first line of POINTS names its columns: x,y,vx,vy (position at time 0, and velocity), "
       "and optionally radius (the same for all points), ax,ay (acceleration) and jx,jy (jerk, the "
       "rate of change of the acceleration). A column id has labels; other columns are ignored.",
-      "Ctrl-C stops the run after the current event, and the outputs hold what happened until "
-      "then.",
+      "Ctrl-C stops the run after the events of the present time, and the outputs hold what "
+      "happened until then. Where that takes longer than 0.4 s, nothing is written.",
       "Exit codes: 0 done; 1 an audit failed; 2 bad usage or bad input; 3 an internal check "
       "failed; "
       "130 interrupted."};

@@ -53,7 +53,7 @@ Tracks_settings tracks_settings(const Tracks_options& options) {
     throw Usage_error(logs ? "--collisions: discs have a radius; expected --radius R as well"
                            : "--radius: nothing touches a disc; expected --collisions log as well");
   }
-  if (options.radius) result.radius = positive_argument("--radius", *options.radius);
+  if (options.radius) result.radius = radius_argument("--radius", *options.radius);
   return result;
 }
 

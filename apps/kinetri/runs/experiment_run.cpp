@@ -379,7 +379,7 @@ void Experiments::summarize() const {
 Exit_code run_experiments(const Experiment_plan& plan) {
   try {
     return Experiments(plan).run();
-  } catch (const Endless_contacts_error& error) {
+  } catch (const Contact_error& error) {
     throw Run_error(error.what());
   }
 }

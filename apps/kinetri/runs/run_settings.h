@@ -5,6 +5,7 @@
 #define KINETRI_APPS_RUN_SETTINGS_H
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -27,8 +28,9 @@ struct Frame_rate {
 
 struct Run_settings {
   Output_paths outputs;
-  std::optional<Frame_rate> frame_rate;  ///< without one, there are 101 frames
-  std::size_t closest = 0;               ///< how many closest approaches to write
+  std::optional<Frame_rate> frame_rate;      ///< without one, there are 101 frames
+  std::size_t closest = 0;                   ///< how many closest approaches to write
+  std::uint64_t max_events = 1'000'000'000;  ///< the run stops after the instant with more
   Audit_mode audit = Audit_mode::none;
   bool exact_only = false;  ///< without filters
   Progress_mode progress = Progress_mode::automatic;

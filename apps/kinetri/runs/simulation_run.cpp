@@ -107,6 +107,7 @@ class Simulation_run {
   std::optional<Closest_approaches> closest_;
   std::optional<Frame_outputs> frames_;
   std::unique_ptr<Run_sampler> sampler_;
+  std::uint64_t executed_ = 0;
   std::uint64_t events_before_ = 0;  // of the run that this one takes up
   std::size_t failures_ = 0;
 };
@@ -124,6 +125,13 @@ Exit_code Simulation_run::run() {
   progress_.show_stage("writing");
   write_outputs();
   progress_.clear();
+  if (executed_ > settings_.max_events) {
+    report("kinetri",
+           joined("more than ", settings_.max_events, " events, and time has come to t = ",
+                  statistics_.reached, " only, of ", statistics_.until,
+                  "; results up to then are written; expected fewer events, or a greater "
+                  "--max-events"));
+  }
   if (!settings_.quiet && !outputs_.is_unread()) summarize();
   if (statistics_.audits_failed > 0) {
     report("kinetri", joined(statistics_.audits_failed, " of ", statistics_.audits_run,
@@ -199,19 +207,24 @@ void Simulation_run::advance() {
   statistics_.seconds.run += stopwatch_.lap();
 }
 
-// Executes the events up to `end`. Whether it got there before an interruption.
+// Executes the events up to `end`. Whether it got there before an interruption and with as many
+// events as are allowed.
 bool Simulation_run::go_to(double end) {
   const Algebraic_number until(end);
-  while (!interrupted() && step(until) > 0) {
+  while (!interrupted() && executed_ <= settings_.max_events) {
+    const std::size_t events = step(until);
+    if (events == 0) {
+      simulation_.visit([&](auto& s) { s.advance_to(until); });
+      return true;
+    }
+    executed_ += events;
     if (log_ && !outputs_.stream(Output::events)) outputs_.finish(Output::events);
     if (progress_.due()) progress_.show(time(), number_of_events());
     // Recomputing all certificates exactly is left to the audits at the two ends: it would take
     // nearly all the time of the run.
     if (settings_.audit == Audit_mode::events) audit(Audit_level::reference);
   }
-  if (interrupted()) return false;
-  simulation_.visit([&](auto& s) { s.advance_to(until); });
-  return true;
+  return false;
 }
 
 void Simulation_run::audit(Audit_level level) {
@@ -369,8 +382,10 @@ void Simulation_run::summarize() const {
 Exit_code run_simulation(const Run_settings& settings, Run_source& source) {
   try {
     return Simulation_run(settings, source).run();
-  } catch (const Endless_contacts_error& error) {
-    throw Run_error(error.what());
+  } catch (const Contact_error& error) {
+    const std::size_t line = source.line_of(error.point());
+    if (line == 0) throw Run_error(error.what());
+    throw Input_error(input_name(source.path()), line, error.what());
   }
 }
 

@@ -24,6 +24,7 @@ class Points_source final : public Run_source {
   double until() const override { return settings_.until; }
   std::string response() const override { return std::string(settings_.collisions.name); }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
+  std::size_t line_of(Point_id id) const override { return points_.lines[id]; }
   std::vector<std::string> remarks() const override;
 
  private:
@@ -96,6 +97,11 @@ double Points_source::radius() const {
       throw Input_error(input_name(path()), points_.lines[i],
                         "the radius is 0, and discs without one never touch; expected a radius "
                         "greater than 0");
+    }
+    if (points_.radii[i] > greatest_radius) {
+      throw Input_error(input_name(path()), points_.lines[i],
+                        joined("the radius is ", points_.radii[i], "; expected at most ",
+                               greatest_radius, ", so that the diameter is a binary64 number"));
     }
     if (points_.radii[i] == points_.radii[0]) continue;
     throw Input_error(

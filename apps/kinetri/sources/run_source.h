@@ -66,6 +66,9 @@ class Run_source {
   /// What a user should know of what was read; one line each.
   virtual std::vector<std::string> remarks() const { return {}; }
 
+  /// The line of the input that a point comes from; 0 where there is none.
+  virtual std::size_t line_of(Point_id /*id*/) const { return 0; }
+
   /// A table of the points, for sources whose points have names.
   virtual void write_points(std::ostream& /*out*/) const {}
 

@@ -39,11 +39,29 @@
 
 namespace kinetri {
 
+/// A contact that no response can deal with.
+class Contact_error : public Error {
+ public:
+  /// About the contact of the point, with the message that what() gives.
+  Contact_error(Point_id point, const std::string& message) : Error(message), point_(point) {}
+  /// The point; of two, the one with the smaller id.
+  Point_id point() const noexcept { return point_; }
+
+ private:
+  Point_id point_;
+};
+
 /// Contacts that do not end: more at one time than allowed; or a point that is pressed against a
 /// wall or another point, so that no new velocity separates them.
-class Endless_contacts_error : public Error {
+class Endless_contacts_error : public Contact_error {
  public:
-  using Error::Error;
+  using Contact_error::Contact_error;
+};
+
+/// After a contact, a place, velocity or acceleration is beyond the range of binary64.
+class Contact_overflow_error : public Contact_error {
+ public:
+  using Contact_error::Contact_error;
 };
 
 /// A point is outside of the box at the start, or when it is inserted or given another motion.
@@ -116,8 +134,8 @@ class Simulation_2 : private Event_observer {
   // ---- time ----
 
   /// Goes to the time of the next event and executes all events of that time, contacts included.
-  /// Returns their number; 0 if there is no next event. Throws Endless_contacts_error; the
-  /// simulation is then left within the instant.
+  /// Returns their number; 0 if there is no next event. Throws Contact_error; the simulation is
+  /// then left within the instant.
   std::size_t step() { return step(nullptr); }
 
   /// As step(), but only if the next event is at or before `until`; else nothing happens.
@@ -285,7 +303,7 @@ class Simulation_2 : private Event_observer {
   std::size_t execute_due_entries();
   void execute_due_entries(std::vector<Due_change>& postponed);
   void check_limit(const Entry& entry, std::uint64_t contacts) const;
-  [[noreturn]] void refuse_press(const std::string& who) const;
+  [[noreturn]] void refuse_press(Point_id id, const std::string& who) const;
   void hit_wall(Point_id id, std::size_t wall);
   void collide(Point_id a, Point_id b);
   void schedule(const Time& time, Entry_kind kind, Point_id id,
@@ -297,8 +315,8 @@ class Simulation_2 : private Event_observer {
   void check_inside(const Point_2& point) const;
   void change(Event_kind kind, std::span<const Point_id> points,
               std::span<const typename Triangulation::Change> changes);
-  Motion clamped_with_velocity(const Motion& motion, const Vector_2& velocity, double time) const;
-  Motion clamped(Motion motion) const;
+  Motion with_velocity(Point_id id, const Vector_2& velocity, double time) const;
+  Motion usable(Point_id id, Motion motion) const;
   void after_event(const Event& event) override;
 
   Traits traits_;

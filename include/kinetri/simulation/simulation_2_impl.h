@@ -51,7 +51,7 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
 template <ContactKineticTraits_2 Traits>
 const char* Simulation_2<Traits>::options_problem() const {
   if (!std::isfinite(diameter_) || !(options_.radius >= 0)) {
-    return "the radius is negative or not finite";
+    return "the radius is negative, or the diameter is not finite";
   }
   if (options_.response && options_.radius == 0)
     return "the radius is 0, and discs without one never touch";
@@ -198,12 +198,14 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t contacts) const {
   if (contacts <= options_.max_contacts_per_instant) return;
   throw Endless_contacts_error(
+      entry.point_a,
       "more than " + std::to_string(options_.max_contacts_per_instant) +
-      " contacts at t = " + detail::text(current_time().to_double()) + ", the last one of point " +
-      std::to_string(entry.point_a) +
-      (entry.kind == Entry_kind::wall ? " and a wall"
-                                      : " and point " + std::to_string(entry.point_b)) +
-      "; expected that time goes on: let the points touch one by one, or take another response");
+          " contacts at t = " + detail::text(current_time().to_double()) +
+          ", the last one of point " + std::to_string(entry.point_a) +
+          (entry.kind == Entry_kind::wall ? " and a wall"
+                                          : " and point " + std::to_string(entry.point_b)) +
+          "; expected that time goes on: let the points touch one by one, or take another "
+          "response");
 }
 
 }  // namespace kinetri

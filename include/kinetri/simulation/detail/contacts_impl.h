@@ -18,16 +18,15 @@ namespace kinetri {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
   if (!traits_.has_approach_speed(point(id), walls_[wall], current_time())) {
-    refuse_press("point " + std::to_string(id) + " accelerates toward the " +
-                 std::string(name(walls_[wall].side)) + " wall");
+    refuse_press(id, "point " + std::to_string(id) + " accelerates toward the " +
+                         std::string(name(walls_[wall].side)) + " wall");
   }
   const double time = current_time().to_double();
   const Motion& motion = triangulation_.motion(id);
   Vector_2 velocity = rounded_velocity(motion, time);
   double& component = walls_[wall].is_vertical() ? velocity.x : velocity.y;
   component = -component;
-  const typename Triangulation::Change reflected = {id,
-                                                    clamped_with_velocity(motion, velocity, time)};
+  const typename Triangulation::Change reflected = {id, with_velocity(id, velocity, time)};
   change(Event_kind::wall, {&id, 1}, {&reflected, 1});
 }
 
@@ -39,9 +38,8 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
   const Vector_2 place_a = rounded_place(motion_a, time);
   const Vector_2 place_b = rounded_place(motion_b, time);
   const auto would_approach = [&](const Vector_2& velocity_a, const Vector_2& velocity_b) {
-    return traits_.do_approach(Point_2(clamped_with_velocity(motion_a, velocity_a, time), a),
-                               Point_2(clamped_with_velocity(motion_b, velocity_b, time), b),
-                               current_time());
+    return traits_.do_approach(Point_2(with_velocity(a, velocity_a, time), a),
+                               Point_2(with_velocity(b, velocity_b, time), b), current_time());
   };
   const bool is_pressed = !traits_.has_approach_speed(point(a), point(b), current_time());
   const Contact_response_2 response =
@@ -55,22 +53,23 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
                          would_approach});
 
   // The motion that a point gets; none where it keeps its own.
-  const auto new_motion = [&](const Motion& motion, bool stops,
+  const auto new_motion = [&](Point_id id, bool stops,
                               const std::optional<Vector_2>& velocity) -> std::optional<Motion> {
+    const Motion& motion = triangulation_.motion(id);
     if (stops) {
       if (is_at_rest(motion)) return std::nullopt;
-      return clamped(at_rest_at(motion, time));
+      return usable(id, at_rest_at(motion, time));
     }
     if (!velocity || *velocity == rounded_velocity(motion, time)) return std::nullopt;
-    return clamped_with_velocity(motion, *velocity, time);
+    return with_velocity(id, *velocity, time);
   };
-  const auto new_a = new_motion(motion_a, response.stops_a, response.velocity_a);
-  const auto new_b = new_motion(motion_b, response.stops_b, response.velocity_b);
+  const auto new_a = new_motion(a, response.stops_a, response.velocity_a);
+  const auto new_b = new_motion(b, response.stops_b, response.velocity_b);
   if (is_pressed && response.is_motion_given() &&
       traits_.do_approach(Point_2(new_a.value_or(motion_a), a),
                           Point_2(new_b.value_or(motion_b), b), current_time())) {
-    refuse_press("points " + std::to_string(a) + " and " + std::to_string(b) +
-                 " accelerate toward each other");
+    refuse_press(a, "points " + std::to_string(a) + " and " + std::to_string(b) +
+                        " accelerate toward each other");
   }
   std::array<typename Triangulation::Change, 2> changes;
   std::size_t number = 0;
@@ -115,9 +114,17 @@ void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> poi
   schedule_anew();
 }
 
-// The motion that is not outside of the box at the present time.
+// The motion of a point after a contact, moved so that it is not outside of the box now. Throws
+// where its numbers are too large.
 template <ContactKineticTraits_2 Traits>
-auto Simulation_2<Traits>::clamped(Motion motion) const -> Motion {
+auto Simulation_2<Traits>::usable(Point_id id, Motion motion) const -> Motion {
+  if (!is_finite(motion)) {
+    throw Contact_overflow_error(
+        id, "after its contact at t = " + detail::text(current_time().to_double()) + " point " +
+                std::to_string(id) +
+                " has a place, velocity or acceleration beyond the range of binary64; expected "
+                "smaller numbers, in other units perhaps");
+  }
   if (!options_.box) return motion;
   const Double_interval times = current_time().tight_interval();
   for (const Wall_2& wall : walls_) motion = clamped_inside(motion, wall, times);
@@ -125,19 +132,19 @@ auto Simulation_2<Traits>::clamped(Motion motion) const -> Motion {
 }
 
 template <ContactKineticTraits_2 Traits>
-auto Simulation_2<Traits>::clamped_with_velocity(const Motion& motion, const Vector_2& velocity,
-                                                 double time) const -> Motion {
-  return clamped(with_velocity_at(motion, velocity, time));
+auto Simulation_2<Traits>::with_velocity(Point_id id, const Vector_2& velocity, double time) const
+    -> Motion {
+  return usable(id, with_velocity_at(triangulation_.motion(id), velocity, time));
 }
 
 // `who` touches something, without a speed toward it, but with an acceleration toward it.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::refuse_press(const std::string& who) const {
+void Simulation_2<Traits>::refuse_press(Point_id id, const std::string& who) const {
   throw Endless_contacts_error(
-      who + " at t = " + detail::text(current_time().to_double()) +
-      ", in contact without any speed, so that no change of velocities separates them; expected "
-      "contacts with a speed: change the accelerations, end before that time, or take a response "
-      "that stops or removes points or lets them pass");
+      id, who + " at t = " + detail::text(current_time().to_double()) +
+              ", in contact without any speed, so that no change of velocities separates them; "
+              "expected contacts with a speed: change the accelerations, end before that time, or "
+              "take a response that stops or removes points or lets them pass");
 }
 
 // Follows the edges of the triangulation. While points change, `change` schedules their contacts.
