@@ -6,7 +6,7 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-targets=(points_file algebra simulation)
+targets=(points_file algebra simulation changes contacts)
 
 usage() {
   cat <<EOF

@@ -199,6 +199,24 @@ TEST(Accelerated_discs, that_part_and_come_back_are_logged_again) {
   EXPECT_EQ(recorder.contacts[1].time, Algebraic_number(3.0));
 }
 
+TEST(Accelerated_discs, that_have_passed_may_vanish_when_they_come_back) {
+  // As above; the second contact erases one of them.
+  Simulation_options options;
+  options.radius = 1;
+  int calls = 0;
+  options.response = [&calls](const Contact_2&) {
+    Contact_response_2 result;
+    result.erases_b = ++calls == 2;
+    return result;
+  };
+  Simulation simulation(
+      {{{0, 0}, {0, 0}, {0, 0}, {0, 0}, 0}, {{8, 0}, {-11, 0}, {12, 0}, {-6, 0}, 0}}, options);
+  simulation.advance_to(3.5);
+  EXPECT_EQ(calls, 2);
+  EXPECT_FALSE(simulation.triangulation().contains(1));
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
 // Balls on a lattice that fall, some of them also with a jerk of their own.
 std::vector<Polynomial_motion_2> falling_balls(int side, bool has_jerk, unsigned seed) {
   std::mt19937_64 random(seed);

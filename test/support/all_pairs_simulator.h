@@ -7,6 +7,7 @@
 #define KINETRI_TEST_SUPPORT_ALL_PAIRS_SIMULATOR_H
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <map>
 #include <optional>
@@ -51,6 +52,15 @@ class All_pairs_simulator {
 
   /// Whether a contact has come for which no response is left.
   bool is_pressed() const { return is_pressed_; }
+
+  /// Goes to `time`. Precondition: there is no contact before that time.
+  void advance_to(const Algebraic_number& time) { time_ = time; }
+
+  /// The motion of the point from now on, which may be a new one; none if it is erased.
+  void set_motion(Point_id id, const std::optional<Motion>& motion) {
+    change(id, motion);
+    finish_changes();
+  }
 
   /// Executes the next contact if it is at or before `until` and nobody is pressed.
   std::optional<All_pairs_contact> step(const Algebraic_number& until) {
@@ -156,8 +166,17 @@ class All_pairs_simulator {
     return sign_just_after(derivative(gap(p, q)), time_) == CGAL::NEGATIVE;
   }
 
-  // Pairs that do not overlap with the new motion are not passing any more.
+  // Of two points that are there.
+  bool do_overlap(const Edge_ids& pair) const {
+    return sign_just_after(gap(motions_.at(pair[0]), motions_.at(pair[1])), time_) ==
+           CGAL::NEGATIVE;
+  }
+
+  // Pairs are passing as long as they overlap: before the change, and with the new motion.
   void change(Point_id id, const std::optional<Motion>& motion) {
+    std::erase_if(passing_, [&](const Edge_ids& pair) {
+      return (pair[0] == id || pair[1] == id) && !do_overlap(pair);
+    });
     if (motion) {
       motions_[id] = *motion;
     } else {
@@ -168,9 +187,7 @@ class All_pairs_simulator {
   void finish_changes() {
     std::erase_if(passing_, [&](const Edge_ids& pair) {
       if (!changed_.contains(pair[0]) && !changed_.contains(pair[1])) return false;
-      return !motions_.contains(pair[0]) || !motions_.contains(pair[1]) ||
-             sign_just_after(gap(motions_.at(pair[0]), motions_.at(pair[1])), time_) !=
-                 CGAL::NEGATIVE;
+      return !motions_.contains(pair[0]) || !motions_.contains(pair[1]) || !do_overlap(pair);
     });
     for (const Point_id id : changed_) find_contacts(id);
     changed_.clear();

@@ -294,6 +294,7 @@ class Simulation_2 : private Event_observer {
   void end_overlap(Point_id a, Point_id b);
   void mark_passing(Point_id a, Point_id b);
   void let_pass(Point_id a, Point_id b);
+  void end_passes(Point_id id);
   void update_overlaps(Point_id id);
 
   // Events.

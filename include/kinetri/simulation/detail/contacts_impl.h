@@ -88,7 +88,10 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> points,
                                   std::span<const typename Triangulation::Change> changes) {
-  for (const Point_id id : points) unschedule_contacts(id);
+  for (const Point_id id : points) {
+    unschedule_contacts(id);
+    end_passes(id);
+  }
   const auto second = points.size() > 1 ? std::optional(points[1]) : std::nullopt;
   const auto schedule_anew = [&] {
     changing_points_ = {};

@@ -159,20 +159,29 @@ void Simulation_2<Traits>::let_pass(Point_id a, Point_id b) {
   for_each_pair_beside(a, b, [this](const Edge_ids& pair) { watch(pair, current_time()); });
 }
 
+// Ends the passes of a point that are over: to be called before it gets another motion, with which
+// it may overlap the same discs again.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::end_passes(Point_id id) {
+  const std::vector<Overlap> known = overlaps(id);
+  for (const auto& [other, passes] : known) {
+    const bool is_over =
+        passes && (!triangulation_.contains(other) ||
+                   !traits_.do_overlap(point(id), point(other), diameter_, current_time()));
+    if (is_over) end_overlap(id, other);
+  }
+}
+
 // Finds the overlaps of a point that has come, gone, or got another motion. Its own contacts are
 // still to be scheduled.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::update_overlaps(Point_id id) {
   const std::vector<Point_id> found =
       triangulation_.contains(id) ? overlapping_points(id, traits_) : std::vector<Point_id>();
+  if (triangulation_.contains(id)) end_passes(id);
   const std::vector<Overlap> known = overlaps(id);
-  for (const auto& [other, passes] : known) {
-    const bool is_found = std::ranges::find(found, other) != found.end();
-    // What passes is decided exactly: the next contact depends on it.
-    if (!is_found ||
-        (passes && !traits_.do_overlap(point(id), point(other), diameter_, current_time()))) {
-      end_overlap(id, other);
-    }
+  for (const Overlap& overlap : known) {
+    if (std::ranges::find(found, overlap.id) == found.end()) end_overlap(id, overlap.id);
   }
   for (const Point_id other : found) start_overlap(id, other);
 }

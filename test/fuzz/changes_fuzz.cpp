@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A tiny triangulation from bytes whose points come, turn, jump and go, with full audits; the same
+// without filters; and the brute-force simulator, which looks at all pairs and all circles.
+#include <algorithm>
+#include <vector>
+
+#include "fuzz/fuzz.h"
+#include "support/brute_force_simulator.h"
+#include "support/kinetic_runs.h"
+#include "support/same_run.h"
+
+namespace kinetri {
+namespace {
+
+using test::Fuzz_input;
+using test::require;
+
+constexpr std::size_t most_points = 5;
+constexpr int most_operations = 8;
+
+Linear_motion_2 read_motion(Fuzz_input& input, double epoch) {
+  Linear_motion_2 result;
+  result.position.x = input.integer(-3, 3);
+  result.position.y = input.integer(-3, 3);
+  result.velocity.x = input.integer(-2, 2);
+  result.velocity.y = input.integer(-2, 2);
+  result.epoch = epoch;
+  return result;
+}
+
+// A triangulation with filters, one without, and the oracle.
+class Run {
+ public:
+  Run(const std::vector<Linear_motion_2>& motions, const Algebraic_number& start)
+      : kinetic_(motions, start),
+        exact_(motions, start, Linear_kinetic_traits_2::exact()),
+        oracle_(start) {
+    for (Point_id id = 0; id < motions.size(); ++id) oracle_.set_motion(id, motions[id]);
+    check();
+  }
+
+  // Goes on by so many halves of a unit of time, and looks between all events.
+  void advance(int halves) {
+    const Algebraic_number end(kinetic_.current_time().to_double() + halves / 2.0);
+    if (end < kinetic_.current_time()) return;
+    while (kinetic_.step(end) > 0) {
+      exact_.step(end);
+      check();
+    }
+    kinetic_.advance_to(end);
+    exact_.advance_to(end);
+    check();
+  }
+
+  void change(Fuzz_input& input) {
+    const int kind = input.integer(0, 3);
+    const auto id = static_cast<Point_id>(
+        input.integer(0, std::max(0, static_cast<int>(kinetic_.next_id()) - 1)));
+    const Linear_motion_2 motion = read_motion(input, input.integer(-1, 1));
+    const bool is_taken = std::ranges::any_of(oracle_.motions(), [&](const auto& other) {
+      return same_trajectory(other.second, motion);
+    });
+    try {
+      if (kind == 0 && oracle_.motions().size() < most_points) {
+        const Point_id inserted = kinetic_.insert(motion);
+        require(exact_.insert(motion) == inserted, "another id without filters");
+        oracle_.set_motion(inserted, motion);
+      } else if (kind == 1 && kinetic_.contains(id)) {
+        kinetic_.erase(id);
+        exact_.erase(id);
+        oracle_.erase(id);
+      } else if (kinetic_.contains(id)) {
+        if (is_taken && same_trajectory(kinetic_.motion(id), motion)) return;
+        kinetic_.set_motion(id, motion);
+        exact_.set_motion(id, motion);
+        oracle_.set_motion(id, motion);
+      } else {
+        return;
+      }
+      require(!is_taken, "one trajectory twice, not refused");
+    } catch (const Coincident_trajectories_error&) {
+      require(is_taken, "refused, though no trajectory is twice");
+    }
+    check();
+  }
+
+ private:
+  void check() {
+    require(kinetic_.current_time() == exact_.current_time(), "another time without filters");
+    const std::string problem = test::audit_problem(kinetic_, Audit_level::certificates);
+    require(problem.empty(), problem);
+    const std::vector<Edge_ids> edges = kinetic_.finite_edge_ids();
+    require(edges == exact_.finite_edge_ids(), "other edges without filters");
+    oracle_.advance_to(kinetic_.current_time());
+    const test::Static_edges expected = oracle_.edges();
+    require(std::ranges::includes(edges, expected.certain), "an edge is missing");
+    require(std::ranges::includes(expected.possible, edges), "an edge is no Delaunay edge");
+  }
+
+  test::Kinetic_delaunay kinetic_;
+  test::Kinetic_delaunay exact_;
+  test::Brute_force_simulator oracle_;
+};
+
+}  // namespace
+}  // namespace kinetri
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  kinetri::test::Fuzz_input input(data, size);
+  std::vector<kinetri::Linear_motion_2> motions;
+  for (int points = input.integer(0, 4); points > 0; --points) {
+    const auto motion = kinetri::read_motion(input, 0);
+    const auto is_same = [&](const auto& other) { return same_trajectory(other, motion); };
+    if (std::ranges::none_of(motions, is_same)) motions.push_back(motion);
+  }
+  kinetri::Run run(motions, kinetri::Algebraic_number(kinetri::Rational(input.integer(-2, 2), 2)));
+  for (int i = 0; i < kinetri::most_operations && !input.at_end(); ++i) {
+    if (input.integer(0, 2) == 0) {
+      run.advance(input.integer(1, 4));
+    } else {
+      run.change(input);
+    }
+  }
+  return 0;
+}
