@@ -7,9 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "filter/contact_filter.h"
-#include "filter/linear_filter.h"
-#include "filter/polynomial_filter.h"
+#include "filter/filter.h"
 #include "filter/precise_filter.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
@@ -100,33 +98,12 @@ Certificate certificate_or_unknown(const Filter_result& result) {
   return {Certificate::Kind::unknown};
 }
 
-// What the filter knows of two in-circle certificates, without looking at each of them alone.
-std::array<Filter_result, 2> results_of_two(
-    const std::array<Quadruple<Moving_point_2>, 2>& certificates, const Double_interval& after) {
-  const auto& [a, b] = certificates;
-  return filter_in_circles({{{&a[0]->motion(), &a[1]->motion(), &a[2]->motion(), &a[3]->motion()},
-                             {&b[0]->motion(), &b[1]->motion(), &b[2]->motion(), &b[3]->motion()}}},
-                           after);
-}
-std::array<Filter_result, 2> results_of_two(
-    const std::array<Quadruple<Basic_moving_point_2<Polynomial_motion_2>>, 2>& /*certificates*/,
-    const Double_interval& /*after*/) {
-  return {};
-}
-
-// What the filter knows of the certificates after a flip, without looking at each of them alone.
-std::array<Filter_result, 5> results_after_flip(const Flip_neighborhood<Moving_point_2>& around,
-                                                const Double_interval& after) {
-  const auto& [a, b, c, d] = around.corners;
-  const auto& [e, f, g, h] = around.beyond;
-  return filter_after_flip({{&a->motion(), &b->motion(), &c->motion(), &d->motion()},
-                            {&e->motion(), &f->motion(), &g->motion(), &h->motion()}},
-                           after);
-}
-std::array<Filter_result, 5> results_after_flip(
-    const Flip_neighborhood<Basic_moving_point_2<Polynomial_motion_2>>& /*around*/,
-    const Double_interval& /*after*/) {
-  return {};
+template <class Motion, std::size_t N>
+std::array<const Motion*, N> motions(
+    const std::array<const Basic_moving_point_2<Motion>*, N>& points) {
+  std::array<const Motion*, N> result;
+  for (std::size_t i = 0; i < N; ++i) result[i] = &points[i]->motion();
+  return result;
 }
 
 Certificate exact_certificate(std::optional<Time> failure, bool is_root_solved) {
@@ -245,17 +222,25 @@ Certificate Basic_kinetic_traits_2<Motion>::flatness_certificate(const Point_2& 
 template <class Motion>
 std::array<Certificate, 2> Basic_kinetic_traits_2<Motion>::in_circle_certificates(
     const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t) const {
-  const auto results = arithmetic_ == Arithmetic::filtered
-                           ? results_of_two(certificates, t.interval())
-                           : std::array<Filter_result, 2>();
+  std::array<Filter_result, 2> results;
+  if constexpr (std::same_as<Motion, Linear_motion_2>) {
+    if (arithmetic_ == Arithmetic::filtered) {
+      results =
+          filter_in_circles({motions(certificates[0]), motions(certificates[1])}, t.interval());
+    }
+  }
   return {certificate_or_unknown(results[0]), certificate_or_unknown(results[1])};
 }
 
 template <class Motion>
 std::array<Certificate, 5> Basic_kinetic_traits_2<Motion>::certificates_after_flip(
     const Flip_neighborhood<Point_2>& around, const Double_interval& now) const {
-  const auto results = arithmetic_ == Arithmetic::filtered ? results_after_flip(around, now)
-                                                           : std::array<Filter_result, 5>();
+  std::array<Filter_result, 5> results;
+  if constexpr (std::same_as<Motion, Linear_motion_2>) {
+    if (arithmetic_ == Arithmetic::filtered) {
+      results = filter_after_flip({motions(around.corners), motions(around.beyond)}, now);
+    }
+  }
   return {certificate_or_unknown(results[0]), certificate_or_unknown(results[1]),
           certificate_or_unknown(results[2]), certificate_or_unknown(results[3]),
           certificate_or_unknown(results[4])};

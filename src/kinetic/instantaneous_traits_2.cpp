@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "filter/linear_filter.h"
-#include "filter/polynomial_filter.h"
+#include "filter/filter.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 
 namespace kinetri {

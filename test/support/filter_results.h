@@ -9,8 +9,7 @@
 #include <array>
 #include <cfenv>
 
-#include "kinetic/filter/linear_filter.h"
-#include "kinetic/filter/polynomial_filter.h"
+#include "kinetic/filter/filter.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 
@@ -45,9 +44,9 @@ inline void expect_true(const Filter_result& result, const Polynomial& p,
 
 /// What `filter` says in a rounding mode, which it leaves as it is.
 template <class Filter>
-Filter_result in_mode(int mode, const Filter& filter) {
+auto in_mode(int mode, const Filter& filter) {
   std::fesetround(mode);
-  const Filter_result result = filter();
+  const auto result = filter();
   EXPECT_EQ(std::fegetround(), mode);
   std::fesetround(FE_TONEAREST);
   return result;

@@ -11,9 +11,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "differences.h"
 #include "filter_result.h"
-#include "kinetri/algebra/number_types.h"
+#include "frame.h"
 
 namespace kinetri {
 
@@ -25,6 +24,43 @@ using Coefficients = std::array<double, N + 1>;
 inline constexpr double worthwhile = 0.18;
 
 inline constexpr int max_depth = 8;
+
+// ---- arithmetic ----
+
+template <std::size_t M, std::size_t N>
+std::array<double, M + N - 1> operator*(const std::array<double, M>& a,
+                                        const std::array<double, N>& b) {
+  std::array<double, M + N - 1> result = {};
+  for (std::size_t i = 0; i < M; ++i) {
+    for (std::size_t j = 0; j < N; ++j) result[i + j] += a[i] * b[j];
+  }
+  return result;
+}
+template <std::size_t M>
+std::array<double, M> operator+(std::array<double, M> a, const std::array<double, M>& b) {
+  for (std::size_t i = 0; i < M; ++i) a[i] += b[i];
+  return a;
+}
+template <std::size_t M>
+std::array<double, M> operator-(std::array<double, M> a, const std::array<double, M>& b) {
+  for (std::size_t i = 0; i < M; ++i) a[i] -= b[i];
+  return a;
+}
+
+template <std::size_t M>
+std::array<double, M> negated(std::array<double, M> c) {
+  for (double& x : c) x = -x;
+  return c;
+}
+
+template <std::size_t M>
+std::array<double, M - 1> slope_of(const std::array<double, M>& c) {
+  std::array<double, M - 1> result;
+  for (std::size_t i = 1; i < M; ++i) result[i - 1] = static_cast<double>(i) * c[i];
+  return result;
+}
+
+// ---- Bernstein form ----
 
 template <std::size_t M>
 inline double least(const std::array<double, M>& c) {
@@ -263,76 +299,6 @@ Filter_result first_failure(const std::array<double, M>& c, const std::array<dou
     }
   }
   return {Filter_result::Kind::holds, {1, 1}, true};
-}
-
-// The result in time for that in w, rounded to the safe side.
-inline Filter_result in_time(const Filter_result& v, double origin, double window,
-                             const Double_interval& after) {
-  // Rounding in origin + w * window is at most one unit in the last place of each of the two. These
-  // go at least one further, whatever the rounding mode.
-  const auto ulp = [](double x) { return std::abs(x) * 0x1p-52 + 0x1p-1074; };
-  const auto down = [ulp](double x) { return x - ulp(x); };
-  const auto up = [ulp](double x) { return x + ulp(x); };
-  const double lower = down(origin + down(v.bounds.lower * window));
-  if (!(lower > after.upper)) return {};
-  if (v.kind == Filter_result::Kind::holds) return {v.kind, {lower, lower}, v.is_refined};
-  const double upper = up(origin + up(v.bounds.upper * window));
-  if (v.kind == Filter_result::Kind::unknown || !std::isfinite(upper)) return {};
-  return {v.kind, {lower, upper}, v.is_refined};
-}
-
-// The result on the polynomial with coefficients `c`, whose values are known up to `error`.
-template <std::size_t M>
-Filter_result judge(const std::array<double, M>& c, double error, double window,
-                    const Double_interval& after) {
-  const std::array<double, M> b = bernstein(c);
-  if (least(b) > error) {
-    if (least(c) > error) return {Filter_result::Kind::never_fails, {}};
-    return in_time({Filter_result::Kind::holds, {1, 1}}, after.lower, window, after);
-  }
-  return in_time(first_failure(c, b, error), after.lower, window, after);
-}
-
-// The same for a polynomial with a known root at the time in `after`: about the next root.
-// `norm` times `error` bounds the sum of the coefficients' magnitudes.
-template <std::size_t M>
-Filter_result first_failure_after_known_root(const std::array<double, M>& c, double error,
-                                             double norm, double window,
-                                             const Double_interval& after) {
-  // c(w) = (w - r) g(w) with 0 <= r <= rest: g has the coefficients c_1, c_2, ... up to an error
-  // that r makes, and the next root of c after r is that of g.
-  const double rest = 2 * (after.upper - after.lower) / window;
-  if (!(rest < 0x1p-10)) return {};
-  std::array<double, M - 1> g;
-  std::copy(c.begin() + 1, c.end(), g.begin());
-  const double error_of_g = error + 2 * norm * error * rest;
-  if (least(g) > error_of_g) return {Filter_result::Kind::never_fails, {}};
-  const std::array<double, M - 1> b = bernstein(g);
-  if (least(b) > error_of_g) {
-    return in_time({Filter_result::Kind::holds, {1, 1}}, after.lower, window, after);
-  }
-  Filter_result result = first_failure(g, b, error_of_g);
-  if (result.kind == Filter_result::Kind::fails) {
-    // c itself gives the narrower bracket, and the next certificate starts from there.
-    auto& [lower, upper] = result.bounds;
-    bracket_root(c, error, 0.5 * (lower + upper), lower, upper);
-  }
-  return in_time(result, after.lower, window, after);
-}
-
-// The result on a certificate whose points do not move against each other.
-inline Filter_result judge_constant(double value, double error) {
-  if (!(value > error)) return {};
-  return {Filter_result::Kind::never_fails, {}};
-}
-
-// The sign of a polynomial all of whose values over [0, 1] are certainly of one sign, else zero.
-template <std::size_t M>
-Sign certain_sign(const std::array<double, M>& c, double error) {
-  const std::array<double, M> b = bernstein(c);
-  if (std::ranges::all_of(b, [error](double x) { return x > error; })) return CGAL::POSITIVE;
-  if (std::ranges::all_of(b, [error](double x) { return x < -error; })) return CGAL::NEGATIVE;
-  return CGAL::ZERO;
 }
 
 }  // namespace kinetri

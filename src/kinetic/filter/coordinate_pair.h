@@ -52,6 +52,12 @@ inline double sum(Pair a) {
   return a[0] + a[1];
 }
 
+/// The difference of two linear motions: place + slope * (time - origin).
+struct Difference {
+  Pair place;
+  Pair slope;
+};
+
 }  // namespace kinetri
 
 #endif  // KINETRI_SRC_KINETIC_FILTER_COORDINATE_PAIR_H

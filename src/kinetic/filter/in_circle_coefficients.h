@@ -8,7 +8,6 @@
 #include <array>
 
 #include "coordinate_pair.h"
-#include "differences.h"
 
 namespace kinetri {
 

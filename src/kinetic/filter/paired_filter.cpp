@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // In-circle certificates two at a time, one in each lane of a Pair.
-#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
 
 #include "bernstein.h"
+#include "certificates.h"
 #include "coordinate_pair.h"
-#include "differences.h"
+#include "filter.h"
 #include "in_circle_coefficients.h"
-#include "linear_filter.h"
-#include "linear_frame.h"
+#include "judge.h"
+#include "linear_differences.h"
 
 namespace kinetri {
 namespace {
@@ -27,14 +29,12 @@ struct Two_certificates {
     return {x[0][i], x[1][i], x[2][i], x[3][i], x[4][i]};
   }
 
-  Filter_result result(std::size_t i, double error, double window,
-                       const Double_interval& after) const {
+  // As `judge`.
+  Filter_result result(std::size_t i, double error) const {
     using Kind = Filter_result::Kind;
-    if (!(least_b[i] > error)) {
-      return in_time(first_failure(lane(c, i), lane(b, i), error), after.lower, window, after);
-    }
+    if (!(least_b[i] > error)) return first_failure(lane(c, i), lane(b, i), error);
     if (least_c[i] > error) return {Kind::never_fails, {}};
-    return in_time({Kind::holds, {1, 1}}, after.lower, window, after);
+    return {Kind::holds, {1, 1}};
   }
 
   Quartic<Pair> c;
@@ -47,54 +47,50 @@ struct Two_certificates {
 
 std::array<Filter_result, 2> filter_in_circles(
     const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after) {
-  std::array<std::array<Difference, 3>, 2> d;
-  std::array<double, 2> window;
-  std::array<double, 2> error;
+  const auto differences = [&](const Quadruple<Linear_motion_2>& points) {
+    const auto& [p, q, r, s] = points;
+    return Linear_differences<3>({p, q, r}, *s, after.lower);
+  };
+  std::array<Linear_differences<3>, 2> d = {differences(certificates[0]),
+                                            differences(certificates[1])};
+  std::array<double, 2> windows;
   for (std::size_t k = 0; k < 2; ++k) {
-    Magnitudes m;
-    const auto& [p, q, r, s] = certificates[k];
-    d[k] = {difference(*p, *s, after.lower, m), difference(*q, *s, after.lower, m),
-            difference(*r, *s, after.lower, m)};
-    if (!is_in_range(greatest(m.slope))) return {};
-    const Frame f(m, window_ahead(m));
-    if (!f.is_in_range()) return {};
-    for (Difference& difference : d[k]) difference.slope *= f.window;
-    window[k] = f.window;
-    error[k] = f.in_circle_error();
+    const std::optional<double> window = d[k].window_ahead(window_share);
+    if (!window) return {};
+    d[k].scale(*window);
+    if (!d[k].is_in_range()) return {};
+    windows[k] = *window;
   }
   const Triangle<Pair> triangles = {lifted(d[0][1], d[1][1]), lifted(d[0][0], d[1][0])};
   const Two_certificates both(in_circle_coefficients(triangles, lifted(d[0][2], d[1][2])));
-  return {both.result(0, error[0], window[0], after), both.result(1, error[1], window[1], after)};
+  return {in_time(both.result(0, In_circle().error(d[0])), windows[0], after),
+          in_time(both.result(1, In_circle().error(d[1])), windows[1], after)};
 }
 
 // The five certificates share points. So all of them are made from the differences to one corner,
 // over one window, with the error bound of the largest.
 std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
                                                const Double_interval& after) {
-  Magnitudes m;
-  const auto from_corner = [&](const Linear_motion_2* p) {
-    return difference(*p, *around.corners[0], after.lower, m);
-  };
   const auto& [corner, to_right, to_far, to_left] = around.corners;
-  std::array<Difference, 7> d = {from_corner(to_right),         from_corner(to_far),
-                                 from_corner(to_left),          from_corner(around.beyond[0]),
-                                 from_corner(around.beyond[1]), from_corner(around.beyond[2]),
-                                 from_corner(around.beyond[3])};
-  if (!is_in_range(greatest(m.slope))) return {};
-  const Frame f(m, window_ahead(m));
-  if (!f.is_in_range()) return {};
-  for (Difference& difference : d) difference.slope *= f.window;
+  const auto& beyond = around.beyond;
+  Linear_differences<7> d({to_right, to_far, to_left, beyond[0], beyond[1], beyond[2], beyond[3]},
+                          *corner, after.lower);
+  const std::optional<double> window = d.window_ahead(window_share);
+  if (!window) return {};
+  d.scale(*window);
+  if (!d.is_in_range()) return {};
   const Lifted<double> far = lifted(d[1]);
   const Lifted<double> left = lifted(d[2]);
   const Triangle<double> first = {lifted(d[0]), far};
   const Triangle<double> second = {far, left};
   const Two_certificates of_first(in_circle_coefficients(first, lifted(d[3], d[4])));
   const Two_certificates of_second(in_circle_coefficients(second, lifted(d[5], d[6])));
-  const double error = f.in_circle_error();
-  return {of_first.result(0, error, f.window, after), of_first.result(1, error, f.window, after),
-          of_second.result(0, error, f.window, after), of_second.result(1, error, f.window, after),
-          first_failure_after_known_root(in_circle_coefficients(first, left), error, in_circle_norm,
-                                         f.window, after)};
+  const double error = In_circle().error(d);
+  const auto result = [&](const Filter_result& in_w) { return in_time(in_w, *window, after); };
+  return {result(of_first.result(0, error)), result(of_first.result(1, error)),
+          result(of_second.result(0, error)), result(of_second.result(1, error)),
+          result(judge_after_known_root(in_circle_coefficients(first, left), error,
+                                        In_circle().norm(d), greatest_root(after, *window)))};
 }
 
 }  // namespace kinetri

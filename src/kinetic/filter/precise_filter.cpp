@@ -6,8 +6,8 @@
 #include <cfenv>
 #include <cmath>
 
-#include "differences.h"
 #include "double_double.h"
+#include "frame.h"
 
 namespace kinetri {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The filters of contacts, and of predicates at an instant, never contradict exact arithmetic.
-#include "kinetic/filter/contact_filter.h"
+#include "kinetic/filter/filter.h"
 
 #include <gtest/gtest.h>
 
@@ -60,6 +60,7 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
   std::mt19937_64 random(828);
   int decided = 0;
   int contacts = 0;
+  int signs = 0;
   const int cases = 4000 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
@@ -79,11 +80,19 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
     decided += expect_true(result, contact_polynomial(p, q, diameter), t);
     contacts += result.kind == Filter_result::Kind::fails;
     if (HasFailure()) return;
-    if (in_mode(i, [&] { return certainly_do_not_approach(m[0], m[1], {t, later}); })) {
-      const Polynomial slope = derivative(contact_polynomial(p, q, 0));
-      ASSERT_NE(slope.sign_at(to_rational(t)), CGAL::NEGATIVE);
-      ASSERT_NE(slope.sign_at(to_rational(later)), CGAL::NEGATIVE);
+    for (const Double_interval interval : {Double_interval{t, t}, Double_interval{t, later}}) {
+      const auto expect_sign = [&](Sign sign, const Polynomial& polynomial) {
+        if (sign == CGAL::ZERO) return;
+        signs += interval.upper == t;
+        ASSERT_EQ(polynomial.sign_at(to_rational(interval.lower)), sign);
+        ASSERT_EQ(polynomial.sign_at(to_rational(interval.upper)), sign);
+      };
+      const Polynomial gap = contact_polynomial(p, q, diameter);
+      expect_sign(in_mode(i, [&] { return certain_distance_slope(m[0], m[1], interval); }),
+                  derivative(gap));
+      expect_sign(in_mode(i, [&] { return certain_gap(m[0], m[1], diameter, interval); }), gap);
     }
+    if (HasFailure()) return;
 
     for (const auto side :
          {Wall_2::Side::left, Wall_2::Side::right, Wall_2::Side::bottom, Wall_2::Side::top}) {
@@ -101,6 +110,7 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
   if (GetParam() == 0) {
     EXPECT_GT(decided, cases * 85 / 100) << "all but the discs that overlap and approach";
     EXPECT_GT(contacts, cases / 20);
+    EXPECT_GT(signs, 2 * cases * 99 / 100);
   }
 }
 

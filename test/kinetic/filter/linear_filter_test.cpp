@@ -2,7 +2,7 @@
 //
 // The filter never contradicts exact arithmetic: every result on random, nearly degenerate and
 // wild certificates is checked against exact failure times. And it decides what it is there for.
-#include "kinetic/filter/linear_filter.h"
+#include "kinetic/filter/filter.h"
 
 #include <gtest/gtest.h>
 

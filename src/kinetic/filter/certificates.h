@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The certificates and predicates as judge.h takes them. The units of their errors belong to the
+// motion. An error is infinite where the values cannot be computed.
+#ifndef KINETRI_SRC_KINETIC_FILTER_CERTIFICATES_H
+#define KINETRI_SRC_KINETIC_FILTER_CERTIFICATES_H
+
+#include <limits>
+
+#include "differences.h"
+#include "frame.h"
+
+namespace kinetri {
+
+inline constexpr double infinite_error = std::numeric_limits<double>::infinity();
+
+// The error of a product of two differences.
+template <class Differences>
+inline double product_error(const Differences& d) {
+  if (!d.is_in_range()) return infinite_error;
+  return d.product_units * unit_roundoff * (d.size() * d.total());
+}
+
+// The error of a coordinate of a difference, in which there is no more than an underflow.
+template <class Differences>
+inline double coordinate_error(const Differences& d) {
+  return d.coordinate_units * unit_roundoff * d.total() + std::numeric_limits<double>::min();
+}
+
+// Of differences to the fourth point: minus the in-circle determinant.
+struct In_circle {
+  auto operator()(const auto& d) const { return in_circle(d); }
+  double error(const auto& d) const {
+    if (!d.is_in_range()) return infinite_error;
+    return d.in_circle_units * unit_roundoff * (d.size() * d.size()) * (d.size() * d.total());
+  }
+  double norm(const auto& d) const { return 12 * (d.size() * d.size()) * (d.size() * d.size()); }
+};
+
+// Of differences to one point.
+struct Orientation {
+  auto operator()(const auto& d) const { return cross(d[0], d[1]); }
+  double error(const auto& d) const { return product_error(d); }
+  double norm(const auto& d) const { return 2 * (d.size() * d.size()); }
+};
+struct Scalar_product {
+  auto operator()(const auto& d) const { return dot(d[0], d[1]); }
+  double error(const auto& d) const { return product_error(d); }
+};
+struct Distance_order {
+  auto operator()(const auto& d) const { return dot(d[0], d[0]) - dot(d[1], d[1]); }
+  double error(const auto& d) const { return 2 * product_error(d); }
+};
+
+// Of one difference.
+struct Coordinate {
+  int axis;  // 0 or 1
+
+  auto operator()(const auto& d) const { return coordinate(d[0], axis); }
+  double error(const auto& d) const { return coordinate_error(d); }
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_KINETIC_FILTER_CERTIFICATES_H

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The certificates of the triangulation, and the predicates.
+#include "filter.h"
+
+#include <array>
+#include <cmath>
+
+#include "certificates.h"
+#include "differences.h"
+#include "judge.h"
+
+namespace kinetri {
+namespace {
+
+// Points on straight lines that are ever in one place move along the line that joins them.
+bool are_apart(const Linear_motion_2& p, const Linear_motion_2& q,
+               const Double_interval& /*interval*/) {
+  const Linear_differences<1> d({&p}, q, p.epoch);
+  if (d.speed() == 0) return true;
+  if (!is_unscaled_in_range(d)) return false;
+  const auto& [place, slope] = d[0];
+  return std::abs(place[0] * slope[1] - place[1] * slope[0]) > unscaled_error(d);
+}
+bool are_apart(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
+               const Double_interval& interval) {
+  if (is_linear(p) && is_linear(q)) return are_apart(linear(p), linear(q), interval);
+  Polynomial_differences<1> d({&p}, q, interval.lower);
+  return sign_throughout(d, Coordinate{0}, interval) != CGAL::ZERO ||
+         certain_sign(d, Coordinate{1}) != CGAL::ZERO;
+}
+
+}  // namespace
+
+template <class Motion>
+Filter_result filter_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
+                               const Double_interval& after, bool vanishes_at) {
+  return with_differences(std::array{&p, &q, &r}, s, after.lower,
+                          [&](auto& d) { return judge_ahead(d, In_circle(), after, vanishes_at); });
+}
+
+template <class Motion>
+Filter_result filter_orientation(const Motion& p, const Motion& q, const Motion& r,
+                                 const Double_interval& after, bool vanishes_at) {
+  return with_differences(std::array{&q, &r}, p, after.lower, [&](auto& d) {
+    return judge_ahead(d, Orientation(), after, vanishes_at);
+  });
+}
+
+template <class Motion>
+Sign certain_x_order(const Motion& p, const Motion& q, const Double_interval& interval) {
+  return with_differences(std::array{&p}, q, interval.lower,
+                          [&](auto& d) { return sign_throughout(d, Coordinate{0}, interval); });
+}
+
+template <class Motion>
+Sign certain_y_order(const Motion& p, const Motion& q, const Double_interval& interval) {
+  return with_differences(std::array{&p}, q, interval.lower,
+                          [&](auto& d) { return sign_throughout(d, Coordinate{1}, interval); });
+}
+
+template <class Motion>
+Sign certain_orientation(const Motion& p, const Motion& q, const Motion& r,
+                         const Double_interval& interval) {
+  return with_differences(std::array{&q, &r}, p, interval.lower,
+                          [&](auto& d) { return sign_throughout(d, Orientation(), interval); });
+}
+
+template <class Motion>
+Sign certain_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
+                       const Double_interval& interval) {
+  return with_differences(std::array{&p, &q, &r}, s, interval.lower,
+                          [&](auto& d) { return -sign_throughout(d, In_circle(), interval); });
+}
+
+template <class Motion>
+Sign certain_scalar_product(const Motion& p, const Motion& q, const Motion& r,
+                            const Double_interval& interval) {
+  return with_differences(std::array{&p, &r}, q, interval.lower,
+                          [&](auto& d) { return sign_throughout(d, Scalar_product(), interval); });
+}
+
+template <class Motion>
+Sign certain_distance_order(const Motion& p, const Motion& q, const Motion& r,
+                            const Double_interval& interval) {
+  return with_differences(std::array{&q, &r}, p, interval.lower,
+                          [&](auto& d) { return sign_throughout(d, Distance_order(), interval); });
+}
+
+template <class Motion>
+bool certainly_apart(const Motion& p, const Motion& q, const Double_interval& interval) {
+  return are_apart(p, q, interval);
+}
+
+#define KINETRI_INSTANTIATE(M)                                                                     \
+  template Filter_result filter_in_circle(const M&, const M&, const M&, const M&,                  \
+                                          const Double_interval&, bool);                           \
+  template Filter_result filter_orientation(const M&, const M&, const M&, const Double_interval&,  \
+                                            bool);                                                 \
+  template Sign certain_x_order(const M&, const M&, const Double_interval&);                       \
+  template Sign certain_y_order(const M&, const M&, const Double_interval&);                       \
+  template Sign certain_orientation(const M&, const M&, const M&, const Double_interval&);         \
+  template Sign certain_in_circle(const M&, const M&, const M&, const M&, const Double_interval&); \
+  template Sign certain_scalar_product(const M&, const M&, const M&, const Double_interval&);      \
+  template Sign certain_distance_order(const M&, const M&, const M&, const Double_interval&);      \
+  template bool certainly_apart(const M&, const M&, const Double_interval&)
+KINETRI_INSTANTIATE(Linear_motion_2);
+KINETRI_INSTANTIATE(Polynomial_motion_2);
+#undef KINETRI_INSTANTIATE
+
+}  // namespace kinetri

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The differences of linear motions that the filter computes with, and the polynomials that
+// certificates make of them.
+#ifndef KINETRI_SRC_KINETIC_FILTER_LINEAR_DIFFERENCES_H
+#define KINETRI_SRC_KINETIC_FILTER_LINEAR_DIFFERENCES_H
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "bernstein.h"
+#include "coordinate_pair.h"
+#include "frame.h"
+#include "in_circle_coefficients.h"
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri {
+
+inline Difference difference_from_two_epochs(const Linear_motion_2& p, const Linear_motion_2& q,
+                                             double origin, Pair& terms) {
+  const Pair moved_p = pair(p.velocity) * (origin - p.epoch);
+  const Pair moved_q = pair(q.velocity) * (origin - q.epoch);
+  terms += absolute(pair(p.position)) + absolute(moved_p);
+  terms += absolute(pair(q.position)) + absolute(moved_q);
+  return {(pair(p.position) + moved_p) - (pair(q.position) + moved_q),
+          pair(p.velocity) - pair(q.velocity)};
+}
+
+// The difference p - q at the origin; adds all numbers that the place is made from to `terms`.
+inline Difference difference(const Linear_motion_2& p, const Linear_motion_2& q, double origin,
+                             Pair& terms) {
+  if (p.epoch != q.epoch) return difference_from_two_epochs(p, q, origin, terms);
+  // Taking the difference first keeps the coordinates' common part out of the error.
+  const Pair slope = pair(p.velocity) - pair(q.velocity);
+  const Pair place = pair(p.position) - pair(q.position);
+  const Pair moved = slope * (origin - q.epoch);
+  terms += absolute(place) + absolute(moved);
+  return {place + moved, slope};
+}
+
+// The differences of the points `from` to `to`, and what bounds them: first in powers of the time
+// from the origin, and once they are scaled in powers of w.
+template <std::size_t N>
+class Linear_differences : public Frame {
+ public:
+  // The errors, in units of 2^-53 * size^(degree - 1) * total: docs/MATH.md, section 7.
+  static constexpr double in_circle_units = 2048;
+  static constexpr double product_units = 256;
+  static constexpr double coordinate_units = 16;
+
+  Linear_differences(const std::array<const Linear_motion_2*, N>& from, const Linear_motion_2& to,
+                     double origin) {
+    Pair terms = {};
+    Pair extent = {};
+    Pair slope = {};
+    for (std::size_t i = 0; i < N; ++i) {
+      const Difference d = difference(*from[i], to, origin, terms);
+      extent = greater(absolute(d.place), extent);
+      slope = greater(absolute(d.slope), slope);
+      differences_[i] = d;
+    }
+    terms_ = terms;
+    extent_ = extent;
+    slope_ = slope;
+  }
+
+  // The window for looking ahead: the time in which the points would pass `share` of their distance
+  // from one another. None if they do not move against each other.
+  std::optional<double> window_ahead(double share) const {
+    if (speed() == 0) return std::nullopt;
+    return share * greatest(extent_) / speed();
+  }
+
+  void scale(double window) {
+    for (Difference& d : differences_) d.slope *= window;
+    const double moved = speed() * window;
+    // The last term is more than the error of the extent.
+    set_sizes(greatest(extent_) + moved + 0x1p-49 * terms(), terms() + moved);
+  }
+
+  const Difference& operator[](std::size_t i) const { return differences_[i]; }
+
+  // The sum of all numbers that the places were made from, and the greatest slope at first.
+  double terms() const { return sum(terms_); }
+  double speed() const { return greatest(slope_); }
+
+ private:
+  std::array<Difference, N> differences_;
+  // By coordinate.
+  Pair terms_ = {};   // the sum of all numbers that the places were made from
+  Pair extent_ = {};  // bounds the places
+  Pair slope_ = {};   // bounds the slopes, until they are scaled
+};
+
+// The error of a product of the place with the slope, before they are scaled, and whether it can be
+// computed.
+inline double unscaled_error(const Linear_differences<1>& d) {
+  return 64 * unit_roundoff * (d.terms() * d.speed());
+}
+inline bool is_unscaled_in_range(const Linear_differences<1>& d) {
+  return is_in_range(d.terms()) && is_in_range(d.speed());
+}
+
+inline Coefficients<1> coordinate(const Difference& d, int axis) {
+  return {d.place[axis], d.slope[axis]};
+}
+
+inline Coefficients<2> cross(const Difference& a, const Difference& b) {
+  const Pair place = swapped(b.place);
+  const Pair slope = swapped(b.slope);
+  const Pair pp = a.place * place;
+  const Pair ps = a.place * slope;
+  const Pair sp = a.slope * place;
+  const Pair ss = a.slope * slope;
+  const Pair from_place = firsts(pp, ps) - seconds(pp, ps);
+  const Pair from_slope = firsts(sp, ss) - seconds(sp, ss);
+  return {from_place[0], from_place[1] + from_slope[0], from_slope[1]};
+}
+
+inline Coefficients<2> dot(const Difference& a, const Difference& b) {
+  return {sum(a.place * b.place), sum(a.place * b.slope) + sum(a.slope * b.place),
+          sum(a.slope * b.slope)};
+}
+
+// Minus the in-circle determinant of differences to the fourth point.
+inline Coefficients<4> in_circle(const Linear_differences<3>& d) {
+  return in_circle_coefficients(Triangle<double>{lifted(d[1]), lifted(d[0])}, lifted(d[2]));
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_KINETIC_FILTER_LINEAR_DIFFERENCES_H
