@@ -7,9 +7,7 @@
 #ifndef KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
 #define KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
 
-#include <initializer_list>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "kinetri/kinetic/certificate_polynomials.h"
@@ -95,9 +93,9 @@ class Basic_instantaneous_traits_2 {
     Sign scalar_product(const Point_2& p, const Point_2& q, const Point_2& r) const;
 
    private:
-    // The interval of the time, if a filter may be asked about these points.
-    std::optional<Double_interval> filtered_interval(
-        std::initializer_list<const Point_2*> points) const;
+    // What `filter` knows of the motions of the points, and else the sign of their polynomial.
+    template <class Filter, class Exact, class... Points>
+    Sign sign(const Filter& filter, const Exact& polynomial, const Points&... points) const;
 
     const State* state_;
   };
