@@ -356,13 +356,13 @@ bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Point_2& p, const 
 }
 
 template <class Motion>
-bool Basic_kinetic_traits_2<Motion>::do_overlap(const Point_2& p, const Point_2& q, double diameter,
-                                                const Time& t) const {
+bool Basic_kinetic_traits_2<Motion>::do_touch(const Point_2& p, const Point_2& q, double diameter,
+                                              const Time& t) const {
   if (arithmetic_ == Arithmetic::filtered) {
     const Sign certain = certain_gap(p.motion(), q.motion(), diameter, t.interval());
     if (certain != CGAL::ZERO) return certain == CGAL::NEGATIVE;
   }
-  return sign_just_after(contact_polynomial(p, q, diameter), t) == CGAL::NEGATIVE;
+  return sign_at(contact_polynomial(p, q, diameter), t) != CGAL::POSITIVE;
 }
 
 template <class Motion>
@@ -370,7 +370,7 @@ bool Basic_kinetic_traits_2<Motion>::may_overlap(const Point_2& p, const Point_2
                                                  double diameter, const Time& t) const {
   return arithmetic_ == Arithmetic::filtered
              ? certain_gap(p.motion(), q.motion(), diameter, t.interval()) != CGAL::POSITIVE
-             : do_overlap(p, q, diameter, t);
+             : sign_just_after(contact_polynomial(p, q, diameter), t) == CGAL::NEGATIVE;
 }
 
 template <class Motion>

@@ -70,6 +70,7 @@ class Run {
         kinetic_.erase(id);
         exact_.erase(id);
         oracle_.erase(id);
+        return check();
       } else if (kinetic_.contains(id)) {
         if (is_taken && same_trajectory(kinetic_.motion(id), motion)) return;
         kinetic_.set_motion(id, motion);

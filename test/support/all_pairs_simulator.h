@@ -166,17 +166,31 @@ class All_pairs_simulator {
     return sign_just_after(derivative(gap(p, q)), time_) == CGAL::NEGATIVE;
   }
 
-  // Of two points that are there.
-  bool do_overlap(const Edge_ids& pair) const {
-    return sign_just_after(gap(motions_.at(pair[0]), motions_.at(pair[1])), time_) ==
-           CGAL::NEGATIVE;
+  // Whether a pair has been apart at some time since then, up to now, with its present motions.
+  bool has_separated(const Edge_ids& pair, const Algebraic_number& since) const {
+    const Polynomial p = gap(motions_.at(pair[0]), motions_.at(pair[1]));
+    if (sign_at(p, time_) == CGAL::POSITIVE) return true;
+    if (since == time_) return false;
+    if (sign_just_after(p, since) == CGAL::POSITIVE) return true;
+    if (p.degree() < 1) return false;
+    return std::ranges::any_of(real_roots(p), [&](const Real_root& root) {
+      return root.value > since && root.value < time_ &&
+             sign_just_after(p, root.value) == CGAL::POSITIVE;
+    });
   }
 
-  // Pairs are passing as long as they overlap: before the change, and with the new motion.
-  void change(Point_id id, const std::optional<Motion>& motion) {
-    std::erase_if(passing_, [&](const Edge_ids& pair) {
-      return (pair[0] == id || pair[1] == id) && !do_overlap(pair);
+  // Ends the passes of a point that are over.
+  void end_passes(Point_id id) {
+    std::erase_if(passing_, [&](const auto& pass) {
+      const auto& [pair, since] = pass;
+      if (pair[0] != id && pair[1] != id) return false;
+      return !motions_.contains(pair[0]) || !motions_.contains(pair[1]) ||
+             has_separated(pair, since);
     });
+  }
+
+  void change(Point_id id, const std::optional<Motion>& motion) {
+    end_passes(id);
     if (motion) {
       motions_[id] = *motion;
     } else {
@@ -185,10 +199,10 @@ class All_pairs_simulator {
     changed_.insert(id);
   }
   void finish_changes() {
-    std::erase_if(passing_, [&](const Edge_ids& pair) {
-      if (!changed_.contains(pair[0]) && !changed_.contains(pair[1])) return false;
-      return !motions_.contains(pair[0]) || !motions_.contains(pair[1]) || !do_overlap(pair);
-    });
+    for (auto& [pair, since] : passing_) {
+      if (changed_.contains(pair[0]) || changed_.contains(pair[1])) since = time_;
+    }
+    for (const Point_id id : changed_) end_passes(id);
     for (const Point_id id : changed_) find_contacts(id);
     changed_.clear();
   }
@@ -207,6 +221,7 @@ class All_pairs_simulator {
   }
 
   void collide(Point_id a, Point_id b) {
+    passing_.erase({a, b});
     const double time = time_.to_double();
     const Motion p = motions_.at(a);
     const Motion q = motions_.at(b);
@@ -247,7 +262,7 @@ class All_pairs_simulator {
     if (!response.erases_a && new_p) change(a, new_p);
     if (!response.erases_b && new_q) change(b, new_q);
     if (changed_.empty()) {
-      passing_.insert({a, b});
+      passing_.insert_or_assign(Edge_ids{a, b}, time_);
       find_contact(a, b);
     } else {
       finish_changes();
@@ -259,8 +274,8 @@ class All_pairs_simulator {
   Algebraic_number time_;
   std::map<Point_id, Motion> motions_;
   std::map<std::tuple<Point_id, Point_id, bool>, std::optional<All_pairs_contact>> contacts_;
-  std::set<Edge_ids> passing_;  // let pass by a response, and not separated since
-  std::set<Point_id> changed_;  // in the present contact
+  std::map<Edge_ids, Algebraic_number> passing_;  // let pass by a response, since when
+  std::set<Point_id> changed_;                    // in the present contact
   bool is_pressed_ = false;
 };
 

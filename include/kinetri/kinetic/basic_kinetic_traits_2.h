@@ -80,7 +80,7 @@ class Basic_kinetic_traits_2 {
   bool do_approach(const Point_2& p, const Point_2& q, const Time& t) const;
   bool has_approach_speed(const Point_2& p, const Point_2& q, const Time& t) const;
   bool has_approach_speed(const Point_2& p, const Wall_2& wall, const Time& t) const;
-  bool do_overlap(const Point_2& p, const Point_2& q, double diameter, const Time& t) const;
+  bool do_touch(const Point_2& p, const Point_2& q, double diameter, const Time& t) const;
   bool may_overlap(const Point_2& p, const Point_2& q, double diameter, const Time& t) const;
   bool is_inside(const Point_2& p, const Wall_2& wall, const Time& t) const;
   /// @}

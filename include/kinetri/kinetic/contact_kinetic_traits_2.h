@@ -27,10 +27,10 @@ namespace kinetri {
 /// | `contact_failure(p, q, diameter, bounds)` | the failure time, from a certificate's bounds |
 /// | `wall_failure(p, wall, bounds)` | the failure time, from a certificate's bounds |
 /// | `do_approach(p, q, t)` | whether the distance of p and q decreases just after t |
-/// | `has_approach_speed(p, q, t)` | the same with a speed: the first derivative at t is not zero |
-/// | `has_approach_speed(p, wall, t)` | whether p moves outward at t with a speed that is not zero
-/// | | `do_overlap(p, q, diameter, t)` | whether they are nearer than the diameter just after t |
-/// | `may_overlap(p, q, diameter, t)` | the same, or true where that is not certain; fast |
+/// | `has_approach_speed(p, q, t)` | whether the derivative of their squared distance is negative |
+/// | `has_approach_speed(p, wall, t)` | whether p has a velocity at t that is outward |
+/// | `do_touch(p, q, diameter, t)` | whether their distance at t is at most the diameter |
+/// | `may_overlap(p, q, diameter, t)` | whether it is less just after t; or true if unsure: fast |
 /// | `is_inside(p, wall, t)` | whether p is on the inner side of the bound at t, or at it |
 ///
 /// Only the first contact of a pair matters. `next_contact_certificate` gives the first contact
@@ -53,7 +53,7 @@ concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.do_approach(p, p, t) } -> std::same_as<bool>;
   { traits.has_approach_speed(p, p, t) } -> std::same_as<bool>;
   { traits.has_approach_speed(p, wall, t) } -> std::same_as<bool>;
-  { traits.do_overlap(p, p, 1.0, t) } -> std::same_as<bool>;
+  { traits.do_touch(p, p, 1.0, t) } -> std::same_as<bool>;
   { traits.may_overlap(p, p, 1.0, t) } -> std::same_as<bool>;
   { traits.is_inside(p, wall, t) } -> std::same_as<bool>;
   { rounded_place(motion, 1.0) } -> std::same_as<Vector_2>;

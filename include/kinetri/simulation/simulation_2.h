@@ -292,9 +292,10 @@ class Simulation_2 : private Event_observer {
   void find_all_overlaps();
   void start_overlap(Point_id a, Point_id b);
   void end_overlap(Point_id a, Point_id b);
-  void mark_passing(Point_id a, Point_id b);
+  void mark_passing(Point_id a, Point_id b, bool passes);
   void let_pass(Point_id a, Point_id b);
   void end_passes(Point_id id);
+  bool is_passing(Point_id a, Point_id b);
   void update_overlaps(Point_id id);
 
   // Events.

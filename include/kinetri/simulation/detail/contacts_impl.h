@@ -32,6 +32,7 @@ void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
+  if (find_overlap({a, b}) != nullptr) mark_passing(a, b, false);  // they had separated
   const double time = current_time().to_double();
   const Motion& motion_a = triangulation_.motion(a);
   const Motion& motion_b = triangulation_.motion(b);
@@ -89,8 +90,8 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> points,
                                   std::span<const typename Triangulation::Change> changes) {
   for (const Point_id id : points) {
-    unschedule_contacts(id);
     end_passes(id);
+    unschedule_contacts(id);
   }
   const auto second = points.size() > 1 ? std::optional(points[1]) : std::nullopt;
   const auto schedule_anew = [&] {

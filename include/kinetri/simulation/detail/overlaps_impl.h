@@ -144,9 +144,9 @@ void Simulation_2<Traits>::end_overlap(Point_id a, Point_id b) {
 }
 
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::mark_passing(Point_id a, Point_id b) {
-  std::ranges::find(contacts_.at(a).overlaps, b, &Overlap::id)->passes = true;
-  std::ranges::find(contacts_.at(b).overlaps, a, &Overlap::id)->passes = true;
+void Simulation_2<Traits>::mark_passing(Point_id a, Point_id b, bool passes) {
+  std::ranges::find(contacts_.at(a).overlaps, b, &Overlap::id)->passes = passes;
+  std::ranges::find(contacts_.at(b).overlaps, a, &Overlap::id)->passes = passes;
 }
 
 // Two discs in contact that overlap from now on, and have no contact until they have separated.
@@ -155,21 +155,32 @@ void Simulation_2<Traits>::let_pass(Point_id a, Point_id b) {
   update_overlaps(a);
   update_overlaps(b);
   start_overlap(a, b);
-  mark_passing(a, b);
+  mark_passing(a, b, true);
   for_each_pair_beside(a, b, [this](const Edge_ids& pair) { watch(pair, current_time()); });
 }
 
-// Ends the passes of a point that are over: to be called before it gets another motion, with which
-// it may overlap the same discs again.
+// Ends the passes of a point that are over, because the discs have separated: to be called before
+// the point gets another motion, with which it may come into contact again.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::end_passes(Point_id id) {
   const std::vector<Overlap> known = overlaps(id);
   for (const auto& [other, passes] : known) {
-    const bool is_over =
-        passes && (!triangulation_.contains(other) ||
-                   !traits_.do_overlap(point(id), point(other), diameter_, current_time()));
-    if (is_over) end_overlap(id, other);
+    if (passes && !is_passing(id, other)) end_overlap(id, other);
   }
+}
+
+// Whether two discs that a response has let pass have not separated since. They have where their
+// next contact, which is after that, is now.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::is_passing(Point_id a, Point_id b) {
+  if (!triangulation_.contains(a) || !triangulation_.contains(b) ||
+      !traits_.do_touch(point(a), point(b), diameter_, current_time())) {
+    return false;
+  }
+  const auto& partners = contacts_.at(a).partners;
+  const auto partner = std::ranges::find(partners, b, &Partner::id);
+  return partner == partners.end() || !queue_[partner->event].is_event ||
+         queue_.time(queue_[partner->event]) > current_time();
 }
 
 // Finds the overlaps of a point that has come, gone, or got another motion. Its own contacts are
@@ -178,7 +189,7 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::update_overlaps(Point_id id) {
   const std::vector<Point_id> found =
       triangulation_.contains(id) ? overlapping_points(id, traits_) : std::vector<Point_id>();
-  if (triangulation_.contains(id)) end_passes(id);
+  end_passes(id);
   const std::vector<Overlap> known = overlaps(id);
   for (const Overlap& overlap : known) {
     if (std::ranges::find(found, overlap.id) == found.end()) end_overlap(id, overlap.id);

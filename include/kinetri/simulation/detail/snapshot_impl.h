@@ -85,8 +85,8 @@ void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
                            std::to_string(b) +
                            " in contact; expected two points that are there, once, and a response");
     }
-    // A pair that has separated since may have any contact.
-    if (find_overlap({a, b}) != nullptr) mark_passing(a, b);
+    start_overlap(a, b);
+    mark_passing(a, b, true);
   }
   for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
     if (!triangulation_.contains(id)) continue;
