@@ -31,8 +31,8 @@ TEST(Simulation_options, that_have_no_meaning_are_refused) {
                            Box_2{0, 0, std::nan(""), 10}}) {
     refuses(in_box(box), "the box has no area or is not finite");
   }
-  refuses(discs(-1, log_contact), "the radius is negative or not finite");
-  refuses(discs(infinity, log_contact), "the radius is negative or not finite");
+  refuses(discs(-1, log_contact), "the radius is negative, or the diameter is not finite");
+  refuses(discs(infinity, log_contact), "the radius is negative, or the diameter is not finite");
   refuses(discs(0, log_contact), "the radius is 0, and discs without one never touch");
   Simulation_options rim = in_box({0, 0, 2, 10});
   rim.radius = 1;
