@@ -98,16 +98,18 @@ class Polynomial_differences : public Frame {
 
   Cubic coordinate(const Polynomial_motion_2& p, const Polynomial_motion_2& q, double origin,
                    double Vector_2::*axis) {
+    // Times the unit roundoff, what a coefficient loses by underflow, here or in `later`.
+    constexpr Cubic lost = {0x1p-1021, 0x1p-1021, 0x1p-1021, 0x1p-1021};
     const Cubic from = by_powers(p, axis);
     const Cubic to = by_powers(q, axis);
     if (p.epoch == q.epoch) {
       // Taking the difference first keeps the coordinates' common part out of the error.
       const Cubic difference = from - to;
-      terms_ = terms_ + later(absolute(difference), std::abs(origin - p.epoch));
+      terms_ = terms_ + later(absolute(difference) + lost, std::abs(origin - p.epoch));
       return later(difference, origin - p.epoch);
     }
-    terms_ = terms_ + later(absolute(from), std::abs(origin - p.epoch)) +
-             later(absolute(to), std::abs(origin - q.epoch));
+    terms_ = terms_ + later(absolute(from) + lost, std::abs(origin - p.epoch)) +
+             later(absolute(to) + lost, std::abs(origin - q.epoch));
     return later(from, origin - p.epoch) - later(to, origin - q.epoch);
   }
 

@@ -259,6 +259,23 @@ TEST(Polynomial_filter, knows_where_points_are_apart) {
   EXPECT_FALSE(certainly_apart(moving, resting(6, 0), {1, infinity}));
 }
 
+// Half of the least number, and a third of it, are rounded to zero; but the time is long.
+TEST(Polynomial_filter, has_right_signs_where_numbers_underflow) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  const Polynomial_motion_2 accelerated = {
+      .position = {-0x1p-80, 0}, .acceleration = {least, 0}, .jerk = {0, 0}, .epoch = 0};
+  const Polynomial_motion_2 jerked = {
+      .position = {-0x1p-80, 0}, .acceleration = {0, 0}, .jerk = {2 * least, 0}, .epoch = 0};
+  const Polynomial_motion_2 resting = {.position = {0, 0}};
+  const auto check = [&](const Polynomial_motion_2& motion, double time) {
+    const Polynomial difference = x_difference(Point(motion), Point(resting));
+    ASSERT_EQ(difference.sign_at(to_rational(time)), CGAL::POSITIVE);
+    EXPECT_NE(certain_x_order(motion, resting, {time, time}), CGAL::NEGATIVE);
+  };
+  check(accelerated, 0x1p500);
+  check(jerked, 0x1p340);
+}
+
 TEST(Polynomial_filter, rounds_failures_as_exact_arithmetic_does) {
   std::mt19937_64 random(99);
   test::Certificates source(100);
