@@ -15,6 +15,7 @@
 
 #include "kinetri/base/check.h"
 #include "output_failure.h"
+#include "temporary.h"
 
 namespace kinetri {
 namespace {
@@ -57,17 +58,11 @@ void check_existing_target(const std::string& path, const fs::path& target) {
 }
 
 // Makes a hidden directory beside the target.
-std::string make_directory_beside(const std::string& path, const fs::path& target) {
-  static std::atomic<unsigned> next_number = 0;
-  while (true) {
-    const std::string name =
-        ".kinetri-" + std::to_string(::getpid()) + "-" + std::to_string(next_number++) + ".dir";
-    std::string made = (target.parent_path() / name).string();
-    if (::mkdir(made.c_str(), 0777) == 0) return made;
-    if (errno == EEXIST) continue;
-    fail_output(path, "cannot be made", errno,
-                "a path in an existing directory in which directories can be made");
-  }
+Made_temporary make_directory_beside(const std::string& path, const fs::path& target) {
+  Made_temporary made = make_temporary(Temporary_kind::directory, target);
+  if (made.descriptor) return made;
+  fail_output(path, "cannot be made", made.error,
+              "a path in an existing directory in which directories can be made");
 }
 
 // Writes it all. The reason if that fails, else 0.
@@ -92,7 +87,8 @@ struct Output_directory::Temporary {
     std::unique_ptr<File> previous;
   };
 
-  explicit Temporary(std::string made) : path(std::move(made)) {
+  explicit Temporary(Made_temporary made)
+      : path(std::move(made.path)), lock(std::move(made.descriptor)) {
     for (auto& entry : all) {
       const Temporary* expected = nullptr;
       if (entry.compare_exchange_strong(expected, this)) return;
@@ -131,6 +127,7 @@ struct Output_directory::Temporary {
   static inline std::array<std::atomic<const Temporary*>, 16> all = {};
 
   std::string path;
+  File_descriptor lock;
   std::atomic<File*> last = nullptr;
   static_assert(std::atomic<File*>::is_always_lock_free);
 };
@@ -142,7 +139,8 @@ Output_directory::Output_directory(std::string path) : path_(std::move(path)) {
   const fs::path target = canonical_path(path_);
   identity_ = target.string();
   check_existing_target(path_, target);
-  ::rmdir(make_directory_beside(path_, target).c_str());
+  const Signals_held_back held_back;
+  ::rmdir(make_directory_beside(path_, target).path.c_str());
 }
 
 Output_directory::~Output_directory() {
@@ -152,6 +150,8 @@ Output_directory::~Output_directory() {
 Output_directory::Output_directory(Output_directory&&) noexcept = default;
 
 void Output_directory::make_temporary() {
+  // So that a signal's handler knows each directory that there is.
+  const Signals_held_back held_back;
   temporary_ = std::make_unique<Temporary>(make_directory_beside(path_, identity_));
 }
 

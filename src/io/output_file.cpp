@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "output_failure.h"
+#include "temporary.h"
 
 namespace kinetri {
 namespace {
@@ -156,21 +157,24 @@ void Output_file::open_temporary(const struct stat* existing) {
   std::error_code ignored;
   identity_ = fs::weakly_canonical(fs::absolute(target_, ignored), ignored).string();
 
-  static std::atomic<unsigned> next_number = 0;
-  int descriptor = -1;
-  do {
-    const std::string name =
-        ".kinetri-" + std::to_string(::getpid()) + "-" + std::to_string(next_number++) + ".tmp";
-    temporary_ = std::make_unique<std::string>((fs::path(target_).parent_path() / name).string());
-    descriptor = ::open(temporary_->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (descriptor < 0 && errno == EEXIST);
-  if (descriptor < 0) {
-    const int error = errno;
-    temporary_.reset();
-    fail_output(path_, "cannot be written", error,
+  // So that a signal's handler knows each file that there is.
+  const Signals_held_back held_back;
+  Made_temporary made = make_temporary(Temporary_kind::file, target_);
+  // Not closed before the file has its name, and so locked until then.
+  if (made.descriptor) {
+    lock_ = File_descriptor(::fcntl(made.descriptor.number(), F_DUPFD_CLOEXEC, 0));
+    if (!lock_) {
+      made.error = errno;
+      ::unlink(made.path.c_str());
+    }
+  }
+  if (!lock_) {
+    fail_output(path_, "cannot be written", made.error,
                 "a path in an existing directory in which files can be created");
   }
+  temporary_ = std::make_unique<std::string>(std::move(made.path));
   remember(temporary_->c_str());
+  const int descriptor = made.descriptor.release();
   buffer_ = std::make_unique<Buffer>(descriptor, true);
   if (existing != nullptr) {
     // Not everyone may give files away, nor must a result be lost for it.
@@ -216,13 +220,15 @@ void Output_file::commit() {
   }
   forget(temporary_->c_str());
   temporary_.reset();
+  lock_.reset();
 }
 
 void Output_file::discard() noexcept {
   if (!temporary_) return;
-  forget(temporary_->c_str());
   ::unlink(temporary_->c_str());
+  forget(temporary_->c_str());
   temporary_.reset();
+  lock_.reset();
 }
 
 void Output_file::remove_all_temporaries() noexcept {

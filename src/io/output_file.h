@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string>
 
+#include "file_descriptor.h"
 #include "kinetri/io/output_error.h"
 
 struct stat;
@@ -23,8 +24,9 @@ class Unread_output_error : public Output_error {
 
 /// An output file. Until `commit` the target is untouched; without `commit` it stays so.
 ///
-/// The temporary is in the target's directory, and hidden. An existing target keeps its permissions
-/// and is replaced in one step; a symbolic link is followed. What is no regular file (/dev/null, a
+/// The temporary is in the target's directory, and hidden; what a killed process has left of one is
+/// removed (temporary.h). An existing target keeps its permissions and is replaced in one step; a
+/// symbolic link is followed. What is no regular file (/dev/null, a
 /// named pipe) and standard output, named "-", are written directly.
 class Output_file {
  public:
@@ -72,6 +74,7 @@ class Output_file {
   std::string identity_;
   std::string target_;                      // the file that the temporary replaces
   std::unique_ptr<std::string> temporary_;  // none if written directly, and after commit
+  File_descriptor lock_;                    // of the temporary
   std::unique_ptr<Buffer> buffer_;
   std::unique_ptr<std::ostream> stream_;
   bool finished_ = false;

@@ -3,7 +3,9 @@
 // What the program does around its commands: help, version, exit codes of failures, interruption.
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -228,6 +230,36 @@ TEST_F(Interruption, within_a_step_that_does_not_end_ends_the_run_and_leaves_not
         << outcome.err;
     EXPECT_EQ(entries(), Entries{"p.csv"});
   }
+}
+
+TEST_F(Interruption, what_a_killed_run_leaves_is_removed_by_the_next_one) {
+  write_many_points();
+  Arguments arguments = long_run;
+  arguments.insert(arguments.end(),
+                   {"--frames", "frames", "--fps", "0.1", "--checkpoint", "run.kinetri"});
+  const auto left = [this] {
+    const Entries all = entries();
+    return std::count_if(all.begin(), all.end(),
+                         [](const std::string& name) { return name.starts_with(".kinetri-"); });
+  };
+  for (int i = 0; i < 2; ++i) {
+    Process process(KINETRI_PROGRAM, arguments, {.directory = directory()});
+    process.wait_until([&] { return is_running(process); });
+    process.send(SIGKILL);
+    EXPECT_EQ(process.wait().exit_code, -SIGKILL);
+    EXPECT_EQ(left(), 5);
+  }
+  // A living run beside it keeps its own.
+  Process living(KINETRI_PROGRAM, arguments, {.directory = directory()});
+  living.wait_until([&] { return is_running(living); });
+  arguments[3] = "0.01";
+  EXPECT_EQ(run(arguments).exit_code, 0);
+  EXPECT_EQ(left(), 5);
+  std::filesystem::remove_all(file("frames"));
+  living.send(SIGINT);
+  EXPECT_EQ(living.wait().exit_code, 130);
+  EXPECT_EQ(entries(),
+            (Entries{"edges.csv", "events.csv", "frames", "p.csv", "run.kinetri", "stats.json"}));
 }
 
 // An audit of so many points takes longer than the test.
