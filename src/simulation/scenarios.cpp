@@ -13,11 +13,8 @@ namespace {
 
 constexpr double largest_whole_speed = 0x1p53;
 
-bool is_size(double x) {
-  return x >= smallest_scenario_size && x <= largest_scenario_size;
-}
 bool is_size_or_zero(double x) {
-  return x == 0 || is_size(x);
+  return x == 0 || is_scenario_size(x);
 }
 
 class Generator {
@@ -189,11 +186,11 @@ Vector_2 lattice_velocity(std::size_t point, const Lattice& lattice,
 void check(Scenario scenario, const Scenario_options& options) {
   KINETRI_PRECONDITION(options.points < no_point,
                        "a scenario of too many points; expected fewer than 2^32 - 1");
-  KINETRI_PRECONDITION(!options.side || is_size(*options.side),
+  KINETRI_PRECONDITION(!options.side || is_scenario_size(*options.side),
                        "the side is out of range; expected a number from 1e-100 to 1e100");
   KINETRI_PRECONDITION(is_size_or_zero(options.speed),
                        "the speed is out of range; expected 0, or a number from 1e-100 to 1e100");
-  KINETRI_PRECONDITION(is_size(options.spacing),
+  KINETRI_PRECONDITION(is_scenario_size(options.spacing),
                        "the spacing is out of range; expected a number from 1e-100 to 1e100");
   KINETRI_PRECONDITION(is_size_or_zero(options.jitter),
                        "the jitter is out of range; expected 0, or a number from 1e-100 to 1e100");

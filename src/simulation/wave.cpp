@@ -7,22 +7,18 @@
 namespace kinetri {
 namespace {
 
-bool is_size(double x) {
-  return x >= smallest_scenario_size && x <= largest_scenario_size;
-}
-
 void check(const Wave_setting& setting) {
   KINETRI_PRECONDITION(setting.columns > 0 && setting.rows > 0,
                        "a wave without points; expected 1 row and 1 column or more");
   KINETRI_PRECONDITION(setting.rows < no_point / setting.columns,
                        "a wave of too many points; expected fewer than 2^32 - 1");
-  KINETRI_PRECONDITION(is_size(setting.spacing) && is_size(setting.speed) &&
-                           is_size(setting.diameter) && setting.diameter < setting.spacing,
+  KINETRI_PRECONDITION(is_scenario_size(setting.spacing) && is_scenario_size(setting.speed) &&
+                           is_scenario_size(setting.diameter) && setting.diameter < setting.spacing,
                        "spacing, speed or diameter of a wave out of range; expected numbers from "
                        "1e-100 to 1e100, and a diameter less than the spacing");
   KINETRI_PRECONDITION(
-      setting.jitter == 0 ||
-          (is_size(setting.jitter) && setting.jitter < (setting.spacing - setting.diameter) / 2),
+      setting.jitter == 0 || (is_scenario_size(setting.jitter) &&
+                              setting.jitter < (setting.spacing - setting.diameter) / 2),
       "the jitter of a wave is out of range; expected 0, or a number from 1e-100 on and less than "
       "half of the room between neighbors");
 }

@@ -40,6 +40,13 @@ Option& Command::add(const std::string& names, Option_target target, const std::
   return options.back();
 }
 
+Option& Command::add_required(const std::string& names, Option_target target,
+                              const std::string& type, const std::string& help) {
+  Option& result = add(names, target, type, help);
+  result.required = true;
+  return result;
+}
+
 Option& Command::add_flag(const std::string& names, bool& target, const std::string& help) {
   return add(names, &target, "", help);
 }

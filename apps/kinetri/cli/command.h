@@ -63,6 +63,9 @@ struct Command {
   /// reads "-o,--output". The reference is valid until the next one is added.
   Option& add(const std::string& names, Option_target target, const std::string& type,
               const std::string& help);
+  /// The same for one without which the command is not run.
+  Option& add_required(const std::string& names, Option_target target, const std::string& type,
+                       const std::string& help);
   /// Adds an option without a value.
   Option& add_flag(const std::string& names, bool& target, const std::string& help);
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <string_view>
 
 #include "cli/arguments.h"
 #include "commands/commands.h"
+#include "commands/common_arguments.h"
 #include "commands/run_options.h"
-#include "kinetri/simulation/scenarios.h"
 #include "outputs/gnuplot.h"
 #include "runs/experiment_run.h"
 #include "runs/simulation_run.h"
@@ -38,36 +34,25 @@ struct Experiment_options {
   Run_options run;
 };
 
-double experiment_size(std::string_view option, const std::string& text) {
-  return size_argument(option, text, smallest_scenario_size, largest_scenario_size, false);
-}
-
-const Named_response& response(const Experiment_options& options) {
-  std::array<std::string_view, named_responses.size() - 1> names;
-  std::ranges::transform(named_responses.begin() + 1, named_responses.end(), names.begin(),
-                         &Named_response::name);
-  return named_responses[1 + choice_argument("--collisions", options.collisions, names)];
-}
-
 Experiment_run experiment_run(const Experiment_options& options) {
   Experiment_run result;
   result.points = count_argument("--points", options.points, most_experiment_points);
   if (result.points == 0) {
     throw Usage_error("--points: 0 points do nothing; expected a number from 1 to 1000000");
   }
-  result.duration = experiment_size("--until", options.until);
-  result.speed = experiment_size("--speed", options.speed);
-  result.radius = experiment_size("--radius", options.radius);
-  result.side = options.side ? experiment_size("--side", *options.side)
+  result.duration = scenario_size_argument("--until", options.until);
+  result.speed = scenario_size_argument("--speed", options.speed);
+  result.radius = scenario_size_argument("--radius", options.radius);
+  result.side = options.side ? scenario_size_argument("--side", *options.side)
                              : 10 * std::sqrt(static_cast<double>(result.points));
-  result.collisions = response(options);
+  result.collisions = response_argument(options.collisions, false);
   return result;
 }
 
 Experiment_run single_run(const Experiment_options& options) {
   Experiment_run result = experiment_run(options);
   result.percentage = count_argument("--single", *options.single, 100);
-  result.seed = count_argument("--seed", options.seed, std::numeric_limits<std::uint64_t>::max());
+  result.seed = seed_argument(options.seed);
   return result;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -8,6 +7,7 @@
 
 #include "cli/arguments.h"
 #include "commands/commands.h"
+#include "commands/common_arguments.h"
 #include "io/output_file.h"
 #include "io/text.h"
 #include "kinetri/io/points_file.h"
@@ -56,18 +56,14 @@ std::array<std::string_view, N> names(const std::array<Enumeration, N>& values) 
   return result;
 }
 
-double scenario_size(std::string_view option, const std::string& text, bool zero_allowed) {
-  return size_argument(option, text, smallest_scenario_size, largest_scenario_size, zero_allowed);
-}
-
 Exit_code generate(Scenario scenario, const Generate_options& given) {
   Scenario_options options;
   options.points = count_argument("--points", given.points, most_generated_points);
-  options.seed = count_argument("--seed", given.seed, std::numeric_limits<std::uint64_t>::max());
-  if (given.side) options.side = scenario_size("--side", *given.side, false);
-  options.speed = scenario_size("--speed", given.speed, true);
-  options.spacing = scenario_size("--spacing", given.spacing, false);
-  options.jitter = scenario_size("--jitter", given.jitter, true);
+  options.seed = seed_argument(given.seed);
+  if (given.side) options.side = scenario_size_argument("--side", *given.side);
+  options.speed = scenario_size_argument("--speed", given.speed, true);
+  options.spacing = scenario_size_argument("--spacing", given.spacing);
+  options.jitter = scenario_size_argument("--jitter", given.jitter, true);
   options.movers =
       all_lattice_movers[choice_argument("--movers", given.movers, names(all_lattice_movers))];
   if (scenario == Scenario::lattice && options.movers != Lattice_movers::none) {
@@ -85,10 +81,8 @@ Command scenario_command(Scenario scenario) {
   Command result;
   result.name = name(scenario);
   result.summary = summary(scenario);
-  result
-      .add("--points", &options->points, "N",
-           joined("Number of points, from 0 to ", most_generated_points))
-      .required = true;
+  result.add_required("--points", &options->points, "N",
+                      joined("Number of points, from 0 to ", most_generated_points));
   result.add("--seed", &options->seed, "S",
              "Seed of the random numbers, from 0 to 2^64 - 1 (default 1)");
   if (scenario == Scenario::lattice || scenario == Scenario::lattice_jitter) {

@@ -24,12 +24,10 @@ Command resume_command() {
   Command result;
   result.name = "resume";
   result.summary = "Continue a run from a checkpoint";
-  result
-      .add("CHECKPOINT", &options->checkpoint, "FILE",
-           "A file that --checkpoint has written; - is standard input")
-      .required = true;
-  result.add("--until", &options->until, "T", "Run to this time, events at this time included")
-      .required = true;
+  result.add_required("CHECKPOINT", &options->checkpoint, "FILE",
+                      "A file that --checkpoint has written; - is standard input");
+  result.add_required("--until", &options->until, "T",
+                      "Run to this time, events at this time included");
   add_run_options(result, options->run, {Output::checkpoint});
   result.description = {
       "The run continues as if it had never stopped: the event log of the first part and that of "

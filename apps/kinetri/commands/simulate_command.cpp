@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <string_view>
 
 #include "cli/arguments.h"
 #include "commands/commands.h"
+#include "commands/common_arguments.h"
 #include "commands/run_options.h"
 #include "io/text.h"
 #include "runs/simulation_run.h"
@@ -60,10 +60,7 @@ Points_settings points_settings(const Simulate_options& options) {
   if (options.rim && !options.box) {
     throw Usage_error("--rim: there is no box to touch; expected --box as well");
   }
-  std::array<std::string_view, named_responses.size()> responses;
-  std::ranges::transform(named_responses, responses.begin(), &Named_response::name);
-  result.collisions =
-      named_responses[choice_argument("--collisions", options.collisions, responses)];
+  result.collisions = response_argument(options.collisions, true);
   if (options.radius) {
     result.radius = radius_argument("--radius", *options.radius);
     if (result.collisions.response == nullptr && !options.rim) {
@@ -81,12 +78,10 @@ Command simulate_command() {
   Command result;
   result.name = "simulate";
   result.summary = "Keep the Delaunay triangulation of moving points, and log its events";
-  result
-      .add("POINTS", &options->points, "FILE",
-           "The moving points, one a line, as CSV; - is standard input")
-      .required = true;
-  result.add("--until", &options->until, "T", "Run to this time, events at this time included")
-      .required = true;
+  result.add_required("POINTS", &options->points, "FILE",
+                      "The moving points, one a line, as CSV; - is standard input");
+  result.add_required("--until", &options->until, "T",
+                      "Run to this time, events at this time included");
   result.add("--from", &options->from, "T",
              "Start just after this time (default 0, the time of the positions in POINTS)");
   result.add("--box", &options->box, "XMIN,YMIN,XMAX,YMAX",

@@ -76,8 +76,7 @@ Command tracks_command() {
   Command result;
   result.name = "tracks";
   result.summary = "Keep the Delaunay triangulation of recorded trajectories";
-  result.add("TRACKS", &options->tracks, "FILE", "The observations; - is standard input").required =
-      true;
+  result.add_required("TRACKS", &options->tracks, "FILE", "The observations; - is standard input");
   result.add(
       "--format", &options->format, "rows|frames",
       "rows (default): CSV with the columns t,id,x,y; frames: lines of frame id x y, without "

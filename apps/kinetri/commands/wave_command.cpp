@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <limits>
 #include <memory>
 #include <string_view>
 
 #include "cli/arguments.h"
 #include "commands/commands.h"
+#include "commands/common_arguments.h"
 #include "commands/run_options.h"
 #include "io/text.h"
-#include "kinetri/simulation/scenarios.h"
 #include "runs/simulation_run.h"
 #include "sources/generated_source.h"
 
@@ -31,10 +30,6 @@ struct Wave_options {
   Run_options run;
 };
 
-double wave_size(std::string_view option, const std::string& text, bool zero_allowed = false) {
-  return size_argument(option, text, smallest_scenario_size, largest_scenario_size, zero_allowed);
-}
-
 std::size_t lattice_count(std::string_view option, const std::string& text) {
   const std::uint64_t value = count_argument(option, text, most_wave_points);
   if (value > 0) return static_cast<std::size_t>(value);
@@ -49,23 +44,23 @@ Wave_setting wave_setting(const Wave_options& options) {
     throw Usage_error(joined("--rows: ", result.columns, " x ", result.rows,
                              " points are too many; expected at most ", most_wave_points));
   }
-  result.spacing = wave_size("--spacing", options.spacing);
-  result.speed = options.speed ? wave_size("--speed", *options.speed) : result.spacing;
+  result.spacing = scenario_size_argument("--spacing", options.spacing);
+  result.speed = options.speed ? scenario_size_argument("--speed", *options.speed) : result.spacing;
   const double radius =
-      options.radius ? wave_size("--radius", *options.radius) : result.spacing / 128;
+      options.radius ? scenario_size_argument("--radius", *options.radius) : result.spacing / 128;
   result.diameter = 2 * radius;
   if (!(result.diameter < result.spacing)) {
     throw Usage_error(joined("--radius: ", radius, " makes neighbors overlap; expected less than ",
                              result.spacing / 2, ", half of --spacing"));
   }
-  result.jitter = wave_size("--jitter", options.jitter, true);
+  result.jitter = scenario_size_argument("--jitter", options.jitter, true);
   const double room = (result.spacing - result.diameter) / 2;
   if (!(result.jitter < room)) {
     throw Usage_error(joined("--jitter: ", options.jitter,
                              " lets neighbors overlap; expected less than ", room,
                              ", half of what is between them"));
   }
-  result.seed = count_argument("--seed", options.seed, std::numeric_limits<std::uint64_t>::max());
+  result.seed = seed_argument(options.seed);
   return result;
 }
 
@@ -73,10 +68,12 @@ Wave_run wave_run(const Wave_options& options) {
   Wave_run result;
   result.setting = wave_setting(options);
   const Wave_setting& setting = result.setting;
-  result.until = options.until ? wave_size("--until", *options.until, true)
+  result.until = options.until ? scenario_size_argument("--until", *options.until, true)
                                : 2 * setting.height() / setting.speed;
-  result.height = options.height ? wave_size("--height", *options.height) : 3 * setting.spacing;
-  result.width = options.width ? wave_size("--width", *options.width) : 2 * setting.spacing;
+  result.height =
+      options.height ? scenario_size_argument("--height", *options.height) : 3 * setting.spacing;
+  result.width =
+      options.width ? scenario_size_argument("--width", *options.width) : 2 * setting.spacing;
   return result;
 }
 

@@ -68,6 +68,11 @@ inline constexpr double smallest_scenario_size = 1e-100;
 inline constexpr double largest_scenario_size = 1e100;
 /// @}
 
+/// Whether `x` is in that range.
+constexpr bool is_scenario_size(double x) {
+  return x >= smallest_scenario_size && x <= largest_scenario_size;
+}
+
 /// The parameters of a scenario. Parameters that a scenario does not use are ignored.
 struct Scenario_options {
   std::size_t points = 100;  ///< number of points

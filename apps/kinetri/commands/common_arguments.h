@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The values of options that several commands have.
+#ifndef KINETRI_APPS_COMMON_ARGUMENTS_H
+#define KINETRI_APPS_COMMON_ARGUMENTS_H
+
+#include <cstdint>
+#include <string_view>
+
+#include "kinetri/simulation/collision_response.h"
+
+namespace kinetri::app {
+
+/// A length, speed or time of points that the program makes. Throws Usage_error.
+double scenario_size_argument(std::string_view option, std::string_view text,
+                              bool zero_allowed = false);
+
+/// The value of --seed. Throws Usage_error.
+std::uint64_t seed_argument(std::string_view text);
+
+/// The response that the value of --collisions names. Throws Usage_error.
+const Named_response& response_argument(std::string_view text, bool none_allowed);
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_COMMON_ARGUMENTS_H
