@@ -5,19 +5,16 @@
 #ifndef KINETRI_TEST_APPS_PROGRAM_TEST_H
 #define KINETRI_TEST_APPS_PROGRAM_TEST_H
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "apps/process.h"
-#include "support/temporary_directory.h"
+#include "support/directory_test.h"
 
 namespace kinetri::test {
 
 using Arguments = std::vector<std::string>;
-using Entries = std::vector<std::string>;
 
 /// Four points whose triangulation changes once from t = 0 on: at t = 1 they are the corners of a
 /// square, and the edge 0-3 becomes 1-2.
@@ -35,11 +32,8 @@ constexpr const char* falling_balls =
     "1,4,0,0,0,-2,0,0\n4,4.5,1,1,0,-2,0,0\n7,4,-2,0,0,-2,0,0.2\n"
     "1.5,7,1,0,0,-2,0,0\n4,7,0,-1,0,-2,0,0\n7,7,0.5,0,0,0,0,0\n";
 
-class Program_test : public testing::Test {
+class Program_test : public Directory_test {
  protected:
-  std::string file(const std::string& name) const { return directory_.file(name); }
-  Entries entries() const { return directory_.entries(); }
-  std::string directory() const { return directory_.path(); }
   void write(const std::string& name, const std::string& text) const {
     write_file(file(name), text);
   }
@@ -50,9 +44,6 @@ class Program_test : public testing::Test {
     input.directory = directory();
     return Process(KINETRI_PROGRAM, arguments, input).wait();
   }
-
- private:
-  Temporary_directory directory_;
 };
 
 }  // namespace kinetri::test

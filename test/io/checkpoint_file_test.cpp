@@ -22,6 +22,7 @@
 #include "kinetri/simulation/scenarios.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "support/disc_runs.h"
+#include "support/message_of.h"
 #include "support/motions.h"
 #include "support/temporary_directory.h"
 
@@ -282,12 +283,7 @@ TEST(Checkpoint, of_few_points_is_read_back) {
 // ---- damage ----
 
 std::string refusal(const std::string& text) {
-  try {
-    checkpoint_of(text);
-  } catch (const Input_error& error) {
-    return error.what();
-  }
-  return {};
+  return test::message_of<Input_error>([&text] { checkpoint_of(text); });
 }
 
 void expect_refusal(const std::string& text, const std::string& expected) {

@@ -2,55 +2,35 @@
 //
 // Output directories are whole or not there, and every failure is reported.
 #include "io/output_directory.h"
-#include "support/precondition_error.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "support/temporary_directory.h"
+#include "support/directory_test.h"
+#include "support/message_of.h"
+#include "support/precondition_error.h"
 
 namespace kinetri {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Entries;
+using test::message_of;
 using test::read_file;
-using test::Temporary_directory;
 using test::write_file;
-using Entries = std::vector<std::string>;
 
-class Output_directory_test : public testing::Test {
+class Output_directory_test : public test::Directory_test {
  protected:
-  std::string file(const std::string& name) const { return directory_.file(name); }
-  Entries entries() const { return directory_.entries(); }
-  Entries entries(const std::string& name) const {
-    Entries result;
-    for (const auto& entry : fs::directory_iterator(file(name))) {
-      result.push_back(entry.path().filename().string());
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-  std::string directory() const { return directory_.path(); }
-
   static std::string error_of(const std::string& path) {
-    try {
-      const Output_directory output(path);
-      return "no error";
-    } catch (const Output_error& error) {
-      return error.what();
-    }
+    return message_of<Output_error>([&path] { const Output_directory output(path); });
   }
-
- private:
-  Temporary_directory directory_;
 };
 
 constexpr const char* usable = "a directory that is not there yet, or is empty";
@@ -169,14 +149,9 @@ TEST_F(Output_directory_test, permissions_are_respected) {
 TEST_F(Output_directory_test, failure_to_write_names_the_file) {
   Output_directory output(file("out"));
   const std::string name(300, 'x');  // longer than a name may be
-  try {
-    output.write(name, "text");
-    FAIL() << "no error";
-  } catch (const Output_error& error) {
-    EXPECT_EQ(error.what(),
-              file("out") + "/" + name +
-                  ": writing failed: File name too long; expected a place that takes all of it");
-  }
+  EXPECT_EQ(message_of<Output_error>([&] { output.write(name, "text"); }),
+            file("out") + "/" + name +
+                ": writing failed: File name too long; expected a place that takes all of it");
   EXPECT_PRECONDITION_ERROR(
       output.write("a/b", ""),
       "the name of a file in an output directory is empty or has a slash; expected a plain name");
@@ -192,15 +167,11 @@ TEST_F(Output_directory_test, part_of_a_file_is_a_failure) {
   const auto signal = std::signal(SIGXFSZ, SIG_IGN);
   rlimit small = before;
   small.rlim_cur = 1000;
-  std::string error = "no error";
+  std::string error;
   {
     Output_directory output(file("out"));
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-    try {
-      output.write("a", std::string(5000, 'x'));
-    } catch (const Output_error& thrown) {
-      error = thrown.what();
-    }
+    error = message_of<Output_error>([&] { output.write("a", std::string(5000, 'x')); });
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   }
   std::signal(SIGXFSZ, signal);

@@ -12,38 +12,27 @@
 #include <thread>
 #include <vector>
 
-#include "support/temporary_directory.h"
+#include "support/directory_test.h"
+#include "support/message_of.h"
 
 namespace kinetri {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Entries;
+using test::message_of;
 using test::read_file;
-using test::Temporary_directory;
 using test::write_file;
-using Entries = std::vector<std::string>;
 
-class Output_file_test : public testing::Test {
+class Output_file_test : public test::Directory_test {
  protected:
-  std::string file(const std::string& name) const { return directory_.file(name); }
-  Entries entries() const { return directory_.entries(); }
-  std::string directory() const { return directory_.path(); }
-
   static std::string error_of(const std::string& path) {
-    try {
-      const Output_file output(path);
-      return "no error";
-    } catch (const Output_error& error) {
-      return error.what();
-    }
+    return message_of<Output_error>([&path] { const Output_file output(path); });
   }
 
   static unsigned permissions(const std::string& path) {
     return static_cast<unsigned>(fs::status(path).permissions());
   }
-
- private:
-  Temporary_directory directory_;
 };
 
 TEST_F(Output_file_test, target_appears_with_commit_only) {
@@ -206,14 +195,9 @@ TEST_F(Output_file_test, full_disk_is_reported) {
   for (const std::size_t size : {std::size_t{1}, std::size_t{1} << 20U}) {
     Output_file output("/dev/full");
     output.stream() << std::string(size, 'x');
-    try {
-      output.commit();
-      FAIL() << "no error";
-    } catch (const Output_error& error) {
-      EXPECT_STREQ(error.what(),
-                   "/dev/full: writing failed: No space left on device; expected a place that "
-                   "takes all of it");
-    }
+    EXPECT_EQ(message_of<Output_error>([&output] { output.commit(); }),
+              "/dev/full: writing failed: No space left on device; expected a place that takes all "
+              "of it");
   }
 }
 

@@ -196,7 +196,7 @@ TEST(Read_points, many_points_with_equal_coordinates_are_read_quickly) {
 TEST(Read_points, stream_that_fails_is_an_error_and_not_the_end) {
   test::Breaking_buffer buffer("x,y,vx,vy\n");
   std::istream in(&buffer);
-  EXPECT_EQ(test::input_problem([&in] { read_points(in, "p.csv"); }),
+  EXPECT_EQ(test::message_of<Input_error>([&in] { read_points(in, "p.csv"); }),
             "p.csv:1: reading failed; expected a readable file of points");
 }
 

@@ -5,12 +5,10 @@
 #include "kinetri/io/points_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <limits>
 #include <random>
 #include <sstream>
@@ -22,6 +20,7 @@
 #include "support/points_text.h"
 #include "support/precondition_error.h"
 #include "support/temporary_directory.h"
+#include "support/wrong_input.h"
 
 namespace kinetri {
 namespace {
@@ -196,21 +195,8 @@ TEST(Read_points_file, reads_a_file) {
 }
 
 TEST(Read_points_file, bad_paths_are_named) {
-  const Temporary_directory directory;
-  const auto message = [](const std::string& path) {
-    return test::input_problem([&path] { read_points_file(path); });
-  };
-  EXPECT_EQ(message(directory.path()),
-            directory.path().string() + ": is a directory; expected a file of points");
-  EXPECT_EQ(
-      message(directory.file("missing.csv")),
-      directory.file("missing.csv") +
-          ": cannot be opened: No such file or directory; expected a readable file of points");
-  EXPECT_NE(message(""), "");
-  if (::geteuid() == 0) return;  // who may read everything
-  write_file(directory.file("secret.csv"), "x,y,vx,vy\n");
-  std::filesystem::permissions(directory.file("secret.csv"), std::filesystem::perms::none);
-  EXPECT_NE(message(directory.file("secret.csv")).find("Permission denied"), std::string::npos);
+  test::expect_bad_paths_are_named("points",
+                                   [](const std::string& path) { read_points_file(path); });
 }
 
 // ---- writing ----

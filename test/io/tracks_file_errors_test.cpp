@@ -12,13 +12,14 @@
 
 #include "kinetri/io/tracks_file.h"
 #include "support/tracks_text.h"
+#include "support/wrong_input.h"
 
 namespace kinetri {
 namespace {
 
 using test::Breaking_buffer;
 using test::frames_error;
-using test::input_problem;
+using test::message_of;
 using test::rows_error;
 
 struct Bad_tracks {
@@ -147,15 +148,16 @@ TEST(Read_tracks, stream_that_fails_is_an_error_and_not_the_end) {
        {std::pair{"t,id,x,y\n", Tracks_format::rows}, {"0 a 1 2\n", Tracks_format::frames}}) {
     Breaking_buffer buffer(text);
     std::istream in(&buffer);
-    EXPECT_EQ(input_problem([&, format = format] { read_tracks(in, "t.csv", format, 25); }),
-              "t.csv:1: reading failed; expected a readable file of tracks");
+    EXPECT_EQ(
+        message_of<Input_error>([&, format = format] { read_tracks(in, "t.csv", format, 25); }),
+        "t.csv:1: reading failed; expected a readable file of tracks");
   }
 }
 
 TEST(Read_tracks, stream_that_has_failed_before_is_not_an_empty_file) {
   std::ifstream in;
   in.setstate(std::ios::failbit);
-  EXPECT_EQ(input_problem([&] { read_tracks(in, "t.csv", Tracks_format::frames, 25); }),
+  EXPECT_EQ(message_of<Input_error>([&] { read_tracks(in, "t.csv", Tracks_format::frames, 25); }),
             "t.csv:1: reading failed; expected a readable file of tracks");
 }
 

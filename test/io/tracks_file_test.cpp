@@ -5,13 +5,11 @@
 #include "kinetri/io/tracks_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -25,6 +23,7 @@
 #include "support/precondition_error.h"
 #include "support/temporary_directory.h"
 #include "support/tracks_text.h"
+#include "support/wrong_input.h"
 
 namespace kinetri {
 namespace {
@@ -32,7 +31,6 @@ namespace {
 using test::expect_well_formed;
 using test::frames;
 using test::frames_error;
-using test::input_problem;
 using test::rows;
 using test::rows_error;
 using test::shown;
@@ -302,7 +300,7 @@ TEST(Read_tracks_file, dash_is_standard_input) {
   std::istringstream text("oops\n");
   std::streambuf* const before = std::cin.rdbuf(text.rdbuf());
   const std::string message =
-      input_problem([] { read_tracks_file("-", Tracks_format::frames, 25); });
+      test::message_of<Input_error>([] { read_tracks_file("-", Tracks_format::frames, 25); });
   std::cin.rdbuf(before);
   std::cin.clear();
   EXPECT_EQ(message.substr(0, message.find(';')),
@@ -310,21 +308,8 @@ TEST(Read_tracks_file, dash_is_standard_input) {
 }
 
 TEST(Read_tracks_file, bad_paths_are_named) {
-  const Temporary_directory directory;
-  const auto message = [](const std::string& path) {
-    return input_problem([&path] { read_tracks_file(path, Tracks_format::frames, 25); });
-  };
-  EXPECT_EQ(message(directory.path()),
-            directory.path().string() + ": is a directory; expected a file of tracks");
-  EXPECT_EQ(
-      message(directory.file("missing.txt")),
-      directory.file("missing.txt") +
-          ": cannot be opened: No such file or directory; expected a readable file of tracks");
-  EXPECT_NE(message(""), "");
-  if (::geteuid() == 0) return;  // who may read everything
-  write_file(directory.file("secret.txt"), "");
-  std::filesystem::permissions(directory.file("secret.txt"), std::filesystem::perms::none);
-  EXPECT_NE(message(directory.file("secret.txt")).find("Permission denied"), std::string::npos);
+  test::expect_bad_paths_are_named(
+      "tracks", [](const std::string& path) { read_tracks_file(path, Tracks_format::frames, 25); });
 }
 
 }  // namespace

@@ -275,9 +275,7 @@ TEST(Closest_approaches, are_in_the_exact_order) {
 
 // Discs that go when they touch: every contact has the squared distance 1, at an irrational time.
 TEST(Closest_approaches, of_equal_distance_are_ordered_by_time_and_ids) {
-  Simulation_options options;
-  options.radius = 0.5;
-  options.response = erase_both;
+  const Simulation_options options = test::discs(0.5, erase_both);
   Simulation_2<> simulation({{{0, 0}, {1, 0}, 0},
                              {{4, 0.5}, {0, 0}, 0},
                              {{0, 10}, {1, 0}, 0},

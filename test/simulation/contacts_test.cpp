@@ -33,8 +33,7 @@ TEST_P(Discs_in_a_box, never_come_nearer_than_their_diameter) {
   for (const Collision_response& response :
        {Collision_response(swap_velocities), Collision_response(collide_elastically)}) {
     for (unsigned seed = 0; seed < 4u * static_cast<unsigned>(test::multiplier()); ++seed) {
-      Simulation_options options = discs(radius, response);
-      options.box = test::box_of(30);
+      Simulation_options options = discs(test::box_of(30), radius, response);
       options.rim_touches = seed % 2 == 0;
       Simulation simulation(test::discs_in_a_box(30, 0.2, seed), options);
       test::Distance_watcher watcher(simulation);
@@ -50,8 +49,7 @@ TEST_P(Discs_in_a_box, never_come_nearer_than_their_diameter) {
 }
 
 TEST_P(Discs_in_a_box, stay_right_at_every_instant) {
-  Simulation_options options = discs(GetParam(), collide_elastically);
-  options.box = test::box_of(12);
+  const Simulation_options options = discs(test::box_of(12), GetParam(), collide_elastically);
   Simulation simulation(test::discs_in_a_box(12, 0.2, 7), options);
   EXPECT_EQ(test::audited_run(simulation, 8, Audit_level::certificates), "");
 }
@@ -105,8 +103,7 @@ TEST(Logged_contacts, are_all_contacts_of_all_pairs) {
 
 TEST(Logged_contacts, are_not_repeated_before_the_discs_have_parted) {
   // Two overlap while a wall turns one of them, first away and then back.
-  Simulation_options options = discs(2, log_contact);
-  options.box = Box_2{0, 0, 10, 10};
+  const Simulation_options options = discs({0, 0, 10, 10}, 2, log_contact);
   const std::vector<Linear_motion_2> motions = {{{1, 5}, {1, 0}, 0}, {{9, 5.5}, {-1, 0}, 0}};
   Simulation simulation(motions, options);
   Recorder recorder;
@@ -123,8 +120,7 @@ TEST(Logged_contacts, are_not_repeated_before_the_discs_have_parted) {
 TEST(Conservation, of_energy_and_momentum_over_a_million_collisions) {
   // The energy in a box, which takes momentum; the momentum in free space, until nobody meets
   // anybody any more.
-  Simulation_options options = discs(4, collide_elastically);
-  options.box = test::box_of(100);
+  Simulation_options options = discs(test::box_of(100), 4, collide_elastically);
   Simulation in_the_box(test::discs_in_a_box(100, 0.2, 1), options);
   const long double energy = test::conserved(in_the_box).energy;
   while (count(in_the_box, Event_kind::collision) < 1'000'000) in_the_box.step();

@@ -20,13 +20,10 @@
 namespace kinetri {
 namespace {
 
+using test::discs;
+using test::Recorder;
 using Statistics = Event_statistics;
 using Events = std::vector<Event>;
-
-struct Recorder : Event_observer {
-  void after_event(const Event& event) override { events.push_back(event); }
-  Events events;
-};
 
 bool concerns(const Event& event, Point_id id) {
   const auto is_end = [&](const std::optional<Edge_ids>& edge) {
@@ -110,10 +107,7 @@ TEST(Event_statistics, of_grids_is_that_of_the_list_of_all_events) {
 
 TEST(Event_statistics, of_discs_that_come_and_go_in_a_box_is_that_of_the_list_of_all_events) {
   const std::size_t n = 36;
-  Simulation_options options;
-  options.box = test::box_of(n);
-  options.radius = 2;
-  options.response = collide_elastically;
+  const Simulation_options options = discs(test::box_of(n), 2, collide_elastically);
   Simulation_2<> simulation(test::discs_in_a_box(n, 2, 3), options);
   for (const Point_id id : {3u, 17u}) simulation.schedule_erase(1.5, id);
   simulation.schedule_motion(1.0, 5, {{12, 7}, {1, 2}, 1});

@@ -16,6 +16,7 @@
 #include "kinetri/base/error.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/simulation/tracks.h"
+#include "support/disc_runs.h"
 #include "support/motions.h"
 #include "support/precondition_error.h"
 #include "support/triangles.h"
@@ -127,14 +128,6 @@ void expect_plays(const Watched_run& run) {
   EXPECT_EQ(recording.events_in_all, run.events);
 }
 
-Simulation_options discs(double side, double radius, Collision_response response) {
-  Simulation_options options;
-  options.box = Box_2{0, 0, side, side};
-  options.radius = radius;
-  options.response = std::move(response);
-  return options;
-}
-
 TEST(Recording, plays_flips) {
   Simulation_2<> simulation(test::random_motions(60, 80, 5, 1), {}, -1.5);
   const Watched_run run = watch(simulation, 6, 100'000);
@@ -149,7 +142,8 @@ TEST(Recording, plays_flips) {
 
 TEST(Recording, plays_walls_and_collisions) {
   for (const auto response : {collide_elastically, erase_both, log_contact}) {
-    Simulation_2<> simulation(test::random_motions(60, 40, 5, 2), discs(40, 0.5, response));
+    Simulation_2<> simulation(test::random_motions(60, 40, 5, 2),
+                              test::discs({0, 0, 40, 40}, 0.5, response));
     const Watched_run run = watch(simulation, 5, 100'000);
     EXPECT_GT(run.recording.motions.size(), 80u);
     expect_plays(run);
@@ -259,7 +253,7 @@ TEST(Recording, plays_points_that_accelerate) {
 TEST(Recording, is_thinned_to_exact_instants) {
   for (const std::size_t most_rows : {450u, 700u, 1000u}) {
     Simulation_2<> simulation(test::random_motions(60, 40, 5, 5),
-                              discs(40, 0.25, collide_elastically));
+                              test::discs({0, 0, 40, 40}, 0.25, collide_elastically));
     const Watched_run run = watch(simulation, 16, most_rows);
     ASSERT_GT(run.events, 1500u);
     EXPECT_TRUE(run.recording.is_thinned);

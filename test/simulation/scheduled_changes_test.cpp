@@ -12,13 +12,10 @@ namespace kinetri {
 namespace {
 
 using test::count;
+using test::in_box;
+using test::Recorder;
 using test::Simulation;
 using Events = std::vector<Event>;
-
-struct Recorder : Simulation::Observer {
-  void after_event(const Event& event) override { events.push_back(event); }
-  Events events;
-};
 
 // The triangle in which the others move.
 std::vector<Linear_motion_2> triangle() {
@@ -123,8 +120,7 @@ TEST(Scheduled_changes, that_cannot_be_made_are_dropped_and_the_others_made) {
   std::vector<Linear_motion_2> motions = triangle();
   motions.push_back({{0, 0}, {1, 0}, 0});
   motions.push_back({{5, 5}, {0, 1}, 0});
-  Simulation_options options;
-  options.box = Box_2{-100, -100, 100, 100};
+  const Simulation_options options = in_box({-100, -100, 100, 100});
   Simulation simulation(motions, options);
   const Algebraic_number one(1.0);
   // Three wait for point 4 to make way, which it does not; then one leads out of the box.
@@ -145,8 +141,7 @@ TEST(Scheduled_changes, that_cannot_be_made_are_dropped_and_the_others_made) {
 }
 
 TEST(Scheduled_changes, that_have_no_meaning_are_refused) {
-  Simulation_options options;
-  options.box = Box_2{-100, -100, 100, 100};
+  const Simulation_options options = in_box({-100, -100, 100, 100});
   Simulation simulation(triangle(), options);
   simulation.advance_to(1.0);
   EXPECT_PRECONDITION_ERROR(simulation.schedule_erase(Algebraic_number(0.5), 0),
@@ -178,8 +173,7 @@ TEST(Scheduled_changes, may_be_scheduled_by_an_observer) {
   };
   std::vector<Linear_motion_2> motions = triangle();
   motions.push_back({{0, 0}, {7, 0}, 0});
-  Simulation_options options;
-  options.box = Box_2{-100, -100, 49, 100};
+  const Simulation_options options = in_box({-100, -100, 49, 100});
   motions[1].position.x = 40;
   Simulation simulation(motions, options);
   Stopper stopper(simulation);
@@ -198,8 +192,7 @@ TEST(Scheduled_changes, are_those_made_when_the_time_has_come) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> place(-4, 30);
     std::uniform_real_distribution<double> speed(-5, 5);
-    Simulation_options options;
-    options.box = test::box_of(12);
+    Simulation_options options = in_box(test::box_of(12));
     if (seed % 3 != 0) {
       options.radius = 1;
       options.response = seed % 3 == 1 ? collide_elastically : log_contact;

@@ -61,8 +61,7 @@ TEST(Simulation, of_free_points_is_the_triangulation) {
 }
 
 TEST(Simulation, decides_the_same_without_filters) {
-  Simulation_options options = discs(3, collide_elastically);
-  options.box = test::box_of(16);
+  const Simulation_options options = discs(test::box_of(16), 3, collide_elastically);
   const auto motions = test::discs_in_a_box(16, 0.2, 4);
   Simulation filtered(motions, options);
   Simulation exact(motions, options, 0.0, Linear_kinetic_traits_2::exact());

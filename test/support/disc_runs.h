@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <string>
@@ -22,14 +23,23 @@ using Simulation = Simulation_2<>;
 using Simulation_event = Event;
 
 /// All events, in their order.
-struct Recorder : Simulation::Observer {
+struct Recorder : Event_observer {
   void after_event(const Simulation_event& event) override { events.push_back(event); }
 
   std::vector<Simulation_event> of(Event_kind kind) const {
+    return chosen([kind](const Simulation_event& event) { return event.kind == kind; });
+  }
+
+  /// Those of walls and discs.
+  std::vector<Simulation_event> contacts() const {
+    return chosen([](const Simulation_event& event) {
+      return event.kind == Event_kind::wall || event.kind == Event_kind::collision;
+    });
+  }
+
+  std::vector<Simulation_event> chosen(auto condition) const {
     std::vector<Simulation_event> result;
-    for (const auto& event : events) {
-      if (event.kind == kind) result.push_back(event);
-    }
+    std::ranges::copy_if(events, std::back_inserter(result), condition);
     return result;
   }
 
@@ -46,6 +56,13 @@ inline Simulation_options discs(double radius, Collision_response response) {
   Simulation_options options;
   options.radius = radius;
   options.response = std::move(response);
+  return options;
+}
+
+/// The same in a box.
+inline Simulation_options discs(const Box_2& box, double radius, Collision_response response) {
+  Simulation_options options = discs(radius, std::move(response));
+  options.box = box;
   return options;
 }
 

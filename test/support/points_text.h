@@ -7,8 +7,9 @@
 #include <sstream>
 #include <string>
 
+#include "kinetri/base/error.h"
 #include "kinetri/io/points_file.h"
-#include "support/wrong_input.h"
+#include "support/message_of.h"
 
 namespace kinetri::test {
 
@@ -19,7 +20,7 @@ inline Points_file points_of(const std::string& text) {
 
 /// The message of the error that `text` causes; empty if it is read.
 inline std::string points_error(const std::string& text) {
-  return input_problem([&] { points_of(text); });
+  return message_of<Input_error>([&] { points_of(text); });
 }
 
 }  // namespace kinetri::test

@@ -30,6 +30,16 @@ inline void write_file(const std::filesystem::path& path, const std::string& tex
   if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
+/// The names of all entries of the directory, hidden ones included, sorted.
+inline std::vector<std::string> entries_of(const std::filesystem::path& directory) {
+  std::vector<std::string> result;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    result.push_back(entry.path().filename().string());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 /// An empty directory that is removed, with all that is in it, at the end of the test.
 class Temporary_directory {
  public:
@@ -51,14 +61,7 @@ class Temporary_directory {
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 
   /// The names of all entries, hidden ones included, sorted.
-  std::vector<std::string> entries() const {
-    std::vector<std::string> result;
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
-      result.push_back(entry.path().filename().string());
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
+  std::vector<std::string> entries() const { return entries_of(path_); }
 
  private:
   std::filesystem::path path_;

@@ -10,8 +10,9 @@
 #include <sstream>
 #include <string>
 
+#include "kinetri/base/error.h"
 #include "kinetri/io/tracks_file.h"
-#include "support/wrong_input.h"
+#include "support/message_of.h"
 
 namespace kinetri::test {
 
@@ -42,10 +43,10 @@ inline std::string shown(const Tracks_file& file) {
 }
 
 inline std::string rows_error(const std::string& text) {
-  return input_problem([&] { rows(text); });
+  return message_of<Input_error>([&] { rows(text); });
 }
 inline std::string frames_error(const std::string& text, double fps = 25) {
-  return input_problem([&] { frames(text, fps); });
+  return message_of<Input_error>([&] { frames(text, fps); });
 }
 
 /// The promises that hold for every file: the order of tracks and observations, and the sum.

@@ -1,27 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Input that is wrong: the message of its error, and a stream that breaks.
+// Input that cannot be read: paths, and a stream that breaks.
 #ifndef KINETRI_TEST_SUPPORT_WRONG_INPUT_H
 #define KINETRI_TEST_SUPPORT_WRONG_INPUT_H
 
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
 #include <stdexcept>
 #include <streambuf>
 #include <string>
 #include <utility>
 
 #include "kinetri/base/error.h"
+#include "support/message_of.h"
+#include "support/temporary_directory.h"
 
 namespace kinetri::test {
 
-/// The message of the Input_error that `function` throws; empty if it throws none.
-template <class Function>
-std::string input_problem(Function function) {
-  try {
-    function();
-  } catch (const Input_error& error) {
-    return error.what();
-  }
-  return {};
+/// Expects that what cannot be read is named with its path. `read` is given a path; what it reads
+/// is called `content` in messages.
+template <class Read>
+void expect_bad_paths_are_named(const std::string& content, Read read) {
+  const Temporary_directory directory;
+  const auto message = [&read](const std::string& path) {
+    return message_of<Input_error>([&] { read(path); });
+  };
+  EXPECT_EQ(message(directory.path()),
+            directory.path().string() + ": is a directory; expected a file of " + content);
+  EXPECT_EQ(message(directory.file("missing")),
+            directory.file("missing") +
+                ": cannot be opened: No such file or directory; expected a readable file of " +
+                content);
+  EXPECT_NE(message(""), "");
+  if (::geteuid() == 0) return;  // who may read everything
+  write_file(directory.file("secret"), "");
+  std::filesystem::permissions(directory.file("secret"), std::filesystem::perms::none);
+  EXPECT_NE(message(directory.file("secret")).find("Permission denied"), std::string::npos);
 }
 
 /// Gives the text, and then breaks.

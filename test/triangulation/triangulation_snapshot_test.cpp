@@ -13,6 +13,7 @@
 #include <set>
 
 #include "support/kinetic_runs.h"
+#include "support/message_of.h"
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
@@ -242,12 +243,8 @@ TEST(Triangulation_snapshot, is_not_taken_within_an_event) {
 // ---- what is no state ----
 
 std::string refusal(const Snapshot& snapshot) {
-  try {
-    const auto restored = Kinetic_delaunay::restore(snapshot);
-  } catch (const Snapshot_error& error) {
-    return error.what();
-  }
-  return {};
+  return test::message_of<Snapshot_error>(
+      [&snapshot] { const auto restored = Kinetic_delaunay::restore(snapshot); });
 }
 
 bool is_refused_for(const Snapshot& snapshot, const std::string& reason) {
