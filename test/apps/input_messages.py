@@ -161,7 +161,12 @@ def table_cases():
     yield points('x,y,vx,vy\n"1"2,2,3,4\n', line=2, text="2", separator=",")
     yield points("x;y;vx;vy\n1,5;2;3;4\n", line=2, column="x", text="1,5")
     yield tracks("# id frame x y\n1 1 0 0\n", "--format frames", line=1, columns="id frame x y")
-    yield tracks("# framerate: 16\n1 1 0 0\n", "--format frames --fps 25", line=1, rate=16, fps=25)
+    for comment in ("# framerate: 16 fps", "# frame rate = 16"):
+        yield tracks(f"{comment}\n1 1 0 0\n", "--format frames", line=1, rate=16, fps=1)
+        yield tracks(f"1 1 0 0\n{comment}\n2 1 0 1\n", "--format frames --fps 16", line=2)
+    yield tracks("1 7 0 0\n1 8 1 0\n1 9 2 0\n", "--format frames", n=3)
+    walk = "".join(f"{person} {frame} {frame} {9 * person}\n" for person in range(4) for frame in range(5))
+    yield tracks(walk, "--format frames", distance=9, other=1)
     yield points("\n# c\nx,y,x,vx,vy\n", line=3, column="x", columns=POINTS_COLUMNS)
     yield points("x,y,vx\n1,2,3\n", line=1, column="vy", columns=POINTS_COLUMNS)
     yield tracks("t,id,x\n", line=1, column="y", columns=TRACKS_COLUMNS)
