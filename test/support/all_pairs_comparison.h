@@ -4,6 +4,7 @@
 #ifndef KINETRI_TEST_SUPPORT_ALL_PAIRS_COMPARISON_H
 #define KINETRI_TEST_SUPPORT_ALL_PAIRS_COMPARISON_H
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -119,14 +120,23 @@ std::string difference_from_all_pairs(
     if (!problem.empty() || is_pressed || compared >= most_contacts) break;
     simulation.advance_to(time);
     oracle.advance_to(Algebraic_number(time));
-    if (motion && id == simulation.triangulation().next_id()) {
-      simulation.insert(*motion);
-    } else if (!simulation.triangulation().contains(id)) {
+    const bool is_new = id == simulation.triangulation().next_id();
+    if (!is_new && !simulation.triangulation().contains(id)) continue;
+    const bool is_taken = std::ranges::any_of(oracle.motions(), [&](const auto& other) {
+      return motion && other.first != id && same_trajectory(other.second, *motion);
+    });
+    try {
+      if (is_new && motion) {
+        simulation.insert(*motion);
+      } else if (motion) {
+        simulation.set_motion(id, *motion);
+      } else if (!is_new) {
+        simulation.erase(id);
+      }
+      if (is_taken) return "one trajectory twice, not refused";
+    } catch (const Coincident_trajectories_error&) {
+      if (!is_taken) return "refused, though no trajectory is twice";
       continue;
-    } else if (motion) {
-      simulation.set_motion(id, *motion);
-    } else {
-      simulation.erase(id);
     }
     oracle.set_motion(id, motion);
     problem = audit_problem(Audit_level::certificates);
