@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -52,6 +53,16 @@ class All_pairs_simulator {
 
   /// Whether a contact has come for which no response is left.
   bool is_pressed() const { return is_pressed_; }
+
+  /// Whether two points have one trajectory.
+  bool has_twins() const {
+    for (auto one = motions_.begin(); one != motions_.end(); ++one) {
+      for (auto other = std::next(one); other != motions_.end(); ++other) {
+        if (same_trajectory(one->second, other->second)) return true;
+      }
+    }
+    return false;
+  }
 
   /// Goes to `time`. Precondition: there is no contact before that time.
   void advance_to(const Algebraic_number& time) { time_ = time; }

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Kinetic_delaunay_triangulation_2: the triangulation at a time, from the points
+// alone.
+#ifndef KINETRI_TRIANGULATION_DETAIL_START_IMPL_H
+#define KINETRI_TRIANGULATION_DETAIL_START_IMPL_H
+
+#include <algorithm>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/triangulation/detail/static_delaunay.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+// The triangulation just after a time. That of the rounded places is nearly the same, and made
+// fast; where it is not certain to be the only one after some flips, CGAL inserts the points.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> points,
+                                                     const Time& time) const -> Triangulation {
+  Triangulation result(traits_.instantaneous_traits({time, Time_side::after}));
+  if (build_from_places(points, time, result)) return result;
+  result.clear();
+  result.insert(points.begin(), points.end());
+  if (result.number_of_vertices() == points.size()) return result;
+  // CGAL keeps one vertex for points in one place. Points in one place just after a time are in one
+  // place at all times.
+  for (const Point_2& point : points) {
+    const Point_id kept = result.nearest_vertex(point)->point().id();
+    if (kept != point.id()) {
+      throw Coincident_trajectories_error(std::min(kept, point.id()), std::max(kept, point.id()));
+    }
+  }
+  KINETRI_ASSERT(false, "every point has a vertex");
+  return result;
+}
+
+// Makes `result`, which is empty, the triangulation of the points at the instant of its traits,
+// from that of their rounded places. Returns false, and leaves anything, where the rounded places
+// have another hull or a triangle that turns over, or where several triangulations are Delaunay.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::build_from_places(std::span<const Point_2> points,
+                                                                 const Time& time,
+                                                                 Triangulation& result) const {
+  if constexpr (requires(const Motion& motion) {
+                  { rounded_place(motion, 0.0) } -> std::same_as<Vector_2>;
+                }) {
+    constexpr std::size_t few = 16;  // are inserted as fast
+    if (points.size() < few) return false;
+    const double rounded_time = time.to_double();
+    std::vector<Vector_2> places;
+    places.reserve(points.size());
+    for (const Point_2& point : points) {
+      places.push_back(rounded_place(point.motion(), rounded_time));
+    }
+    const detail::Static_delaunay found = detail::static_delaunay(places);
+    if (found.faces.empty()) return false;
+    auto& tds = result.tds();
+    tds.faces().clear();
+    tds.set_dimension(2);
+    std::vector<Vertex_handle> vertices(points.size());
+    for (const Point_id i : found.order) {
+      vertices[i] = tds.create_vertex();
+      vertices[i]->set_point(points[i]);
+    }
+    std::vector<Face_handle> faces;
+    faces.reserve(found.faces.size());
+    for (const auto& face : found.faces) {
+      const auto vertex = [&](std::size_t i) {
+        const Point_id id = face.vertices[i];
+        return id == no_point ? result.infinite_vertex() : vertices[id];
+      };
+      faces.push_back(tds.create_face(vertex(0), vertex(1), vertex(2)));
+      for (std::size_t i = 0; i < 3; ++i) vertex(i)->set_face(faces.back());
+    }
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const auto& [a, b, c] = found.faces[f].neighbors;
+      faces[f]->set_neighbors(faces[a], faces[b], faces[c]);
+    }
+    return is_embedded(result) && flip_until_delaunay(result);
+  }
+  return false;
+}
+
+// Whether all triangles turn left, and the hull turns left at each of its vertices and goes around
+// once. Then a triangulation whose faces make a sphere is embedded (see check_restored).
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded(const Triangulation& triangulation) {
+  const Instantaneous_traits& now = triangulation.geom_traits();
+  const auto orientation = now.orientation_2_object();
+  const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+    return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
+  };
+  const bool turn_left =
+      std::ranges::all_of(triangulation.finite_face_handles(), [&](Face_handle face) {
+        return is_left_turn(face->vertex(0), face->vertex(1), face->vertex(2));
+      });
+  if (!turn_left) return false;
+  const auto is_less = [&](Vertex_handle v, Vertex_handle w) {
+    const auto by_x = now.compare_x_2_object()(v->point(), w->point());
+    return by_x == CGAL::SMALLER ||
+           (by_x == CGAL::EQUAL &&
+            now.compare_y_2_object()(v->point(), w->point()) == CGAL::SMALLER);
+  };
+  // Around the infinite vertex they come clockwise.
+  std::vector<Vertex_handle> hull;
+  detail::for_each_neighbor(triangulation, triangulation.infinite_vertex(),
+                            [&](Vertex_handle v) { hull.push_back(v); });
+  std::size_t least_vertices = 0;
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    const Vertex_handle next = hull[k];
+    const Vertex_handle here = hull[(k + 1) % hull.size()];
+    const Vertex_handle previous = hull[(k + 2) % hull.size()];
+    if (!is_left_turn(previous, here, next)) return false;
+    if (is_less(here, previous) && is_less(here, next)) ++least_vertices;
+  }
+  return least_vertices == 1;
+}
+
+// Flips edges until the triangulation, which is embedded, is Delaunay. Returns false if it is not
+// the only one that is: if four points are cocircular.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangulation) {
+  const auto side = triangulation.geom_traits().side_of_oriented_circle_2_object();
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (const Face_handle face : triangulation.finite_face_handles()) {
+      for (int i = 0; i < 3; ++i) {
+        const Face_handle beyond = face->neighbor(i);
+        if (!(face < beyond) || triangulation.is_infinite(beyond)) continue;
+        const Vertex_handle opposite = beyond->vertex(triangulation.tds().mirror_index(face, i));
+        const auto where = side(face->vertex(0)->point(), face->vertex(1)->point(),
+                                face->vertex(2)->point(), opposite->point());
+        if (where == CGAL::ON_ORIENTED_BOUNDARY) return false;
+        if (where == CGAL::ON_NEGATIVE_SIDE) continue;
+        triangulation.tds().flip(face, i);
+        is_changed = true;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_START_IMPL_H

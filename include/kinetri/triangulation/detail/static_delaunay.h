@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Delaunay triangulation of static points in doubles, by CGAL's fastest kernel, as plain
+// numbers. A kinetic triangulation begins with that of the rounded places of its points, and checks
+// each triangle and edge for the points as they are.
+#ifndef KINETRI_TRIANGULATION_DETAIL_STATIC_DELAUNAY_H
+#define KINETRI_TRIANGULATION_DETAIL_STATIC_DELAUNAY_H
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri::detail {
+
+struct Static_delaunay {
+  /// A face, as CGAL has it: neighbor i is opposite vertex i.
+  struct Face {
+    std::array<Point_id, 3> vertices;        ///< counterclockwise; no_point is the infinite vertex
+    std::array<std::uint32_t, 3> neighbors;  ///< positions in `faces`
+  };
+
+  /// All faces, infinite ones too.
+  std::vector<Face> faces;
+  /// The points in an order in which near ones follow one another.
+  std::vector<Point_id> order;
+};
+
+/// The triangulation of the places, which are numbered from 0. Empty if there is none with a vertex
+/// for each place: if two places are equal, or all are on a line, or a coordinate is not finite.
+/// O(n log n), some 0.5 microseconds a point.
+Static_delaunay static_delaunay(std::span<const Vector_2> places);
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_STATIC_DELAUNAY_H
