@@ -3,6 +3,8 @@
 // `kinetri experiment` from outside: tables, plots, and bad usage.
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -109,6 +111,24 @@ TEST_F(Experiment, needs_no_gnuplot_for_tables) {
                                "5",          "--seeds",  "1", "--no-plots"};
   EXPECT_EQ(run(arguments, input).exit_code, 0);
   EXPECT_TRUE(exists("r/experiment.csv"));
+}
+
+TEST_F(Experiment, tables_take_their_places_with_the_plots_or_not_at_all) {
+  std::filesystem::create_directory(file("r"));
+  write("r/experiment.csv", "before");
+  std::filesystem::create_directory(file("bin"));
+  write("bin/gnuplot", "#!/bin/sh\n[ \"$1\" = --version ]\n");
+  std::filesystem::permissions(file("bin/gnuplot"), std::filesystem::perms::owner_all);
+  test::Process_input input;
+  input.environment = {"PATH=bin:/bin:/usr/bin"};
+  const Outcome outcome =
+      run({"experiment", "--output", "r", "--points", "5", "--seeds", "1"}, input);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err.rfind("gnuplot: drawing failed;", 0), 0U) << outcome.err;
+  EXPECT_EQ(read("r/experiment.csv"), "before");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file("r")),
+                          std::filesystem::directory_iterator()),
+            1);
 }
 
 }  // namespace

@@ -4,11 +4,13 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "apps/program_test.h"
@@ -275,6 +277,81 @@ TEST_F(Interruption, second_signal_ends_at_once_and_leaves_nothing) {
   const Outcome outcome = process.wait();
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(entries(), Entries{"p.csv"});
+}
+
+// ---- outputs that belong together ----
+
+class Commit : public Interruption {
+ protected:
+  // A gnuplot that draws when there is a file named go.
+  void write_slow_gnuplot() const {
+    std::filesystem::create_directory(file("bin"));
+    write("bin/gnuplot",
+          "#!/bin/sh\n[ \"$1\" = --version ] && exit\ntouch drawing\n"
+          "while [ ! -e go ]; do sleep 0.01; done\necho '<svg/>'\n");
+    std::filesystem::permissions(file("bin/gnuplot"), std::filesystem::perms::owner_all);
+  }
+
+  Process drawing_run() const {
+    return Process(
+        KINETRI_PROGRAM,
+        {"simulate", "p.csv", "--until", "3", "--plot", "plot.svg", "--edges", "edges.csv"},
+        {.directory = directory(), .environment = {"PATH=bin:/bin:/usr/bin"}});
+  }
+};
+
+TEST_F(Commit, signal_while_outputs_are_written_lets_them_be_completed) {
+  write("p.csv", one_flip);
+  write_slow_gnuplot();
+  Process process = drawing_run();
+  process.wait_until([&] { return exists("drawing"); });
+  process.send(SIGINT);
+  // Longer than a run that does not stop is waited for.
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  write("go", "");
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(read("plot.svg"), "<svg/>\n");
+  EXPECT_EQ(read("edges.csv"), "a,b\n0,1\n0,2\n1,2\n1,3\n2,3\n");
+}
+
+TEST_F(Commit, second_signal_while_outputs_are_written_ends_at_once_and_leaves_nothing) {
+  write("p.csv", one_flip);
+  write_slow_gnuplot();
+  Process process = drawing_run();
+  process.wait_until([&] { return exists("drawing"); });
+  process.send(SIGINT);
+  process.send(SIGTERM);
+  const Outcome outcome = process.wait();
+  write("go", "");
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(entries(), (Entries{"bin", "drawing", "go", "p.csv"}));
+}
+
+// An output that cannot take its place any more leaves the checkpoint that was there, and no newer
+// one stands beside older outputs.
+TEST_F(Commit, checkpoint_takes_its_place_last) {
+  for (const std::string option : {"--events", "--edges", "--html", "--stats", "--frames"}) {
+    SCOPED_TRACE(option);
+    ASSERT_EQ(::mkfifo(file("p.csv").c_str(), 0600), 0);
+    write("run.kinetri", "before");
+    Process process(
+        KINETRI_PROGRAM,
+        {"simulate", "p.csv", "--until", "3", option, "out", "--checkpoint", "run.kinetri"},
+        {.directory = directory()});
+    // Its outputs are open, and it waits for points.
+    const std::size_t temporaries = option == "--frames" ? 1 : 2;
+    process.wait_until([&] { return entries().size() == 2 + temporaries; });
+    std::filesystem::create_directories(file("out/in the way"));
+    write("p.csv", one_flip);
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err.rfind("out: cannot be replaced by the ", 0), 0U) << outcome.err;
+    EXPECT_EQ(entries(), (Entries{"out", "p.csv", "run.kinetri"}));
+    EXPECT_EQ(read("run.kinetri"), "before");
+    std::filesystem::remove_all(file("out"));
+    std::filesystem::remove(file("p.csv"));
+  }
 }
 
 }  // namespace

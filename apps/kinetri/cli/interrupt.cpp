@@ -14,7 +14,15 @@
 namespace kinetri::app {
 namespace {
 
-volatile std::sig_atomic_t graceful = 0;
+// What there is to lose when a signal comes.
+enum Stage : int {
+  reading,     // nothing: the process ends
+  running,     // what the run has come to: it is asked to stop
+  writing,     // the outputs: they are completed, unless another signal comes
+  committing,  // that outputs belong together: signals change nothing
+  committed,   // nothing, and there are no temporaries
+};
+volatile std::sig_atomic_t stage = reading;
 volatile std::sig_atomic_t stop_requested = 0;
 
 // How long a run may take until it notices that it is to stop: some of its steps are long.
@@ -31,9 +39,11 @@ void set_alarm(suseconds_t microseconds) {
 // A handler: only async-signal-safe calls (setitimer is a plain system call).
 extern "C" {
 static void on_signal(int signal) {
-  if (graceful != 0 && stop_requested == 0) {
+  if (stage == committing) return;
+  if (stage == committed) ::_exit(static_cast<int>(Exit_code::interrupted));
+  if (stage != reading && stop_requested == 0) {
     stop_requested = 1;
-    set_alarm(patience_us);
+    if (stage == running) set_alarm(patience_us);
     return;
   }
   constexpr std::string_view at_once = "\nkinetri: interrupted, nothing written\n";
@@ -63,7 +73,20 @@ void install_signal_handlers() {
 }
 
 void stop_gracefully_from_now_on() {
-  graceful = 1;
+  stage = running;
+}
+
+void complete_outputs_from_now_on() {
+  stage = writing;
+  set_alarm(0);
+}
+
+Commit_section::Commit_section() {
+  stage = committing;
+}
+
+Commit_section::~Commit_section() {
+  stage = committed;
 }
 
 bool interrupted() noexcept {

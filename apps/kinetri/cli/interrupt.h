@@ -18,6 +18,20 @@ void install_signal_handlers();
 /// From now on the first signal only makes interrupted() true.
 void stop_gracefully_from_now_on();
 
+/// From now on the first signal changes nothing: the run is over, and its outputs are written. The
+/// second one ends the process.
+void complete_outputs_from_now_on();
+
+/// As long as it lives, signals change nothing: outputs that belong together take their places.
+/// Afterwards they end the process.
+class Commit_section {
+ public:
+  Commit_section();
+  ~Commit_section();
+  Commit_section(const Commit_section&) = delete;
+  Commit_section& operator=(const Commit_section&) = delete;
+};
+
 /// Whether a signal has asked the run to stop. If so, the caller stops, and may take its time.
 bool interrupted() noexcept;
 

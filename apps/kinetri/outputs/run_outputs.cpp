@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/arguments.h"
+#include "cli/interrupt.h"
 #include "io/text.h"
 
 namespace kinetri::app {
@@ -79,10 +80,14 @@ void Run_outputs::finish(Output_file& file) {
 
 void Run_outputs::commit() {
   for (Output_file& file : files_) finish(file);
+  const Commit_section uninterrupted;
   for (Output_directory& directory : directories_) directory.commit();
+  // The checkpoint last: it never stands beside outputs that are older.
+  Output_file* const checkpoint = file(Output::checkpoint);
   for (Output_file& file : files_) {
-    if (!is_unread(file)) file.commit();
+    if (&file != checkpoint && !is_unread(file)) file.commit();
   }
+  if (checkpoint != nullptr && !is_unread(*checkpoint)) checkpoint->commit();
 }
 
 std::vector<std::string> Run_outputs::paths() const {

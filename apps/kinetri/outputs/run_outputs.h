@@ -36,7 +36,8 @@ class Run_outputs {
   /// other outputs, these are still worth the run.
   void finish(Output output) { finish(*file(output)); }
 
-  /// All are complete before the first takes its place. Throws Output_error.
+  /// All are complete before the first takes its place; the checkpoint is the last one. Throws
+  /// Output_error.
   void commit();
 
   /// Whether nobody reads standard output any more. Known when all are complete.

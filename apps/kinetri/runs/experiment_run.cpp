@@ -81,13 +81,16 @@ class Experiments {
   Exit_code run();
 
  private:
+  using Content = std::function<void(std::ostream&)>;
+  using Files = std::vector<Output_file>;
+
   void measure();
   void compare();
   void write() const;
-  void write_file(const std::string& name, const std::function<void(std::ostream&)>& content) const;
+  void add_file(Files& files, const std::string& name, const Content& content) const;
   void write_runs(std::ostream& out) const;
   void write_comparisons(std::ostream& out) const;
-  void plot(const std::string& name, const std::string& script, int width) const;
+  void add_plot(Files& files, const std::string& name, const std::string& script, int width) const;
   std::string title() const;
   std::string run_time_plot() const;
   std::string events_plot() const;
@@ -104,6 +107,7 @@ class Experiments {
   Progress progress_;
   std::vector<Run> runs_;
   std::vector<Comparison> comparisons_;
+  bool is_interrupted_ = false;
 };
 
 Exit_code Experiments::run() {
@@ -116,11 +120,13 @@ Exit_code Experiments::run() {
   stop_gracefully_from_now_on();
   measure();
   if (plan_.compares) compare();
+  is_interrupted_ = interrupted();
+  complete_outputs_from_now_on();
   progress_.show_stage("writing");
   write();
   progress_.clear();
   if (!plan_.quiet) summarize();
-  return interrupted() ? Exit_code::interrupted : Exit_code::done;
+  return is_interrupted_ ? Exit_code::interrupted : Exit_code::done;
 }
 
 void Experiments::measure() {
@@ -173,22 +179,25 @@ Spread Experiments::over_seeds(double step, Value value) const {
 
 // ---- files ----
 
-void Experiments::write_file(const std::string& name,
-                             const std::function<void(std::ostream&)>& content) const {
-  Output_file file((std::filesystem::path(plan_.directory) / name).string());
+void Experiments::add_file(Files& files, const std::string& name, const Content& content) const {
+  Output_file& file = files.emplace_back((std::filesystem::path(plan_.directory) / name).string());
   content(file.stream());
-  file.commit();
+  file.finish();
 }
 
 void Experiments::write() const {
-  write_file("experiment.csv", [&](std::ostream& out) { write_runs(out); });
+  Files files;
+  add_file(files, "experiment.csv", [&](std::ostream& out) { write_runs(out); });
   if (plan_.compares) {
-    write_file("comparison.csv", [&](std::ostream& out) { write_comparisons(out); });
+    add_file(files, "comparison.csv", [&](std::ostream& out) { write_comparisons(out); });
   }
-  if (!plan_.plots || runs_.empty()) return;
-  plot("runtime", run_time_plot(), 720);
-  plot("events", events_plot(), 1100);
-  if (!comparisons_.empty()) plot("comparison", comparison_plot(), 1100);
+  if (plan_.plots && !runs_.empty()) {
+    add_plot(files, "runtime", run_time_plot(), 720);
+    add_plot(files, "events", events_plot(), 1100);
+    if (!comparisons_.empty()) add_plot(files, "comparison", comparison_plot(), 1100);
+  }
+  const Commit_section uninterrupted;
+  for (Output_file& file : files) file.commit();
 }
 
 void Experiments::write_runs(std::ostream& out) const {
@@ -222,11 +231,12 @@ void Experiments::write_comparisons(std::ostream& out) const {
 
 // ---- plots ----
 
-void Experiments::plot(const std::string& name, const std::string& script, int width) const {
+void Experiments::add_plot(Files& files, const std::string& name, const std::string& script,
+                           int width) const {
   constexpr int height = 460;
   const Plot drawn = draw(script, width, height);
-  write_file(name + ".svg", [&](std::ostream& out) { out << drawn.svg; });
-  write_file(name + ".png", [&](std::ostream& out) { out << drawn.png; });
+  add_file(files, name + ".svg", [&](std::ostream& out) { out << drawn.svg; });
+  add_file(files, name + ".png", [&](std::ostream& out) { out << drawn.png; });
 }
 
 std::string data_row(double x, const Spread& s) {
@@ -335,7 +345,7 @@ std::string Experiments::comparison_plot() const {
 void Experiments::summarize() const {
   print_error(joined(heading("kinetri experiment:", Stream::error), " ",
                      counted(setting_.points, "point"), ", ", counted(runs_.size(), "run"),
-                     interrupted() ? ", interrupted" : "", "\n"));
+                     is_interrupted_ ? ", interrupted" : "", "\n"));
   print_error(heading("  moving   run time    events   discarded", Stream::error) + "\n");
   for (const int percentage : {0, 50, 100}) {
     const Spread time = over_seeds(percentage, [](const Run& run) { return run.result.seconds; });

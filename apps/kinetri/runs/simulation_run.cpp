@@ -122,6 +122,7 @@ Exit_code Simulation_run::run() {
     progress_.show_stage("auditing");
     audit(Audit_level::certificates);
   }
+  complete_outputs_from_now_on();
   progress_.show_stage("writing");
   write_outputs();
   progress_.clear();
