@@ -350,6 +350,10 @@ class Kinetic_delaunay_triangulation_2 {
 
   // Construction.
   Triangulation build(std::span<const Point_2> points, const Time& time) const;
+  bool build_from_places(std::span<const Point_2> points, const Time& time,
+                         Triangulation& result) const;
+  static bool is_embedded(const Triangulation& triangulation);
+  static bool flip_until_delaunay(Triangulation& triangulation);
   void index_vertices();
 
   // Snapshots.

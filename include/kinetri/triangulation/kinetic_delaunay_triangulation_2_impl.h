@@ -42,24 +42,6 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> points,
-                                                     const Time& time) const -> Triangulation {
-  Triangulation result(traits_.instantaneous_traits({time, Time_side::after}));
-  result.insert(points.begin(), points.end());
-  if (result.number_of_vertices() == points.size()) return result;
-  // CGAL keeps one vertex for points in one place. Points in one place just after a time are in one
-  // place at all times.
-  for (const Point_2& point : points) {
-    const Point_id kept = result.nearest_vertex(point)->point().id();
-    if (kept != point.id()) {
-      throw Coincident_trajectories_error(std::min(kept, point.id()), std::max(kept, point.id()));
-    }
-  }
-  KINETRI_ASSERT(false, "every point has a vertex");
-  return result;
-}
-
-template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::index_vertices() {
   for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
     vertices_[v->point().id()] = v;
@@ -95,5 +77,6 @@ std::vector<Edge_ids> Kinetic_delaunay_triangulation_2<Traits>::finite_edge_ids(
 #include "kinetri/triangulation/detail/rebuild_impl.h"
 #include "kinetri/triangulation/detail/scheduling_impl.h"
 #include "kinetri/triangulation/detail/snapshot_impl.h"
+#include "kinetri/triangulation/detail/start_impl.h"
 
 #endif  // KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The triangulation at the start is that of the exact places, where that of the rounded ones is
+// another one: for points a few units in the last place away from degenerate ones.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "kinetri/algebra/real_roots.h"
+#include "support/kinetic_runs.h"
+
+namespace kinetri {
+namespace {
+
+using test::Kinetic_delaunay;
+
+/// Points of a lattice, each a few units in the last place away, at the time 0 or at `epoch`.
+std::vector<Linear_motion_2> near_lattice(int side, double epoch, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<int> ulps(-2, 2);
+  std::uniform_real_distribution<double> component(-1, 1);
+  std::vector<Linear_motion_2> result;
+  for (int i = 0; i < side * side; ++i) {
+    const auto place = [&](int at) {
+      double x = 1 + at;
+      const int steps = ulps(random);
+      for (int k = 0; k < std::abs(steps); ++k) x = std::nextafter(x, steps < 0 ? 0 : 100);
+      return x;
+    };
+    const double x = place(i % side);
+    const double y = place(i / side);
+    const double vx = component(random);
+    const double vy = component(random);
+    // Back to the epoch: the place at time 0 is that of the lattice up to rounding.
+    result.push_back({{x + vx * epoch, y + vy * epoch}, {vx, vy}, epoch});
+  }
+  return result;
+}
+
+class Start : public testing::TestWithParam<double> {};
+
+TEST_P(Start, of_points_near_a_lattice_is_delaunay) {
+  for (unsigned seed = 1; seed <= 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    for (const int side : {4, 5, 9}) {
+      const Kinetic_delaunay kinetic(near_lattice(side, GetParam(), seed), Algebraic_number(0.0));
+      ASSERT_EQ(test::audit_problem(kinetic, Audit_level::reference), "")
+          << "seed " << seed << ", " << side << " a side";
+    }
+  }
+}
+
+TEST_P(Start, of_points_near_a_lattice_at_an_irrational_time_is_delaunay) {
+  const Polynomial two({-2, 0, 1});
+  const Algebraic_number start = first_root_after(two, Algebraic_number(0.0))->value;
+  for (unsigned seed = 1; seed <= 5u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const Kinetic_delaunay kinetic(near_lattice(5, GetParam() + std::sqrt(2.0), seed), start);
+    ASSERT_EQ(test::audit_problem(kinetic, Audit_level::reference), "") << "seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Epochs, Start, testing::Values(0.0, 1.0 / 3, 1e6 / 3, 1e12 / 3, 1e17 / 3));
+
+TEST(Start_of_close_points, with_equal_rounded_places_is_delaunay) {
+  std::vector<Linear_motion_2> motions;
+  for (int i = 0; i < 40; ++i) {
+    // At time 0 all pairs are a hundredth of a unit in the last place apart.
+    const double x = 1 + i % 8;
+    const double y = 1 + i / 8 + (i * i % 11) / 16.0;
+    motions.push_back({{x, y}, {0, 0}, 0});
+    motions.push_back({{x + 1e6, y}, {1, 1e-25}, 1e6});
+  }
+  const Kinetic_delaunay kinetic(motions, Algebraic_number(0.0));
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::reference), "");
+}
+
+}  // namespace
+}  // namespace kinetri
