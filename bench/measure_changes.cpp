@@ -56,6 +56,27 @@ json measure_changes(const Setup& setup) {
       }
       result["turn_ns"] = nanoseconds(watch, changes.ids.size());
     }
+    // All velocities at one time, and a tenth of them, beside a static triangulation made anew.
+    const auto turn_every = [&](std::size_t period) {
+      std::vector<Point_id> ids;
+      std::vector<Linear_motion_2> turned;
+      for (std::size_t i = 0; i < motions.size(); i += period) {
+        ids.push_back(static_cast<Point_id>(i));
+        const Vector_2& velocity = changes.motions[i % changes.motions.size()].velocity;
+        turned.push_back(with_velocity_at(kinetic.motion(ids.back()), velocity, present));
+      }
+      const Stopwatch watch;
+      kinetic.set_motions(ids, turned);
+      return watch.seconds();
+    };
+    const double all = turn_every(1);
+    const double tenth = turn_every(10);
+    const Stopwatch watch_static;
+    const Static_triangulation anew(places.begin(), places.end());
+    const double rebuilt = watch_static.seconds();
+    result["turn_all_ns"] = 1e9 * all / static_cast<double>(motions.size());
+    result["turn_all_over_rebuild"] = ratio(all, rebuilt);
+    result["turn_tenth_over_rebuild"] = ratio(tenth, rebuilt);
     std::vector<Point_id> inserted;
     {
       const Stopwatch watch;

@@ -176,6 +176,8 @@ DISC_FIGURES = (
 CHANGE_FIGURES = (
     ("turn of a point: ns", "turn_ns"),
     ("insertion: ns", "insert_ns"),
+    ("all points turn at once / static rebuild", "turn_all_over_rebuild"),
+    ("every tenth point turns / static rebuild", "turn_tenth_over_rebuild"),
     ("insertion / static insertion", "insert_over_static"),
     ("erasure: ns", "erase_ns"),
     ("erasure / static removal", "erase_over_static"),

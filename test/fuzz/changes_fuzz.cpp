@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A tiny triangulation from bytes whose points come, turn, jump and go, with full audits; the same
-// without filters; and the brute-force simulator, which looks at all pairs and all circles.
+// A tiny triangulation from bytes whose points come, turn, jump and go, alone or together, with
+// full audits; the same without filters; and the brute-force simulator, which looks at all pairs
+// and all circles.
 #include <algorithm>
+#include <map>
 #include <vector>
 
 #include "fuzz/fuzz.h"
@@ -86,8 +88,66 @@ class Run {
     check();
   }
 
+  // Several at once: turns of some, or an erasure of some, or insertions.
+  void change_several(Fuzz_input& input) {
+    const int kind = input.integer(0, 3);
+    std::vector<Point_id> ids;
+    std::vector<Linear_motion_2> motions;
+    std::map<Point_id, Linear_motion_2> after = oracle_.motions();
+    if (kind == 0) {
+      for (std::size_t n = after.size(); n < most_points; ++n) {
+        motions.push_back(read_motion(input, input.integer(-1, 1)));
+        after[static_cast<Point_id>(kinetic_.next_id() + motions.size() - 1)] = motions.back();
+      }
+    } else {
+      for (const auto& [id, motion] : oracle_.motions()) {
+        if (input.integer(0, 2) == 0) continue;
+        ids.push_back(id);
+        // Some only turn, and some exchange their motions.
+        Linear_motion_2 next = read_motion(input, 0);
+        if (input.integer(0, 1) == 0) next = {motion.position, next.velocity, motion.epoch};
+        if (input.integer(0, 3) == 0) next = oracle_.motions().begin()->second;
+        motions.push_back(next);
+        after[id] = next;
+        if (kind == 1) after.erase(id);
+      }
+    }
+    bool is_twice = false;
+    for (const auto& [a, one] : after) {
+      for (const auto& [b, other] : after) is_twice |= a < b && same_trajectory(one, other);
+    }
+    const auto change = [&](test::Kinetic_delaunay& kinetic) {
+      if (kind == 0) {
+        kinetic.insert(motions);
+      } else if (kind == 1) {
+        kinetic.erase(ids);
+      } else {
+        kinetic.set_motions(ids, motions);
+      }
+    };
+    const Point_id next_id = kinetic_.next_id();
+    for (test::Kinetic_delaunay* kinetic : {&kinetic_, &exact_}) {
+      try {
+        change(*kinetic);
+        require(!is_twice, "one trajectory twice, not refused");
+      } catch (const Coincident_trajectories_error&) {
+        require(is_twice, "refused, though no trajectory is twice");
+        require(kinetic->next_id() == next_id, "refused, but ids are gone");
+      }
+    }
+    if (!is_twice) {
+      for (const Point_id id : ids) oracle_.erase(id);
+      for (const auto& [id, motion] : after) oracle_.set_motion(id, motion);
+    }
+    check();
+  }
+
  private:
   void check() {
+    require(kinetic_.number_of_points() == oracle_.motions().size(), "another number of points");
+    for (const auto& [id, motion] : oracle_.motions()) {
+      require(kinetic_.motion(id) == motion, "another motion");
+    }
     require(kinetic_.current_time() == exact_.current_time(), "another time without filters");
     const std::string problem = test::audit_problem(kinetic_, Audit_level::certificates);
     require(problem.empty(), problem);
@@ -117,8 +177,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   kinetri::Run run(motions, kinetri::Algebraic_number(kinetri::Rational(input.integer(-2, 2), 2)));
   for (int i = 0; i < kinetri::most_operations && !input.at_end(); ++i) {
-    if (input.integer(0, 2) == 0) {
+    const int kind = input.integer(0, 3);
+    if (kind == 0) {
       run.advance(input.integer(1, 4));
+    } else if (kind == 1) {
+      run.change_several(input);
     } else {
       run.change(input);
     }

@@ -34,6 +34,7 @@
 #include "kinetri/events/event_scheduler.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/triangulation/audit.h"
+#include "kinetri/triangulation/detail/prefetch.h"
 #include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 #include "kinetri/triangulation/triangulation_snapshot.h"
@@ -45,28 +46,7 @@ namespace detail {
 template <class KineticTriangulation>
 class Auditor;
 
-/// Prefetches the vertex or face of a handle, if there is one.
-template <class Handle>
-KINETRI_ALWAYS_INLINE void prefetch(Handle handle) {
-  prefetch_address(handle.operator->());
-}
-
-/// Prefetches the vertices and the neighbors of a face.
-template <class Face_handle>
-KINETRI_ALWAYS_INLINE void prefetch_around(Face_handle face) {
-  for (int i = 0; i < 3; ++i) {
-    prefetch(face->vertex(i));
-    prefetch(face->neighbor(i));
-  }
-}
-
 }  // namespace detail
-
-/// How long the two stages of construction took, in seconds of wall-clock time.
-struct Construction_seconds {
-  double build = 0;       ///< the triangulation just after the start
-  double initialize = 0;  ///< its certificates and the queue
-};
 
 /// The Delaunay triangulation of moving points, exact at every time.
 ///
@@ -234,16 +214,37 @@ class Kinetic_delaunay_triangulation_2 {
   /// Precondition: contains(id).
   void erase(Point_id id);
 
+  // Changes of many points at once make each certificate once, on all threads that oneTBB has where
+  // there are many. They are made entirely, or not at all: what throws changes nothing. Points that
+  // turn cost O(1) certificates each, and O(n) together; where most of the points jump, come or go,
+  // the triangulation is built anew, O(n log n). There is one event for each point, in the order of
+  // the ids, then rebuild events for the edges that have changed.
+
+  /// Gives the points `ids` these motions from now on, as set_motion does: an event `trajectory`
+  /// for each point. Throws Coincident_trajectories_error if two points have the same trajectory
+  /// then. Precondition: as many motions as ids; each id is contained, and named once; the motions
+  /// are finite.
+  void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
+
+  /// Inserts points, which get consecutive ids, and returns the first id: an event `insert` for
+  /// each point. Throws what set_motions throws. Precondition: the motions are finite, and there
+  /// are ids left.
+  Point_id insert(std::span<const Motion> motions);
+
+  /// Erases the points: an event `erase` for each point. Precondition: each id is contained, and
+  /// named once.
+  void erase(std::span<const Point_id> ids);
+
   /// What an event does to a point: gives it another motion or, with none, erases it.
   struct Change {
     Point_id point;                ///< which one
     std::optional<Motion> motion;  ///< from then on
   };
 
-  /// Makes the changes, one after the other, as one event of the given kind that concerns the given
-  /// points. For events that are not failures of this triangulation's certificates, such as
-  /// collisions. Throws what set_motion throws; changes before the one that throws have been made
-  /// then. Precondition: each point that is named in `changes` is there, and named once.
+  /// Makes the changes as one event of the given kind that concerns the given points. For events
+  /// that are not failures of this triangulation's certificates, such as collisions. Throws what
+  /// set_motion throws, and changes nothing then. Precondition: each point that is named in
+  /// `changes` is there, and named once.
   void apply(Event_kind kind, std::optional<Point_id> point_a, std::optional<Point_id> point_b,
              std::span<const Change> changes);
 
@@ -433,7 +434,7 @@ class Kinetic_delaunay_triangulation_2 {
   void put_points_back();
   void rebuild();
   template <class Change_vertices>
-  void rebuild(Change_vertices change_vertices);
+  void rebuild(Change_vertices change_vertices, const Triangulation* rebuilt = nullptr);
   bool has_flat_triangle() const;
   void adopt(const Triangulation& rebuilt);
   void report_rebuild();
@@ -446,13 +447,24 @@ class Kinetic_delaunay_triangulation_2 {
     bool is_on_edge = false;  // else inside the face, which is infinite beyond the hull
     int index = 0;            // of that edge
   };
-  template <class Change_points>
-  void perform(Event event, Change_points change_points);
-  bool stays_in_place(Vertex_handle v, const Point_2& moved) const;
-  void relocate(Vertex_handle v, const Point_2& moved);
-  void remove_point(Vertex_handle v);
+  /// How changes of points are made.
+  struct Change_plan {
+    std::vector<Change> turns;             ///< that keep the triangles around them embedded
+    std::vector<Change> jumps;             ///< of points that leave their triangles, come or go
+    std::optional<Triangulation> rebuilt;  ///< where all of it is built anew
+  };
+  void change_all(Event_kind kind, std::vector<Change> changes);
+  void perform(std::span<const Event> events, std::span<const Change> changes);
+  Change_plan plan(std::span<const Change> changes);
+  bool are_most(std::size_t points) const;
+  void find_turns(std::span<const Change> changes, Change_plan& plan);
+  void check_are_distinct(std::span<const Change> changes, const Change_plan& plan) const;
+  std::vector<Point_2> points_after(std::span<const Change> changes) const;
+  void make_changes(std::span<const Change> changes, const Change_plan& plan);
+  void make_turns(std::span<const Change> turns);
+  bool make_jumps(std::span<const Change> jumps);
+  void set_point(const Change& change);
   bool is_embedded_around(Vertex_handle v) const;
-  void check_is_distinct(const Point_2& point, Face_handle start) const;
   Location find_location(const Point_2& point, Face_handle start) const;
   void take_out(Vertex_handle v);
   void put_in(Vertex_handle v, const Location& location);

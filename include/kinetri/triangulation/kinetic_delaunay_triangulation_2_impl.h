@@ -78,5 +78,6 @@ std::vector<Edge_ids> Kinetic_delaunay_triangulation_2<Traits>::finite_edge_ids(
 #include "kinetri/triangulation/detail/scheduling_impl.h"
 #include "kinetri/triangulation/detail/snapshot_impl.h"
 #include "kinetri/triangulation/detail/start_impl.h"
+#include "kinetri/triangulation/detail/vertices_impl.h"
 
 #endif  // KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H

@@ -31,6 +31,12 @@ struct Triangulation_counters {
   friend bool operator==(const Triangulation_counters&, const Triangulation_counters&) = default;
 };
 
+/// How long the two stages of construction took, in seconds of wall-clock time.
+struct Construction_seconds {
+  double build = 0;       ///< the triangulation just after the start
+  double initialize = 0;  ///< its certificates and the queue
+};
+
 }  // namespace kinetri
 
 #endif  // KINETRI_TRIANGULATION_TRIANGULATION_COUNTERS_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2: changes of single points at the present time,
-// and how a vertex leaves the triangulation and comes back. The edges that a change leaves violated
-// have their events at the present time, and are flipped by these (docs/MATH.md, section 5).
+// Definitions of Kinetic_delaunay_triangulation_2: changes of points at the present time. The edges
+// that a change leaves violated have their events at the present time, and are flipped by these
+// (docs/MATH.md, section 5).
 #ifndef KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
 
@@ -43,49 +43,11 @@ void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
     KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
     KINETRI_PRECONDITION(!motion || is_finite(*motion), detail::not_finite_problem(id));
   }
-  const auto moved_point = [](const Change& change) {
-    return Point_2(*change.motion, change.point);
-  };
-  const auto stays = [&](const Change& change) {
-    return change.motion && stays_in_place(vertices_[change.point], moved_point(change));
-  };
-  // What is refused is refused before anything is reported.
-  const bool first_stays = !changes.empty() && stays(changes.front());
-  if (!first_stays && !changes.empty() && changes.front().motion) {
-    check_is_distinct(moved_point(changes.front()), vertices_[changes.front().point]->face());
-  }
   Event event;
   event.kind = kind;
   event.point_a = point_a;
   event.point_b = point_b;
-  std::exception_ptr failure;
-  perform(std::move(event), [&] {
-    // Points that stay in the triangles around them are moved together. What takes a vertex out
-    // needs a triangulation that is Delaunay.
-    std::vector<Vertex_handle> moved;
-    const auto restore = [&] {
-      for (const Vertex_handle v : moved) schedule_around(v);
-      moved.clear();
-      execute_due_events();
-    };
-    try {
-      for (const Change& change : changes) {
-        const Vertex_handle v = vertices_[change.point];
-        if (&change == &changes.front() ? first_stays : stays(change)) {
-          unschedule_around(v);
-          v->set_point(moved_point(change));
-          moved.push_back(v);
-          continue;
-        }
-        restore();
-        change.motion ? relocate(v, moved_point(change)) : remove_point(v);
-      }
-    } catch (const Coincident_trajectories_error&) {
-      failure = std::current_exception();
-    }
-    restore();
-  });
-  if (failure) std::rethrow_exception(failure);
+  perform({&event, 1}, changes);
 }
 
 template <KineticTraits_2 Traits>
@@ -97,14 +59,7 @@ Point_id Kinetic_delaunay_triangulation_2<Traits>::reserve_id() {
 
 template <KineticTraits_2 Traits>
 Point_id Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion) {
-  const Point_id id = reserve_id();
-  try {
-    insert(motion, id);
-  } catch (const Error&) {
-    vertices_.pop_back();
-    throw;
-  }
-  return id;
+  return insert(std::span(&motion, 1));
 }
 
 template <KineticTraits_2 Traits>
@@ -113,78 +68,276 @@ void Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion, Poin
                        "the id " + std::to_string(id) +
                            " is not one that waits for its point; take one that reserve_id gives");
   KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(id));
-  const Point_2 point(motion, id);
-  std::optional<Location> location;
-  if (triangulation_.dimension() == 2) {
-    location = find_location(point, Face_handle());
-  } else {
-    check_is_distinct(point, Face_handle());
-  }
-  const Vertex_handle v = triangulation_.tds().create_vertex();
-  v->set_point(point);
-  Event event;
-  event.kind = Event_kind::insert;
-  event.point_a = id;
-  perform(std::move(event), [&] {
-    const auto add = [&] {
-      vertices_[id] = v;
-      ++number_of_points_;
-    };
-    if (!location) return rebuild(add);
-    add();
-    put_in(v, *location);
-  });
+  change_all(Event_kind::insert, {{id, motion}});
 }
 
-// Reports `event` around `change_points` and the flips that this makes necessary, then the edges
-// that have changed.
+// ---- changes of many points ----
+
 template <KineticTraits_2 Traits>
-template <class Change_points>
-void Kinetic_delaunay_triangulation_2<Traits>::perform(Event event, Change_points change_points) {
-  report(std::move(event), [&] {
+void Kinetic_delaunay_triangulation_2<Traits>::set_motions(std::span<const Point_id> ids,
+                                                           std::span<const Motion> motions) {
+  KINETRI_PRECONDITION(ids.size() == motions.size(), std::to_string(ids.size()) + " ids and " +
+                                                         std::to_string(motions.size()) +
+                                                         " motions; expected a motion for each id");
+  std::vector<Change> changes;
+  changes.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    KINETRI_PRECONDITION(contains(ids[i]), detail::unknown_id_problem(ids[i]));
+    KINETRI_PRECONDITION(is_finite(motions[i]), detail::not_finite_problem(ids[i]));
+    changes.push_back({ids[i], motions[i]});
+  }
+  change_all(Event_kind::trajectory, std::move(changes));
+}
+
+template <KineticTraits_2 Traits>
+Point_id Kinetic_delaunay_triangulation_2<Traits>::insert(std::span<const Motion> motions) {
+  const auto first = next_id();
+  KINETRI_PRECONDITION(motions.size() < no_point - vertices_.size(), detail::too_many_points);
+  std::vector<Change> changes;
+  changes.reserve(motions.size());
+  for (const Motion& motion : motions) {
+    const auto id = static_cast<Point_id>(first + changes.size());
+    KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(id));
+    changes.push_back({id, motion});
+  }
+  vertices_.resize(vertices_.size() + motions.size());
+  try {
+    change_all(Event_kind::insert, std::move(changes));
+  } catch (const Coincident_trajectories_error&) {
+    vertices_.resize(first);
+    throw;
+  }
+  return first;
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::erase(std::span<const Point_id> ids) {
+  std::vector<Change> changes;
+  changes.reserve(ids.size());
+  for (const Point_id id : ids) {
+    KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
+    changes.push_back({id, std::nullopt});
+  }
+  change_all(Event_kind::erase, std::move(changes));
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::change_all(Event_kind kind,
+                                                          std::vector<Change> changes) {
+  if (changes.empty()) return;
+  std::ranges::sort(changes, {}, &Change::point);
+  const auto twice = std::ranges::adjacent_find(changes, {}, &Change::point);
+  KINETRI_PRECONDITION(twice == changes.end(), "point " + std::to_string(twice->point) +
+                                                   " is named twice; expected each point once");
+  std::vector<Event> events(changes.size());
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    events[i].kind = kind;
+    events[i].point_a = changes[i].point;
+  }
+  perform(events, changes);
+}
+
+// Makes the changes and the flips that they make necessary, and reports the events, then the edges
+// that have changed. What is refused is refused before anything is reported or changed.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::perform(std::span<const Event> events,
+                                                       std::span<const Change> changes) {
+  const Change_plan planned = plan(changes);
+  report(events.front(), [&] {
     rebuilt_edges_.emplace();
-    change_points();
+    make_changes(changes, planned);
     execute_due_events();
   });
+  auto edges = std::exchange(rebuilt_edges_, std::nullopt);
+  for (const Event& event : events.subspan(1)) report(event, [] {});
+  rebuilt_edges_ = std::move(edges);
   report_rebuild();
 }
 
-// Whether the vertex, moved, still sees the triangles around it as they are, so that only
-// certificates change.
+// How the changes are to be made. Throws if two points would have one trajectory.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::stays_in_place(Vertex_handle v,
-                                                              const Point_2& moved) const {
-  if (triangulation_.dimension() < 2) return false;
-  const Point_2 before = v->point();
-  v->set_point(moved);
-  const bool result = is_embedded_around(v);
-  v->set_point(before);
+auto Kinetic_delaunay_triangulation_2<Traits>::plan(std::span<const Change> changes)
+    -> Change_plan {
+  Change_plan result;
+  find_turns(changes, result);
+  if (result.jumps.empty()) return result;
+  constexpr std::size_t few = 8;
+  if (triangulation_.dimension() < 2 ||
+      result.jumps.size() > std::max(few, number_of_points_ / few)) {
+    result.rebuilt = build(points_after(changes), current_time());
+  } else {
+    check_are_distinct(changes, result);
+  }
   return result;
 }
 
-// Moves a vertex, wherever that leads: takes it out and puts it in again.
+// Whether so many points turn that everything is looked at anew.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::relocate(Vertex_handle v, const Point_2& moved) {
-  check_is_distinct(moved, v->face());
-  if (triangulation_.dimension() < 2 || triangulation_.test_dim_down(v)) {
-    return rebuild([&] { v->set_point(moved); });
+bool Kinetic_delaunay_triangulation_2<Traits>::are_most(std::size_t points) const {
+  constexpr std::size_t few = 16;
+  return points > few && points > number_of_points_ / 4;
+}
+
+// Tells points that turn, so that only certificates change, from those that jump, come or go. The
+// points turn one after the other, for as long as this looks at them.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::find_turns(std::span<const Change> changes,
+                                                          Change_plan& plan) {
+  std::vector<Point_2> before;
+  const auto turn = [&](const Change& change) {
+    const Vertex_handle v = vertices_[change.point];
+    before.push_back(v->point());
+    v->set_point(Point_2(*change.motion, change.point));
+    plan.turns.push_back(change);
+  };
+  const auto undo_last = [&] {
+    vertices_[plan.turns.back().point]->set_point(before.back());
+    plan.turns.pop_back();
+    before.pop_back();
+  };
+  const auto may_turn = [&](const Change& change) {
+    return change.motion && contains(change.point) && triangulation_.dimension() == 2;
+  };
+  before.reserve(changes.size());
+  plan.turns.reserve(changes.size());
+  if (are_most(changes.size()) && std::ranges::all_of(changes, may_turn)) {
+    for (const Change& change : changes) turn(change);
+    if (!is_embedded(triangulation_)) {
+      while (!before.empty()) undo_last();
+    }
   }
-  const Vertex_handle neighbor = v->face()->vertex(Triangulation::ccw(v->face()->index(v)));
-  take_out(v);
-  v->set_point(moved);
-  put_in(v, find_location(moved, neighbor->face()));
+  if (plan.turns.empty()) {
+    for (const Change& change : changes) {
+      if (may_turn(change)) {
+        turn(change);
+        if (is_embedded_around(vertices_[change.point])) continue;
+        undo_last();
+      }
+      plan.jumps.push_back(change);
+    }
+  }
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    vertices_[plan.turns[i].point]->set_point(before[i]);
+  }
+}
+
+// Throws if a point that jumps or comes would have the trajectory of another point. Precondition:
+// dimension 2.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::check_are_distinct(std::span<const Change> changes,
+                                                                  const Change_plan& plan) const {
+  std::vector<Point_2> changed;
+  for (const Change& change : changes) {
+    if (change.motion) changed.emplace_back(*change.motion, change.point);
+  }
+  if (changed.size() > 1) build(changed, current_time());
+  const auto is_changed = [&](Point_id id) {
+    return std::ranges::find(changes, id, &Change::point) != changes.end();
+  };
+  for (const auto& [id, motion] : plan.jumps) {
+    if (!motion) continue;
+    typename Triangulation::Locate_type locus;
+    int i = 0;
+    const Face_handle start = contains(id) ? vertices_[id]->face() : Face_handle();
+    const Face_handle face = triangulation_.locate(Point_2(*motion, id), locus, i, start);
+    if (locus != Triangulation::VERTEX) continue;
+    const Point_id other = face->vertex(i)->point().id();
+    if (is_changed(other)) continue;
+    throw Coincident_trajectories_error(std::min(id, other), std::max(id, other));
+  }
+}
+
+// The points that there are after the changes, in the order of their ids.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::points_after(std::span<const Change> changes) const
+    -> std::vector<Point_2> {
+  std::vector<std::optional<Motion>> motions(vertices_.size());
+  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
+    motions[v->point().id()] = v->point().motion();
+  }
+  for (const Change& change : changes) motions[change.point] = change.motion;
+  std::vector<Point_2> result;
+  for (std::size_t id = 0; id < motions.size(); ++id) {
+    if (motions[id]) result.emplace_back(*motions[id], static_cast<Point_id>(id));
+  }
+  return result;
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::remove_point(Vertex_handle v) {
-  const auto forget = [&] {
-    vertices_[v->point().id()] = Vertex_handle();
-    --number_of_points_;
-    triangulation_.tds().delete_vertex(v);
+void Kinetic_delaunay_triangulation_2<Traits>::make_changes(std::span<const Change> changes,
+                                                            const Change_plan& plan) {
+  const auto set_points = [this](std::span<const Change> of) {
+    return [this, of] {
+      for (const Change& change : of) set_point(change);
+    };
   };
-  if (triangulation_.dimension() < 2 || triangulation_.test_dim_down(v)) return rebuild(forget);
-  take_out(v);
-  forget();
+  if (plan.rebuilt) return rebuild(set_points(changes), &*plan.rebuilt);
+  make_turns(plan.turns);
+  if (plan.jumps.empty()) return;
+  execute_due_events();  // what takes a vertex out needs a triangulation that is Delaunay
+  if (!make_jumps(plan.jumps)) rebuild(set_points(plan.jumps));
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::make_turns(std::span<const Change> turns) {
+  if (are_most(turns.size())) {
+    queue_.clear();
+    for (const Change& change : turns) set_point(change);
+    return schedule_all();
+  }
+  for (const Change& change : turns) {
+    unschedule_around(vertices_[change.point]);
+    set_point(change);
+  }
+  for (const Change& change : turns) schedule_around(vertices_[change.point]);
+}
+
+// Takes out the points that jump or go, then puts in those that jump or come. Returns false where
+// that would leave points on a line: then the points are to be set, and all is to be rebuilt.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::make_jumps(std::span<const Change> jumps) {
+  Vertex_handle near;  // where to look for the next place first
+  const auto jumps_itself = [&](Vertex_handle v) {
+    return std::ranges::find(jumps, v->point().id(), &Change::point) != jumps.end();
+  };
+  for (const Change& change : jumps) {
+    const Vertex_handle v = vertices_[change.point];
+    if (v == Vertex_handle()) continue;
+    if (triangulation_.test_dim_down(v)) return false;
+    near = v->face()->vertex(Triangulation::ccw(v->face()->index(v)));
+    take_out(v);
+    if (!change.motion) set_point(change);
+  }
+  if (near != Vertex_handle() && (triangulation_.is_infinite(near) || jumps_itself(near))) {
+    near = Vertex_handle();
+  }
+  for (const Change& change : jumps) {
+    if (!change.motion) continue;
+    set_point(change);
+    const Vertex_handle v = vertices_[change.point];
+    put_in(v, find_location(v->point(), near == Vertex_handle() ? Face_handle() : near->face()));
+    execute_due_events();
+    near = v;
+  }
+  return true;
+}
+
+// Gives a vertex its new motion; makes it, or deletes it, where the point comes or goes.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::set_point(const Change& change) {
+  Vertex_handle& v = vertices_[change.point];
+  if (!change.motion) {
+    if (v == Vertex_handle()) return;
+    triangulation_.tds().delete_vertex(v);
+    v = Vertex_handle();
+    --number_of_points_;
+    return;
+  }
+  if (v == Vertex_handle()) {
+    v = triangulation_.tds().create_vertex();
+    ++number_of_points_;
+  }
+  v->set_point(Point_2(*change.motion, change.point));
 }
 
 // Whether the triangles at `v` make left turns, and the hull is strictly convex at `v` and at its
@@ -230,26 +383,6 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded_around(Vertex_handle 
   return is_embedded;
 }
 
-// Throws if another point has the trajectory of `point`: is in one place with it just after now.
-// Searched from `start`, or from anywhere.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::check_is_distinct(const Point_2& point,
-                                                                 Face_handle start) const {
-  if (triangulation_.dimension() == 2) {
-    find_location(point, start);
-    return;
-  }
-  const Instantaneous_traits& now = triangulation_.geom_traits();
-  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
-    if (v->point().id() == point.id()) continue;
-    if (now.compare_x_2_object()(v->point(), point) == CGAL::EQUAL &&
-        now.compare_y_2_object()(v->point(), point) == CGAL::EQUAL) {
-      throw Coincident_trajectories_error(std::min(v->point().id(), point.id()),
-                                          std::max(v->point().id(), point.id()));
-    }
-  }
-}
-
 // Where the point stands just after now, searched from `start`, or from anywhere. Throws if that is
 // the place of another point. Precondition: dimension 2.
 template <KineticTraits_2 Traits>
@@ -264,106 +397,6 @@ auto Kinetic_delaunay_triangulation_2<Traits>::find_location(const Point_2& poin
     throw Coincident_trajectories_error(std::min(point.id(), other), std::max(point.id(), other));
   }
   return {face, locus == Triangulation::EDGE, i};
-}
-
-// ---- a vertex leaves and comes back ----
-
-// Takes the vertex out of the triangulation, which stays Delaunay at the instant of its traits. The
-// vertex itself stays, without faces: CGAL removes another one in its place.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::take_out(Vertex_handle v) {
-  std::vector<Vertex_handle> around;
-  detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { around.push_back(u); });
-  std::ranges::sort(around, {}, [](Vertex_handle u) { return u->point().id(); });
-
-  unschedule_around(v);
-  note_edges_at(v, -1);
-  note_edges_among(around, -1);
-  const Vertex_handle stand_in = triangulation_.tds().create_vertex();
-  stand_in->set_point(v->point());
-  replace_in_faces(v, stand_in);
-  triangulation_.remove(stand_in);
-  note_edges_among(around, 1);
-  for (const Vertex_handle u : around) schedule_around(u);
-}
-
-// Puts a vertex without faces in at its place: it splits the triangle or edge that it is in, and
-// what then violates its certificate has its event at the present time.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& location) {
-  const auto& [face, is_on_edge, i] = location;
-  unschedule_face(face);
-  if (is_on_edge) {
-    unschedule_face(face->neighbor(i));
-    --(*rebuilt_edges_)[ids_of(Edge(face, i))];
-  }
-  const Vertex_handle created = is_on_edge ? triangulation_.tds().insert_in_edge(face, i)
-                                           : triangulation_.tds().insert_in_face(face);
-  replace_in_faces(created, v);
-  triangulation_.tds().delete_vertex(created);
-  note_edges_at(v, 1);
-  schedule_around(v);
-}
-
-// Gives the faces at `old` the vertex `replacement`, which has none.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::replace_in_faces(Vertex_handle old,
-                                                                Vertex_handle replacement) {
-  std::vector<Face_handle> faces;
-  detail::for_each_face_at(triangulation_, old, [&](Face_handle f) { faces.push_back(f); });
-  for (const Face_handle f : faces) f->set_vertex(f->index(old), replacement);
-  replacement->set_face(faces.front());
-}
-
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::unschedule_face(Face_handle face) {
-  for (int i = 0; i < 3; ++i) {
-    const Two_sided_edge edge = two_sided(Edge(face, i));
-    unschedule(edge);
-    set_event(edge, no_event);
-  }
-}
-
-// The certificates that speak of `v` are those of the edges of its faces.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::unschedule_around(Vertex_handle v) {
-  detail::for_each_face_at(triangulation_, v, [&](Face_handle face) { unschedule_face(face); });
-}
-
-// Schedules those edges of the faces at `v` that have no event. Two neighboring faces share an edge
-// at `v`, which is that of the first of them.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_around(Vertex_handle v) {
-  std::vector<Two_sided_edge> edges;
-  detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
-    const int at = face->index(v);
-    for (const int i : {at, Triangulation::cw(at)}) {
-      if (face->event(i) == no_event) edges.push_back(two_sided(Edge(face, i)));
-    }
-  });
-  schedule(edges, current_time());
-}
-
-// Notes the finite edges at `v` as added (1) or removed (-1).
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::note_edges_at(Vertex_handle v, int change) {
-  detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
-    (*rebuilt_edges_)[edge_ids(v->point().id(), u->point().id())] += change;
-  });
-}
-
-// Notes the edges that have both ends in `vertices`, which are sorted by id, as added or removed.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::note_edges_among(
-    const std::vector<Vertex_handle>& vertices, int change) {
-  const auto id = [](Vertex_handle v) { return v->point().id(); };
-  for (const Vertex_handle v : vertices) {
-    detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
-      if (id(v) < id(u) && std::ranges::binary_search(vertices, id(u), {}, id)) {
-        (*rebuilt_edges_)[edge_ids(id(v), id(u))] += change;
-      }
-    });
-  }
 }
 
 }  // namespace kinetri

@@ -63,23 +63,23 @@ void Kinetic_delaunay_triangulation_2<Traits>::put_points_back() {
 }
 
 // Reconstructs the triangulation just after the present time. Right at any instant, however
-// degenerate. In between, `change_vertices` may insert, erase or move points.
+// degenerate. In between, `change_vertices` may insert, erase or move points; `rebuilt` is the
+// triangulation of the points after that, if it has been made already.
 template <KineticTraits_2 Traits>
 template <class Change_vertices>
-void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_vertices) {
+void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_vertices,
+                                                       const Triangulation* rebuilt) {
   if (!rebuilt_edges_) rebuilt_edges_.emplace();
   for (const Edge_ids& edge : finite_edge_ids()) --(*rebuilt_edges_)[edge];
   points_set_aside_.clear();
   triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
   queue_.clear();
   change_vertices();
-  std::vector<Point_2> points;
-  points.reserve(number_of_points_);
-  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
-    points.push_back(v->point());
+  if (rebuilt != nullptr) {
+    adopt(*rebuilt);
+  } else {
+    adopt(build(points_after({}), current_time()));
   }
-  std::ranges::sort(points, {}, &Point_2::id);
-  adopt(build(points, current_time()));
   schedule_all();
   for (const Edge_ids& edge : finite_edge_ids()) ++(*rebuilt_edges_)[edge];
 }

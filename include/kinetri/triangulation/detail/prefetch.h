@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Prefetching of what an event will look at.
+#ifndef KINETRI_TRIANGULATION_DETAIL_PREFETCH_H
+#define KINETRI_TRIANGULATION_DETAIL_PREFETCH_H
+
+#include "kinetri/base/compiler.h"
+
+namespace kinetri::detail {
+
+/// Prefetches the vertex or face of a handle, if there is one.
+template <class Handle>
+KINETRI_ALWAYS_INLINE void prefetch(Handle handle) {
+  prefetch_address(handle.operator->());
+}
+
+/// Prefetches the vertices and the neighbors of a face.
+template <class Face_handle>
+KINETRI_ALWAYS_INLINE void prefetch_around(Face_handle face) {
+  for (int i = 0; i < 3; ++i) {
+    prefetch(face->vertex(i));
+    prefetch(face->neighbor(i));
+  }
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_PREFETCH_H
