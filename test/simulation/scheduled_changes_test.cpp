@@ -251,5 +251,65 @@ TEST(Scheduled_changes, are_those_made_when_the_time_has_come) {
   }
 }
 
+TEST(Motions_at_once, are_as_one_after_the_other) {
+  // In a box, with discs that collide elastically: all turn, then every third.
+  Simulation_options options = test::discs(3, collide_elastically);
+  options.box = test::box_of(25);
+  const auto motions = test::discs_in_a_box(25, 0.2, 3);
+  Simulation together(motions, options);
+  Simulation apart(motions, options);
+  Recorder recorder;
+  Recorder expected;
+  together.add_observer(recorder);
+  apart.add_observer(expected);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> component(-5, 5);
+  for (int round = 1; round <= 8; ++round) {
+    const double now = 0.375 * round;
+    together.advance_to(now);
+    apart.advance_to(now);
+    std::vector<Point_id> ids;
+    std::vector<Linear_motion_2> turned;
+    for (Point_id id = 0; id < 25; id += round % 2 == 0 ? 1 : 3) {
+      const double vx = component(random);
+      ids.push_back(id);
+      turned.push_back(
+          with_velocity_at(apart.triangulation().motion(id), {vx, component(random)}, now));
+      apart.set_motion(id, turned.back());
+    }
+    together.set_motions(ids, turned);
+    EXPECT_EQ(together.triangulation().finite_edge_ids(), apart.triangulation().finite_edge_ids());
+    const Audit_report report = together.audit(Audit_level::certificates);
+    ASSERT_TRUE(report.passed()) << report.failures.front();
+  }
+  together.advance_to(4.0);
+  apart.advance_to(4.0);
+  for (const Event_kind kind : {Event_kind::collision, Event_kind::wall, Event_kind::trajectory}) {
+    const auto found = recorder.of(kind);
+    const auto others = expected.of(kind);
+    ASSERT_EQ(found.size(), others.size());
+    EXPECT_GT(found.size(), 3u);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].time, others[i].time);
+      EXPECT_EQ(found[i].point_a, others[i].point_a);
+      EXPECT_EQ(found[i].point_b, others[i].point_b);
+    }
+  }
+}
+
+TEST(Motions_at_once, that_lead_out_of_the_box_change_nothing) {
+  Simulation simulation({{{1, 1}, {1, 0}, 0}, {{2, 2}, {0, 1}, 0}}, test::in_box({0, 0, 4, 4}));
+  const std::vector<Point_id> ids = {0, 1};
+  const std::vector<Linear_motion_2> motions = {{{1, 1}, {0, 1}, 0}, {{5, 2}, {0, 1}, 0}};
+  try {
+    simulation.set_motions(ids, motions);
+    FAIL() << "a point outside of the box";
+  } catch (const Outside_box_error& error) {
+    EXPECT_EQ(error.point(), 1u);
+  }
+  EXPECT_EQ(simulation.triangulation().motion(0), (Linear_motion_2{{1, 1}, {1, 0}, 0}));
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
 }  // namespace
 }  // namespace kinetri

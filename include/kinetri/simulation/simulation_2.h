@@ -153,13 +153,15 @@ class Simulation_2 : private Event_observer {
   /// throws Outside_box_error if it is not.
   Point_id insert(const Motion& motion);
   void set_motion(Point_id id, const Motion& motion);
+  void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
   void erase(Point_id id);
   /// @}
 
   /// @{
   /// Schedules a change at `time`, after the triangulation's events and the contacts of that time.
   /// Changes of one time are made in this order: erasures, new motions, insertions; each by point
-  /// id, then in the order in which they were scheduled. A change of a point that is not there then
+  /// id, then in the order in which they were scheduled. New motions of several points are one
+  /// set_motions. A change of a point that is not there then
   /// is dropped. A change that leads out of the box, or to the trajectory of a point that keeps it
   /// at that time, is dropped too: the call that has reached its time throws what the functions
   /// above throw, and the next call goes on with the remaining changes. An observer may schedule
@@ -266,7 +268,7 @@ class Simulation_2 : private Event_observer {
   void schedule_pair(const Edge_ids& pair, const Time& after);
   Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
   void unschedule_pair(const Edge_ids& pair);
-  void schedule_contacts(Point_id id, Point_id scheduled);
+  void schedule_contacts(Point_id id, std::span<const Point_id> points);
   void schedule_inserted(Point_id id);
   void schedule_all();
   void unschedule_contacts(Point_id id);
@@ -314,9 +316,11 @@ class Simulation_2 : private Event_observer {
   std::optional<Motion> take_scheduled_motion(const Entry& change);
   void execute_change(const Due_change& change);
   bool try_change(const Due_change& change);
+  std::vector<Due_change> pop_turns(const Entry& first);
+  bool try_turns(std::span<const Due_change> turns);
   void check_inside(const Point_2& point) const;
-  void change(Event_kind kind, std::span<const Point_id> points,
-              std::span<const typename Triangulation::Change> changes);
+  template <class Make_changes>
+  void change(std::span<const Point_id> points, Make_changes make_changes);
   Motion with_velocity(Point_id id, const Vector_2& velocity, double time) const;
   Motion usable(Point_id id, Motion motion) const;
   void after_event(const Event& event) override;

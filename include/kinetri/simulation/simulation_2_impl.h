@@ -160,9 +160,20 @@ std::size_t Simulation_2<Traits>::execute_due_entries() {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postponed) {
   std::uint64_t contacts = 0;
+  bool may_turn_together = true;
   const auto execute_due = [&] {
     for (settle(); !queue_.empty() && queue_.time(queue_.top()) <= current_time(); settle()) {
       const Entry entry = pop();
+      if (entry.kind == Entry_kind::trajectory && may_turn_together) {
+        std::vector<Due_change> turns = pop_turns(entry);
+        if (try_turns(turns)) continue;
+        // One after the other, as one of them cannot be made, or not yet.
+        may_turn_together = false;
+        for (const Due_change& turn : turns) {
+          push_change(current_time(), turn.entry, turn.motion);
+        }
+        continue;
+      }
       if (entry.kind > Entry_kind::collision) {
         const Due_change change = {entry, take_scheduled_motion(entry)};
         if (!try_change(change)) postponed.push_back(change);

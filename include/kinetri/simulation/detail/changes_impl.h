@@ -4,7 +4,9 @@
 #ifndef KINETRI_SIMULATION_DETAIL_CHANGES_IMPL_H
 #define KINETRI_SIMULATION_DETAIL_CHANGES_IMPL_H
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,15 +101,64 @@ Point_id Simulation_2<Traits>::insert(const Motion& motion) {
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
-  check_inside(Point_2(motion, id));
-  const typename Triangulation::Change moved = {id, motion};
-  change(Event_kind::trajectory, {&id, 1}, {&moved, 1});
+  set_motions({&id, 1}, {&motion, 1});
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::set_motions(std::span<const Point_id> ids,
+                                       std::span<const Motion> motions) {
+  for (std::size_t i = 0; i < std::min(ids.size(), motions.size()); ++i) {
+    check_inside(Point_2(motions[i], ids[i]));
+  }
+  std::vector<Point_id> points;
+  for (const Point_id id : ids) {
+    KINETRI_PRECONDITION(triangulation_.contains(id), detail::unknown_id_problem(id));
+    points.push_back(id);
+  }
+  std::ranges::sort(points);
+  change(points, [&] { triangulation_.set_motions(ids, motions); });
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::erase(Point_id id) {
-  const typename Triangulation::Change gone = {id, std::nullopt};
-  change(Event_kind::erase, {&id, 1}, {&gone, 1});
+  change({&id, 1}, [&] { triangulation_.erase(id); });
+}
+
+// Takes the changes of motions out of the queue that can be made together with the first one, which
+// has been taken out.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::pop_turns(const Entry& first) -> std::vector<Due_change> {
+  std::vector<Due_change> result = {{first, take_scheduled_motion(first)}};
+  const auto is_next = [&] {
+    settle();
+    return !queue_.empty() && queue_.top().kind == Entry_kind::trajectory &&
+           queue_.top().point_a != result.back().entry.point_a &&
+           queue_.time(queue_.top()) <= current_time();
+  };
+  while (is_next()) {
+    const Entry next = pop();
+    result.push_back({next, take_scheduled_motion(next)});
+  }
+  return result;
+}
+
+// Makes the changes of motions together. Returns false, and does nothing, if that is not possible.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::try_turns(std::span<const Due_change> turns) {
+  std::vector<Point_id> ids;
+  std::vector<Motion> motions;
+  for (const auto& [entry, motion] : turns) {
+    ids.push_back(entry.point_a);
+    motions.push_back(*motion);
+  }
+  try {
+    set_motions(ids, motions);
+    return true;
+  } catch (const Outside_box_error&) {
+    return false;
+  } catch (const Coincident_trajectories_error&) {
+    return false;
+  }
 }
 
 }  // namespace kinetri

@@ -27,7 +27,9 @@ void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
   double& component = walls_[wall].is_vertical() ? velocity.x : velocity.y;
   component = -component;
   const typename Triangulation::Change reflected = {id, with_velocity(id, velocity, time)};
-  change(Event_kind::wall, {&id, 1}, {&reflected, 1});
+  change({&id, 1}, [&] {
+    triangulation_.apply(Event_kind::wall, id, std::nullopt, {&reflected, 1});
+  });
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -82,35 +84,35 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
     return schedule_pair({a, b}, current_time());
   }
   const std::array<Point_id, 2> points = {a, b};
-  change(Event_kind::collision, points, {changes.data(), number});
+  change(points, [&] {
+    triangulation_.apply(Event_kind::collision, a, b, {changes.data(), number});
+  });
 }
 
-// Makes the changes of one contact, with the contacts of its points scheduled before and after.
+// Has changes made of the points, which are sorted, with their contacts scheduled before and after.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::change(Event_kind kind, std::span<const Point_id> points,
-                                  std::span<const typename Triangulation::Change> changes) {
+template <class Make_changes>
+void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes make_changes) {
   for (const Point_id id : points) {
     end_passes(id);
     unschedule_contacts(id);
   }
-  const auto second = points.size() > 1 ? std::optional(points[1]) : std::nullopt;
   const auto schedule_anew = [&] {
     changing_points_ = {};
     if (options_.response) {
       for (const Point_id id : points) update_overlaps(id);
     }
     for (const Point_id id : points) {
-      if (!triangulation_.contains(id)) {
+      if (triangulation_.contains(id)) {
+        schedule_contacts(id, points);
+      } else {
         contacts_.erase(id);
-        continue;
       }
-      const Point_id first = points.front();
-      schedule_contacts(id, id != first && triangulation_.contains(first) ? first : no_point);
     }
   };
   changing_points_ = points;
   try {
-    triangulation_.apply(kind, points[0], second, changes);
+    make_changes();
   } catch (const Coincident_trajectories_error&) {
     schedule_anew();
     throw;
@@ -170,7 +172,7 @@ void Simulation_2<Traits>::after_event(const Event& event) {
   if (!event.added) return;
   const auto watch_now = [&](const Edge_ids& pair) {
     const bool is_scheduled_later = std::ranges::any_of(
-        pair, [&](Point_id id) { return std::ranges::count(changing_points_, id) > 0; });
+        pair, [&](Point_id id) { return std::ranges::binary_search(changing_points_, id); });
     if (!is_scheduled_later) watch(pair, event.time);
   };
   watch_now(*event.added);

@@ -178,14 +178,15 @@ void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) con
                             [&](auto neighbor) { function(neighbor->point().id()); });
 }
 
-// Schedules what a point may touch. Of the neighbor `scheduled`, if there is one, the pair has been
-// done.
+// Schedules what a point may touch. It is one of `points`, which are sorted, of which those of
+// smaller ids have been done.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::schedule_contacts(Point_id id, Point_id scheduled) {
+void Simulation_2<Traits>::schedule_contacts(Point_id id, std::span<const Point_id> points) {
   schedule_wall(id, current_time());
   if (!options_.response) return;
   for_each_neighbor(id, [&](Point_id other) {
-    if (other != scheduled) watch(edge_ids(id, other), current_time());
+    const bool is_done = other < id && std::ranges::binary_search(points, other);
+    if (!is_done) watch(edge_ids(id, other), current_time());
   });
   for (const Overlap& overlap : overlaps(id)) {
     for_each_pair_beside(id, overlap.id,
@@ -196,7 +197,7 @@ void Simulation_2<Traits>::schedule_contacts(Point_id id, Point_id scheduled) {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_inserted(Point_id id) {
   if (options_.response) update_overlaps(id);
-  schedule_contacts(id, no_point);
+  schedule_contacts(id, {&id, 1});
 }
 
 // Schedules the contacts of all points of a new simulation.
