@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/crc.hpp>
 #include <istream>
 
+#include "checksum.h"
 #include "kinetri/base/error.h"
 #include "text.h"
 #include "text_table.h"
@@ -14,14 +14,14 @@ namespace kinetri {
 namespace {
 
 constexpr std::string_view format_name = "kinetri checkpoint ";
-constexpr std::string_view version = "2";
+constexpr std::string_view version = "3";
 // An exact time of the program's has some hundred thousand digits at most.
 constexpr std::size_t longest_line = std::size_t{1} << 24U;
 
 std::string checksum_line(std::string_view text) {
-  boost::crc_32_type crc;
-  crc.process_bytes(text.data(), text.size());
-  return joined("checksum ", hexadecimal(crc.checksum(), 8), '\n');
+  Checksum checksum;
+  checksum.add(text);
+  return joined("checksum ", hexadecimal(checksum.crc32(), 8), '\n');
 }
 
 void expect_readable(const std::istream& in, const std::string& file_name) {

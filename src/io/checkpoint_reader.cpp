@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -188,6 +189,25 @@ Simulation_snapshot<Traits> simulation_snapshot(const Json_value& state) {
   return result;
 }
 
+std::uint32_t checksum(const Json_value& value) {
+  const std::string& text = value.text();
+  std::uint32_t result = 0;
+  std::from_chars(text.data(), text.data() + text.size(), result, 16);
+  if (text != hexadecimal(result, 8)) {
+    value.fail("is no checksum; expected eight hexadecimal digits, in lower case");
+  }
+  return result;
+}
+
+std::vector<Checkpoint_log> logs(const Json_value& list) {
+  std::vector<Checkpoint_log> result;
+  list.for_each([&](const Json_value& log) {
+    result.push_back({log.member("output").text(), log.member("path").text(),
+                      count(log.member("bytes")), checksum(log.member("crc32"))});
+  });
+  return result;
+}
+
 }  // namespace
 
 Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
@@ -200,10 +220,12 @@ Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
   const Json_value motion = state.member("motion");
   const std::string response = state.member("response").text();
   if (motion.text() == Checkpoint_motion<Linear_motion_2>::name) {
-    return {simulation_snapshot<Linear_kinetic_traits_2>(state), response};
+    return {simulation_snapshot<Linear_kinetic_traits_2>(state), response,
+            logs(state.member("logs"))};
   }
   if (motion.text() == Checkpoint_motion<Polynomial_motion_2>::name) {
-    return {simulation_snapshot<Polynomial_kinetic_traits_2>(state), response};
+    return {simulation_snapshot<Polynomial_kinetic_traits_2>(state), response,
+            logs(state.member("logs"))};
   }
   motion.fail(joined("is ", kinetri::quoted(motion.text()), "; expected '",
                      Checkpoint_motion<Linear_motion_2>::name, "' or '",

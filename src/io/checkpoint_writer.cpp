@@ -11,6 +11,7 @@
 #include "json_writer.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "output_file.h"
+#include "text.h"
 
 namespace kinetri {
 namespace {
@@ -68,12 +69,20 @@ class Checkpoint_writer {
  public:
   explicit Checkpoint_writer(std::string& text) : text_(text) {}
 
-  void write_state(const Simulation_snapshot<Traits>& snapshot, const std::string& response) {
+  void write_state(const Simulation_snapshot<Traits>& snapshot, const Checkpoint& checkpoint) {
     const Triangulation_snapshot<Traits>& topology = snapshot.triangulation;
     text_ += '{';
     add("motion", Checkpoint_motion<typename Traits::Motion>::name);
     add_written("time", topology.time);
-    add("response", std::string_view(response));
+    add("response", std::string_view(checkpoint.response));
+    add_list("logs", checkpoint.logs, [](Json_writer& json, const Checkpoint_log& log) {
+      json.begin_object();
+      json.member("output", std::string_view(log.output));
+      json.member("path", std::string_view(log.path));
+      json.member("bytes", log.bytes);
+      json.member("crc32", std::string_view(hexadecimal(log.crc32, 8)));
+      json.end_object();
+    });
     write_options(snapshot);
     add_written("counters", topology.counters);
     add_written("certificates", topology.certificates, certificate_counters);
@@ -180,7 +189,7 @@ void write_checkpoint(std::ostream& out, const Checkpoint& checkpoint) {
   std::string state;
   std::visit(
       [&]<class Traits>(const Simulation_snapshot<Traits>& snapshot) {
-        Checkpoint_writer<Traits>(state).write_state(snapshot, checkpoint.response);
+        Checkpoint_writer<Traits>(state).write_state(snapshot, checkpoint);
       },
       checkpoint.simulation);
   out << checkpoint_text(state);

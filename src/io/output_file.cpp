@@ -68,8 +68,9 @@ class Output_file::Buffer : public std::streambuf {
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
 
-  int descriptor() const { return descriptor_; }
   int error() const { return error_; }
+  void keep_checksum() { checksum_.emplace(); }
+  const std::optional<Checksum>& checksum() const { return checksum_; }
 
   // Writes out and closes. False if any write failed.
   bool close() {
@@ -103,6 +104,7 @@ class Output_file::Buffer : public std::streambuf {
         error_ = errno;
       }
     }
+    if (checksum_) checksum_->add({pbase(), pptr()});
     setp(memory_.data(), memory_.data() + memory_.size());
     return error_ == 0;
   }
@@ -110,6 +112,7 @@ class Output_file::Buffer : public std::streambuf {
   int descriptor_;
   bool owned_;
   int error_ = 0;
+  std::optional<Checksum> checksum_;
   std::vector<char> memory_;
 };
 
@@ -147,6 +150,14 @@ Output_file::Output_file(Output_file&&) noexcept = default;
 
 std::ostream& Output_file::stream() noexcept {
   return *stream_;
+}
+
+void Output_file::keep_checksum() {
+  if (temporary_) buffer_->keep_checksum();
+}
+
+const std::optional<Checksum>& Output_file::checksum() const noexcept {
+  return buffer_->checksum();
 }
 
 void Output_file::open_temporary(const struct stat* existing) {

@@ -6,9 +6,11 @@
 #define KINETRI_SRC_IO_OUTPUT_FILE_H
 
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 
+#include "checksum.h"
 #include "file_descriptor.h"
 #include "kinetri/io/output_error.h"
 
@@ -49,6 +51,13 @@ class Output_file {
 
   /// Where to write. It fails when a write does; finish() says why.
   std::ostream& stream() noexcept;
+
+  /// From now on a checksum is kept of what is written, unless the output is written directly.
+  /// Precondition: nothing has been written.
+  void keep_checksum();
+
+  /// The checksum of the file, once it is complete. None if none is kept.
+  const std::optional<Checksum>& checksum() const noexcept;
 
   /// Writes out what is buffered and closes the file. Throws Output_error if anything since the
   /// construction was not written, Unread_output_error if that is because nobody reads it. Where

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `kinetri resume` from outside: a run in two parts is the run in one.
+// `kinetri resume` from outside: a run in two parts is the run in one, and what belongs to the
+// first part must be as that has left it.
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -100,6 +102,114 @@ TEST_F(Resume, reads_standard_input_and_counts_on) {
   EXPECT_EQ(stats["from"], 2);
   EXPECT_EQ(stats["until"], 3);
   EXPECT_EQ(stats["events_total"], 1);
+}
+
+// ---- the files that belong to a checkpoint ----
+
+class Resume_logs : public Resume {
+ protected:
+  // A run of one flip in two parts: this is the first one, with all outputs that a checkpoint
+  // notes.
+  void run_first_part(const std::string& points = one_flip) const {
+    write("p.csv", points);
+    done({"simulate", "p.csv", "--until", "2", "--events", "first.csv", "--initial-edges", "i.csv",
+          "--edges", "d.csv", "--checkpoint", "run.kinetri", "--stats", "s.json", "--html",
+          "h.html", "--quiet"});
+  }
+
+  Outcome resume(Arguments more) const {
+    more.insert(more.begin(), {"resume", "run.kinetri", "--until", "3"});
+    return run(more);
+  }
+};
+
+TEST_F(Resume_logs, continued_as_they_were_are_accepted) {
+  run_first_part();
+  write("s.json", "others do not matter");
+  write("h.html", "others do not matter");
+  const Outcome outcome = resume({"--events", "second.csv", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Resume_logs, of_another_run_are_refused) {
+  for (const std::string name : {"first.csv", "i.csv", "d.csv"}) {
+    SCOPED_TRACE(name);
+    run_first_part();
+    // As where a second run was killed after its events had taken their place.
+    const std::string before = read(name);
+    write(name, before.substr(0, before.size() - 2) + "9\n");
+    const Outcome outcome = resume({"--events", "second.csv", "--stats", "new.json"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    const std::string option = name == "first.csv" ? "events"
+                               : name == "i.csv"   ? "initial-edges"
+                                                   : "edges";
+    EXPECT_EQ(
+        outcome.err.rfind(name + ": is not what --" + option + " wrote for run.kinetri: it has " +
+                              std::to_string(before.size()) + " bytes and the checksum ",
+                          0),
+        0U)
+        << outcome.err;
+    EXPECT_FALSE(exists("second.csv"));
+    EXPECT_FALSE(exists("new.json"));
+  }
+}
+
+TEST_F(Resume_logs, that_are_not_continued_are_not_read) {
+  run_first_part();
+  write("first.csv", "of another run");
+  EXPECT_EQ(resume({"--edges", "end.csv", "--quiet"}).err, "");
+  // The run replaces them.
+  write("d.csv", "of another run");
+  EXPECT_EQ(resume({"--events", "./first.csv", "--edges", "d.csv", "--quiet"}).err, "");
+  EXPECT_EQ(rows("first.csv"), "");
+}
+
+TEST_F(Resume_logs, that_are_gone_are_named_in_the_summary) {
+  run_first_part();
+  std::filesystem::remove(file("first.csv"));
+  const Outcome outcome = resume({"--events", "second.csv"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("  input        first.csv, which --events wrote, is not there to be "
+                             "compared\n"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.err.find("d.csv, which"), std::string::npos);
+}
+
+TEST_F(Resume_logs, are_found_from_another_directory) {
+  run_first_part();
+  std::filesystem::create_directory(file("moved"));
+  for (const char* name : {"first.csv", "run.kinetri", "i.csv", "d.csv"}) {
+    std::filesystem::rename(file(name), file(std::string("moved/") + name));
+  }
+  const Arguments resume = {"resume", "moved/run.kinetri", "--until", "3", "--events", "-"};
+  const Outcome good = run(resume);
+  EXPECT_EQ(good.exit_code, 0);
+  EXPECT_EQ(good.err.find("is not there"), std::string::npos) << good.err;
+  write("moved/first.csv", "of another run");
+  const Outcome bad = run(resume);
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_EQ(bad.err.rfind("moved/first.csv: is not what --events wrote for moved/run.kinetri", 0),
+            0U);
+}
+
+TEST_F(Resume_logs, of_standard_output_are_not_noted) {
+  write("p.csv", one_flip);
+  done({"simulate", "p.csv", "--until", "2", "--events", "-", "--edges", "/dev/null",
+        "--checkpoint", "run.kinetri"});
+  EXPECT_NE(read("run.kinetri").find("\"logs\":[],\n"), std::string::npos);
+}
+
+// A checkpoint notes the files of its own part.
+TEST_F(Resume_logs, of_each_part_belong_to_its_checkpoint) {
+  run_first_part();
+  EXPECT_EQ(resume({"--events", "second.csv", "--checkpoint", "second.kinetri"}).exit_code, 0);
+  write("first.csv", "of another run");
+  done({"resume", "second.kinetri", "--until", "4", "--events", "third.csv"});
+  write("second.csv", "of another run");
+  EXPECT_EQ(run({"resume", "second.kinetri", "--until", "4", "--events", "third.csv"}).exit_code,
+            2);
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 import os
 import pathlib
 import signal
+import zlib
 
-from message_case import (DENIED, DISCS, NO_FILE, ONE_FLIP, case, checkpoint, forged, setter, signed,
+from message_case import (DENIED, DISCS, FILES, NO_FILE, ONE_FLIP, case, checkpoint, forged, setter, signed,
                           simulate)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -16,7 +17,7 @@ def checkpoint_cases():
 
     good = checkpoint()
     body = good[: good.rindex("checksum")]
-    first = "kinetri checkpoint 2"
+    first = "kinetri checkpoint 3"
     yield resume("")
     yield resume(ONE_FLIP, text="x,y,vx,vy")
     yield resume(good.replace(first, "kinetri checkpoint 9", 1), text="9")
@@ -48,6 +49,12 @@ def checkpoint_cases():
     change = [{"time": "3", "kind": "flip", "point": 0, "motion": None}]
     yield resume(forged(setter("scheduled", change)), member="state.scheduled[0].kind")
     yield resume(forged(setter("motion", "circular")), member="state.motion", text="circular")
+    log = {"output": "events", "path": "old.csv", "bytes": 7, "crc32": "0123abcd"}
+    yield resume(forged(setter("logs", [{**log, "crc32": "CBF43926"}])), member="state.logs[0].crc32")
+    content = FILES["old.csv"].encode()
+    yield case("resume c --until 3 --events e.csv", file="old.csv", option="--events", checkpoint="c",
+               files={"c": forged(setter("logs", [log]))}, n=len(content), m=7, other="0123abcd",
+               crc32=f"{zlib.crc32(content):08x}")
     yield resume(forged(setter("response", "bump")), name="bump")
     yield resume(forged(setter("response", "log")), name="log")
     yield resume(forged(setter("infinite_vertex_face", 99)),

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "io/output_file.h"
+#include "io/text.h"
 #include "kinetri/base/error.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/simulation/scenarios.h"
@@ -238,8 +239,13 @@ TEST(Checkpoint, numbers_read_back_exactly) {
                          {{0, -0x1.fffffffffffffp+900}, {12345678901234567.0, 2}, 0}},
                         {}, Algebraic_number(Rational(-1, 3)));
   simulation.schedule_erase(Algebraic_number(0.1), 2);
-  const Checkpoint read = checkpoint_of(text_of({simulation.snapshot(), "\"odd\" \n name \u00e4"}));
+  const std::vector<Checkpoint_log> logs = {
+      {"events", "\"odd\" \n name \u00e4", std::numeric_limits<std::uint64_t>::max(), 0xFFFFFFFF},
+      {"", "/", 0, 0}};
+  const Checkpoint read =
+      checkpoint_of(text_of({simulation.snapshot(), "\"odd\" \n name \u00e4", logs}));
   EXPECT_EQ(read.response, "\"odd\" \n name \u00e4");
+  EXPECT_EQ(read.logs, logs);
   EXPECT_EQ(std::get<0>(read.simulation).triangulation.time, Algebraic_number(Rational(-1, 3)));
   for (Point_id id = 0; id < 3; ++id) {
     EXPECT_EQ(std::get<0>(read.simulation).triangulation.motions[id],
@@ -298,7 +304,7 @@ class Damaged_checkpoint : public testing::Test {
     Simulation simulation(start.motions, start.options);
     for (int i = 0; i < 20; ++i) simulation.step();
     simulation.schedule_motion(Algebraic_number(1000.0), 3, {{1, 2}, {3, 4}, 0});
-    text = text_of({simulation.snapshot(), "log"});
+    text = text_of({simulation.snapshot(), "log", {{"events", "e.csv", 5, 0x0123abcd}}});
     response = start.options.response;
   }
 
@@ -329,8 +335,8 @@ TEST_F(Damaged_checkpoint, says_what_is_wrong) {
   expect_refusal("", "is empty;");
   expect_refusal("x,y,vx,vy\n1,2,3,4\n", "is no checkpoint: it begins with 'x,y,vx,vy';");
   expect_refusal(std::string(100, '\0'), "is no checkpoint:");
-  expect_refusal("kinetri checkpoint 3\n{}\n",
-                 "is a checkpoint of version '3'; expected version 2");
+  expect_refusal("kinetri checkpoint 2\n{}\n",
+                 "is a checkpoint of version '2'; expected version 3");
   expect_refusal(text + "\n", "is cut short, or has more");
   std::string damaged = text;
   damaged[text.size() / 2] ^= 1;
@@ -392,6 +398,13 @@ TEST_F(Forged_checkpoint, names_the_place_that_is_wrong) {
                  "state.infinite_vertex_face is no whole number");
   expect_refusal(forged("\"kind\":\"trajectory\"", "\"kind\":\"flip\""),
                  "state.scheduled[0].kind is no change of a point;");
+  for (const char* crc32 :
+       {"123abcd", "00123abcd", "0123ABCD", "0123abcg", "0x23abcd", "", "-123abcd"}) {
+    expect_refusal(forged("\"crc32\":\"0123abcd\"", joined("\"crc32\":\"", crc32, '"')),
+                   "state.logs[0].crc32 is no checksum; expected eight hexadecimal digits");
+  }
+  expect_refusal(forged("\"bytes\":5", "\"bytes\":-5"), "state.logs[0].bytes is no whole number");
+  expect_refusal(forged("\"logs\":[", "\"logs\":[0,"), "state.logs[0] is no object;");
   for (const char* time : {"\"\"", "\"-\"", "\"1.5\"", "\"1/0\"", "\"1/-2\"", "\"010\"", "\"1/\"",
                            "\"0x10\"", "\" 1\"", "\"1/2/3\""}) {
     expect_refusal(forged("\"time\":\"1000\"", std::string("\"time\":") + time),
@@ -422,10 +435,11 @@ TEST_F(Forged_checkpoint, changed_at_random_is_refused_or_right) {
     std::string forged = text;
     const std::size_t first = text.find('\n') + 1;
     for (auto changes = 1 + random() % 2; changes > 0; --changes) {
-      const std::size_t place = first + random() % (forged.rfind("checksum ") - first);
+      const std::size_t end = forged.rfind("checksum ");
+      const std::size_t place = first + random() % (end - first);
       constexpr std::string_view bytes = "0123456789-.,[]{}\"e/nt";
       if (random() % 3 == 0) {
-        forged.erase(place, 1 + random() % 4);
+        forged.erase(place, std::min<std::size_t>(1 + random() % 4, end - place));
       } else {
         forged[place] = bytes[random() % bytes.size()];
       }

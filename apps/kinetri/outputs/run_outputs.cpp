@@ -5,9 +5,17 @@
 
 #include "cli/arguments.h"
 #include "cli/interrupt.h"
+#include "io/checkpoint_logs.h"
 #include "io/text.h"
+#include "kinetri/io/checkpoint_file.h"
 
 namespace kinetri::app {
+namespace {
+
+// Those that a checkpoint notes: they continue with it, and do not depend on the machine.
+constexpr std::array noted_outputs = {Output::events, Output::initial_edges, Output::edges};
+
+}  // namespace
 
 Run_outputs::Run_outputs(const Output_paths& paths, const std::string& input_path) {
   // Pointers to what is open must stay valid.
@@ -22,6 +30,10 @@ Run_outputs::Run_outputs(const Output_paths& paths, const std::string& input_pat
   }
   check_files(input_path);
   check_directories();
+  if (!has(Output::checkpoint)) return;
+  for (const Output log : noted_outputs) {
+    if (has(log)) file(log)->keep_checksum();
+  }
 }
 
 void Run_outputs::open(const Output_row& row, const std::string& path) {
@@ -78,6 +90,17 @@ void Run_outputs::finish(Output_file& file) {
   }
 }
 
+std::vector<Checkpoint_log> Run_outputs::finish_logs() {
+  std::vector<Checkpoint_log> result;
+  for (const Output log : noted_outputs) {
+    if (!has(log) || !file(log)->checksum()) continue;
+    finish(log);
+    const std::string option = output_table[static_cast<std::size_t>(log)].option;
+    result.push_back(log_of(option.substr(2), *file(log), file(Output::checkpoint)->identity()));
+  }
+  return result;
+}
+
 void Run_outputs::commit() {
   for (Output_file& file : files_) finish(file);
   const Commit_section uninterrupted;
@@ -88,6 +111,12 @@ void Run_outputs::commit() {
     if (&file != checkpoint && !is_unread(file)) file.commit();
   }
   if (checkpoint != nullptr && !is_unread(*checkpoint)) checkpoint->commit();
+}
+
+std::vector<std::string> Run_outputs::identities() const {
+  std::vector<std::string> result;
+  for (const Output_file& file : files_) result.push_back(file.identity());
+  return result;
 }
 
 std::vector<std::string> Run_outputs::paths() const {

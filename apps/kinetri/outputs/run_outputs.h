@@ -14,6 +14,12 @@
 #include "io/output_file.h"
 #include "outputs/output_table.h"
 
+namespace kinetri {
+
+struct Checkpoint_log;
+
+}  // namespace kinetri
+
 namespace kinetri::app {
 
 /// Opens what has a path; what has none is null.
@@ -36,6 +42,9 @@ class Run_outputs {
   /// other outputs, these are still worth the run.
   void finish(Output output) { finish(*file(output)); }
 
+  /// What belongs to the checkpoint: the events and edges that are files, which are then complete.
+  std::vector<Checkpoint_log> finish_logs();
+
   /// All are complete before the first takes its place; the checkpoint is the last one. Throws
   /// Output_error.
   void commit();
@@ -47,6 +56,9 @@ class Run_outputs {
   void expect_reader() const {
     if (unread_) throw Unread_output_error(*unread_);
   }
+
+  /// What identifies the files (Output_file::identity).
+  std::vector<std::string> identities() const;
 
   /// As given, for people.
   std::vector<std::string> paths() const;

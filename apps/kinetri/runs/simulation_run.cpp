@@ -148,6 +148,7 @@ Exit_code Simulation_run::run() {
 void Simulation_run::build() {
   progress_.show_stage("reading");
   source_.read();
+  if (outputs_.has(Output::events)) source_.expect_logs(outputs_.identities());
   statistics_.points = source_.number_of_points();
   statistics_.from = source_.from();
   statistics_.until = source_.until();
@@ -268,8 +269,9 @@ void Simulation_run::write_ids(std::ostream& out) {
 }
 
 void Simulation_run::write_state(std::ostream& out) {
+  const std::vector<Checkpoint_log> logs = outputs_.finish_logs();
   simulation_.visit([&](const auto& s) {
-    write_checkpoint(out, {s.snapshot(), source_.response()});
+    write_checkpoint(out, {s.snapshot(), source_.response(), logs});
   });
 }
 

@@ -2,9 +2,12 @@
 #include "sources/checkpoint_source.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "cli/arguments.h"
 #include "cli/text.h"
+#include "io/checkpoint_logs.h"
 #include "io/text.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "sources/any_simulation.h"
@@ -18,6 +21,7 @@ class Checkpoint_source final : public Run_source {
 
   std::string path() const override { return path_; }
   void read() override;
+  void expect_logs(const std::vector<std::string>& replaced) override;
   std::size_t number_of_points() const override;
   double from() const override { return time().to_double(); }
   double until() const override { return until_; }
@@ -35,6 +39,7 @@ class Checkpoint_source final : public Run_source {
   std::string path_;
   double until_;
   Checkpoint checkpoint_;
+  std::vector<std::string> missing_;  // of its logs
 };
 
 void Checkpoint_source::read() {
@@ -42,6 +47,21 @@ void Checkpoint_source::read() {
   if (time() > Algebraic_number(until_)) {
     throw Usage_error(joined("--until: ", until_, " is before the time of ", input_name(path_),
                              "; expected at least ", time().tight_interval().upper));
+  }
+}
+
+void Checkpoint_source::expect_logs(const std::vector<std::string>& replaced) {
+  for (const Checkpoint_log& log : checkpoint_.logs) {
+    const std::filesystem::path path = path_of(log, path_);
+    std::error_code ignored;
+    const std::string identity =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored)
+            .string();
+    if (std::ranges::find(replaced, identity) != replaced.end()) continue;
+    if (!expect_log(log, path_)) {
+      missing_.push_back(
+          joined(path.string(), ", which --", log.output, " wrote, is not there to be compared"));
+    }
   }
 }
 
@@ -82,7 +102,10 @@ std::vector<std::string> Checkpoint_source::remarks() const {
   const auto events = std::visit(
       [](const auto& snapshot) { return snapshot.triangulation.counters.number_of_events(); },
       checkpoint_.simulation);
-  return {joined("taken up after ", counted(events, "event"), "; counts go on from there")};
+  std::vector<std::string> result = missing_;
+  result.push_back(
+      joined("taken up after ", counted(events, "event"), "; counts go on from there"));
+  return result;
 }
 
 }  // namespace

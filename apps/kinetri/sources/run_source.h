@@ -44,6 +44,11 @@ class Run_source {
   /// Usage_error where options do not go with what was read.
   virtual void read() = 0;
 
+  /// To be called if the run continues the event log of the one that the source takes up. Throws
+  /// Input_error if files which that one has written are not as it left them. Those that are
+  /// `replaced` by this run (Output_file::identity) do not matter.
+  virtual void expect_logs(const std::vector<std::string>& /*replaced*/) {}
+
   virtual std::size_t number_of_points() const = 0;
   virtual double from() const = 0;
   virtual double until() const = 0;

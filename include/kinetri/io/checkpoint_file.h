@@ -2,19 +2,32 @@
 //
 // Checkpoint files: the whole state of a simulation, to go on with later as if there had been no
 // break. A text file of three parts: a first line that names format and version, the state as JSON,
-// and a last line with the CRC-32 checksum of all before it.
+// and a last line with the CRC-32 checksum of all before it. Beside the simulation, the state has
+// the names, sizes and checksums of the files that its run has written.
 #ifndef KINETRI_IO_CHECKPOINT_FILE_H
 #define KINETRI_IO_CHECKPOINT_FILE_H
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "kinetri/io/output_error.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_snapshot.h"
 
 namespace kinetri {
+
+/// A file that belongs to a checkpoint: what a run has written before it was broken off.
+struct Checkpoint_log {
+  std::string output;  ///< what it holds: the program has events, initial-edges and edges
+  std::string path;    ///< from the checkpoint's directory if it is below that, else from the root
+  std::uint64_t bytes = 0;  ///< its size
+  std::uint32_t crc32 = 0;  ///< its checksum, the CRC-32 of zlib
+
+  friend bool operator==(const Checkpoint_log&, const Checkpoint_log&) = default;
+};
 
 /// What a checkpoint file holds.
 struct Checkpoint {
@@ -24,6 +37,9 @@ struct Checkpoint {
   /// The name of the response to collisions, for whoever restores the simulation and has to give it
   /// one: text in UTF-8. The program has the names of `named_responses`.
   std::string response = "none";
+  /// What belongs to it, so that whoever continues it can tell whether it is still the same. Texts
+  /// in UTF-8. Nothing here reads these files.
+  std::vector<Checkpoint_log> logs = {};
 };
 
 /// Writes a checkpoint so that read_checkpoint gives every number back: binary64 numbers with
