@@ -21,12 +21,12 @@ void append_point(std::string& line, const std::optional<Point_id>& point) {
   if (point) append(line, *point);
 }
 
-std::string three_fields(const Algebraic_number& time) {
+}  // namespace
+
+std::string time_fields(const Algebraic_number& time) {
   const Double_interval interval = time.tight_interval();
   return joined(time.to_double(), ',', interval.lower, ',', interval.upper);
 }
-
-}  // namespace
 
 Event_log_writer::Event_log_writer(std::ostream& out) : out_(out) {
   out_ << "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n";
@@ -35,7 +35,7 @@ Event_log_writer::Event_log_writer(std::ostream& out) : out_(out) {
 void Event_log_writer::after_event(const Event& event) {
   if (!time_ || *time_ != event.time) {
     time_ = event.time;
-    time_text_ = three_fields(event.time);
+    time_text_ = time_fields(event.time);
   }
   std::string line;
   append(line, event.number, ',', name(event.kind), ',', time_text_);

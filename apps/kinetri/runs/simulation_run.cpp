@@ -252,10 +252,8 @@ void Simulation_run::audit(Audit_level level) {
 void Simulation_run::write_approaches(std::ostream& out) {
   out << "id_a,id_b,time,time_lo,time_hi,distance\n";
   for (const Approach& approach : closest_->approaches()) {
-    const Double_interval time = approach.time.tight_interval();
     out << joined(source_.name(approach.points[0]), ",", source_.name(approach.points[1]), ",",
-                  approach.time.to_double(), ",", time.lower, ",", time.upper, ",",
-                  approach.distance, "\n");
+                  time_fields(approach.time), ",", approach.distance, "\n");
   }
 }
 

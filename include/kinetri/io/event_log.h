@@ -15,13 +15,17 @@
 
 namespace kinetri {
 
+/// The three fields of an exact time, as in "0.5,0.5,0.5": the binary64 number nearest to it, and
+/// the bounds of its tightest binary64 interval, which are equal if it is a binary64 number, else
+/// neighbours. All three have the fewest digits that read back exactly.
+std::string time_fields(const Algebraic_number& time);
+
 /// An observer that writes each event, once it has happened, as one line:
 ///
 ///   event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b
 ///
-/// `time` is the binary64 number nearest to the exact time; time_lo <= exact time <= time_hi are
-/// equal if the time is a binary64 number, else neighbours. All three are printed with the fewest
-/// digits that read back exactly. Fields that the kind of event does not use are empty.
+/// `time`, `time_lo` and `time_hi` are the time_fields. Fields that the kind of event does not use
+/// are empty.
 ///
 /// Errors are those of the stream. Cost: the times are rounded once for each instant.
 class Event_log_writer : public Event_observer {

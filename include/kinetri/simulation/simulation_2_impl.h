@@ -25,6 +25,10 @@ inline std::string text(double x) {
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x);
   return std::string(buffer.data(), end);
 }
+/// The same for the binary64 number nearest to `x`.
+inline std::string text(const Algebraic_number& x) {
+  return text(x.to_double());
+}
 
 }  // namespace detail
 
@@ -211,8 +215,8 @@ void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t contact
   throw Endless_contacts_error(
       entry.point_a,
       "more than " + std::to_string(options_.max_contacts_per_instant) +
-          " contacts at t = " + detail::text(current_time().to_double()) +
-          ", the last one of point " + std::to_string(entry.point_a) +
+          " contacts at t = " + detail::text(current_time()) + ", the last one of point " +
+          std::to_string(entry.point_a) +
           (entry.kind == Entry_kind::wall ? " and a wall"
                                           : " and point " + std::to_string(entry.point_b)) +
           "; expected that time goes on: let the points touch one by one, or take another "

@@ -126,7 +126,7 @@ template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::usable(Point_id id, Motion motion) const -> Motion {
   if (!is_finite(motion)) {
     throw Contact_overflow_error(
-        id, "after its contact at t = " + detail::text(current_time().to_double()) + " point " +
+        id, "after its contact at t = " + detail::text(current_time()) + " point " +
                 std::to_string(id) +
                 " has a place, velocity or acceleration beyond the range of binary64; expected "
                 "smaller numbers, in other units perhaps");
@@ -147,7 +147,7 @@ auto Simulation_2<Traits>::with_velocity(Point_id id, const Vector_2& velocity, 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::refuse_press(Point_id id, const std::string& who) const {
   throw Endless_contacts_error(
-      id, who + " at t = " + detail::text(current_time().to_double()) +
+      id, who + " at t = " + detail::text(current_time()) +
               ", in contact without any speed, so that no change of velocities separates them; "
               "expected contacts with a speed: change the accelerations, end before that time, or "
               "take a response that stops or removes points or lets them pass");
