@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "cli/text.h"
 #include "io/text.h"
 #include "kinetri/io/points_file.h"
 
@@ -59,6 +60,10 @@ std::size_t choice_argument(std::string_view option, std::string_view text,
         joined(option, ": '", text, "' is unknown; expected ", alternatives(choices)));
   }
   return static_cast<std::size_t>(found - choices.begin());
+}
+
+std::string choice_type(std::span<const std::string_view> choices) {
+  return separated(std::vector<std::string>(choices.begin(), choices.end()), "|");
 }
 
 std::string alternatives(const std::vector<std::string>& choices) {

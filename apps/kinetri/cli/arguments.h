@@ -52,6 +52,9 @@ std::uint64_t count_argument(std::string_view option, std::string_view text, std
 std::size_t choice_argument(std::string_view option, std::string_view text,
                             std::span<const std::string_view> choices);
 
+/// The type of an option with these choices, as in "a|b|c".
+std::string choice_type(std::span<const std::string_view> choices);
+
 /// @{
 /// "a, b or c".
 std::string alternatives(std::span<const std::string_view> choices);

@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "kinetri/simulation/collision_response.h"
-
 namespace kinetri::app {
 
 /// A length, speed or time of points that the program makes. Throws Usage_error.
@@ -17,9 +15,6 @@ double scenario_size_argument(std::string_view option, std::string_view text,
 
 /// The value of --seed. Throws Usage_error.
 std::uint64_t seed_argument(std::string_view text);
-
-/// The response that the value of --collisions names. Throws Usage_error.
-const Named_response& response_argument(std::string_view text, bool none_allowed);
 
 }  // namespace kinetri::app
 

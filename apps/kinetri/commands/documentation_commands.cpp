@@ -33,7 +33,7 @@ Command completion_command() {
   Command result;
   result.name = "completion";
   result.summary = "Write the script by which a shell completes command lines";
-  result.add_required("SHELL", shell.get(), "bash|zsh|fish", "The shell");
+  result.add_required("SHELL", shell.get(), choice_type(shells), "The shell");
   result.description = {
       "Packages install these scripts where shells find them. Without a package, write the script "
       "to ~/.local/share/bash-completion/completions/kinetri for bash, to "

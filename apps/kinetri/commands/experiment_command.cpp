@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <memory>
+#include <span>
 
 #include "cli/arguments.h"
+#include "commands/collisions_option.h"
 #include "commands/commands.h"
 #include "commands/common_arguments.h"
 #include "commands/run_options.h"
@@ -16,6 +18,8 @@ namespace {
 
 constexpr std::uint64_t most_experiment_points = 1'000'000;
 constexpr std::uint64_t most_seeds = 1000;
+constexpr std::span<const Named_response> all_but_none =
+    std::span<const Named_response>(named_responses).subspan(1);
 
 // The options' values as they stand on the command line.
 struct Experiment_options {
@@ -45,7 +49,7 @@ Experiment_run experiment_run(const Experiment_options& options) {
   result.radius = scenario_size_argument("--radius", options.radius);
   result.side = options.side ? scenario_size_argument("--side", *options.side)
                              : 10 * std::sqrt(static_cast<double>(result.points));
-  result.collisions = response_argument(options.collisions, false);
+  result.collisions = collisions_argument(options.collisions, all_but_none);
   return result;
 }
 
@@ -116,8 +120,8 @@ Command experiment_command() {
   result.add("--speed", &options->speed, "V", "Largest component of a velocity (default 5)");
   result.add("--radius", &options->radius, "R", "Radius of the discs (default 0.5)");
   result.add("--side", &options->side, "L", "Side of the box (default 10 sqrt(N))");
-  result.add("--collisions", &options->collisions, "log|swap|elastic|stop|remove",
-             "What happens when two discs touch (default swap), see kinetri simulate");
+  add_collisions_option(result, options->collisions, all_but_none,
+                        "What happens when two discs touch (default swap), see kinetri simulate");
   add_options_of_all_runs(result, *options);
   add_options_of_single_run(result, *options);
   result.description = {

@@ -100,7 +100,7 @@ Command scenario_command(Scenario scenario) {
     result.add("--jitter", &options->jitter, "D", "Largest offset of a coordinate (default 0.1)");
   }
   if (scenario == Scenario::lattice) {
-    result.add("--movers", &options->movers, "none|one|columns|all",
+    result.add("--movers", &options->movers, choice_type(names(all_lattice_movers)),
                "Which points move (default all)");
   }
   result.add("-o,--output", &options->output, "FILE",

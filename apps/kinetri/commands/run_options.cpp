@@ -51,7 +51,7 @@ void add_run_options(Command& command, Run_options& options,
            "end)")
       .heading = outputs_heading;
   command
-      .add("--audit", &options.audit, "none|end|events",
+      .add("--audit", &options.audit, choice_type(audit_modes),
            "Check the triangulation by exact arithmetic: never (default); at the end; or at the "
            "start, after every event and at the end")
       .heading = run_heading;
@@ -67,7 +67,7 @@ void add_run_options(Command& command, Run_options& options,
                 "events, but slower")
       .heading = run_heading;
   command
-      .add("--progress", &options.progress, "auto|always|never",
+      .add("--progress", &options.progress, choice_type(progress_modes),
            "Show a progress line; auto (default) shows it on a terminal")
       .heading = run_heading;
   command.add_flag("-q,--quiet", options.quiet, "Show no progress line and no summary").heading =

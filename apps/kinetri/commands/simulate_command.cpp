@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "cli/arguments.h"
+#include "commands/collisions_option.h"
 #include "commands/commands.h"
-#include "commands/common_arguments.h"
 #include "commands/run_options.h"
 #include "io/text.h"
 #include "runs/simulation_run.h"
@@ -60,7 +60,7 @@ Points_settings points_settings(const Simulate_options& options) {
   if (options.rim && !options.box) {
     throw Usage_error("--rim: there is no box to touch; expected --box as well");
   }
-  result.collisions = response_argument(options.collisions, true);
+  result.collisions = collisions_argument(options.collisions, named_responses);
   if (options.radius) {
     result.radius = radius_argument("--radius", *options.radius);
     if (result.collisions.response == nullptr && !options.rim) {
@@ -88,10 +88,8 @@ Command simulate_command() {
              "Keep the points in this box: its sides reflect them. All points start inside");
   result.add_flag("--rim", options->rim,
                   "Discs are reflected when their rim touches the box, not their centre");
-  result.add("--collisions", &options->collisions, "none|log|swap|elastic|stop|remove",
-             "What happens when two discs touch: none (default), nothing; log, a row in the event "
-             "log; swap, they exchange velocities; elastic, they collide elastically; stop, both "
-             "stop; remove, both vanish");
+  add_collisions_option(result, options->collisions, named_responses,
+                        collisions_help(named_responses));
   result.add("--radius", &options->radius, "R",
              "Radius of all discs, if POINTS has no column radius");
   add_run_options(result, options->run, {Output::checkpoint});

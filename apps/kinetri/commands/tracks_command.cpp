@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "cli/arguments.h"
+#include "commands/collisions_option.h"
 #include "commands/commands.h"
 #include "commands/run_options.h"
 #include "runs/simulation_run.h"
@@ -14,7 +16,8 @@ namespace {
 
 // In the order of the enumerators that they name.
 constexpr std::array<std::string_view, 2> formats = {"rows", "frames"};
-constexpr std::array<std::string_view, 2> collision_modes = {"none", "log"};
+constexpr std::span<const Named_response> none_and_log =
+    std::span<const Named_response>(named_responses).first(2);
 constexpr std::uint64_t most_approaches = 1'000'000;
 
 // The options' values as they stand on the command line.
@@ -48,7 +51,7 @@ Tracks_settings tracks_settings(const Tracks_options& options) {
   if (options.longest_gap) {
     result.longest_gap = positive_argument("--max-gap", *options.longest_gap);
   }
-  const bool logs = choice_argument("--collisions", options.collisions, collision_modes) != 0;
+  const bool logs = collisions_argument(options.collisions, none_and_log).response != nullptr;
   if (logs != options.radius.has_value()) {
     throw Usage_error(logs ? "--collisions: discs have a radius; expected --radius R as well"
                            : "--radius: nothing touches a disc; expected --collisions log as well");
@@ -78,7 +81,7 @@ Command tracks_command() {
   result.summary = "Keep the Delaunay triangulation of recorded trajectories";
   result.add_required("TRACKS", &options->tracks, "FILE", "The observations; - is standard input");
   result.add(
-      "--format", &options->format, "rows|frames",
+      "--format", &options->format, choice_type(formats),
       "rows (default): CSV with the columns t,id,x,y; frames: lines of frame id x y, without "
       "a header");
   result.add("--fps", &options->fps, "F",
@@ -92,9 +95,7 @@ Command tracks_command() {
       "An id that is not observed for longer than this leaves, and comes back as a new point");
   result.add("--closest", &options->closest, "K",
              "Write the K closest approaches of Delaunay neighbors to standard output, as CSV");
-  result.add("--collisions", &options->collisions, "none|log",
-             "What happens when two discs touch: none (default), nothing; log, a row in the event "
-             "log");
+  add_collisions_option(result, options->collisions, none_and_log, collisions_help(none_and_log));
   result.add("--radius", &options->radius, "R", "Radius of the discs around the points");
   add_run_options(result, options->run, {Output::ids});
   result.description = {

@@ -79,19 +79,21 @@ Contact_response_2 stop_both(const Contact_2& contact);
 /// Both points are erased.
 Contact_response_2 erase_both(const Contact_2& contact);
 
-/// A response and its name in the program `kinetri`.
+/// A response as the program `kinetri` offers it.
 struct Named_response {
   std::string_view name;                             ///< "swap", for example
   Contact_response_2 (*response)(const Contact_2&);  ///< null for "none"
+  std::string_view effect;                           ///< what happens when two discs touch
 };
 
-/// All built-in responses: none, log, swap, elastic, stop, remove.
-inline constexpr std::array<Named_response, 6> named_responses = {{{"none", nullptr},
-                                                                   {"log", log_contact},
-                                                                   {"swap", swap_velocities},
-                                                                   {"elastic", collide_elastically},
-                                                                   {"stop", stop_both},
-                                                                   {"remove", erase_both}}};
+/// All built-in responses.
+inline constexpr std::array<Named_response, 6> named_responses = {
+    {{"none", nullptr, "nothing"},
+     {"log", log_contact, "a row in the event log"},
+     {"swap", swap_velocities, "they exchange velocities"},
+     {"elastic", collide_elastically, "they collide elastically"},
+     {"stop", stop_both, "both stop"},
+     {"remove", erase_both, "both vanish"}}};
 
 }  // namespace kinetri
 
