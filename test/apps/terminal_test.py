@@ -130,6 +130,21 @@ class ClosedPipe(Program):
             self.assertEqual(self.outputs(), usual)
             shutil.rmtree(self.folder / "frames")
 
+    def test_files_of_every_command_that_runs_are_complete(self):
+        subprocess.run([PROGRAM, "simulate", "p.csv", "--until", "0.5", "--checkpoint", "c", "--quiet"],
+                       cwd=self.folder, check=True)
+        edges = self.folder / "edges.csv"
+        for run in (["resume", "c", "--until", "3"], ["wave", "--rows", "4", "--columns", "4"],
+                    ["experiment", "--single", "50", "--points", "20"], SIMULATE):
+            with self.subTest(run):
+                subprocess.run([PROGRAM, *run, "--edges", "edges.csv", "--quiet"], cwd=self.folder,
+                               check=True)
+                usual = edges.read_bytes()
+                edges.unlink()
+                outcome = self.run_into_closed_pipe([*run, "--edges", "edges.csv", "--events", "-"])
+                self.assertEqual(outcome, (-signal.SIGPIPE, ""))
+                self.assertEqual(edges.read_bytes(), usual)
+
     def test_tracks_are_complete(self):
         (self.folder / "t.csv").write_text("t,id,x,y\n0,a,0,0\n0,b,9,0\n5,a,1,1\n5,b,9,1\n",
                                            encoding="utf-8")
