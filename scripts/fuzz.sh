@@ -6,7 +6,7 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-targets=(points_file algebra simulation changes contacts)
+targets=(points_file tracks checkpoint algebra simulation changes contacts)
 
 usage() {
   cat <<EOF
@@ -57,6 +57,9 @@ for target in "${chosen[@]}"; do
   if [[ $target == points_file ]]; then
     lengths=(-max_len=20000)
     seeds=("$kinetri_root/test/fuzz/corpus/points_file" "$kinetri_root/data/degenerate")
+  elif [[ $target == tracks ]]; then
+    lengths=(-max_len=20000)
+    seeds=("$kinetri_root/test/fuzz/corpus/tracks")
   fi
   kinetri_say "Fuzzing $target for $seconds seconds; output in $dir/$target.log ..."
   if "$dir/test/fuzz/kinetri_${target}_fuzzer" -max_total_time="$seconds" -timeout=60 \

@@ -6,31 +6,16 @@
 #define KINETRI_SIMULATION_SIMULATION_2_IMPL_H
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/simulation/detail/shortest_text.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/detail/point_problems.h"
 
 namespace kinetri {
-
-namespace detail {
-
-/// The shortest text that reads back as `x`.
-inline std::string text(double x) {
-  std::array<char, 32> buffer;
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x);
-  return std::string(buffer.data(), end);
-}
-/// The same for the binary64 number nearest to `x`.
-inline std::string text(const Algebraic_number& x) {
-  return text(x.to_double());
-}
-
-}  // namespace detail
 
 // ---- construction ----
 

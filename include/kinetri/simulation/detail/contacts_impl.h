@@ -11,6 +11,7 @@
 #include <string>
 
 #include "kinetri/base/check.h"
+#include "kinetri/simulation/detail/shortest_text.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
