@@ -90,6 +90,38 @@ TEST(Real_roots, of_huge_and_tiny_magnitude_are_found) {
   }
 }
 
+// Coefficients whose exponents span the range of products of binary64 numbers.
+TEST(Real_roots, of_random_coefficients_are_as_many_as_a_sturm_sequence_counts) {
+  for (unsigned long seed = 0; seed < test::scaled_count(200); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    std::vector<Rational> coefficients;
+    for (long i = random.integer(1, 9); i >= 0; --i) {
+      coefficients.push_back(random.integer(0, 5) == 0 ? Rational(0)
+                                                       : random.dyadic(53, -600, 600));
+    }
+    const Polynomial p = primitive_polynomial(coefficients);
+    if (p.degree() < 1) continue;
+    const Sturm_sequence sequence(p);
+    const std::vector<Real_root> roots = real_roots(p);
+    ASSERT_EQ(static_cast<int>(roots.size()),
+              sequence.sign_changes_at_minus_infinity() - sequence.sign_changes_at_plus_infinity())
+        << p;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      ASSERT_TRUE(is_isolated(roots[i].value));
+      ASSERT_TRUE(roots[i].value.is_root_of(p));
+      if (i > 0) {
+        ASSERT_LT(roots[i - 1].value, roots[i].value);
+      }
+      const auto next = first_root_after(p, roots[i].value);
+      ASSERT_EQ(next.has_value(), i + 1 < roots.size());
+      if (next) {
+        ASSERT_EQ(next->value, roots[i + 1].value);
+      }
+    }
+  }
+}
+
 TEST(Real_roots, that_are_very_close_are_told) {
   for (unsigned long seed = 0; seed < test::scaled_count(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
