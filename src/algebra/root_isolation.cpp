@@ -176,7 +176,8 @@ class Search {
       }
       if (variations == previous_variations && span(lower, upper) <= 3) {
         if (const auto cluster = cluster_within(lower, upper, c, variations, k)) {
-          ends.back() = cluster->upper;
+          ends.pop_back();
+          if (cluster->upper != upper) ends.push_back(cluster->upper);
           ends.push_back(cluster->lower);
           k *= 2;
           continue;

@@ -221,6 +221,30 @@ std::vector<Time> interesting_times(const Known_polynomial& p, Random& random) {
   return result;
 }
 
+// Two roots close together beside a number with few digits, at which intervals end.
+TEST(First_root_after, of_a_cluster_beside_the_end_of_an_interval_is_found) {
+  for (const Rational& end : {Rational(0), Rational(1, 4), Rational(3), Rational(-5)}) {
+    for (long k = 4; k < 120; ++k) {
+      const Rational first = end - two_to(-k);
+      const Rational second = first + two_to(-k - 40);
+      Known_polynomial p;
+      p.add_rational(first, 1);
+      p.add_rational(second, 1);
+      p.add_rational(end + 7, 1);
+      const Algebraic_number before(Rational(end - 1));
+      const auto one = first_root_after(p.polynomial(), before);
+      ASSERT_TRUE(one);
+      EXPECT_EQ(one->value, Algebraic_number(first));
+      const auto two = first_root_after(p.polynomial(), one->value);
+      ASSERT_TRUE(two);
+      EXPECT_EQ(two->value, Algebraic_number(second));
+      const auto three = first_root_after(p.polynomial(), two->value);
+      ASSERT_TRUE(three);
+      EXPECT_EQ(three->value, Algebraic_number(Rational(end + 7)));
+    }
+  }
+}
+
 TEST(First_root_after, a_time_is_the_next_root_by_construction) {
   for (unsigned long seed = 0; seed < test::scaled_count(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
