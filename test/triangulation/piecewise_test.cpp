@@ -40,6 +40,7 @@ class Log_reader : public Event_observer {
 
   // What happened up to `end` by itself, before the points that change at `end`.
   std::string problem_until(const Algebraic_number& end) {
+    if (others_turn_now_ && end == oracle_.time()) return {};
     std::string problem = problem_of_edges();
     while (problem.empty() && !oracle_.critical_times().empty() &&
            oracle_.critical_times().front() <= end) {
@@ -71,6 +72,13 @@ class Log_reader : public Event_observer {
     }
     ++read_;
     motion ? oracle_.set_motion(id, *motion) : oracle_.erase(id);
+    // Points that turn at one time do so together: the edges come after the last of them.
+    if (kind == Event_kind::trajectory && is_next_now() && log_[read_].kind == kind &&
+        *log_[read_].point_a > id) {
+      others_turn_now_ = true;
+      return {};
+    }
+    others_turn_now_ = false;
     const std::set<Edge_ids> before = edges_;
     const std::size_t first = read_;
     while (is_next_now() && !is_of_points(log_[read_])) {
@@ -126,6 +134,7 @@ class Log_reader : public Event_observer {
   std::set<Edge_ids> edges_;  // as the log has left them
   std::vector<Kinetic_event> log_;
   std::size_t read_ = 0;
+  bool others_turn_now_ = false;  // together with the last change that has been read
 };
 
 struct Grid {
