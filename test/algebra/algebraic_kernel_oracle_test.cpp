@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "../support/random_polynomials.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/algebra/sturm_sequence.h"
+#include "support/random_polynomials.h"
 
 namespace kinetri {
 namespace {

@@ -63,14 +63,7 @@ std::vector<Value> values_of_every_magnitude(Random& random) {
 Specimen make_scaled_specimen(const Value& v, Random& random) {
   Known_polynomial p(random.coin() ? 1 : -1);
   add_to(p, v);
-  const Known_root truth = [&] {
-    const test::Big_float value =
-        v.c.is_zero() ? test::oracle_value(v.a) : test::oracle_value(v.a, v.c, true);
-    for (const Known_root& root : p.roots()) {
-      if (root.value == value) return root;
-    }
-    throw Internal_error("the polynomial lacks the root that it was given");
-  }();
+  const Known_root truth = test::root_at(p, v);
   const Rational size = test::rounded(truth.value, 20);
   const Rational scale = size.is_zero() ? Rational(1) : abs(size);
   p.add_irrational_pair(scale * random.integer(-5, 5), scale * scale * 7, 1);

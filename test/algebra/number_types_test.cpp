@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "../support/random_polynomials.h"
 #include "kinetri/base/error.h"
 #include "support/precondition_error.h"
+#include "support/random_polynomials.h"
 
 namespace kinetri {
 namespace {

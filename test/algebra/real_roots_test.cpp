@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "../support/random_polynomials.h"
 #include "kinetri/algebra/sturm_sequence.h"
 #include "kinetri/base/error.h"
 #include "support/precondition_error.h"
+#include "support/random_polynomials.h"
 
 namespace kinetri {
 namespace {

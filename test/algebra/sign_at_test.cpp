@@ -12,6 +12,7 @@
 namespace kinetri {
 namespace {
 
+using test::add_to;
 using test::Known_polynomial;
 using test::Known_root;
 using test::make_specimen;
@@ -44,21 +45,9 @@ TEST(Sign_at, an_algebraic_number_is_the_sign_by_construction) {
     Known_polynomial p(random.big_integer_not_zero(6));
     for (long i = random.integer(0, 2); i > 0; --i) {
       const Value& other = random.pick(values);
-      const int multiplicity = static_cast<int>(random.integer(1, 3));
-      if (other.c.is_zero()) {
-        p.add_rational(other.a, multiplicity);
-      } else {
-        p.add_irrational_pair(other.a, other.c, multiplicity);
-      }
+      add_to(p, other, static_cast<int>(random.integer(1, 3)));
     }
-    if (random.coin()) {
-      const int multiplicity = static_cast<int>(random.integer(1, 4));
-      if (v.c.is_zero()) {
-        p.add_rational(v.a, multiplicity);
-      } else {
-        p.add_irrational_pair(v.a, v.c, multiplicity);
-      }
-    }
+    if (random.coin()) add_to(p, v, static_cast<int>(random.integer(1, 4)));
     if (random.integer(0, 3) == 0) p.add_rootless(1, 1, 1);
 
     const Sign expected = sign_by_construction(p, t.truth, 0);

@@ -29,12 +29,21 @@ struct Value {
   Rational c;
 };
 
-inline void add_to(Known_polynomial& p, const Value& v) {
+inline void add_to(Known_polynomial& p, const Value& v, int multiplicity = 1) {
   if (v.c.is_zero()) {
-    p.add_rational(v.a, 1);
+    p.add_rational(v.a, multiplicity);
   } else {
-    p.add_irrational_pair(v.a, v.c, 1);
+    p.add_irrational_pair(v.a, v.c, multiplicity);
   }
+}
+
+/// The root with the value `v`, which the polynomial has been given.
+inline Known_root root_at(const Known_polynomial& p, const Value& v) {
+  const Big_float value = v.c.is_zero() ? oracle_value(v.a) : oracle_value(v.a, v.c, true);
+  for (const Known_root& root : p.roots()) {
+    if (root.value == value) return root;
+  }
+  throw Internal_error("the polynomial lacks the root that it was given");
 }
 
 /// The number `v` as a root of a random polynomial, or as a plain rational.
@@ -48,13 +57,8 @@ inline Specimen make_specimen(const Value& v, const std::vector<Value>& others, 
     }
     if (p.degree() == 1 || random.coin()) p.add_rootless(random.integer(-2, 2), 1, 1);
   }
-  const Big_float value = v.c.is_zero() ? oracle_value(v.a) : oracle_value(v.a, v.c, true);
-  for (const Known_root& root : p.roots()) {
-    if (root.value != value) continue;
-    if (plain) return {Algebraic_number(v.a), root};
-    return {isolated_root(p, root, random), root};
-  }
-  throw Internal_error("the polynomial lacks the root that it was given");
+  const Known_root root = root_at(p, v);
+  return {plain ? Algebraic_number(v.a) : isolated_root(p, root, random), root};
 }
 
 /// Equal, far and nearly equal numbers of either sign.
