@@ -12,11 +12,11 @@ template <class Filter, class Exact, class... Points>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::sign(const Filter& filter,
                                                            const Exact& polynomial,
                                                            const Points&... points) const {
-  if (state_->arithmetic == Arithmetic::filtered && (points.has_motion() && ...)) {
-    const Sign s = filter(points.motion()..., state_->instant.time.interval());
+  if (arithmetic_ == Arithmetic::filtered && (points.has_motion() && ...)) {
+    const Sign s = filter(points.motion()..., instant_->time.interval());
     if (s != CGAL::ZERO) return s;
   }
-  return sign_at(polynomial(points...), state_->instant);
+  return sign_at(polynomial(points...), *instant_);
 }
 
 template <class Motion>

@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <concepts>
+#include <memory>
 #include <ostream>
 #include <set>
 #include <sstream>
+#include <type_traits>
 
 #include "kinetri/events/event.h"
 #include "support/brute_force_simulator.h"
@@ -208,12 +210,29 @@ TEST(Moving_point_2, is_printed_with_its_id_and_motion) {
   EXPECT_EQ(out.precision(), 6);
 }
 
-TEST(Instantaneous_traits_2, copies_share_the_instant) {
-  const Instantaneous_traits_2 traits(Instant{Algebraic_number(1.0), Time_side::before});
-  const Instantaneous_traits_2 copy(traits);  // NOLINT(performance-unnecessary-copy-initialization)
-  traits.set_instant({Algebraic_number(2.0), Time_side::after});
+// Of a triangulation that shows its traits as const, who owns the clock alone sets the instant.
+static_assert(!std::copy_constructible<Instant_clock> && !std::is_copy_assignable_v<Instant_clock>);
+
+TEST(Instantaneous_traits_2, copies_follow_their_clock_and_may_outlive_it) {
+  auto clock = std::make_unique<Instant_clock>(Instant{Algebraic_number(1.0), Time_side::before});
+  const Triangulation triangulation{Instantaneous_traits_2(*clock)};
+  const Instantaneous_traits_2 copy(triangulation.geom_traits());
+  const Instantaneous_traits_2 fixed(clock->instant());
+  // The second point overtakes the first one at t = 2.
+  const Moving_point_2 p({{2, 0}, {0, 0}, 0});
+  const Moving_point_2 q({{0, 0}, {1, 0}, 0});
+  const auto compare = triangulation.geom_traits().compare_x_2_object();
+  EXPECT_EQ(compare(p, q), CGAL::LARGER);
+  clock->set({Algebraic_number(2.0), Time_side::after});
+  EXPECT_EQ(compare(p, q), CGAL::SMALLER);
+  EXPECT_EQ(clock->instant().time, Algebraic_number(2.0));
+  clock.reset();
+  EXPECT_EQ(compare(p, q), CGAL::SMALLER);
   EXPECT_EQ(copy.instant().time, Algebraic_number(2.0));
   EXPECT_EQ(copy.instant().side, Time_side::after);
+  EXPECT_EQ(copy.compare_x_2_object()(p, q), CGAL::SMALLER);
+  EXPECT_EQ(fixed.instant().time, Algebraic_number(1.0));
+  EXPECT_EQ(fixed.compare_x_2_object()(p, q), CGAL::LARGER);
 }
 
 TEST(Instantaneous_traits_2, cgal_queries_and_changes_work_at_an_irrational_instant) {

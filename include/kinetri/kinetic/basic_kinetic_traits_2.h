@@ -85,10 +85,15 @@ class Basic_kinetic_traits_2 {
   bool is_inside(const Point_2& p, const Wall_2& wall, const Time& t) const;
   /// @}
 
-  /// The predicates at an instant, in the same arithmetic.
+  /// @{
+  /// The predicates at an instant, or at that of a clock, in the same arithmetic.
   Instantaneous_traits instantaneous_traits(Instant instant) const {
     return Instantaneous_traits(std::move(instant), arithmetic_);
   }
+  Instantaneous_traits instantaneous_traits(const Instant_clock& clock) const {
+    return Instantaneous_traits(clock, arithmetic_);
+  }
+  /// @}
 
   /// Traits that decide everything exactly.
   static Basic_kinetic_traits_2 exact() { return Basic_kinetic_traits_2(Arithmetic::exact_only); }

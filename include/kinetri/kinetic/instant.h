@@ -2,8 +2,12 @@
 //
 // An instant: a time and a side of it. "Just after t" means: throughout some open interval that
 // begins at t. A structure that is right just after t is right until its next certificate fails.
+// And the clock that shows one instant after another.
 #ifndef KINETRI_KINETIC_INSTANT_H
 #define KINETRI_KINETIC_INSTANT_H
+
+#include <memory>
+#include <utility>
 
 #include "kinetri/algebra/algebraic_number.h"
 
@@ -20,6 +24,34 @@ enum class Time_side {
 struct Instant {
   Algebraic_number time;           ///< exact
   Time_side side = Time_side::at;  ///< of the time
+};
+
+/// The present instant of predicates that follow it: those of all traits that are made from the
+/// clock, and of their copies (Basic_instantaneous_traits_2). Only the clock can change it. It has
+/// no copies: who owns it, and nobody else, moves a triangulation on such traits in time.
+class Instant_clock {
+ public:
+  /// Shows the given instant; by default 0, at it.
+  explicit Instant_clock(Instant instant = {})
+      : instant_(std::make_shared<Instant>(std::move(instant))) {}
+
+  Instant_clock(const Instant_clock&) = delete;
+  Instant_clock& operator=(const Instant_clock&) = delete;
+
+  /// The present instant.
+  const Instant& instant() const { return *instant_; }
+
+  /// Shows another instant. No other thread may use the clock, or what follows it, meanwhile. Cost:
+  /// none. What was built on predicates that follow the clock stays right only if no certificate
+  /// fails on the way.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved
+  void set(Instant instant) { *instant_ = std::move(instant); }
+
+  /// The present instant, for what follows the clock and may outlive it.
+  std::shared_ptr<const Instant> shared_instant() const { return instant_; }
+
+ private:
+  std::shared_ptr<Instant> instant_;
 };
 
 /// The sign of `p` at the instant. Exact. On one side of a root it is the sign of the first

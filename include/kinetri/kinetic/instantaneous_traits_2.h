@@ -24,14 +24,16 @@ enum class Arithmetic {
 };
 
 /// The traits: a model of TriangulationTraits_2 and DelaunayTriangulationTraits_2, as CGAL 5.5 to
-/// 6.1 document and use them. Copies share the instant, so that a triangulation, which copies its
-/// traits, follows when the instant is set through any copy.
+/// 6.1 document and use them. They stand at one instant, or follow a clock; so do copies, and the
+/// triangulation that copies them. Only the clock can change the instant. Several threads may use
+/// the traits and their copies at once, but not while one sets the clock.
 ///
 /// Predicates are exact at every instant. The constructions give moving points or pairs of them:
 /// circumcenter is a point whose coordinates are rational functions of time; a line is the bisector
-/// of two points; a ray is a source and a line. A predicate is good as long as one
-/// of the copies is there. Cost of a predicate: tens to hundreds of floating-point operations where
-/// the filter decides, else the signs of one polynomial (certificate_polynomials.h) at the instant.
+/// of two points; a ray is a source and a line. A predicate is good as long as the traits, a copy
+/// of them or the clock is there. Cost of a predicate: tens to hundreds of floating-point
+/// operations where the filter decides, else the signs of one polynomial
+/// (certificate_polynomials.h) at the instant.
 template <class Motion>
 class Basic_instantaneous_traits_2 {
  public:
@@ -63,26 +65,21 @@ class Basic_instantaneous_traits_2 {
   /// The given instant; all decisions are made by the given means.
   explicit Basic_instantaneous_traits_2(Instant instant,
                                         Arithmetic arithmetic = Arithmetic::filtered)
-      : state_(std::make_shared<State>(State{std::move(instant), arithmetic})) {}
+      : instant_(std::make_shared<const Instant>(std::move(instant))), arithmetic_(arithmetic) {}
+  /// The present instant of the clock, whatever it shows. The clock may go before the traits do.
+  explicit Basic_instantaneous_traits_2(const Instant_clock& clock,
+                                        Arithmetic arithmetic = Arithmetic::filtered)
+      : instant_(clock.shared_instant()), arithmetic_(arithmetic) {}
 
   /// The instant of the predicates.
-  const Instant& instant() const { return state_->instant; }
-  /// Moves this object and all its copies to another instant; const, since a triangulation shows
-  /// its traits as const. No other thread may use a copy meanwhile. Cost: none. What was built on
-  /// the traits stays right only if no certificate failed on the way.
-  // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved
-  void set_instant(Instant instant) const { state_->instant = std::move(instant); }
+  const Instant& instant() const { return *instant_; }
 
  private:
-  struct State {
-    Instant instant;
-    Arithmetic arithmetic;
-  };
-
-  // Base of the predicates: they read the shared state.
+  // Base of the predicates: they read the shared instant.
   class Predicate {
    public:
-    explicit Predicate(const State& state) : state_(&state) {}
+    explicit Predicate(const Basic_instantaneous_traits_2& traits)
+        : instant_(traits.instant_.get()), arithmetic_(traits.arithmetic_) {}
 
    protected:
     Sign x_order(const Point_2& p, const Point_2& q) const;
@@ -97,7 +94,8 @@ class Basic_instantaneous_traits_2 {
     template <class Filter, class Exact, class... Points>
     Sign sign(const Filter& filter, const Exact& polynomial, const Points&... points) const;
 
-    const State* state_;
+    const Instant* instant_;
+    Arithmetic arithmetic_;
   };
 
  public:
@@ -225,20 +223,20 @@ class Basic_instantaneous_traits_2 {
 
   /// @{
   /// The function object of the concept, at the instant of this object from then on.
-  Compare_x_2 compare_x_2_object() const { return Compare_x_2(*state_); }
-  Compare_y_2 compare_y_2_object() const { return Compare_y_2(*state_); }
-  Compare_xy_2 compare_xy_2_object() const { return Compare_xy_2(*state_); }
-  Equal_2 equal_2_object() const { return Equal_2(*state_); }
-  Less_x_2 less_x_2_object() const { return Less_x_2(*state_); }
-  Less_y_2 less_y_2_object() const { return Less_y_2(*state_); }
-  Orientation_2 orientation_2_object() const { return Orientation_2(*state_); }
+  Compare_x_2 compare_x_2_object() const { return Compare_x_2(*this); }
+  Compare_y_2 compare_y_2_object() const { return Compare_y_2(*this); }
+  Compare_xy_2 compare_xy_2_object() const { return Compare_xy_2(*this); }
+  Equal_2 equal_2_object() const { return Equal_2(*this); }
+  Less_x_2 less_x_2_object() const { return Less_x_2(*this); }
+  Less_y_2 less_y_2_object() const { return Less_y_2(*this); }
+  Orientation_2 orientation_2_object() const { return Orientation_2(*this); }
   Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const {
-    return Side_of_oriented_circle_2(*state_);
+    return Side_of_oriented_circle_2(*this);
   }
-  Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(*state_); }
+  Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(*this); }
   Collinear_are_strictly_ordered_along_line_2 collinear_are_strictly_ordered_along_line_2_object()
       const {
-    return Collinear_are_strictly_ordered_along_line_2(*state_);
+    return Collinear_are_strictly_ordered_along_line_2(*this);
   }
   Construct_point_2 construct_point_2_object() const { return {}; }
   Construct_segment_2 construct_segment_2_object() const { return {}; }
@@ -249,7 +247,8 @@ class Basic_instantaneous_traits_2 {
   /// @}
 
  private:
-  std::shared_ptr<State> state_;
+  std::shared_ptr<const Instant> instant_;
+  Arithmetic arithmetic_;
 };
 
 extern template class Basic_instantaneous_traits_2<Linear_motion_2>;

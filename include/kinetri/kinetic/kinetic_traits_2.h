@@ -49,6 +49,7 @@ namespace kinetri {
 /// | `in_circle_failure(p, q, r, s, bounds)` | the failure time, from a certificate's bounds |
 /// | `orientation_failure(p, q, r, bounds)` | the failure time, from bounds; for flatness too |
 /// | `instantaneous_traits(instant)` | the predicates at an instant, decided by the same means |
+/// | `instantaneous_traits(clock)` | the same at whatever instant an Instant_clock shows |
 /// | `exact()` | these traits, but deciding everything exactly; for audits |
 ///
 /// The functions `..._failure` are called only for certificates without Certificate::failure.
@@ -57,8 +58,9 @@ template <class Traits>
 concept KineticTraits_2 = requires(const Traits traits, const typename Traits::Motion motion,
                                    const typename Traits::Point_2 p, const Algebraic_number t,
                                    const Double_interval bounds, const Instant instant,
-                                   Certificate_state state) {
+                                   const Instant_clock& clock, Certificate_state state) {
   { traits.instantaneous_traits(instant) } -> std::same_as<typename Traits::Instantaneous_traits>;
+  { traits.instantaneous_traits(clock) } -> std::same_as<typename Traits::Instantaneous_traits>;
   { traits.exact() } -> std::same_as<Traits>;
   { mirrored(motion) } -> std::same_as<typename Traits::Motion>;
   { is_finite(motion) } -> std::same_as<bool>;

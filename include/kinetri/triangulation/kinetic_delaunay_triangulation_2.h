@@ -350,9 +350,11 @@ class Kinetic_delaunay_triangulation_2 {
   };
 
   // Construction.
-  Triangulation build(std::span<const Point_2> points, const Time& time) const;
-  bool build_from_places(std::span<const Point_2> points, const Time& time,
-                         Triangulation& result) const;
+  Triangulation build_now(std::span<const Point_2> points) const;
+  static Triangulation build(std::span<const Point_2> points, const Time& time,
+                             const Instantaneous_traits& traits);
+  static bool build_from_places(std::span<const Point_2> points, const Time& time,
+                                Triangulation& result);
   static bool is_embedded(const Triangulation& triangulation);
   static bool flip_until_delaunay(Triangulation& triangulation);
   void index_vertices();
@@ -484,9 +486,9 @@ class Kinetic_delaunay_triangulation_2 {
   mutable Time current_time_;
   /// Where the present time has not been made yet: the certificate that failed then, and bounds of
   /// the time. The points must stay what they are until the time is made or another time comes.
-  /// None when a public function returns or an observer is called, so that const functions change
-  /// nothing.
+  /// None when a public function returns or an observer is called: const functions change nothing.
   mutable std::optional<std::pair<Certificate_points, Double_interval>> pending_time_;
+  Instant_clock clock_;  // of the triangulation's predicates
   Triangulation triangulation_;
   std::vector<Vertex_handle> vertices_;  // by point id; none where the point has been erased
   std::size_t number_of_points_ = 0;

@@ -21,7 +21,7 @@ namespace kinetri {
 template <KineticTraits_2 Traits>
 Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
     const std::vector<Motion>& motions, const Time& start, const Traits& traits)
-    : traits_(traits), current_time_(start) {
+    : traits_(traits), current_time_(start), clock_({start, Time_side::after}) {
   KINETRI_PRECONDITION(motions.size() < no_point, detail::too_many_points);
   std::vector<Point_2> points;
   points.reserve(motions.size());
@@ -32,7 +32,7 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
   vertices_.resize(points.size());
   number_of_points_ = points.size();
   const auto started = std::chrono::steady_clock::now();
-  triangulation_ = build(points, start);
+  triangulation_ = build(points, start, traits_.instantaneous_traits(clock_));
   index_vertices();
   const auto built = std::chrono::steady_clock::now();
   schedule_all();

@@ -164,7 +164,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::plan(std::span<const Change> chan
   constexpr std::size_t few = 8;
   if (triangulation_.dimension() < 2 ||
       result.jumps.size() > std::max(few, number_of_points_ / few)) {
-    result.rebuilt = build(points_after(changes), current_time());
+    result.rebuilt = build_now(points_after(changes));
   } else {
     check_are_distinct(changes, result);
   }
@@ -230,7 +230,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::check_are_distinct(std::span<cons
   for (const Change& change : changes) {
     if (change.motion) changed.emplace_back(*change.motion, change.point);
   }
-  if (changed.size() > 1) build(changed, current_time());
+  if (changed.size() > 1) build_now(changed);
   const auto is_changed = [&](Point_id id) {
     return std::ranges::find(changes, id, &Change::point) != changes.end();
   };

@@ -125,7 +125,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& tim
 // looks on or a predicate is needed: it costs a copy of the time.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::show_current_time() {
-  triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
+  clock_.set({current_time(), Time_side::after});
 }
 
 // Executes every event of the time t that is first in the queue. Each flip makes the triangulation

@@ -40,7 +40,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
     parents[merged[1]] = merged[0];
   }
   if (triangulation_.dimension() < 2) return rebuild();
-  triangulation_.geom_traits().set_instant({current_time(), Time_side::before});
+  clock_.set({current_time(), Time_side::before});
   for (const auto& [id, parent] : parents) {
     if (id == parent) continue;
     if (triangulation_.test_dim_down(vertices_[id])) return rebuild();
@@ -48,7 +48,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
     points_set_aside_.push_back({vertices_[id], vertices_[least(id)]});
     ++counters_.points_set_aside;
   }
-  triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
+  show_current_time();
 }
 
 // Puts the points that were set aside back where they are just after now, one after the other.
@@ -72,13 +72,13 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_ve
   if (!rebuilt_edges_) rebuilt_edges_.emplace();
   for (const Edge_ids& edge : finite_edge_ids()) --(*rebuilt_edges_)[edge];
   points_set_aside_.clear();
-  triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
+  show_current_time();
   queue_.clear();
   change_vertices();
   if (rebuilt != nullptr) {
     adopt(*rebuilt);
   } else {
-    adopt(build(points_after({}), current_time()));
+    adopt(build_now(points_after({})));
   }
   schedule_all();
   for (const Edge_ids& edge : finite_edge_ids()) ++(*rebuilt_edges_)[edge];
@@ -101,7 +101,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::reverse() {
     if (v == Vertex_handle()) continue;
     v->set_point(Point_2(mirrored(v->point().motion()), v->point().id()));
   }
-  triangulation_.geom_traits().set_instant({current_time(), Time_side::after});
+  show_current_time();
   if (has_flat_triangle()) {
     rebuild();
   } else {

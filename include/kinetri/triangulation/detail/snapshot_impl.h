@@ -52,10 +52,12 @@ template <KineticTraits_2 Traits>
 Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(Restoration /*restores*/,
                                                                            const Snapshot& snapshot,
                                                                            const Traits& traits)
-    : traits_(traits), current_time_(snapshot.time.detached()) {
+    : traits_(traits),
+      current_time_(snapshot.time.detached()),
+      clock_({current_time_, Time_side::after}) {
   const auto started = std::chrono::steady_clock::now();
   detail::Snapshot_links<Snapshot>(snapshot).check();
-  triangulation_ = Triangulation(traits_.instantaneous_traits({current_time(), Time_side::after}));
+  triangulation_ = Triangulation(traits_.instantaneous_traits(clock_));
   make_faces(snapshot);
   check_restored();
   const auto built = std::chrono::steady_clock::now();

@@ -19,12 +19,23 @@
 
 namespace kinetri {
 
-// The triangulation just after a time. That of the rounded places is nearly the same, and made
-// fast; where it is not certain to be the only one after some flips, CGAL inserts the points.
+// The triangulation just after the present time.
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::build_now(std::span<const Point_2> points) const
+    -> Triangulation {
+  return build(points, current_time(),
+               traits_.instantaneous_traits({current_time(), Time_side::after}));
+}
+
+// The triangulation at the instant of the traits, which is just after `time`. That of the rounded
+// places is nearly the same, and made fast; where it is not certain to be the only one after some
+// flips, CGAL inserts the points.
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> points,
-                                                     const Time& time) const -> Triangulation {
-  Triangulation result(traits_.instantaneous_traits({time, Time_side::after}));
+                                                     const Time& time,
+                                                     const Instantaneous_traits& traits)
+    -> Triangulation {
+  Triangulation result(traits);
   if (build_from_places(points, time, result)) return result;
   result.clear();
   result.insert(points.begin(), points.end());
@@ -47,7 +58,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> po
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::build_from_places(std::span<const Point_2> points,
                                                                  const Time& time,
-                                                                 Triangulation& result) const {
+                                                                 Triangulation& result) {
   if constexpr (requires(const Motion& motion) {
                   { rounded_place(motion, 0.0) } -> std::same_as<Vector_2>;
                 }) {
