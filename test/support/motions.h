@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstdio>
-#include <cstdlib>
+#include <initializer_list>
 #include <random>
 #include <ranges>
 #include <set>
@@ -22,6 +22,7 @@
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
+#include "support/multiplier.h"
 
 namespace kinetri::test {
 
@@ -44,13 +45,6 @@ inline Static_point place_at(const Polynomial_motion_2& m, const Rational& t) {
                     to_rational(m.jerk.*axis) * s * s * s / 6);
   };
   return {coordinate(&Vector_2::x), coordinate(&Vector_2::y)};
-}
-
-/// How many times the usual number of random cases to run: KINETRI_TEST_MULTIPLIER, or 1.
-inline int multiplier() {
-  const char* text = std::getenv("KINETRI_TEST_MULTIPLIER");
-  const int value = text == nullptr ? 1 : std::atoi(text);
-  return value < 1 ? 1 : value;
 }
 
 /// n points in a square of side `side`, velocity components in [-speed, speed].
@@ -134,31 +128,31 @@ inline std::vector<Polynomial_motion_2> random_polynomial_motions(std::size_t n,
   return motions;
 }
 
+/// Puts a row of a points file behind the text.
+inline void append_row(std::string& text, std::initializer_list<double> numbers) {
+  for (const double number : numbers) {
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%.17g,", number);
+    text += buffer;
+  }
+  text.back() = '\n';
+}
+
 /// The motions as a points file has them, for failure messages.
 template <class Range>
 requires std::same_as<std::ranges::range_value_t<Range>, Polynomial_motion_2> std::string describe(
     const Range& motions) {
   std::string text = "x,y,vx,vy,ax,ay,jx,jy,epoch\n";
   for (const Polynomial_motion_2& m : motions) {
-    for (const double number : {m.position.x, m.position.y, m.velocity.x, m.velocity.y,
-                                m.acceleration.x, m.acceleration.y, m.jerk.x, m.jerk.y, m.epoch}) {
-      char buffer[40];
-      std::snprintf(buffer, sizeof buffer, "%.17g,", number);
-      text += buffer;
-    }
-    text.back() = '\n';
+    append_row(text, {m.position.x, m.position.y, m.velocity.x, m.velocity.y, m.acceleration.x,
+                      m.acceleration.y, m.jerk.x, m.jerk.y, m.epoch});
   }
   return text;
 }
 inline std::string describe(const std::vector<Linear_motion_2>& motions) {
   std::string text = "x,y,vx,vy\n";
   for (const Linear_motion_2& m : motions) {
-    for (const double number : {m.position.x, m.position.y, m.velocity.x, m.velocity.y}) {
-      char buffer[40];
-      std::snprintf(buffer, sizeof buffer, "%.17g,", number);
-      text += buffer;
-    }
-    text.back() = '\n';
+    append_row(text, {m.position.x, m.position.y, m.velocity.x, m.velocity.y});
   }
   return text;
 }

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <boost/multiprecision/mpfr.hpp>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <random>
 #include <string>
@@ -20,14 +19,13 @@
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/algebra/polynomial.h"
+#include "support/multiplier.h"
 
 namespace kinetri::test {
 
 /// `count` random cases, times the environment variable KINETRI_TEST_MULTIPLIER.
 inline unsigned long scaled_count(unsigned long count) {
-  const char* multiplier = std::getenv("KINETRI_TEST_MULTIPLIER");
-  const unsigned long factor = multiplier == nullptr ? 1 : std::strtoul(multiplier, nullptr, 10);
-  return count * std::max(factor, 1UL);
+  return count * static_cast<unsigned long>(multiplier());
 }
 
 /// Random numbers that are the same with every standard library, as its distributions are not.
