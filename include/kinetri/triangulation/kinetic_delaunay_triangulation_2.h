@@ -21,7 +21,6 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -34,6 +33,7 @@
 #include "kinetri/events/event_scheduler.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/triangulation/audit.h"
+#include "kinetri/triangulation/detail/edge_changes.h"
 #include "kinetri/triangulation/detail/prefetch.h"
 #include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
@@ -445,14 +445,20 @@ class Kinetic_delaunay_triangulation_2 {
 
   // Changes of single points.
   struct Location {
-    Face_handle face;
-    bool is_on_edge = false;  // else inside the face, which is infinite beyond the hull
-    int index = 0;            // of that edge
+    Face_handle face;  // infinite beyond the hull
+    typename Triangulation::Locate_type locus = Triangulation::FACE;
+    int index = 0;  // of the edge or vertex where the place is on one
+  };
+  /// A point that leaves its triangles, comes or goes.
+  struct Jump {
+    Change change;
+    Location location = {};   // where it comes, in the triangulation before any point jumps
+    Vertex_handle near = {};  // a corner there that does not change, if there is one
   };
   /// How changes of points are made.
   struct Change_plan {
     std::vector<Change> turns;             ///< that keep the triangles around them embedded
-    std::vector<Change> jumps;             ///< of points that leave their triangles, come or go
+    std::vector<Jump> jumps;               ///< the others
     std::optional<Triangulation> rebuilt;  ///< where all of it is built anew
   };
   void change_all(Event_kind kind, std::vector<Change> changes);
@@ -460,22 +466,25 @@ class Kinetic_delaunay_triangulation_2 {
   Change_plan plan(std::span<const Change> changes);
   bool are_most(std::size_t points) const;
   void find_turns(std::span<const Change> changes, Change_plan& plan);
-  void check_are_distinct(std::span<const Change> changes, const Change_plan& plan) const;
+  void check_are_distinct(std::span<const Change> changes, std::span<const Jump> jumps) const;
+  void locate_jumps(std::span<const Change> changes, std::span<Jump> jumps) const;
+  Face_handle face_near(const Point_2& point) const;
   std::vector<Point_2> points_after(std::span<const Change> changes) const;
   void make_changes(std::span<const Change> changes, const Change_plan& plan);
   void make_turns(std::span<const Change> turns);
-  bool make_jumps(std::span<const Change> jumps);
+  bool make_jumps(std::span<const Jump> jumps, bool are_located);
   void set_point(const Change& change);
   bool is_embedded_around(Vertex_handle v) const;
-  Location find_location(const Point_2& point, Face_handle start) const;
+  Location locate(const Point_2& point, Face_handle start) const;
   void take_out(Vertex_handle v);
   void put_in(Vertex_handle v, const Location& location);
+  void schedule_inside(std::span<const Edge> polygon);
+  void flip_link(Vertex_handle v);
   void replace_in_faces(Vertex_handle old, Vertex_handle replacement);
   void unschedule_face(Face_handle face);
   void unschedule_around(Vertex_handle v);
   void schedule_around(Vertex_handle v);
   void note_edges_at(Vertex_handle v, int change);
-  void note_edges_among(const std::vector<Vertex_handle>& vertices, int change);
 
   struct Point_set_aside {
     Vertex_handle vertex;
@@ -497,8 +506,8 @@ class Kinetic_delaunay_triangulation_2 {
   Certificate_counters certificate_counters_;
   std::vector<Observer*> observers_;
   std::vector<Point_set_aside> points_set_aside_;
-  /// By edge, +1 if it has been added, -1 if removed; present while that is noted, not reported.
-  std::optional<std::map<Edge_ids, int>> rebuilt_edges_;
+  /// Present while changes of edges are noted, not reported.
+  std::optional<detail::Edge_changes> rebuilt_edges_;
   std::uint64_t events_in_instant_ = 0;  // of the last run_instant
   bool hull_is_flat_ = false;            // at the present time
   bool is_in_event_ = false;             // observers are being called

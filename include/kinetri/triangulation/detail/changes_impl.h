@@ -7,7 +7,8 @@
 #define KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
 
 #include <algorithm>
-#include <exception>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/detail/point_problems.h"
+#include "kinetri/triangulation/detail/static_delaunay.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
@@ -166,7 +168,8 @@ auto Kinetic_delaunay_triangulation_2<Traits>::plan(std::span<const Change> chan
       result.jumps.size() > std::max(few, number_of_points_ / few)) {
     result.rebuilt = build_now(points_after(changes));
   } else {
-    check_are_distinct(changes, result);
+    check_are_distinct(changes, result.jumps);
+    locate_jumps(changes, result.jumps);
   }
   return result;
 }
@@ -213,7 +216,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::find_turns(std::span<const Change
         if (is_embedded_around(vertices_[change.point])) continue;
         undo_last();
       }
-      plan.jumps.push_back(change);
+      plan.jumps.push_back({change});
     }
   }
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -221,30 +224,74 @@ void Kinetic_delaunay_triangulation_2<Traits>::find_turns(std::span<const Change
   }
 }
 
-// Throws if a point that jumps or comes would have the trajectory of another point. Precondition:
-// dimension 2.
+// Throws if two of the points that jump or come would have one trajectory with each other or with
+// one that turns.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::check_are_distinct(std::span<const Change> changes,
-                                                                  const Change_plan& plan) const {
+void Kinetic_delaunay_triangulation_2<Traits>::check_are_distinct(
+    std::span<const Change> changes, std::span<const Jump> jumps) const {
+  if (jumps.size() == 1 && changes.size() == 1) return;
   std::vector<Point_2> changed;
   for (const Change& change : changes) {
     if (change.motion) changed.emplace_back(*change.motion, change.point);
   }
   if (changed.size() > 1) build_now(changed);
-  const auto is_changed = [&](Point_id id) {
-    return std::ranges::find(changes, id, &Change::point) != changes.end();
+}
+
+// Finds where the points come that jump or come. Throws if one would have the trajectory of another
+// point, which does not change. Precondition: dimension 2.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::locate_jumps(std::span<const Change> changes,
+                                                            std::span<Jump> jumps) const {
+  std::vector<Point_id> changed;
+  for (const Change& change : changes) changed.push_back(change.point);
+  std::ranges::sort(changed);
+  const auto changes_itself = [&](Vertex_handle v) {
+    return std::ranges::binary_search(changed, v->point().id());
   };
-  for (const auto& [id, motion] : plan.jumps) {
+  for (Jump& jump : jumps) {
+    const auto& [id, motion] = jump.change;
     if (!motion) continue;
-    typename Triangulation::Locate_type locus;
-    int i = 0;
-    const Face_handle start = contains(id) ? vertices_[id]->face() : Face_handle();
-    const Face_handle face = triangulation_.locate(Point_2(*motion, id), locus, i, start);
-    if (locus != Triangulation::VERTEX) continue;
-    const Point_id other = face->vertex(i)->point().id();
-    if (is_changed(other)) continue;
-    throw Coincident_trajectories_error(std::min(id, other), std::max(id, other));
+    const Point_2 point(*motion, id);
+    jump.location = locate(point, face_near(point));
+    const auto& [face, locus, i] = jump.location;
+    if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
+      const Point_id other = face->vertex(i)->point().id();
+      throw Coincident_trajectories_error(std::min(id, other), std::max(id, other));
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Vertex_handle v = face->vertex(k);
+      if (!triangulation_.is_infinite(v) && !changes_itself(v)) jump.near = v;
+    }
   }
+}
+
+// A face near the place of a point at the present time, where the search for the place begins: at
+// the nearest of some points, about as many as the third root of all, in doubles. The walk from
+// there passes about as many triangles. [Muecke, Saias and Zhu 1996]
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::face_near(const Point_2& point) const
+    -> Face_handle {
+  if constexpr (detail::HasRoundedPlace<Motion>) {
+    const double time = current_time().to_double();
+    const Vector_2 place = rounded_place(point.motion(), time);
+    const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_points_));
+    const std::size_t step = std::max<std::size_t>(1, vertices_.size() / tries);
+    Vertex_handle nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t id = point.id() % step; id < vertices_.size(); id += step) {
+      const Vertex_handle v = vertices_[id];
+      if (v == Vertex_handle() || v->point().id() == point.id()) continue;
+      const Vector_2 there = rounded_place(v->point().motion(), time);
+      const double dx = there.x - place.x;
+      const double dy = there.y - place.y;
+      const double distance = dx * dx + dy * dy;
+      if (!(distance < least)) continue;
+      least = distance;
+      nearest = v;
+    }
+    if (nearest != Vertex_handle()) return nearest->face();
+  }
+  return Face_handle();
 }
 
 // The points that there are after the changes, in the order of their ids.
@@ -275,7 +322,10 @@ void Kinetic_delaunay_triangulation_2<Traits>::make_changes(std::span<const Chan
   make_turns(plan.turns);
   if (plan.jumps.empty()) return;
   execute_due_events();  // what takes a vertex out needs a triangulation that is Delaunay
-  if (!make_jumps(plan.jumps)) rebuild(set_points(plan.jumps));
+  if (make_jumps(plan.jumps, plan.turns.empty())) return;
+  rebuild([&] {
+    for (const Jump& jump : plan.jumps) set_point(jump.change);
+  });
 }
 
 template <KineticTraits_2 Traits>
@@ -294,30 +344,26 @@ void Kinetic_delaunay_triangulation_2<Traits>::make_turns(std::span<const Change
 
 // Takes out the points that jump or go, then puts in those that jump or come. Returns false where
 // that would leave points on a line: then the points are to be set, and all is to be rebuilt.
+// `are_located` says that nothing has changed since the points were located.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::make_jumps(std::span<const Change> jumps) {
-  Vertex_handle near;  // where to look for the next place first
-  const auto jumps_itself = [&](Vertex_handle v) {
-    return std::ranges::find(jumps, v->point().id(), &Change::point) != jumps.end();
-  };
-  for (const Change& change : jumps) {
+bool Kinetic_delaunay_triangulation_2<Traits>::make_jumps(std::span<const Jump> jumps,
+                                                          bool are_located) {
+  for (const auto& [change, location, near] : jumps) {
     const Vertex_handle v = vertices_[change.point];
     if (v == Vertex_handle()) continue;
     if (triangulation_.test_dim_down(v)) return false;
-    near = v->face()->vertex(Triangulation::ccw(v->face()->index(v)));
     take_out(v);
+    are_located = false;
     if (!change.motion) set_point(change);
   }
-  if (near != Vertex_handle() && (triangulation_.is_infinite(near) || jumps_itself(near))) {
-    near = Vertex_handle();
-  }
-  for (const Change& change : jumps) {
+  for (const auto& [change, location, near] : jumps) {
     if (!change.motion) continue;
     set_point(change);
     const Vertex_handle v = vertices_[change.point];
-    put_in(v, find_location(v->point(), near == Vertex_handle() ? Face_handle() : near->face()));
+    const Face_handle start = near == Vertex_handle() ? Face_handle() : near->face();
+    put_in(v, are_located ? location : locate(v->point(), start));
     execute_due_events();
-    near = v;
+    are_located = false;
   }
   return true;
 }
@@ -383,20 +429,14 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded_around(Vertex_handle 
   return is_embedded;
 }
 
-// Where the point stands just after now, searched from `start`, or from anywhere. Throws if that is
-// the place of another point. Precondition: dimension 2.
+// Where the point stands just after now, searched from `start`, or from anywhere. Precondition:
+// dimension 2.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::find_location(const Point_2& point,
-                                                             Face_handle start) const -> Location {
-  using Locus = typename Triangulation::Locate_type;
-  Locus locus;
-  int i = 0;
-  const Face_handle face = triangulation_.locate(point, locus, i, start);
-  if (locus == Triangulation::VERTEX && face->vertex(i)->point().id() != point.id()) {
-    const Point_id other = face->vertex(i)->point().id();
-    throw Coincident_trajectories_error(std::min(point.id(), other), std::max(point.id(), other));
-  }
-  return {face, locus == Triangulation::EDGE, i};
+auto Kinetic_delaunay_triangulation_2<Traits>::locate(const Point_2& point, Face_handle start) const
+    -> Location {
+  Location result;
+  result.face = triangulation_.locate(point, result.locus, result.index, start);
+  return result;
 }
 
 }  // namespace kinetri

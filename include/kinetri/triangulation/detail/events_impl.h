@@ -251,8 +251,8 @@ template <KineticTraits_2 Traits>
 template <class Change_edges>
 void Kinetic_delaunay_triangulation_2<Traits>::report(Event event, Change_edges change_edges) {
   if (rebuilt_edges_) {
-    if (event.removed) --(*rebuilt_edges_)[*event.removed];
-    if (event.added) ++(*rebuilt_edges_)[*event.added];
+    if (event.removed) rebuilt_edges_->note(*event.removed, -1);
+    if (event.added) rebuilt_edges_->note(*event.added, 1);
     return change_edges();
   }
   event.number = counters_.number_of_events();

@@ -57,7 +57,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::put_points_back() {
   while (!points_set_aside_.empty()) {
     const auto [v, companion] = points_set_aside_.back();
     points_set_aside_.pop_back();
-    put_in(v, find_location(v->point(), companion->face()));
+    put_in(v, locate(v->point(), companion->face()));
     execute_due_events();
   }
 }
@@ -70,7 +70,7 @@ template <class Change_vertices>
 void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_vertices,
                                                        const Triangulation* rebuilt) {
   if (!rebuilt_edges_) rebuilt_edges_.emplace();
-  for (const Edge_ids& edge : finite_edge_ids()) --(*rebuilt_edges_)[edge];
+  for (const Edge_ids& edge : finite_edge_ids()) rebuilt_edges_->note(edge, -1);
   points_set_aside_.clear();
   show_current_time();
   queue_.clear();
@@ -81,7 +81,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_ve
     adopt(build_now(points_after({})));
   }
   schedule_all();
-  for (const Edge_ids& edge : finite_edge_ids()) ++(*rebuilt_edges_)[edge];
+  for (const Edge_ids& edge : finite_edge_ids()) rebuilt_edges_->note(edge, 1);
 }
 
 template <KineticTraits_2 Traits>
@@ -156,7 +156,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::adopt(const Triangulation& rebuil
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::report_rebuild() {
   if (!rebuilt_edges_) return;
-  const auto edges = *std::exchange(rebuilt_edges_, std::nullopt);
+  const auto edges = rebuilt_edges_->take();
+  rebuilt_edges_.reset();
   Event event;
   event.kind = Event_kind::rebuild;
   for (const int change : {-1, 1}) {

@@ -6,7 +6,6 @@
 #define KINETRI_TRIANGULATION_DETAIL_START_IMPL_H
 
 #include <algorithm>
-#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -59,9 +58,7 @@ template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::build_from_places(std::span<const Point_2> points,
                                                                  const Time& time,
                                                                  Triangulation& result) {
-  if constexpr (requires(const Motion& motion) {
-                  { rounded_place(motion, 0.0) } -> std::same_as<Vector_2>;
-                }) {
+  if constexpr (detail::HasRoundedPlace<Motion>) {
     constexpr std::size_t few = 16;  // are inserted as fast
     if (points.size() < few) return false;
     const double rounded_time = time.to_double();

@@ -7,6 +7,7 @@
 #define KINETRI_TRIANGULATION_DETAIL_STATIC_DELAUNAY_H
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,6 +16,13 @@
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri::detail {
+
+/// A motion whose place at a time can be computed in doubles: for searches that begin anywhere, and
+/// for what exact predicates check.
+template <class Motion>
+concept HasRoundedPlace = requires(const Motion& motion) {
+  { rounded_place(motion, 0.0) } -> std::same_as<Vector_2>;
+};
 
 struct Static_delaunay {
   /// A face, as CGAL has it: neighbor i is opposite vertex i.

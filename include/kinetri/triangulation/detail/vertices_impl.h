@@ -6,8 +6,10 @@
 #define KINETRI_TRIANGULATION_DETAIL_VERTICES_IMPL_H
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
+#include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
@@ -17,37 +19,89 @@ namespace kinetri {
 // vertex itself stays, without faces: CGAL removes another one in its place.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::take_out(Vertex_handle v) {
-  std::vector<Vertex_handle> around;
-  detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { around.push_back(u); });
-  std::ranges::sort(around, {}, [](Vertex_handle u) { return u->point().id(); });
-
+  std::vector<Edge> link;  // as the faces beyond it see it, which stay
+  detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
+    link.push_back(two_sided(Edge(face, face->index(v))).there);
+  });
   unschedule_around(v);
   note_edges_at(v, -1);
-  note_edges_among(around, -1);
   const Vertex_handle stand_in = triangulation_.tds().create_vertex();
   stand_in->set_point(v->point());
   replace_in_faces(v, stand_in);
   triangulation_.remove(stand_in);
-  note_edges_among(around, 1);
-  for (const Vertex_handle u : around) schedule_around(u);
+  schedule_inside(link);
 }
 
-// Puts a vertex without faces in at its place: it splits the triangle or edge that it is in, and
-// what then violates its certificate has its event at the present time.
+// Schedules the edges of a polygon and those inside it, which are new. The polygon has no vertex
+// inside, so that its faces are the nodes of a tree.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::schedule_inside(std::span<const Edge> polygon) {
+  std::vector<Face_handle> beyond;
+  for (const Edge& edge : polygon) beyond.push_back(edge.first);
+  std::ranges::sort(beyond);
+  std::vector<Two_sided_edge> edges = {two_sided(polygon.front())};
+  std::vector<Edge> entries = {edges.front().there};  // faces, and the edges that lead to them
+  while (!entries.empty()) {
+    const auto [face, entry] = entries.back();
+    entries.pop_back();
+    for (const int i : {Triangulation::ccw(entry), Triangulation::cw(entry)}) {
+      const Two_sided_edge edge = edges.emplace_back(two_sided(Edge(face, i)));
+      if (std::ranges::binary_search(beyond, edge.there.first)) continue;
+      entries.push_back(edge.there);
+      if (!triangulation_.is_infinite(edge.here)) rebuilt_edges_->note(ids_of(edge.here), 1);
+    }
+  }
+  schedule(edges, current_time());
+}
+
+// Puts a vertex without faces in at its place: it splits the triangle or edge that it is in. Inside
+// the hull edges are flipped as in a static triangulation, before any certificate is made; what
+// violates its certificate at the hull has its event at the present time.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& location) {
-  const auto& [face, is_on_edge, i] = location;
+  const auto& [face, locus, i] = location;
+  KINETRI_ASSERT(locus != Triangulation::VERTEX, "the point is in the place of no other");
+  const bool is_on_edge = locus == Triangulation::EDGE;
+  const bool is_inside = !triangulation_.is_infinite(face) &&
+                         !(is_on_edge && triangulation_.is_infinite(face->neighbor(i)));
   unschedule_face(face);
   if (is_on_edge) {
     unschedule_face(face->neighbor(i));
-    --(*rebuilt_edges_)[ids_of(Edge(face, i))];
+    rebuilt_edges_->note(ids_of(Edge(face, i)), -1);
   }
   const Vertex_handle created = is_on_edge ? triangulation_.tds().insert_in_edge(face, i)
                                            : triangulation_.tds().insert_in_face(face);
   replace_in_faces(created, v);
   triangulation_.tds().delete_vertex(created);
   note_edges_at(v, 1);
+  if (is_inside) flip_link(v);
   schedule_around(v);
+}
+
+// Flips the edges opposite `v`, which is new and whose edges have no events, until the
+// triangulation is Delaunay at the instant of its traits; it was so without `v`. [Lawson 1977]
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::flip_link(Vertex_handle v) {
+  const auto side = triangulation_.geom_traits().side_of_oriented_circle_2_object();
+  std::vector<Edge> link;
+  detail::for_each_face_at(triangulation_, v,
+                           [&](Face_handle face) { link.emplace_back(face, face->index(v)); });
+  while (!link.empty()) {
+    const auto [face, i] = link.back();
+    link.pop_back();
+    const Face_handle beyond = face->neighbor(i);
+    if (triangulation_.is_infinite(beyond)) continue;
+    if (side(beyond->vertex(0)->point(), beyond->vertex(1)->point(), beyond->vertex(2)->point(),
+             v->point()) != CGAL::ON_POSITIVE_SIDE) {
+      continue;
+    }
+    unschedule_face(beyond);
+    rebuilt_edges_->note(ids_of(Edge(face, i)), -1);
+    triangulation_.tds().flip(face, i);
+    rebuilt_edges_->note(ids_of(Edge(face, Triangulation::ccw(i))), 1);
+    link.emplace_back(face, face->index(v));
+    link.emplace_back(beyond, beyond->index(v));
+  }
 }
 
 // Gives the faces at `old` the vertex `replacement`, which has none.
@@ -93,22 +147,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_around(Vertex_handle v) 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::note_edges_at(Vertex_handle v, int change) {
   detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
-    (*rebuilt_edges_)[edge_ids(v->point().id(), u->point().id())] += change;
+    rebuilt_edges_->note(edge_ids(v->point().id(), u->point().id()), change);
   });
-}
-
-// Notes the edges that have both ends in `vertices`, which are sorted by id, as added or removed.
-template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::note_edges_among(
-    const std::vector<Vertex_handle>& vertices, int change) {
-  const auto id = [](Vertex_handle v) { return v->point().id(); };
-  for (const Vertex_handle v : vertices) {
-    detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
-      if (id(v) < id(u) && std::ranges::binary_search(vertices, id(u), {}, id)) {
-        (*rebuilt_edges_)[edge_ids(id(v), id(u))] += change;
-      }
-    });
-  }
 }
 
 }  // namespace kinetri
