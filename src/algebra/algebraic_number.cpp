@@ -37,6 +37,10 @@ double Root_source::certain_value_at(double /*high*/, double /*low*/) const {
   return 0;
 }
 
+std::optional<double> Root_source::rounded(const Double_interval& /*bracket*/) const {
+  return std::nullopt;
+}
+
 Algebraic_number::Algebraic_number(const Rational& value) : bounds_(to_interval(value)) {
   if (bounds_.lower != bounds_.upper) adopt(std::make_unique<Representation>(value));
 }

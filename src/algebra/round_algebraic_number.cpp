@@ -86,8 +86,16 @@ Double_interval Algebraic_number::tight_interval() const {
 }
 
 double Algebraic_number::to_double() const {
+  if (is_binary64()) return bounds_.lower;
+  const Double_interval present = interval();  // before the representation, as in representation()
+  if (source_->representation_.load(std::memory_order_acquire) == nullptr) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (const std::optional<double> nearest = source_->rounded(present)) {
+      source_->narrow({std::nextafter(*nearest, -infinity), std::nextafter(*nearest, infinity)});
+      return *nearest;
+    }
+  }
   const Double_interval tight = tight_interval();
-  if (is_binary64()) return tight.lower;
   if (source_->representation_.load(std::memory_order_acquire) == nullptr) {
     const double half = 0.5 * (tight.upper - tight.lower);
     const double value = source_->certain_value_at(tight.lower, half);

@@ -58,6 +58,13 @@ struct Contact_root : Root_source {
   double certain_value_at(double high, double low) const override {
     return precise_contact(p, q, diameter, high, low);
   }
+  std::optional<double> rounded(const Double_interval& bracket) const override {
+    if constexpr (std::same_as<Motion, Linear_motion_2>) {
+      return rounded_contact(p, q, diameter, bracket);
+    } else {
+      return std::nullopt;
+    }
+  }
   Motion p, q;
   double diameter;
 };
@@ -78,11 +85,11 @@ Certificate certificate(const Filter_result& result) {
       result.is_refined ? Certificate::Means::refined_filter : Certificate::Means::filter;
   switch (result.kind) {
     case Filter_result::Kind::fails:
-      return {Kind::fails, result.bounds, nullptr, false, means, true};
+      return {Kind::fails, result.bounds, nullptr, result.may_vanish, means, true};
     case Filter_result::Kind::holds:
-      return {Kind::holds, result.bounds, nullptr, false, means};
+      return {Kind::holds, result.bounds, nullptr, result.may_vanish, means};
     default:
-      return {Kind::never_fails, {}, nullptr, false, means};
+      return {Kind::never_fails, {}, nullptr, result.may_vanish, means};
   }
 }
 
@@ -151,7 +158,7 @@ std::optional<Time> coincidence_time(const Polynomial& x, const Polynomial& y, c
 Certificate exact_contact_certificate(const Polynomial& distance, const Time& t) {
   std::optional<Time> contact = contact_time(distance, t);
   if (contact && *contact == t) {
-    return {Certificate::Kind::fails, t.interval(), std::make_unique<Time>(t), false,
+    return {Certificate::Kind::fails, t.interval(), std::make_unique<Time>(t), true,
             Certificate::Means::exact};
   }
   const bool is_root_solved = contact.has_value();
@@ -352,6 +359,11 @@ bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Point_2& p, const 
 template <class Motion>
 bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Point_2& p, const Wall_2& wall,
                                                         const Time& t) const {
+  if constexpr (std::same_as<Motion, Linear_motion_2>) {
+    const Vector_2& velocity = p.motion().velocity;
+    const double outward = wall.is_vertical() ? velocity.x : velocity.y;
+    return wall.is_upper() ? outward > 0 : outward < 0;
+  }
   return sign_at(derivative(wall_polynomial(p, wall)), t) == CGAL::NEGATIVE;
 }
 

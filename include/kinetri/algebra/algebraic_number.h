@@ -51,6 +51,11 @@ class Root_source {
   /// making the polynomial. Used to round the number.
   virtual double certain_value_at(double high, double low) const;
 
+  /// The binary64 number nearest to the number, ties to even, given that the number is strictly
+  /// between the bounds of `bracket`, which are finite. None where it is not certain without making
+  /// the polynomial.
+  virtual std::optional<double> rounded(const Double_interval& bracket) const;
+
  protected:
   Root_source();
 

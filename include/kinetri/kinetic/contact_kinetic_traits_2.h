@@ -33,6 +33,8 @@ namespace kinetri {
 /// | `may_overlap(p, q, diameter, t)` | whether it is less just after t; or true if unsure: fast |
 /// | `is_inside(p, wall, t)` | whether p is on the inner side of the bound at t, or at it |
 ///
+/// A contact certificate of two discs that are certainly apart just after t has `may_vanish` unset.
+///
 /// Only the first contact of a pair matters. `next_contact_certificate` gives the first contact
 /// after the discs have been apart once, from t on: for discs that a response has left in contact.
 ///

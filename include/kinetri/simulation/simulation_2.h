@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -266,25 +267,36 @@ class Simulation_2 : private Event_observer {
   void schedule_wall(Point_id id, const Time& after);
   void unschedule_wall(Point_id id);
   void schedule_pair(const Edge_ids& pair, const Time& after);
+  bool schedule_new_pair(const Edge_ids& pair, const Time& after);
   Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
   void unschedule_pair(const Edge_ids& pair);
   void schedule_contacts(Point_id id, std::span<const Point_id> points);
-  void schedule_inserted(Point_id id);
+  void schedule_pairs_beside(Point_id id);
   void schedule_all();
   void unschedule_contacts(Point_id id);
   void discard(Queue_handle handle);
   Entry pop();
   void forget(const Entry& entry);
   Queue_handle forget_pair(const Edge_ids& pair);
+  Queue_handle forget_partner(Point_id id, Point_id other);
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
+
+  // The contacts of points.
+  Contacts* find_contacts(Point_id id) const {
+    return id < contacts_.size() ? contacts_[id].get() : nullptr;
+  }
+  Contacts& contacts_of(Point_id id);
 
   // Overlaps, and the pairs that are watched because of them.
   const std::vector<Overlap>& overlaps(Point_id id) const;
   const Overlap* find_overlap(const Edge_ids& pair) const;
   std::vector<Point_id> overlapping_points(Point_id id, const Traits& traits) const;
+  void add_overlapping_neighbors(Point_id id, const Traits& traits,
+                                 std::vector<Point_id>& found) const;
   bool is_edge(Point_id a, Point_id b) const;
   bool is_watched(const Edge_ids& pair) const;
+  bool is_overlapped(const Edge_ids& pair) const;
   void watch(const Edge_ids& pair, const Time& after);
   void unwatch(const Edge_ids& pair);
   template <class Function>
@@ -299,6 +311,7 @@ class Simulation_2 : private Event_observer {
   void end_passes(Point_id id);
   bool is_passing(Point_id a, Point_id b);
   void update_overlaps(Point_id id);
+  void set_overlaps(Point_id id, const std::vector<Point_id>& found);
 
   // Events.
   std::size_t step(const Time* until);
@@ -333,8 +346,8 @@ class Simulation_2 : private Event_observer {
   Queue_policy queue_policy_{*this};
   detail::Event_scheduler<Entry, Queue_policy> queue_{queue_policy_};
   Certificate_counters certificate_counters_;
-  // Of points that are there, so that memory is that of these and not of all that ever were.
-  std::unordered_map<Point_id, Contacts> contacts_;
+  // By point id; null where the point has none, or has been erased.
+  std::vector<std::unique_ptr<Contacts>> contacts_;
   std::unordered_map<std::uint32_t, Motion> scheduled_motions_;  // by number of the change
   std::uint32_t scheduled_ = 0;                                  // changes so far
   std::size_t scheduled_entries_ = 0;                            // of changes, in the queue

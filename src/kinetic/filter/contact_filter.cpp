@@ -4,6 +4,7 @@
 // and 9.
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -64,21 +65,34 @@ Motion foot_at(const Motion& p, const Wall_2& wall) {
 
 // ---- linear motion ----
 
+// Whether the discs are certainly apart throughout the interval, from the origin on, before the
+// differences are scaled.
+bool are_apart(const Linear_differences<1>& d, double diameter, const Double_interval& interval) {
+  const double squared_diameter = diameter * diameter;
+  const double error =
+      error_throughout(d, interval) + d.product_units * unit_roundoff * squared_diameter;
+  const Pair& place = d[0].place;
+  return sum(place * place) - squared_diameter > error;
+}
+
 // The squared distance of two points in linear motion is a convex quadratic in time. So the discs
 // approach up to one time and part from then on, and where its value falls through the squared
 // diameter it does so once.
 Filter_result contact(Linear_differences<1>& d, double diameter, const Double_interval& after) {
-  if (d.speed() == 0) return {Kind::never_fails};
+  const auto never = [&] {
+    return Filter_result{Kind::never_fails, {}, false, !are_apart(d, diameter, after)};
+  };
+  if (d.speed() == 0) return never();
   if (!is_unscaled_in_range(d)) return {};
   const auto& [place, slope] = d[0];
   // Half the slope of the squared distance; it grows with time.
   const double half_slope = sum(place * slope);
-  if (half_slope > unscaled_error(d)) return {Kind::never_fails};
+  if (half_slope > unscaled_error(d)) return never();
   const double squared_speed = sum(slope * slope);
   // The distance at which they pass, times their relative speed.
   const double cross = std::abs(place[0] * slope[1] - place[1] * slope[0]);
   const double reach = diameter * std::sqrt(squared_speed);
-  if (cross - unscaled_error(d) > reach * (1 + 0x1p-40)) return {Kind::never_fails};
+  if (cross - unscaled_error(d) > reach * (1 + 0x1p-40)) return never();
 
   const double squared_diameter = diameter * diameter;
   const double gap = sum(place * place) - squared_diameter;
@@ -133,7 +147,7 @@ template <class Certificate>
 Filter_result first_contact(Polynomial_differences<1>& d, const Certificate& distance, double share,
                             const Double_interval& after) {
   const std::optional<double> window = d.window_ahead(share);
-  if (!window) return {Kind::never_fails};
+  if (!window) return {Kind::never_fails, {}, false, true};
   d.scale(*window);
   if (!d.is_in_range()) return {};
   const auto c = distance(d);
@@ -141,9 +155,11 @@ Filter_result first_contact(Polynomial_differences<1>& d, const Certificate& dis
   if (c[0] > error) return in_time(judge(c, error), *window, after);
   // It may touch or overlap: nothing happens as long as it rises.
   const auto slope = slope_of(c);
-  if (least(slope) > slope_errors(slope) * error) return {Kind::never_fails};
+  if (least(slope) > slope_errors(slope) * error) return {Kind::never_fails, {}, false, true};
   const double rising = positive_share(bernstein(slope), slope_errors(slope) * error);
-  return in_time({Kind::holds, {rising, rising}}, *window, after);
+  Filter_result result = in_time({Kind::holds, {rising, rising}}, *window, after);
+  result.may_vanish = true;
+  return result;
 }
 
 Filter_result contact(Polynomial_differences<1>& d, double diameter, const Double_interval& after) {
@@ -195,6 +211,10 @@ template <class Motion>
 Sign certain_gap(const Motion& p, const Motion& q, double diameter,
                  const Double_interval& interval) {
   return with_differences(std::array{&p}, q, interval.lower, [&](auto& d) {
+    // Mostly they are far from one another.
+    if constexpr (std::same_as<decltype(d), Linear_differences<1>&>) {
+      if (are_apart(d, diameter, interval)) return CGAL::POSITIVE;
+    }
     return sign_throughout(d, Distance{diameter * diameter}, interval);
   });
 }

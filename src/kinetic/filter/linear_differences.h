@@ -7,12 +7,14 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "bernstein.h"
 #include "coordinate_pair.h"
 #include "frame.h"
 #include "in_circle_coefficients.h"
+#include "kinetri/base/double_interval.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri {
@@ -100,6 +102,17 @@ inline double unscaled_error(const Linear_differences<1>& d) {
 }
 inline bool is_unscaled_in_range(const Linear_differences<1>& d) {
   return is_in_range(d.terms()) && is_in_range(d.speed());
+}
+
+// How far a product of two places at the origin, before they are scaled, may be from its value at
+// any time of an interval that begins there; infinite where that cannot be computed.
+template <std::size_t N>
+inline double error_throughout(const Linear_differences<N>& d, const Double_interval& interval) {
+  // The length of the interval is rounded.
+  const double moved = 2 * d.speed() * (interval.upper - interval.lower);
+  const double reach = d.terms() + moved;
+  if (!is_in_range(reach)) return std::numeric_limits<double>::infinity();
+  return (d.product_units * unit_roundoff * reach + 4 * moved) * reach;
 }
 
 inline Coefficients<1> coordinate(const Difference& d, int axis) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cfenv>
 #include <cmath>
+#include <limits>
 
 #include "double_double.h"
 #include "frame.h"
@@ -89,6 +90,7 @@ class Places {
     return relative_[i].x * relative_[i].x + relative_[i].y * relative_[i].y;
   }
 
+  const Place& relative(std::size_t i) const { return relative_[i]; }
   double size() const { return size_; }
   double terms() const { return terms_; }
   bool is_in_range() const { return kinetri::is_in_range(size_) && terms_ < greatest_size; }
@@ -142,6 +144,38 @@ double precise_contact(const Motion& p, const Motion& q, double diameter, double
   constexpr double units = 256 * Scaled<Motion>::error_factor * unit;
   return certain(places.squared_length(0) - square,
                  units * (places.size() * places.terms() + square.high));
+}
+
+// One step of Newton's method from within the bracket, which is so small that the step errs by far
+// less than half a unit in the last place; docs/MATH.md, section 8, has the bounds.
+std::optional<double> rounded_contact(const Linear_motion_2& p, const Linear_motion_2& q,
+                                      double diameter, const Double_interval& bracket) {
+  const double width = bracket.upper - bracket.lower;
+  const double origin = bracket.lower + 0.5 * width;
+  const Places<2, Linear_motion_2> places({&p, &q}, {origin});
+  const double slope_x = p.velocity.x - q.velocity.x;
+  const double slope_y = p.velocity.y - q.velocity.y;
+  const double speed = std::abs(slope_x) + std::abs(slope_y);
+  if (!places.is_in_range() || !is_precise() || !is_in_range(diameter) || !is_in_range(speed)) {
+    return std::nullopt;
+  }
+  const Double_double value = places.squared_length(0) - exact_product(diameter, diameter);
+  const auto& [x, y] = places.relative(0);
+  const double slope = 2 * (x.high * slope_x + y.high * slope_y);
+  const double error = 256 * unit * (places.size() * places.terms() + diameter * diameter);
+  const double slope_error =
+      32 * unit_roundoff * (places.size() + unit_roundoff * places.terms()) * speed +
+      width * speed * speed;
+  const double least_slope = std::abs(slope) - slope_error;
+  if (!(least_slope > 0x1p-20 * std::abs(slope))) return std::nullopt;
+  const double step = -value.high / slope;
+  const Double_double root = exact_sum(origin, step);
+  const double distance = 2 * (error + std::abs(step) * slope_error) / least_slope +
+                          8 * unit_roundoff * (std::abs(step) + std::abs(root.low)) +
+                          std::numeric_limits<double>::min();
+  const double nearest = root.high + (root.low - distance);
+  if (nearest != root.high + (root.low + distance) || !std::isfinite(nearest)) return std::nullopt;
+  return nearest;
 }
 
 #define KINETRI_INSTANTIATE(Motion)                                                             \

@@ -7,6 +7,9 @@
 #ifndef KINETRI_SRC_KINETIC_FILTER_PRECISE_FILTER_H
 #define KINETRI_SRC_KINETIC_FILTER_PRECISE_FILTER_H
 
+#include <optional>
+
+#include "kinetri/base/double_interval.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
@@ -23,6 +26,11 @@ double precise_orientation(const Motion& p, const Motion& q, const Motion& r, do
                            double low);
 template <class Motion>
 double precise_contact(const Motion& p, const Motion& q, double diameter, double high, double low);
+
+/// The binary64 number nearest to the only root of contact_polynomial between the bounds of
+/// `bracket`, where it is certain. Cost: about that of one value.
+std::optional<double> rounded_contact(const Linear_motion_2& p, const Linear_motion_2& q,
+                                      double diameter, const Double_interval& bracket);
 
 }  // namespace kinetri
 

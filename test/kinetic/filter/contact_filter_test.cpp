@@ -43,6 +43,15 @@ bool expect_true(const Filter_result& result, const Polynomial& certificate, dou
   return true;
 }
 
+// Returns whether the discs are certainly apart at the start.
+bool expect_apart(const Filter_result& result, const Polynomial& gap,
+                  const Double_interval& after) {
+  if (result.kind == Filter_result::Kind::unknown || result.may_vanish) return false;
+  EXPECT_EQ(gap.sign_at(to_rational(after.lower)), CGAL::POSITIVE);
+  EXPECT_EQ(gap.sign_at(to_rational(after.upper)), CGAL::POSITIVE);
+  return true;
+}
+
 // In each rounding mode in turn.
 template <class Function>
 auto in_mode(int i, const Function& function) {
@@ -61,6 +70,8 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
   int decided = 0;
   int contacts = 0;
   int signs = 0;
+  int apart = 0;
+  int overlapping = 0;
   const int cases = 4000 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
@@ -77,7 +88,15 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
     const Filter_result result = in_mode(i, [&] {
       return filter_contact(m[0], m[1], diameter, {t, t});
     });
-    decided += expect_true(result, contact_polynomial(p, q, diameter), t);
+    const Polynomial distance = contact_polynomial(p, q, diameter);
+    decided += expect_true(result, distance, t);
+    apart += expect_apart(result, distance, {t, t});
+    overlapping += distance.sign_at(to_rational(t)) == CGAL::NEGATIVE;
+    for (const double width : {0x1p-40, 1.0}) {
+      const Double_interval after = {t, t + width};
+      expect_apart(in_mode(i, [&] { return filter_contact(m[0], m[1], diameter, after); }),
+                   distance, after);
+    }
     contacts += result.kind == Filter_result::Kind::fails;
     if (HasFailure()) return;
     for (const Double_interval interval : {Double_interval{t, t}, Double_interval{t, later}}) {
@@ -87,10 +106,10 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
         ASSERT_EQ(polynomial.sign_at(to_rational(interval.lower)), sign);
         ASSERT_EQ(polynomial.sign_at(to_rational(interval.upper)), sign);
       };
-      const Polynomial gap = contact_polynomial(p, q, diameter);
       expect_sign(in_mode(i, [&] { return certain_distance_slope(m[0], m[1], interval); }),
-                  derivative(gap));
-      expect_sign(in_mode(i, [&] { return certain_gap(m[0], m[1], diameter, interval); }), gap);
+                  derivative(distance));
+      expect_sign(in_mode(i, [&] { return certain_gap(m[0], m[1], diameter, interval); }),
+                  distance);
     }
     if (HasFailure()) return;
 
@@ -111,6 +130,8 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
     EXPECT_GT(decided, cases * 85 / 100) << "all but the discs that overlap and approach";
     EXPECT_GT(contacts, cases / 20);
     EXPECT_GT(signs, 2 * cases * 99 / 100);
+    EXPECT_GT(apart, (cases - overlapping) * 95 / 100);
+    EXPECT_GT(overlapping, cases / 10);
   }
 }
 

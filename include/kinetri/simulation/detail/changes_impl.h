@@ -73,8 +73,7 @@ void Simulation_2<Traits>::execute_change(const Due_change& change) {
     erase(id);
   } else if (change.entry.kind == Entry_kind::insert) {
     check_inside(Point_2(*change.motion, id));
-    triangulation_.insert(*change.motion, id);
-    schedule_inserted(id);
+    this->change({&id, 1}, [&] { triangulation_.insert(*change.motion, id); });
   } else if (triangulation_.contains(id)) {  // else it has left while the change was postponed
     set_motion(id, *change.motion);
   }
@@ -94,8 +93,8 @@ bool Simulation_2<Traits>::try_change(const Due_change& change) {
 template <ContactKineticTraits_2 Traits>
 Point_id Simulation_2<Traits>::insert(const Motion& motion) {
   check_inside(Point_2(motion, triangulation_.next_id()));
-  const Point_id id = triangulation_.insert(motion);
-  schedule_inserted(id);
+  const Point_id id = triangulation_.next_id();
+  change({&id, 1}, [&] { triangulation_.insert(motion); });
   return id;
 }
 

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "kinetri/base/check.h"
 #include "kinetri/simulation/detail/shortest_text.h"
@@ -41,9 +43,19 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
   const Motion& motion_b = triangulation_.motion(b);
   const Vector_2 place_a = rounded_place(motion_a, time);
   const Vector_2 place_b = rounded_place(motion_b, time);
+  // The motion with a velocity that is asked for mostly twice: by the response, and as its result.
+  std::array<std::pair<Vector_2, std::optional<Motion>>, 2> known;
+  const auto motion_with = [&](Point_id id, const Vector_2& velocity) -> const Motion& {
+    auto& [known_velocity, motion] = known[id == a ? 0 : 1];
+    if (!motion || known_velocity != velocity) {
+      known_velocity = velocity;
+      motion = with_velocity(id, velocity, time);
+    }
+    return *motion;
+  };
   const auto would_approach = [&](const Vector_2& velocity_a, const Vector_2& velocity_b) {
-    return traits_.do_approach(Point_2(with_velocity(a, velocity_a, time), a),
-                               Point_2(with_velocity(b, velocity_b, time), b), current_time());
+    return traits_.do_approach(Point_2(motion_with(a, velocity_a), a),
+                               Point_2(motion_with(b, velocity_b), b), current_time());
   };
   const bool is_pressed = !traits_.has_approach_speed(point(a), point(b), current_time());
   const Contact_response_2 response =
@@ -54,7 +66,7 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
                          rounded_velocity(motion_a, time),
                          rounded_velocity(motion_b, time),
                          is_pressed,
-                         would_approach});
+                         std::cref(would_approach)});
 
   // The motion that a point gets; none where it keeps its own.
   const auto new_motion = [&](Point_id id, bool stops,
@@ -65,7 +77,7 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
       return usable(id, at_rest_at(motion, time));
     }
     if (!velocity || *velocity == rounded_velocity(motion, time)) return std::nullopt;
-    return with_velocity(id, *velocity, time);
+    return motion_with(id, *velocity);
   };
   const auto new_a = new_motion(a, response.stops_a, response.velocity_a);
   const auto new_b = new_motion(b, response.stops_b, response.velocity_b);
@@ -90,7 +102,8 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
   });
 }
 
-// Has changes made of the points, which are sorted, with their contacts scheduled before and after.
+// Has changes made of the points, which are sorted, with their contacts taken out before and
+// scheduled after.
 template <ContactKineticTraits_2 Traits>
 template <class Make_changes>
 void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes make_changes) {
@@ -100,21 +113,26 @@ void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes
   }
   const auto schedule_anew = [&] {
     changing_points_ = {};
-    if (options_.response) {
-      for (const Point_id id : points) update_overlaps(id);
-    }
+    for (const Point_id id : points) end_passes(id);
     for (const Point_id id : points) {
       if (triangulation_.contains(id)) {
         schedule_contacts(id, points);
       } else {
-        contacts_.erase(id);
+        set_overlaps(id, {});
+      }
+    }
+    for (const Point_id id : points) {
+      if (triangulation_.contains(id)) {
+        schedule_pairs_beside(id);
+      } else if (id < contacts_.size()) {
+        contacts_[id].reset();
       }
     }
   };
   changing_points_ = points;
   try {
     make_changes();
-  } catch (const Coincident_trajectories_error&) {
+  } catch (...) {  // nothing has changed
     schedule_anew();
     throw;
   }
@@ -133,8 +151,11 @@ auto Simulation_2<Traits>::usable(Point_id id, Motion motion) const -> Motion {
                 "smaller numbers, in other units perhaps");
   }
   if (!options_.box) return motion;
-  const Double_interval times = current_time().tight_interval();
-  for (const Wall_2& wall : walls_) motion = clamped_inside(motion, wall, times);
+  for (const Wall_2& wall : walls_) {
+    // Mostly it is far inside. Where it has to be moved, how far depends on the interval.
+    if (clamped_inside(motion, wall, current_time().interval()) == motion) continue;
+    motion = clamped_inside(motion, wall, current_time().tight_interval());
+  }
   return motion;
 }
 
@@ -160,14 +181,9 @@ void Simulation_2<Traits>::after_event(const Event& event) {
   if (!options_.response) return;
   if (event.removed) {
     const Edge_ids& edge = *event.removed;
-    // A disc without overlaps is watched against its neighbors only.
-    if (overlaps(edge[0]).empty()) {
-      unschedule_pair(edge);
-    } else {
-      unwatch(edge);
-      if (find_overlap(edge) != nullptr) {
-        for_each_pair_over(edge, [this](const Edge_ids& pair) { unwatch(pair); });
-      }
+    if (!is_overlapped(edge)) unschedule_pair(edge);
+    if (find_overlap(edge) != nullptr) {
+      for_each_pair_over(edge, [this](const Edge_ids& pair) { unwatch(pair); });
     }
   }
   if (!event.added) return;

@@ -20,8 +20,8 @@ namespace kinetri {
 template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::overlaps(Point_id id) const -> const std::vector<Overlap>& {
   static const std::vector<Overlap> none;
-  const auto contacts = contacts_.find(id);
-  return contacts == contacts_.end() ? none : contacts->second.overlaps;
+  const Contacts* const contacts = find_contacts(id);
+  return contacts == nullptr ? none : contacts->overlaps;
 }
 
 // The record of a pair that overlaps; null if there is none.
@@ -38,17 +38,27 @@ template <ContactKineticTraits_2 Traits>
 std::vector<Point_id> Simulation_2<Traits>::overlapping_points(Point_id id,
                                                                const Traits& traits) const {
   std::vector<Point_id> result;
-  const auto add_neighbors = [&](Point_id of) {
-    for_each_neighbor(of, [&](Point_id other) {
-      if (other != id && std::ranges::find(result, other) == result.end() &&
+  for_each_neighbor(id, [&](Point_id other) {
+    if (traits.may_overlap(point(id), point(other), diameter_, current_time())) {
+      result.push_back(other);
+    }
+  });
+  add_overlapping_neighbors(id, traits, result);
+  return result;
+}
+
+// Completes `found`, which are the neighbors of a point whose discs overlap its own.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::add_overlapping_neighbors(Point_id id, const Traits& traits,
+                                                     std::vector<Point_id>& found) const {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for_each_neighbor(found[i], [&](Point_id other) {
+      if (other != id && std::ranges::find(found, other) == found.end() &&
           traits.may_overlap(point(id), point(other), diameter_, current_time())) {
-        result.push_back(other);
+        found.push_back(other);
       }
     });
-  };
-  add_neighbors(id);
-  for (std::size_t i = 0; i < result.size(); ++i) add_neighbors(result[i]);
-  return result;
+  }
 }
 
 // Whether both points are there, with an edge.
@@ -62,19 +72,23 @@ bool Simulation_2<Traits>::is_edge(Point_id a, Point_id b) const {
 
 template <ContactKineticTraits_2 Traits>
 bool Simulation_2<Traits>::is_watched(const Edge_ids& pair) const {
-  return is_edge(pair[0], pair[1]) ||
-         std::ranges::any_of(overlaps(pair[0]), [&](const Overlap& overlap) {
-           return find_overlap({overlap.id, pair[1]}) != nullptr && is_edge(overlap.id, pair[1]);
-         });
+  return is_edge(pair[0], pair[1]) || is_overlapped(pair);
+}
+
+// Whether the pair is watched because of a disc that overlaps both.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::is_overlapped(const Edge_ids& pair) const {
+  return std::ranges::any_of(overlaps(pair[0]), [&](const Overlap& overlap) {
+    return find_overlap({overlap.id, pair[1]}) != nullptr && is_edge(overlap.id, pair[1]);
+  });
 }
 
 // Schedules the contact of a pair that has none.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::watch(const Edge_ids& pair, const Time& after) {
-  const auto contacts = contacts_.find(pair[0]);
-  if (contacts != contacts_.end() &&
-      std::ranges::find(contacts->second.partners, pair[1], &Partner::id) !=
-          contacts->second.partners.end()) {
+  const Contacts* const contacts = find_contacts(pair[0]);
+  if (contacts != nullptr &&
+      std::ranges::find(contacts->partners, pair[1], &Partner::id) != contacts->partners.end()) {
     return;
   }
   schedule_pair(pair, after);
@@ -90,6 +104,11 @@ void Simulation_2<Traits>::unwatch(const Edge_ids& pair) {
 template <ContactKineticTraits_2 Traits>
 template <class Function>
 void Simulation_2<Traits>::for_each_pair_beside(Point_id a, Point_id b, Function function) const {
+  // Mostly the two overlap no others.
+  const auto has_others = [&](Point_id p, Point_id w) {
+    return std::ranges::any_of(overlaps(p), [w](const Overlap& other) { return other.id != w; });
+  };
+  if (!has_others(a, b) && !has_others(b, a)) return;
   const auto as_first = [&](Point_id p, Point_id w) {
     for (const Overlap& overlap : overlaps(w)) {
       if (p < overlap.id && is_edge(w, overlap.id)) function(Edge_ids{p, overlap.id});
@@ -127,15 +146,15 @@ void Simulation_2<Traits>::find_all_overlaps() {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::start_overlap(Point_id a, Point_id b) {
   if (find_overlap({a, b}) != nullptr) return;
-  contacts_[a].overlaps.push_back({b, false});
-  contacts_[b].overlaps.push_back({a, false});
+  contacts_of(a).overlaps.push_back({b, false});
+  contacts_of(b).overlaps.push_back({a, false});
 }
 
 // The points need not be there any more.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::end_overlap(Point_id a, Point_id b) {
   const auto forget = [this](Point_id id, Point_id other) {
-    std::erase_if(contacts_.at(id).overlaps,
+    std::erase_if(contacts_of(id).overlaps,
                   [&](const Overlap& overlap) { return overlap.id == other; });
   };
   forget(a, b);
@@ -145,8 +164,8 @@ void Simulation_2<Traits>::end_overlap(Point_id a, Point_id b) {
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::mark_passing(Point_id a, Point_id b, bool passes) {
-  std::ranges::find(contacts_.at(a).overlaps, b, &Overlap::id)->passes = passes;
-  std::ranges::find(contacts_.at(b).overlaps, a, &Overlap::id)->passes = passes;
+  std::ranges::find(contacts_of(a).overlaps, b, &Overlap::id)->passes = passes;
+  std::ranges::find(contacts_of(b).overlaps, a, &Overlap::id)->passes = passes;
 }
 
 // Two discs in contact that overlap from now on, and have no contact until they have separated.
@@ -163,6 +182,7 @@ void Simulation_2<Traits>::let_pass(Point_id a, Point_id b) {
 // the point gets another motion, with which it may come into contact again.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::end_passes(Point_id id) {
+  if (std::ranges::none_of(overlaps(id), &Overlap::passes)) return;
   const std::vector<Overlap> known = overlaps(id);
   for (const auto& [other, passes] : known) {
     if (passes && !is_passing(id, other)) end_overlap(id, other);
@@ -177,19 +197,22 @@ bool Simulation_2<Traits>::is_passing(Point_id a, Point_id b) {
       !traits_.do_touch(point(a), point(b), diameter_, current_time())) {
     return false;
   }
-  const auto& partners = contacts_.at(a).partners;
+  const auto& partners = contacts_of(a).partners;
   const auto partner = std::ranges::find(partners, b, &Partner::id);
   return partner == partners.end() || !queue_[partner->event].is_event ||
          queue_.time(queue_[partner->event]) > current_time();
 }
 
-// Finds the overlaps of a point that has come, gone, or got another motion. Its own contacts are
-// still to be scheduled.
+// Finds the overlaps of a point.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::update_overlaps(Point_id id) {
-  const std::vector<Point_id> found =
-      triangulation_.contains(id) ? overlapping_points(id, traits_) : std::vector<Point_id>();
   end_passes(id);
+  set_overlaps(id, overlapping_points(id, traits_));
+}
+
+// Makes the overlaps of a point those that have been found.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::set_overlaps(Point_id id, const std::vector<Point_id>& found) {
   const std::vector<Overlap> known = overlaps(id);
   for (const Overlap& overlap : known) {
     if (std::ranges::find(found, overlap.id) == found.end()) end_overlap(id, overlap.id);

@@ -5,9 +5,11 @@
 #define KINETRI_SIMULATION_DETAIL_SCHEDULING_IMPL_H
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "kinetri/base/check.h"
 #include "kinetri/simulation/simulation_2.h"
@@ -74,7 +76,7 @@ auto Simulation_2<Traits>::pop() -> Entry {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::forget(const Entry& entry) {
   if (entry.kind == Entry_kind::wall) {
-    contacts_.at(entry.point_a).wall_event = no_event;
+    contacts_of(entry.point_a).wall_event = no_event;
   } else if (entry.kind == Entry_kind::collision) {
     forget_pair({entry.point_a, entry.point_b});
   } else {
@@ -85,18 +87,30 @@ void Simulation_2<Traits>::forget(const Entry& entry) {
 // Returns the handle of the pair's entry; no_event if it has none.
 template <ContactKineticTraits_2 Traits>
 Queue_handle Simulation_2<Traits>::forget_pair(const Edge_ids& pair) {
-  Queue_handle event = no_event;
-  for (const auto& [id, other] : {std::pair(pair[0], pair[1]), std::pair(pair[1], pair[0])}) {
-    const auto contacts = contacts_.find(id);
-    if (contacts == contacts_.end()) return no_event;
-    auto& partners = contacts->second.partners;
-    const auto partner = std::ranges::find(partners, other, &Partner::id);
-    if (partner == partners.end()) return no_event;
-    event = partner->event;
-    *partner = partners.back();
-    partners.pop_back();
-  }
+  const Queue_handle event = forget_partner(pair[0], pair[1]);
+  if (event != no_event) forget_partner(pair[1], pair[0]);
   return event;
+}
+
+// The same for the record that the first of the two points has.
+template <ContactKineticTraits_2 Traits>
+Queue_handle Simulation_2<Traits>::forget_partner(Point_id id, Point_id other) {
+  Contacts* const contacts = find_contacts(id);
+  if (contacts == nullptr) return no_event;
+  auto& partners = contacts->partners;
+  const auto partner = std::ranges::find(partners, other, &Partner::id);
+  if (partner == partners.end()) return no_event;
+  const Queue_handle event = partner->event;
+  *partner = partners.back();
+  partners.pop_back();
+  return event;
+}
+
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::contacts_of(Point_id id) -> Contacts& {
+  if (id >= contacts_.size()) contacts_.resize(triangulation_.next_id());
+  if (contacts_[id] == nullptr) contacts_[id] = std::make_unique<Contacts>();
+  return *contacts_[id];
 }
 
 // Only the first of the walls that the point reaches has an entry.
@@ -127,14 +141,14 @@ void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
     first.point_b = wall;
     first_certificate = std::move(certificate);
   }
-  contacts_[id].wall_event = push(first, std::move(first_certificate));
+  contacts_of(id).wall_event = push(first, std::move(first_certificate));
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unschedule_wall(Point_id id) {
-  const auto contacts = contacts_.find(id);
-  if (contacts == contacts_.end()) return;
-  const Queue_handle event = std::exchange(contacts->second.wall_event, no_event);
+  Contacts* const contacts = find_contacts(id);
+  if (contacts == nullptr) return;
+  const Queue_handle event = std::exchange(contacts->wall_event, no_event);
   if (event != no_event) discard(event);
 }
 
@@ -143,16 +157,26 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after) {
   if (!options_.response) return;
   unschedule_pair(pair);
+  schedule_new_pair(pair, after);
+}
+
+// Schedules the next contact of a pair that has no entry. Returns whether the discs may overlap
+// just after `after`.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::schedule_new_pair(const Edge_ids& pair, const Time& after) {
   Entry entry;
   entry.kind = Entry_kind::collision;
   entry.point_a = pair[0];
   entry.point_b = pair[1];
   Certificate certificate = pair_certificate(pair, after, traits_);
   certificate_counters_.count(certificate);
+  const bool may_overlap = certificate.may_vanish;
   const Queue_handle event = push(entry, std::move(certificate));
-  if (event == no_event) return;
-  contacts_[pair[0]].partners.push_back({pair[1], event});
-  contacts_[pair[1]].partners.push_back({pair[0], event});
+  if (event != no_event) {
+    contacts_of(pair[0]).partners.push_back({pair[1], event});
+    contacts_of(pair[1]).partners.push_back({pair[0], event});
+  }
+  return may_overlap;
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -161,9 +185,12 @@ Certificate Simulation_2<Traits>::pair_certificate(const Edge_ids& pair, const T
   const Point_2& p = point(pair[0]);
   const Point_2& q = point(pair[1]);
   const Overlap* const overlap = find_overlap(pair);
-  return overlap != nullptr && overlap->passes
-             ? traits.next_contact_certificate(p, q, diameter_, after)
-             : traits.contact_certificate(p, q, diameter_, after);
+  if (overlap == nullptr || !overlap->passes) {
+    return traits.contact_certificate(p, q, diameter_, after);
+  }
+  Certificate result = traits.next_contact_certificate(p, q, diameter_, after);
+  result.may_vanish = true;
+  return result;
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -178,26 +205,35 @@ void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) con
                             [&](auto neighbor) { function(neighbor->point().id()); });
 }
 
-// Schedules what a point may touch. It is one of `points`, which are sorted, of which those of
+// Schedules what a point may touch, and finds which discs overlap its own: it has come or got
+// another motion, and has no entries. It is one of `points`, which are sorted, of which those of
 // smaller ids have been done.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_contacts(Point_id id, std::span<const Point_id> points) {
   schedule_wall(id, current_time());
   if (!options_.response) return;
+  std::vector<Point_id> overlapping;
   for_each_neighbor(id, [&](Point_id other) {
+    const Edge_ids pair = edge_ids(id, other);
     const bool is_done = other < id && std::ranges::binary_search(points, other);
-    if (!is_done) watch(edge_ids(id, other), current_time());
+    const bool do_overlap =
+        is_done ? find_overlap(pair) != nullptr
+                : schedule_new_pair(pair, current_time()) &&
+                      traits_.may_overlap(point(id), point(other), diameter_, current_time());
+    if (do_overlap) overlapping.push_back(other);
   });
+  if (overlapping.empty() && overlaps(id).empty()) return;
+  add_overlapping_neighbors(id, traits_, overlapping);
+  set_overlaps(id, overlapping);
+}
+
+// Schedules the pairs that are watched because the disc of the point overlaps others.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_pairs_beside(Point_id id) {
   for (const Overlap& overlap : overlaps(id)) {
     for_each_pair_beside(id, overlap.id,
                          [this](const Edge_ids& pair) { watch(pair, current_time()); });
   }
-}
-
-template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::schedule_inserted(Point_id id) {
-  if (options_.response) update_overlaps(id);
-  schedule_contacts(id, {&id, 1});
 }
 
 // Schedules the contacts of all points of a new simulation.
@@ -221,10 +257,13 @@ void Simulation_2<Traits>::schedule_all() {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unschedule_contacts(Point_id id) {
   unschedule_wall(id);
-  const auto contacts = contacts_.find(id);
-  if (contacts == contacts_.end()) return;
-  const auto& partners = contacts->second.partners;
-  while (!partners.empty()) unschedule_pair(edge_ids(id, partners.back().id));
+  Contacts* const contacts = find_contacts(id);
+  if (contacts == nullptr) return;
+  for (const auto& [other, event] : contacts->partners) {
+    forget_partner(other, id);
+    discard(event);
+  }
+  contacts->partners.clear();
 }
 
 }  // namespace kinetri

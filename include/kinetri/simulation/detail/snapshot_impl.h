@@ -26,8 +26,8 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   result.has_response = options_.response != nullptr;
   result.counters = counters_;
   result.certificates = certificate_counters_;
-  for (const auto& [a, contacts] : contacts_) {
-    for (const auto& [b, passes] : contacts.overlaps) {
+  for (Point_id a = 0; a < contacts_.size(); ++a) {
+    for (const auto& [b, passes] : overlaps(a)) {
       if (passes && a < b) result.in_contact.push_back({a, b});
     }
   }

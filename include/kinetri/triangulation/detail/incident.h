@@ -25,7 +25,20 @@ void for_each_face_at(const Triangulation& triangulation, typename Triangulation
 template <class Triangulation, class Function>
 void for_each_neighbor(const Triangulation& triangulation, typename Triangulation::Vertex_handle v,
                        Function function) {
+  using Face_handle = typename Triangulation::Face_handle;
   if (triangulation.dimension() < 1) return;
+  if (triangulation.dimension() == 2) {
+    const Face_handle first = v->face();
+    Face_handle face = first;
+    do {
+      // Without branches, which nothing could predict.
+      const int at = (face->vertex(1) == v ? 1 : 0) + (face->vertex(2) == v ? 2 : 0);
+      const auto neighbor = face->vertex(Triangulation::ccw(at));
+      if (!triangulation.is_infinite(neighbor)) function(neighbor);
+      face = face->neighbor(Triangulation::ccw(at));
+    } while (face != first);
+    return;
+  }
   auto neighbor = triangulation.incident_vertices(v);
   const auto first = neighbor;
   do {
