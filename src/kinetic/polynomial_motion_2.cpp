@@ -57,6 +57,21 @@ Vector_2 rounded_place(const Polynomial_motion_2& motion, double t) {
   return {place(&Vector_2::x), place(&Vector_2::y)};
 }
 
+// The place is made with fifteen roundings at most, each of at most two unit roundoffs of the terms
+// in any rounding mode.
+double place_error(const Polynomial_motion_2& motion, double t, const Double_interval& times) {
+  const auto sum = [](const Vector_2& v) { return std::abs(v.x) + std::abs(v.y); };
+  const double s = std::abs(t - motion.epoch);
+  const double width = times.upper - times.lower;
+  const double terms =
+      sum(motion.position) +
+      s * (sum(motion.velocity) + s * (sum(motion.acceleration) / 2 + s * (sum(motion.jerk) / 6)));
+  const double r = s + width;  // the greatest time from the epoch, up to rounding
+  const double speed =
+      sum(motion.velocity) + r * (sum(motion.acceleration) + r * (sum(motion.jerk) / 2));
+  return 0x1p-47 * terms + 2 * speed * width + std::numeric_limits<double>::min();
+}
+
 Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t) {
   const double s = t - motion.epoch;
   const auto velocity = [&](double Vector_2::*axis) {

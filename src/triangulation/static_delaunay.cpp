@@ -7,7 +7,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace kinetri::detail {
@@ -25,7 +24,6 @@ Static_delaunay static_delaunay(std::span<const Vector_2> places) {
   std::vector<std::pair<Kernel::Point_2, Point_id>> points;
   points.reserve(places.size());
   for (const Vector_2& place : places) {
-    if (!std::isfinite(place.x) || !std::isfinite(place.y)) return {};
     points.emplace_back(Kernel::Point_2(place.x, place.y), static_cast<Point_id>(points.size()));
   }
   Triangulation triangulation;

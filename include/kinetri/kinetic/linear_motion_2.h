@@ -38,6 +38,10 @@ bool same_trajectory(const Linear_motion_2& a, const Linear_motion_2& b);
 /// few units in the last place of the largest term of the formula.
 Vector_2 rounded_place(const Linear_motion_2& motion, double t);
 
+/// Bounds how far, in either coordinate, rounded_place(motion, t) is from the place at any of the
+/// times. Not finite where numbers overflow. Precondition: t is one of the times.
+double place_error(const Linear_motion_2& motion, double t, const Double_interval& times);
+
 /// The velocity at time t, which is the same at all times, exactly.
 inline Vector_2 rounded_velocity(const Linear_motion_2& motion, double /*t*/) {
   return motion.velocity;

@@ -32,6 +32,7 @@
 #include "kinetri/events/event.h"
 #include "kinetri/events/event_scheduler.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
+#include "kinetri/kinetic/rounded_places.h"
 #include "kinetri/triangulation/audit.h"
 #include "kinetri/triangulation/detail/edge_changes.h"
 #include "kinetri/triangulation/detail/prefetch.h"
@@ -353,10 +354,11 @@ class Kinetic_delaunay_triangulation_2 {
   Triangulation build_now(std::span<const Point_2> points) const;
   static Triangulation build(std::span<const Point_2> points, const Time& time,
                              const Instantaneous_traits& traits);
-  static bool build_from_places(std::span<const Point_2> points, const Time& time,
+  Rounded_places places_now() const;
+  static bool build_from_places(std::span<const Point_2> points, const Rounded_places& places,
                                 Triangulation& result);
-  static bool is_embedded(const Triangulation& triangulation);
-  static bool flip_until_delaunay(Triangulation& triangulation);
+  static bool is_embedded(const Triangulation& triangulation, const Rounded_places& places);
+  static bool flip_until_delaunay(Triangulation& triangulation, const Rounded_places& places);
   void index_vertices();
 
   // Snapshots.
@@ -436,9 +438,10 @@ class Kinetic_delaunay_triangulation_2 {
   void put_points_back();
   void rebuild();
   template <class Change_vertices>
-  void rebuild(Change_vertices change_vertices, const Triangulation* rebuilt = nullptr);
+  void rebuild(Change_vertices change_vertices,
+               std::optional<Triangulation> rebuilt = std::nullopt);
   bool has_flat_triangle() const;
-  void adopt(const Triangulation& rebuilt);
+  void adopt(Triangulation rebuilt);
   void report_rebuild();
   template <class Change_edges>
   void report(Event event, Change_edges change_edges);
@@ -470,7 +473,7 @@ class Kinetic_delaunay_triangulation_2 {
   void locate_jumps(std::span<const Change> changes, std::span<Jump> jumps) const;
   Face_handle face_near(const Point_2& point) const;
   std::vector<Point_2> points_after(std::span<const Change> changes) const;
-  void make_changes(std::span<const Change> changes, const Change_plan& plan);
+  void make_changes(std::span<const Change> changes, Change_plan& plan);
   void make_turns(std::span<const Change> turns);
   bool make_jumps(std::span<const Jump> jumps, bool are_located);
   void set_point(const Change& change);

@@ -17,7 +17,6 @@
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/detail/point_problems.h"
-#include "kinetri/triangulation/detail/static_delaunay.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
@@ -144,7 +143,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::change_all(Event_kind kind,
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::perform(std::span<const Event> events,
                                                        std::span<const Change> changes) {
-  const Change_plan planned = plan(changes);
+  Change_plan planned = plan(changes);
   report(events.front(), [&] {
     rebuilt_edges_.emplace();
     make_changes(changes, planned);
@@ -205,7 +204,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::find_turns(std::span<const Change
   plan.turns.reserve(changes.size());
   if (are_most(changes.size()) && std::ranges::all_of(changes, may_turn)) {
     for (const Change& change : changes) turn(change);
-    if (!is_embedded(triangulation_)) {
+    if (!is_embedded(triangulation_, places_now())) {
       while (!before.empty()) undo_last();
     }
   }
@@ -271,7 +270,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::locate_jumps(std::span<const Chan
 template <KineticTraits_2 Traits>
 auto Kinetic_delaunay_triangulation_2<Traits>::face_near(const Point_2& point) const
     -> Face_handle {
-  if constexpr (detail::HasRoundedPlace<Motion>) {
+  if constexpr (HasRoundedPlace<Motion>) {
     const double time = current_time().to_double();
     const Vector_2 place = rounded_place(point.motion(), time);
     const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_points_));
@@ -312,13 +311,13 @@ auto Kinetic_delaunay_triangulation_2<Traits>::points_after(std::span<const Chan
 
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::make_changes(std::span<const Change> changes,
-                                                            const Change_plan& plan) {
-  const auto set_points = [this](std::span<const Change> of) {
-    return [this, of] {
-      for (const Change& change : of) set_point(change);
+                                                            Change_plan& plan) {
+  if (plan.rebuilt) {
+    const auto set_points = [&] {
+      for (const Change& change : changes) set_point(change);
     };
-  };
-  if (plan.rebuilt) return rebuild(set_points(changes), &*plan.rebuilt);
+    return rebuild(set_points, std::move(plan.rebuilt));
+  }
   make_turns(plan.turns);
   if (plan.jumps.empty()) return;
   execute_due_events();  // what takes a vertex out needs a triangulation that is Delaunay

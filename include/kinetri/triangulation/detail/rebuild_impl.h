@@ -9,7 +9,6 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -68,18 +67,14 @@ void Kinetic_delaunay_triangulation_2<Traits>::put_points_back() {
 template <KineticTraits_2 Traits>
 template <class Change_vertices>
 void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_vertices,
-                                                       const Triangulation* rebuilt) {
+                                                       std::optional<Triangulation> rebuilt) {
   if (!rebuilt_edges_) rebuilt_edges_.emplace();
   for (const Edge_ids& edge : finite_edge_ids()) rebuilt_edges_->note(edge, -1);
   points_set_aside_.clear();
   show_current_time();
   queue_.clear();
   change_vertices();
-  if (rebuilt != nullptr) {
-    adopt(*rebuilt);
-  } else {
-    adopt(build_now(points_after({})));
-  }
+  adopt(rebuilt ? std::move(*rebuilt) : build_now(points_after({})));
   schedule_all();
   for (const Edge_ids& edge : finite_edge_ids()) rebuilt_edges_->note(edge, 1);
 }
@@ -126,29 +121,23 @@ bool Kinetic_delaunay_triangulation_2<Traits>::has_flat_triangle() const {
 // Takes over the faces of another triangulation of the same points. The vertices stay what they
 // are.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::adopt(const Triangulation& rebuilt) {
+void Kinetic_delaunay_triangulation_2<Traits>::adopt(Triangulation rebuilt) {
   auto& tds = triangulation_.tds();
   const auto vertex_here = [&](Vertex_handle there) {
     return rebuilt.is_infinite(there) ? triangulation_.infinite_vertex()
                                       : vertices_[there->point().id()];
   };
   tds.faces().clear();
+  tds.faces().swap(rebuilt.tds().faces());
   tds.set_dimension(rebuilt.dimension());
-  std::unordered_map<Face_handle, Face_handle> faces_here;
-  auto& faces_there = rebuilt.tds().faces();
-  for (Face_handle there = faces_there.begin(); there != faces_there.end(); ++there) {
-    faces_here.emplace(there, tds.create_face());
-  }
-  for (const auto& [there, here] : faces_here) {
-    // A face of a triangulation of dimension d has d + 1 vertices and neighbors, but for the lone
-    // infinite vertex, which has dimension -1.
-    for (int i = 0; i <= std::max(rebuilt.dimension(), 0); ++i) {
-      here->set_vertex(i, vertex_here(there->vertex(i)));
-      if (rebuilt.dimension() >= 0) here->set_neighbor(i, faces_here.at(there->neighbor(i)));
-    }
+  // A face of a triangulation of dimension d has d + 1 vertices, but for that of the lone infinite
+  // vertex, which has dimension -1.
+  const int corners = std::max(rebuilt.dimension(), 0) + 1;
+  for (Face_handle face = tds.faces().begin(); face != tds.faces().end(); ++face) {
+    for (int i = 0; i < corners; ++i) face->set_vertex(i, vertex_here(face->vertex(i)));
   }
   for (const Vertex_handle there : rebuilt.all_vertex_handles()) {
-    vertex_here(there)->set_face(faces_here.at(there->face()));
+    vertex_here(there)->set_face(there->face());
   }
 }
 

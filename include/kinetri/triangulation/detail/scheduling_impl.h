@@ -167,7 +167,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge
 // edges have the handles that follow those of the block before.
 template <KineticTraits_2 Traits>
 void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
-  constexpr std::size_t faces_per_block = 2048;
+  constexpr std::size_t faces_per_block = 512;
   const std::vector<Face_handle> all = faces();
   std::vector<Block> blocks;
   Queue_handle size = 0;

@@ -6,8 +6,8 @@
 #define KINETRI_TRIANGULATION_DETAIL_START_IMPL_H
 
 #include <algorithm>
-#include <cstdint>
-#include <optional>
+#include <cstddef>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -26,6 +26,19 @@ auto Kinetic_delaunay_triangulation_2<Traits>::build_now(std::span<const Point_2
                traits_.instantaneous_traits({current_time(), Time_side::after}));
 }
 
+// The places of all points at the present time, if there is a way to round them.
+template <KineticTraits_2 Traits>
+Rounded_places Kinetic_delaunay_triangulation_2<Traits>::places_now() const {
+  if constexpr (HasRoundedPlace<Motion>) {
+    const auto is_there = [](Vertex_handle v) { return v != Vertex_handle(); };
+    const auto point = [](Vertex_handle v) -> const Point_2& { return v->point(); };
+    return Rounded_places(vertices_ | std::views::filter(is_there) | std::views::transform(point),
+                          current_time());
+  } else {
+    return {};
+  }
+}
+
 // The triangulation at the instant of the traits, which is just after `time`. That of the rounded
 // places is nearly the same, and made fast; where it is not certain to be the only one after some
 // flips, CGAL inserts the points.
@@ -35,8 +48,14 @@ auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> po
                                                      const Instantaneous_traits& traits)
     -> Triangulation {
   Triangulation result(traits);
-  if (build_from_places(points, time, result)) return result;
-  result.clear();
+  if constexpr (HasRoundedPlace<Motion>) {
+    constexpr std::size_t few = 16;  // are inserted as fast
+    const Rounded_places places(points, time);
+    if (points.size() >= few && places.are_finite()) {
+      if (build_from_places(points, places, result)) return result;
+      result.clear();
+    }
+  }
   result.insert(points.begin(), points.end());
   if (result.number_of_vertices() == points.size()) return result;
   // CGAL keeps one vertex for points in one place. Points in one place just after a time are in one
@@ -56,53 +75,48 @@ auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> po
 // have another hull or a triangle that turns over, or where several triangulations are Delaunay.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::build_from_places(std::span<const Point_2> points,
-                                                                 const Time& time,
+                                                                 const Rounded_places& places,
                                                                  Triangulation& result) {
-  if constexpr (detail::HasRoundedPlace<Motion>) {
-    constexpr std::size_t few = 16;  // are inserted as fast
-    if (points.size() < few) return false;
-    const double rounded_time = time.to_double();
-    std::vector<Vector_2> places;
-    places.reserve(points.size());
-    for (const Point_2& point : points) {
-      places.push_back(rounded_place(point.motion(), rounded_time));
-    }
-    const detail::Static_delaunay found = detail::static_delaunay(places);
-    if (found.faces.empty()) return false;
-    auto& tds = result.tds();
-    tds.faces().clear();
-    tds.set_dimension(2);
-    std::vector<Vertex_handle> vertices(points.size());
-    for (const Point_id i : found.order) {
-      vertices[i] = tds.create_vertex();
-      vertices[i]->set_point(points[i]);
-    }
-    std::vector<Face_handle> faces;
-    faces.reserve(found.faces.size());
-    for (const auto& face : found.faces) {
-      const auto vertex = [&](std::size_t i) {
-        const Point_id id = face.vertices[i];
-        return id == no_point ? result.infinite_vertex() : vertices[id];
-      };
-      faces.push_back(tds.create_face(vertex(0), vertex(1), vertex(2)));
-      for (std::size_t i = 0; i < 3; ++i) vertex(i)->set_face(faces.back());
-    }
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      const auto& [a, b, c] = found.faces[f].neighbors;
-      faces[f]->set_neighbors(faces[a], faces[b], faces[c]);
-    }
-    return is_embedded(result) && flip_until_delaunay(result);
+  std::vector<Vector_2> in_order;
+  in_order.reserve(points.size());
+  for (const Point_2& point : points) in_order.push_back(places[point.id()]);
+  const detail::Static_delaunay found = detail::static_delaunay(in_order);
+  if (found.faces.empty()) return false;
+  auto& tds = result.tds();
+  tds.faces().clear();
+  tds.set_dimension(2);
+  std::vector<Vertex_handle> vertices(points.size());
+  for (const Point_id i : found.order) {
+    vertices[i] = tds.create_vertex();
+    vertices[i]->set_point(points[i]);
   }
-  return false;
+  std::vector<Face_handle> faces;
+  faces.reserve(found.faces.size());
+  for (const auto& face : found.faces) {
+    const auto vertex = [&](std::size_t i) {
+      const Point_id id = face.vertices[i];
+      return id == no_point ? result.infinite_vertex() : vertices[id];
+    };
+    faces.push_back(tds.create_face(vertex(0), vertex(1), vertex(2)));
+    for (std::size_t i = 0; i < 3; ++i) vertex(i)->set_face(faces.back());
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& [a, b, c] = found.faces[f].neighbors;
+    faces[f]->set_neighbors(faces[a], faces[b], faces[c]);
+  }
+  return is_embedded(result, places) && flip_until_delaunay(result, places);
 }
 
 // Whether all triangles turn left, and the hull turns left at each of its vertices and goes around
 // once. Then a triangulation whose faces make a sphere is embedded (see check_restored).
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded(const Triangulation& triangulation) {
+bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded(const Triangulation& triangulation,
+                                                           const Rounded_places& places) {
   const Instantaneous_traits& now = triangulation.geom_traits();
   const auto orientation = now.orientation_2_object();
   const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+    const Sign known = places.orientation(a->point().id(), b->point().id(), c->point().id());
+    if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
     return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
   };
   const bool turn_left =
@@ -134,8 +148,16 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded(const Triangulation& 
 // Flips edges until the triangulation, which is embedded, is Delaunay. Returns false if it is not
 // the only one that is: if four points are cocircular.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangulation) {
-  const auto side = triangulation.geom_traits().side_of_oriented_circle_2_object();
+bool Kinetic_delaunay_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangulation,
+                                                                   const Rounded_places& places) {
+  const auto exact_side = triangulation.geom_traits().side_of_oriented_circle_2_object();
+  const auto side = [&](Face_handle face, const Point_2& s) {
+    const Point_2& p = face->vertex(0)->point();
+    const Point_2& q = face->vertex(1)->point();
+    const Point_2& r = face->vertex(2)->point();
+    const Sign known = places.side_of_oriented_circle(p.id(), q.id(), r.id(), s.id());
+    return known != CGAL::ZERO ? known : exact_side(p, q, r, s);
+  };
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     for (const Face_handle face : triangulation.finite_face_handles()) {
@@ -143,8 +165,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::flip_until_delaunay(Triangulation
         const Face_handle beyond = face->neighbor(i);
         if (!(face < beyond) || triangulation.is_infinite(beyond)) continue;
         const Vertex_handle opposite = beyond->vertex(triangulation.tds().mirror_index(face, i));
-        const auto where = side(face->vertex(0)->point(), face->vertex(1)->point(),
-                                face->vertex(2)->point(), opposite->point());
+        const auto where = side(face, opposite->point());
         if (where == CGAL::ON_ORIENTED_BOUNDARY) return false;
         if (where == CGAL::ON_NEGATIVE_SIDE) continue;
         triangulation.tds().flip(face, i);

@@ -7,7 +7,6 @@
 #define KINETRI_TRIANGULATION_DETAIL_STATIC_DELAUNAY_H
 
 #include <array>
-#include <concepts>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,13 +15,6 @@
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri::detail {
-
-/// A motion whose place at a time can be computed in doubles: for searches that begin anywhere, and
-/// for what exact predicates check.
-template <class Motion>
-concept HasRoundedPlace = requires(const Motion& motion) {
-  { rounded_place(motion, 0.0) } -> std::same_as<Vector_2>;
-};
 
 struct Static_delaunay {
   /// A face, as CGAL has it: neighbor i is opposite vertex i.
@@ -38,8 +30,8 @@ struct Static_delaunay {
 };
 
 /// The triangulation of the places, which are numbered from 0. Empty if there is none with a vertex
-/// for each place: if two places are equal, or all are on a line, or a coordinate is not finite.
-/// O(n log n), some 0.5 microseconds a point.
+/// for each place: if two places are equal, or all are on a line. Precondition: all coordinates are
+/// finite. O(n log n), some 0.5 microseconds a point.
 Static_delaunay static_delaunay(std::span<const Vector_2> places);
 
 }  // namespace kinetri::detail

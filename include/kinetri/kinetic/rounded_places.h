@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The places of moving points at one time, in doubles, with a bound for their errors: for signs
+// that are certain all the same, and for searches that may begin anywhere.
+#ifndef KINETRI_KINETIC_ROUNDED_PLACES_H
+#define KINETRI_KINETIC_ROUNDED_PLACES_H
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <ranges>
+#include <vector>
+
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/base/double_interval.h"
+#include "kinetri/base/ids.h"
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri {
+
+/// A motion whose place can be computed in doubles, with a bound for the error.
+template <class Motion>
+concept HasRoundedPlace = requires(const Motion& motion, const Double_interval& times) {
+  { rounded_place(motion, 1.0) } -> std::same_as<Vector_2>;
+  { place_error(motion, 1.0, times) } -> std::same_as<double>;
+};
+
+/// The places, by point id, each of which is exact up to one error in each coordinate. The signs
+/// are those at the time and just after it, or ZERO where that is not certain. All functions are
+/// O(1).
+class Rounded_places {
+ public:
+  /// No places: no sign is certain.
+  Rounded_places() = default;
+
+  /// The places of `points`, a range of moving points, at `time`. O(the range of their ids).
+  template <std::ranges::forward_range Points>
+  Rounded_places(Points&& points, const Algebraic_number& time) {
+    if (std::ranges::empty(points)) return;
+    const auto [least, greatest] = std::ranges::minmax(
+        points | std::views::transform([](const auto& point) { return point.id(); }));
+    first_ = least;
+    places_.resize(std::size_t{greatest} - least + 1);
+    const double rounded_time = time.to_double();
+    const Double_interval times = time.interval();
+    for (const auto& point : points) {
+      places_[point.id() - first_] = rounded_place(point.motion(), rounded_time);
+      const double error = place_error(point.motion(), rounded_time, times);
+      error_ =
+          std::isfinite(error) ? std::max(error_, error) : std::numeric_limits<double>::infinity();
+    }
+  }
+
+  /// The place. Precondition: the point is one of those given.
+  const Vector_2& operator[](Point_id id) const { return places_[id - first_]; }
+
+  /// Whether all coordinates are finite.
+  bool are_finite() const {
+    return std::ranges::all_of(
+        places_, [](const Vector_2& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+  }
+
+  /// Positive where p, q, r certainly make a left turn, negative where they certainly make a right
+  /// turn. docs/MATH.md, section 7, has the bounds for the errors.
+  Sign orientation(Point_id p, Point_id q, Point_id r) const {
+    if (places_.empty()) return CGAL::ZERO;
+    const Vector_2 a = difference(q, p);
+    const Vector_2 b = difference(r, p);
+    const double size = std::max(size_of(a), size_of(b));
+    return certain_sign(a.x * b.y - a.y * b.x, 16 * size * (error_ + 0x1p-52 * size), size);
+  }
+
+  /// Positive where s is certainly on the left of the oriented circle through p, q, r, negative
+  /// where it is certainly on the right of it.
+  Sign side_of_oriented_circle(Point_id p, Point_id q, Point_id r, Point_id s) const {
+    if (places_.empty()) return CGAL::ZERO;
+    const Vector_2 a = difference(p, s);
+    const Vector_2 b = difference(q, s);
+    const Vector_2 c = difference(r, s);
+    const double size = std::max(std::max(size_of(a), size_of(b)), size_of(c));
+    const double determinant =
+        square(a) * cross(b, c) - square(b) * cross(a, c) + square(c) * cross(a, b);
+    return certain_sign(determinant, 400 * (size * size * size) * (error_ + 0x1p-52 * size), size);
+  }
+
+ private:
+  static double size_of(const Vector_2& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
+  static double square(const Vector_2& v) { return v.x * v.x + v.y * v.y; }
+  static double cross(const Vector_2& v, const Vector_2& w) { return v.x * w.y - v.y * w.x; }
+
+  // Powers of sizes out of this range might under- or overflow.
+  static Sign certain_sign(double value, double error, double size) {
+    if (!(size > 0x1p-200 && size < 0x1p200)) return CGAL::ZERO;
+    if (value > error) return CGAL::POSITIVE;
+    if (value < -error) return CGAL::NEGATIVE;
+    return CGAL::ZERO;
+  }
+
+  Vector_2 difference(Point_id p, Point_id q) const {
+    const Vector_2& from = (*this)[q];
+    const Vector_2& to = (*this)[p];
+    return {to.x - from.x, to.y - from.y};
+  }
+
+  Point_id first_ = 0;
+  std::vector<Vector_2> places_;  // from the point first_ on
+  double error_ = 0;              // of each coordinate, at most
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_KINETIC_ROUNDED_PLACES_H
