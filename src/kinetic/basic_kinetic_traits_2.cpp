@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "filter/filter.h"
@@ -254,6 +256,19 @@ std::array<Certificate, 5> Basic_kinetic_traits_2<Motion>::certificates_after_fl
 }
 
 template <class Motion>
+bool Basic_kinetic_traits_2<Motion>::is_surrounded(const Point_2& p,
+                                                   std::span<const Point_2* const> around,
+                                                   const Double_interval& now) const {
+  if constexpr (std::same_as<Motion, Linear_motion_2>) {
+    std::array<const Motion*, most_around> others;
+    if (arithmetic_ != Arithmetic::filtered || around.size() > others.size()) return false;
+    std::ranges::transform(around, others.begin(), [](const Point_2* q) { return &q->motion(); });
+    return certainly_surrounded(p.motion(), std::span(others).first(around.size()), now);
+  }
+  return false;
+}
+
+template <class Motion>
 Time Basic_kinetic_traits_2<Motion>::in_circle_failure(const Point_2& p, const Point_2& q,
                                                        const Point_2& r, const Point_2& s,
                                                        const Double_interval& bounds) const {
@@ -329,8 +344,12 @@ template <class Motion>
 Time Basic_kinetic_traits_2<Motion>::wall_failure(const Point_2& p, const Wall_2& wall,
                                                   const Double_interval& bounds) const {
   if constexpr (std::same_as<Motion, Linear_motion_2>) {
-    const Polynomial h = wall_polynomial(p, wall);
-    return Time(Rational(-h[0], h[1]));
+    const auto& [position, velocity, epoch] = p.motion();
+    const Rational clearance = to_rational(wall.clearance);
+    const Rational bound = to_rational(wall.position) + (wall.is_upper() ? -clearance : clearance);
+    const Rational place = to_rational(wall.is_vertical() ? position.x : position.y);
+    const Rational speed = to_rational(wall.is_vertical() ? velocity.x : velocity.y);
+    return Time(Rational(to_rational(epoch) + (bound - place) / speed));
   } else {
     return Time(std::make_shared<Wall_root<Motion>>(p, wall), bounds);
   }

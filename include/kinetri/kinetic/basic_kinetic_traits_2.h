@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "kinetri/algebra/algebraic_number.h"
@@ -65,6 +66,8 @@ class Basic_kinetic_traits_2 {
       const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t) const;
   std::array<Certificate, 5> certificates_after_flip(const Flip_neighborhood<Point_2>& around,
                                                      const Double_interval& now) const;
+  bool is_surrounded(const Point_2& p, std::span<const Point_2* const> around,
+                     const Double_interval& now) const;
   /// @}
 
   /// @{

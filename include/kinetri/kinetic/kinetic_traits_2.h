@@ -7,6 +7,7 @@
 
 #include <array>
 #include <concepts>
+#include <span>
 
 #include "kinetri/base/ids.h"
 #include "kinetri/kinetic/certificate.h"
@@ -75,18 +76,22 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
   { traits.orientation_failure(p, p, p, bounds) } -> std::same_as<Algebraic_number>;
 };
 
-/// Traits that make several in-circle certificates in one call, for less than their sum. The
-/// triangulation uses these functions if the traits have them:
+/// Traits that make several decisions in one call, for less than their sum. The triangulation uses
+/// these functions if the traits have them:
 ///
 /// | Function | Result |
 /// |---|---|
 /// | `in_circle_certificates(two, t)` | the certificates of two quadruples, of any state |
 /// | `certificates_after_flip(around, now)` | the five certificates after a flip |
+/// | `is_surrounded(p, around, now)` | whether p makes left turns with all points around it |
 ///
 /// After a flip the certificate of the flipped edge, the last one, vanishes at the time of the
 /// flip, of which only an interval `now` is given. Each certificate is that of
 /// `in_circle_certificate`, or unknown (Certificate::Kind::unknown); the triangulation then asks
 /// `in_circle_certificate`.
+///
+/// `is_surrounded` is about p and each two successive points of `around`, the last and the first
+/// included, throughout `now`. False says nothing.
 ///
 /// `Traits::Batches_of` is `Traits`. So a class that derives from such traits and overrides
 /// `in_circle_certificate` does not inherit batches that know nothing of that: it has batches only
@@ -96,9 +101,12 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
     std::same_as<typename Traits::Batches_of, Traits> &&
     requires(const Traits traits, const Algebraic_number t,
              const std::array<Quadruple<typename Traits::Point_2>, 2> two,
-             const Flip_neighborhood<typename Traits::Point_2> around, const Double_interval now) {
+             const Flip_neighborhood<typename Traits::Point_2> around, const Double_interval now,
+             const typename Traits::Point_2 p,
+             const std::span<const typename Traits::Point_2* const> points) {
   { traits.in_circle_certificates(two, t) } -> std::same_as<std::array<Certificate, 2>>;
   { traits.certificates_after_flip(around, now) } -> std::same_as<std::array<Certificate, 5>>;
+  { traits.is_surrounded(p, points, now) } -> std::same_as<bool>;
 };
 
 }  // namespace kinetri

@@ -292,8 +292,6 @@ class Simulation_2 : private Event_observer {
   const std::vector<Overlap>& overlaps(Point_id id) const;
   const Overlap* find_overlap(const Edge_ids& pair) const;
   std::vector<Point_id> overlapping_points(Point_id id, const Traits& traits) const;
-  void add_overlapping_neighbors(Point_id id, const Traits& traits,
-                                 std::vector<Point_id>& found) const;
   bool is_edge(Point_id a, Point_id b) const;
   bool is_watched(const Edge_ids& pair) const;
   bool is_overlapped(const Edge_ids& pair) const;
@@ -311,7 +309,6 @@ class Simulation_2 : private Event_observer {
   void end_passes(Point_id id);
   bool is_passing(Point_id a, Point_id b);
   void update_overlaps(Point_id id);
-  void set_overlaps(Point_id id, const std::vector<Point_id>& found);
 
   // Events.
   std::size_t step(const Time* until);

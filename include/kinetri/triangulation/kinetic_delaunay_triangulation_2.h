@@ -486,6 +486,7 @@ class Kinetic_delaunay_triangulation_2 {
   void replace_in_faces(Vertex_handle old, Vertex_handle replacement);
   void unschedule_face(Face_handle face);
   void unschedule_around(Vertex_handle v);
+  void unschedule_around(Vertex_handle v, std::vector<Two_sided_edge>& edges);
   void schedule_around(Vertex_handle v);
   void note_edges_at(Vertex_handle v, int change);
 

@@ -8,6 +8,8 @@
 #define KINETRI_SRC_KINETIC_FILTER_FILTER_H
 
 #include <array>
+#include <cstddef>
+#include <span>
 
 #include "filter_result.h"
 #include "kinetri/algebra/number_types.h"
@@ -67,6 +69,15 @@ template <class Motion>
 Sign certain_distance_order(const Motion& p, const Motion& q, const Motion& r,
                             const Double_interval& interval);
 /// @}
+
+/// The most points that certainly_surrounded takes.
+inline constexpr std::size_t most_around = 16;
+
+/// Whether p and each two successive points of `around`, the last and the first included, certainly
+/// make a left turn throughout `interval`. False says nothing. Precondition: there are at most
+/// `most_around`.
+bool certainly_surrounded(const Linear_motion_2& p, std::span<const Linear_motion_2* const> around,
+                          const Double_interval& interval);
 
 /// Whether p and q are certainly not in one place at any time in `interval`. False says nothing.
 template <class Motion>

@@ -104,15 +104,19 @@ inline bool is_unscaled_in_range(const Linear_differences<1>& d) {
   return is_in_range(d.terms()) && is_in_range(d.speed());
 }
 
-// How far a product of two places at the origin, before they are scaled, may be from its value at
-// any time of an interval that begins there; infinite where that cannot be computed.
+// How far a product of two places at the origin, made from `terms` and with slopes up to `speed`,
+// may be from its value at any time of an interval that begins there; infinite where that cannot be
+// computed.
+inline double error_throughout(double terms, double speed, const Double_interval& interval) {
+  // The length of the interval is rounded.
+  const double moved = 2 * speed * (interval.upper - interval.lower);
+  const double reach = terms + moved;
+  if (!is_in_range(reach)) return std::numeric_limits<double>::infinity();
+  return (Linear_differences<1>::product_units * unit_roundoff * reach + 4 * moved) * reach;
+}
 template <std::size_t N>
 inline double error_throughout(const Linear_differences<N>& d, const Double_interval& interval) {
-  // The length of the interval is rounded.
-  const double moved = 2 * d.speed() * (interval.upper - interval.lower);
-  const double reach = d.terms() + moved;
-  if (!is_in_range(reach)) return std::numeric_limits<double>::infinity();
-  return (d.product_units * unit_roundoff * reach + 4 * moved) * reach;
+  return error_throughout(d.terms(), d.speed(), interval);
 }
 
 inline Coefficients<1> coordinate(const Difference& d, int axis) {

@@ -138,6 +138,7 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
 TEST_P(Contact_filter, of_signs_at_an_instant_never_contradicts_exact_arithmetic) {
   test::Certificates source(272);
   int decided = 0;
+  int surrounded = 0;
   const int cases = 1500 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
@@ -166,12 +167,24 @@ TEST_P(Contact_filter, of_signs_at_an_instant_never_contradicts_exact_arithmetic
                 orientation_polynomial(p, q, r));
     expect_sign(in_mode(i, [&] { return certain_in_circle(a, b, c, d, interval); }),
                 in_circle_polynomial(p, q, r, s));
+    const std::array<const Linear_motion_2*, 3> around = {&b, i % 2 == 0 ? &c : &d,
+                                                          i % 2 == 0 ? &d : &c};
+    if (in_mode(i, [&] { return certainly_surrounded(a, around, interval); })) {
+      ++surrounded;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Polynomial turn = orientation_polynomial(p, Moving_point_2(*around[k]),
+                                                       Moving_point_2(*around[(k + 1) % 3]));
+        EXPECT_EQ(CGAL::POSITIVE, turn.sign_at(to_rational(t)));
+        EXPECT_EQ(CGAL::POSITIVE, turn.sign_at(to_rational(interval.upper)));
+      }
+    }
     expect_sign(in_mode(i, [&] { return certain_x_order(a, b, interval); }), x_difference(p, q));
     expect_sign(in_mode(i, [&] { return certain_y_order(a, b, interval); }), y_difference(p, q));
     if (HasFailure()) return;
   }
   if (GetParam() == 0) {
     EXPECT_GT(decided, 6 * cases * 99 / 100);
+    EXPECT_GT(surrounded, cases / 100);
   }
 }
 

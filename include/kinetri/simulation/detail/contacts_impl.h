@@ -115,12 +115,9 @@ void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes
     changing_points_ = {};
     for (const Point_id id : points) end_passes(id);
     for (const Point_id id : points) {
-      if (triangulation_.contains(id)) {
-        schedule_contacts(id, points);
-      } else {
-        set_overlaps(id, {});
-      }
+      if (triangulation_.contains(id)) schedule_contacts(id, points);
     }
+    for (const Point_id id : points) update_overlaps(id);
     for (const Point_id id : points) {
       if (triangulation_.contains(id)) {
         schedule_pairs_beside(id);

@@ -38,27 +38,17 @@ template <ContactKineticTraits_2 Traits>
 std::vector<Point_id> Simulation_2<Traits>::overlapping_points(Point_id id,
                                                                const Traits& traits) const {
   std::vector<Point_id> result;
-  for_each_neighbor(id, [&](Point_id other) {
-    if (traits.may_overlap(point(id), point(other), diameter_, current_time())) {
-      result.push_back(other);
-    }
-  });
-  add_overlapping_neighbors(id, traits, result);
-  return result;
-}
-
-// Completes `found`, which are the neighbors of a point whose discs overlap its own.
-template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::add_overlapping_neighbors(Point_id id, const Traits& traits,
-                                                     std::vector<Point_id>& found) const {
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    for_each_neighbor(found[i], [&](Point_id other) {
-      if (other != id && std::ranges::find(found, other) == found.end() &&
+  const auto add_neighbors = [&](Point_id of) {
+    for_each_neighbor(of, [&](Point_id other) {
+      if (other != id && std::ranges::find(result, other) == result.end() &&
           traits.may_overlap(point(id), point(other), diameter_, current_time())) {
-        found.push_back(other);
+        result.push_back(other);
       }
     });
-  }
+  };
+  add_neighbors(id);
+  for (std::size_t i = 0; i < result.size(); ++i) add_neighbors(result[i]);
+  return result;
 }
 
 // Whether both points are there, with an edge.
@@ -171,8 +161,10 @@ void Simulation_2<Traits>::mark_passing(Point_id a, Point_id b, bool passes) {
 // Two discs in contact that overlap from now on, and have no contact until they have separated.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::let_pass(Point_id a, Point_id b) {
-  update_overlaps(a);
-  update_overlaps(b);
+  for (const Point_id id : {a, b}) {
+    end_passes(id);
+    update_overlaps(id);
+  }
   start_overlap(a, b);
   mark_passing(a, b, true);
   for_each_pair_beside(a, b, [this](const Edge_ids& pair) { watch(pair, current_time()); });
@@ -203,21 +195,33 @@ bool Simulation_2<Traits>::is_passing(Point_id a, Point_id b) {
          queue_.time(queue_[partner->event]) > current_time();
 }
 
-// Finds the overlaps of a point.
+// Brings the overlaps of a point up to date, where those at edges are known, of all points. The
+// others are among the overlaps of the discs that it overlaps: all points of a path of edges from p
+// to q, within the closed disc with diameter pq, overlap one another. Does nothing but forget them
+// if the point is not there any more.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::update_overlaps(Point_id id) {
-  end_passes(id);
-  set_overlaps(id, overlapping_points(id, traits_));
-}
-
-// Makes the overlaps of a point those that have been found.
-template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::set_overlaps(Point_id id, const std::vector<Point_id>& found) {
-  const std::vector<Overlap> known = overlaps(id);
-  for (const Overlap& overlap : known) {
-    if (std::ranges::find(found, overlap.id) == found.end()) end_overlap(id, overlap.id);
+  const auto does_overlap = [&](Point_id other) {
+    return triangulation_.contains(id) && triangulation_.contains(other) &&
+           traits_.may_overlap(point(id), point(other), diameter_, current_time());
+  };
+  for (std::size_t i = 0; i < overlaps(id).size();) {
+    const auto [other, passes] = overlaps(id)[i];
+    if (passes || does_overlap(other)) {
+      ++i;
+    } else {
+      end_overlap(id, other);
+    }
   }
-  for (const Point_id other : found) start_overlap(id, other);
+  for (std::size_t i = 0; i < overlaps(id).size(); ++i) {
+    const Point_id between = overlaps(id)[i].id;
+    for (std::size_t k = 0; k < overlaps(between).size(); ++k) {
+      const Point_id other = overlaps(between)[k].id;
+      if (other != id && find_overlap({id, other}) == nullptr && does_overlap(other)) {
+        start_overlap(id, other);
+      }
+    }
+  }
 }
 
 }  // namespace kinetri

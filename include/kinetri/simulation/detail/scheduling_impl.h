@@ -205,26 +205,20 @@ void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) con
                             [&](auto neighbor) { function(neighbor->point().id()); });
 }
 
-// Schedules what a point may touch, and finds which discs overlap its own: it has come or got
-// another motion, and has no entries. It is one of `points`, which are sorted, of which those of
-// smaller ids have been done.
+// Schedules what a point may touch, and notes which discs of neighbors overlap its own: it has come
+// or got another motion, and has no entries. It is one of `points`, which are sorted, of which
+// those of smaller ids have been done.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_contacts(Point_id id, std::span<const Point_id> points) {
   schedule_wall(id, current_time());
   if (!options_.response) return;
-  std::vector<Point_id> overlapping;
   for_each_neighbor(id, [&](Point_id other) {
-    const Edge_ids pair = edge_ids(id, other);
     const bool is_done = other < id && std::ranges::binary_search(points, other);
-    const bool do_overlap =
-        is_done ? find_overlap(pair) != nullptr
-                : schedule_new_pair(pair, current_time()) &&
-                      traits_.may_overlap(point(id), point(other), diameter_, current_time());
-    if (do_overlap) overlapping.push_back(other);
+    if (is_done || !schedule_new_pair(edge_ids(id, other), current_time())) return;
+    if (traits_.may_overlap(point(id), point(other), diameter_, current_time())) {
+      start_overlap(id, other);
+    }
   });
-  if (overlapping.empty() && overlaps(id).empty()) return;
-  add_overlapping_neighbors(id, traits_, overlapping);
-  set_overlaps(id, overlapping);
 }
 
 // Schedules the pairs that are watched because the disc of the point overlaps others.

@@ -7,9 +7,12 @@
 #define KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -334,11 +337,12 @@ void Kinetic_delaunay_triangulation_2<Traits>::make_turns(std::span<const Change
     for (const Change& change : turns) set_point(change);
     return schedule_all();
   }
-  for (const Change& change : turns) {
-    unschedule_around(vertices_[change.point]);
-    set_point(change);
-  }
-  for (const Change& change : turns) schedule_around(vertices_[change.point]);
+  // Each edge once, also one that is around several of the points.
+  std::vector<Two_sided_edge> edges;
+  edges.reserve(16 * turns.size());
+  for (const Change& change : turns) unschedule_around(vertices_[change.point], edges);
+  for (const Change& change : turns) set_point(change);
+  schedule(edges, current_time());
 }
 
 // Takes out the points that jump or go, then puts in those that jump or come. Returns false where
@@ -391,6 +395,21 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_point(const Change& change) {
 // within less than half of that. Sufficient, not necessary.
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded_around(Vertex_handle v) const {
+  if constexpr (BatchKineticTraits_2<Traits>) {
+    // Mostly it is an inner vertex of few neighbors.
+    std::array<const Point_2*, 16> around;
+    std::size_t number = 0;
+    bool is_inner = true;
+    detail::for_each_face_at(triangulation_, v, [&](Face_handle face, int i) {
+      const Vertex_handle u = face->vertex(Triangulation::ccw(i));
+      is_inner = is_inner && number < around.size() && !triangulation_.is_infinite(u);
+      if (is_inner) around[number++] = &u->point();
+    });
+    if (is_inner &&
+        traits_.is_surrounded(v->point(), std::span(around).first(number), current_bounds())) {
+      return true;
+    }
+  }
   const auto orientation = triangulation_.geom_traits().orientation_2_object();
   const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
     return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;

@@ -4,20 +4,34 @@
 #ifndef KINETRI_TRIANGULATION_DETAIL_INCIDENT_H
 #define KINETRI_TRIANGULATION_DETAIL_INCIDENT_H
 
+#include <type_traits>
+
 #include "kinetri/base/cxx20.h"
 
 namespace kinetri::detail {
 
-/// Calls `function` with the handle of each face at `v`, infinite ones too. The function must not
-/// change the faces at `v`. Precondition: the dimension is 2.
+/// The index of a vertex of a face, without branches, which nothing could predict.
+template <class Face_handle, class Vertex_handle>
+int index_in(Face_handle face, Vertex_handle v) {
+  return (face->vertex(1) == v ? 1 : 0) + (face->vertex(2) == v ? 2 : 0);
+}
+
+/// Calls `function` with the handle of each face at `v`, infinite ones too, and the index of `v` in
+/// the face. The function must not change the faces at `v`. Precondition: the dimension is 2.
 template <class Triangulation, class Function>
-void for_each_face_at(const Triangulation& triangulation, typename Triangulation::Vertex_handle v,
-                      Function function) {
-  auto face = triangulation.incident_faces(v);
-  const auto first = face;
+void for_each_face_at(const Triangulation& /*triangulation*/,
+                      typename Triangulation::Vertex_handle v, Function function) {
+  const typename Triangulation::Face_handle first = v->face();
+  auto face = first;
   do {
-    function(typename Triangulation::Face_handle(face));
-  } while (++face != first);
+    const int i = index_in(face, v);
+    if constexpr (std::is_invocable_v<Function, decltype(face), int>) {
+      function(face, i);
+    } else {
+      function(face);
+    }
+    face = face->neighbor(Triangulation::ccw(i));
+  } while (face != first);
 }
 
 /// Calls `function` with the handle of each finite neighbor of `v`. Does nothing where there is
@@ -25,26 +39,18 @@ void for_each_face_at(const Triangulation& triangulation, typename Triangulation
 template <class Triangulation, class Function>
 void for_each_neighbor(const Triangulation& triangulation, typename Triangulation::Vertex_handle v,
                        Function function) {
-  using Face_handle = typename Triangulation::Face_handle;
   if (triangulation.dimension() < 1) return;
+  const auto visit = [&](typename Triangulation::Vertex_handle neighbor) {
+    if (!triangulation.is_infinite(neighbor)) function(neighbor);
+  };
   if (triangulation.dimension() == 2) {
-    const Face_handle first = v->face();
-    Face_handle face = first;
-    do {
-      // Without branches, which nothing could predict.
-      const int at = (face->vertex(1) == v ? 1 : 0) + (face->vertex(2) == v ? 2 : 0);
-      const auto neighbor = face->vertex(Triangulation::ccw(at));
-      if (!triangulation.is_infinite(neighbor)) function(neighbor);
-      face = face->neighbor(Triangulation::ccw(at));
-    } while (face != first);
-    return;
+    return for_each_face_at(triangulation, v,
+                            [&](auto face, int i) { visit(face->vertex(Triangulation::ccw(i))); });
   }
   auto neighbor = triangulation.incident_vertices(v);
   const auto first = neighbor;
   do {
-    if (!triangulation.is_infinite(neighbor)) {
-      function(typename Triangulation::Vertex_handle(neighbor));
-    }
+    visit(neighbor);
   } while (++neighbor != first);
 }
 

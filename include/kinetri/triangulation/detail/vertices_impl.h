@@ -129,6 +129,29 @@ void Kinetic_delaunay_triangulation_2<Traits>::unschedule_around(Vertex_handle v
   detail::for_each_face_at(triangulation_, v, [&](Face_handle face) { unschedule_face(face); });
 }
 
+// The same, and adds those edges to `edges` that are not among them yet, which are marked by the
+// handle `listed` until they are scheduled.
+template <KineticTraits_2 Traits>
+void Kinetic_delaunay_triangulation_2<Traits>::unschedule_around(
+    Vertex_handle v, std::vector<Two_sided_edge>& edges) {
+  constexpr Queue_handle listed = no_event - 1;
+  detail::for_each_face_at(triangulation_, v, [&](Face_handle face, int at) {
+    for (const int i : {at, Triangulation::cw(at)}) {
+      if (face->event(i) == listed) continue;
+      // Written in its place: the processor waits when it copies what has just been written.
+      const Face_handle neighbor = face->neighbor(i);
+      const int right = detail::index_in(neighbor, face->vertex(Triangulation::ccw(i)));
+      Two_sided_edge& edge = edges.emplace_back();
+      edge.here.first = face;
+      edge.here.second = i;
+      edge.there.first = neighbor;
+      edge.there.second = Triangulation::ccw(right);
+      unschedule(edge);
+      set_event(edge, listed);
+    }
+  });
+}
+
 // Schedules those edges of the faces at `v` that have no event. Two neighboring faces share an edge
 // at `v`, which is that of the first of them.
 template <KineticTraits_2 Traits>
