@@ -3,6 +3,7 @@
 // Walls: when points reach them, and the motions with which they leave.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -20,6 +21,11 @@ using test::in_box;
 using test::Recorder;
 using test::Simulation;
 using test::velocity;
+
+TEST(Walls, have_corners_that_are_counterclockwise) {
+  const auto corners = Box_2{1, 2, 3, 5}.corners();
+  EXPECT_EQ(corners, (std::array<Vector_2, 4>{{{1, 2}, {3, 2}, {3, 5}, {1, 5}}}));
+}
 
 TEST(Walls, are_reached_at_exact_times) {
   // A third of a unit of time is no binary64 number.

@@ -79,6 +79,18 @@ class Query_oracle {
     return result;
   }
 
+  std::optional<Point_id> nearest_neighbor(Point_id id) const {
+    std::optional<Point_id> result;
+    for (const auto& [other, p] : places_) {
+      if (other == id) continue;
+      if (!result ||
+          CGAL::compare_distance_to_point(place(id), p, place(*result)) == CGAL::SMALLER) {
+        result = other;
+      }
+    }
+    return result;
+  }
+
   Location_2 locate(const Static_point& q) const {
     for (const auto& [id, p] : places_) {
       if (p == q) return {Location_2::Kind::vertex, {id}};
@@ -260,6 +272,31 @@ inline void expect_rounded(const Voronoi_cell_2<Vector_2>& rounded,
   }
 }
 
+/// The nearest neighbors and rounded positions of all points, one by one and all at once.
+template <class Queries>
+void expect_right_for_all_points(const Queries& queries, Point_id next_id,
+                                 const Query_oracle& oracle) {
+  const std::vector<Point_id> nearest = queries.nearest_neighbors();
+  const std::vector<double> positions = queries.rounded_positions();
+  ASSERT_EQ(nearest.size(), next_id);
+  ASSERT_EQ(positions.size(), 2 * std::size_t{next_id});
+  for (Point_id id = 0; id < next_id; ++id) {
+    SCOPED_TRACE(testing::Message() << "point " << id);
+    const double x = positions[2 * std::size_t{id}];
+    const double y = positions[2 * std::size_t{id} + 1];
+    if (!oracle.places().contains(id)) {
+      ASSERT_EQ(nearest[id], no_point);
+      ASSERT_TRUE(std::isnan(x) && std::isnan(y));
+      continue;
+    }
+    const auto expected = oracle.nearest_neighbor(id);
+    ASSERT_EQ(queries.nearest_neighbor(id), expected);
+    ASSERT_EQ(nearest[id], expected.value_or(no_point));
+    ASSERT_EQ(x, to_double(oracle.place(id).x()));
+    ASSERT_EQ(y, to_double(oracle.place(id).y()));
+  }
+}
+
 /// Where the points of the triangulation are, or near: the points, middles of pairs, places on
 /// grids and in between.
 inline std::vector<Vector_2> places_to_ask(const Query_oracle& oracle, std::mt19937_64& random) {
@@ -291,6 +328,7 @@ inline void expect_right_answers(const Kinetic_delaunay& kinetic, const Algebrai
   const Kinetic_queries_2 queries(kinetic, time);
   const Query_oracle oracle(kinetic, t);
   ASSERT_EQ(queries.closest_pair(), oracle.closest_pair());
+  ASSERT_NO_FATAL_FAILURE(expect_right_for_all_points(queries, kinetic.next_id(), oracle));
   for (const Vector_2& place : places_to_ask(oracle, random)) {
     SCOPED_TRACE(testing::Message() << "at " << place.x << ", " << place.y);
     ASSERT_EQ(queries.nearest_vertex(place), oracle.nearest(static_point(place)));

@@ -52,6 +52,7 @@ TEST(Queries, at_an_irrational_time_are_answered_as_right_beside_it) {
         const Kinetic_queries_2 queries(kinetic, time);
         const Query_oracle oracle(kinetic, rational_near(time));
         EXPECT_EQ(queries.closest_pair(), oracle.closest_pair());
+        test::expect_right_for_all_points(queries, kinetic.next_id(), oracle);
         for (int j = 0; j < 10; ++j) {
           const Vector_2 place = {anywhere(random), anywhere(random)};
           EXPECT_EQ(queries.nearest_vertex(place), oracle.nearest(static_point(place)));

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/wall_2.h"
 
 namespace kinetri {
@@ -22,6 +23,11 @@ struct Box_2 {
     return {
         Wall_2{Wall_2::Side::left, xmin, clearance}, Wall_2{Wall_2::Side::right, xmax, clearance},
         Wall_2{Wall_2::Side::bottom, ymin, clearance}, Wall_2{Wall_2::Side::top, ymax, clearance}};
+  }
+
+  /// The corners, counterclockwise from the lower left one on.
+  constexpr std::array<Vector_2, 4> corners() const {
+    return {Vector_2{xmin, ymin}, Vector_2{xmax, ymin}, Vector_2{xmax, ymax}, Vector_2{xmin, ymax}};
   }
 
   friend bool operator==(const Box_2&, const Box_2&) = default;

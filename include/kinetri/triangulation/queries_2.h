@@ -14,15 +14,23 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
+#include "kinetri/triangulation/detail/ball.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
+
+namespace detail {
+
+struct Half_plane;
+
+}  // namespace detail
 
 /// The result of a location query.
 struct Location_2 {
@@ -115,14 +123,46 @@ class Kinetic_queries_2 {
   Voronoi_cell_2<Exact_position_2> voronoi_cell(Point_id id) const;
 
   /// The Voronoi cell at any time. Its sides are decided exactly; each coordinate is rounded to the
-  /// nearest binary64 number, ties to even. Cost: as voronoi_cell; at an irrational time also some
-  /// refinements per coordinate.
+  /// nearest binary64 number, ties to even. Cost: O(d) floating-point operations, a microsecond or
+  /// two. Exact arithmetic, as in voronoi_cell, decides where triangles are flat or points
+  /// coincide, and rounds coordinates that are too near to the middle of two binary64 numbers.
   Voronoi_cell_2<Vector_2> rounded_voronoi_cell(Point_id id) const;
+
+  /// The area of each point's Voronoi cell within a polygon, by id: of the region of the polygon in
+  /// which nearest_vertex is that point. So of coinciding points the smallest id has the area of
+  /// the common cell, and the others have 0; and so has an id without a point. The areas sum to
+  /// that of the polygon, if there is a point. next_id() numbers.
+  ///
+  /// `polygon` has its vertices in either order, the last not being the first again; it need not
+  /// be convex, and points may be outside of it. Of a box: Box_2::corners. The sides of the cells
+  /// are those of the exact ones, but the areas are computed in binary64 arithmetic: each side of
+  /// a cell is off by some units in the last place of the largest coordinate of the polygon and
+  /// the point, and so the area by as much times the length of the sides. That holds for nearly
+  /// flat triangles as well. Throws Precondition_error if the polygon is not simple, has fewer than
+  /// three vertices, or a coordinate that is not finite or beyond 1e150.
+  ///
+  /// Cost: O(m log m) for m vertices, to check that; for each point, m floating-point operations
+  /// for each of its first sides, and some hundred altogether where m is small.
+  std::vector<double> rounded_voronoi_areas(std::span<const Vector_2> polygon) const;
+
+  /// The point nearest to the point `id`, that one excepted; of equally near points the smallest
+  /// id; none if there is no other point. Cost: O(degree) floating-point operations, and exact
+  /// comparisons where these do not decide.
+  std::optional<Point_id> nearest_neighbor(Point_id id) const;
+
+  /// The nearest_neighbor of each point, by id; no_point where there is none. next_id() ids.
+  std::vector<Point_id> nearest_neighbors() const;
 
   /// The pair of points nearest to each other; of several such pairs the first in the order of
   /// Edge_ids; none for fewer than two points. Cost: O(n) floating-point operations, and exact
   /// comparisons of the edges that these cannot distinguish from the shortest.
   std::optional<Edge_ids> closest_pair() const;
+
+  /// The positions of all points: x and y of the point `id` at 2 * id and 2 * id + 1, each rounded
+  /// to the nearest binary64 number, ties to even; NaN at an id without a point. 2 * next_id()
+  /// numbers. Cost: some floating-point operations for each point, and exact arithmetic for
+  /// coordinates that are too near to the middle of two binary64 numbers.
+  std::vector<double> rounded_positions() const;
 
  private:
   using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
@@ -136,7 +176,21 @@ class Kinetic_queries_2 {
     std::vector<Vertex_handle> across;
     bool is_bounded = false;
   };
-  class Lengths;
+  /// A neighbor of a point, as ball arithmetic knows it.
+  struct Neighbor {
+    Vertex_handle vertex;
+    detail::Ball_2 vector;  // from the point
+    detail::Ball squared_distance;
+  };
+
+  /// A neighbor, and the faces beyond the edges to the neighbors before and after it.
+  struct Ring_entry {
+    Neighbor neighbor;
+    detail::Approximate_place place;
+    Face_handle before;
+    Face_handle beyond;
+    detail::Ball_2 center;  // the vector to that of the circle through it and the next one
+  };
 
   const Topology& topology() const { return kinetic_.triangulation(); }
   void check_is_current() const;
@@ -156,6 +210,18 @@ class Kinetic_queries_2 {
   bool is_strictly_between(const Point_2& p, const Point_2& q, const Point_2& r) const;
   Comparison_result compare_distance(const Point_2& p, const Point_2& q, const Point_2& r) const;
 
+  // In ball arithmetic at the time, where that decides.
+  detail::Ball_2 ball_place(Vertex_handle v, const detail::Ball& t) const;
+  detail::Approximate_place approximate_place(Vertex_handle v, const detail::Ball& t) const;
+  Neighbor neighbor_at(const detail::Ball_2& here, Vertex_handle u, const detail::Ball& t) const;
+  Vector_2 rounded_position(const Trajectory_2& path) const;
+
+  // Distances.
+  Point_id smallest_id_at(Vertex_handle v, const detail::Ball& t) const;
+  std::optional<Point_id> nearest_neighbor(Vertex_handle v, const detail::Ball& t) const;
+  Comparison_result compare_distance(Vertex_handle v, const Neighbor& a, const Neighbor& b) const;
+  Comparison_result compare_lengths(const Edge_ids& a, const Edge_ids& b) const;
+
   // Location.
   Face_handle find_face(const Point_2& query) const;
   Face_handle find_face_at_hull(const Point_2& query, Face_handle infinite_face) const;
@@ -170,8 +236,24 @@ class Kinetic_queries_2 {
   Sides sides(Vertex_handle v) const;
   std::vector<Vertex_handle> by_direction(Vertex_handle v) const;
   bool is_left_turn(Vertex_handle p, Vertex_handle q, Vertex_handle r) const;
-  template <class Position, class Evaluate>
-  Voronoi_cell_2<Position> cell(Vertex_handle v, Evaluate evaluate) const;
+  template <class Position, class Center, class Evaluate>
+  Voronoi_cell_2<Position> cell(Vertex_handle v, Center center, Evaluate position) const;
+  Trajectory_2 ray(Vertex_handle v, Vertex_handle u, bool to_left) const;
+  static int index(Face_handle face, Vertex_handle v);
+  bool find_ring(Vertex_handle v, std::vector<Ring_entry>& ring) const;
+  bool are_alone(std::vector<Ring_entry>& ring, const detail::Ball& t) const;
+  std::optional<Voronoi_cell_2<Vector_2>> ball_cell(Vertex_handle v) const;
+  bool has_no_length(Vertex_handle v, const Ring_entry& a, const Ring_entry& b,
+                     const Ring_entry& c) const;
+  Vector_2 rounded_center(Vertex_handle v, const detail::Ball_2& here, const Neighbor& a,
+                          const Neighbor& b, const std::optional<detail::Ball_2>& center) const;
+
+  // Areas.
+  std::optional<detail::Half_plane> nearer_half_plane(Vertex_handle v, Vertex_handle u,
+                                                      const std::vector<detail::Ball_2>& places,
+                                                      const Vector_2& origin) const;
+  std::vector<detail::Ball_2> ball_places() const;
+  Vector_2 scaled_vector(Vertex_handle v, Vertex_handle u) const;
 
   const Kinetic& kinetic_;
   Time time_;

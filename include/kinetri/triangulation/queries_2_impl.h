@@ -325,7 +325,9 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const
 
 }  // namespace kinetri
 
-#include "kinetri/triangulation/detail/closest_pair_impl.h"
+#include "kinetri/triangulation/detail/ball_cell_impl.h"
+#include "kinetri/triangulation/detail/nearest_neighbor_impl.h"
+#include "kinetri/triangulation/detail/voronoi_areas_impl.h"
 #include "kinetri/triangulation/detail/voronoi_cell_impl.h"
 
 #endif  // KINETRI_TRIANGULATION_QUERIES_2_IMPL_H

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/algebra/rounded_quotient.h"
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/queries_2.h"
 
@@ -99,10 +98,22 @@ auto Kinetic_queries_2<Traits>::sides(Vertex_handle v) const -> Sides {
   return result;
 }
 
-// `evaluate` gives the position that a trajectory has at the time.
+// The vector from `v` to `u`, turned to the left or to the right.
 template <KineticTraits_2 Traits>
-template <class Position, class Evaluate>
-Voronoi_cell_2<Position> Kinetic_queries_2<Traits>::cell(Vertex_handle v, Evaluate evaluate) const {
+Trajectory_2 Kinetic_queries_2<Traits>::ray(Vertex_handle v, Vertex_handle u, bool to_left) const {
+  const Trajectory_2 here = v->point().trajectory();
+  const Trajectory_2 there = u->point().trajectory();
+  const Polynomial x = there.x * here.w - here.x * there.w;
+  const Polynomial y = there.y * here.w - here.y * there.w;
+  return {to_left ? -y : y, to_left ? x : -x, here.w * there.w};
+}
+
+// `center(a, b)` gives the centre of the circle through the places of `v` and of two others, and
+// `position` the place on a trajectory.
+template <KineticTraits_2 Traits>
+template <class Position, class Center, class Evaluate>
+Voronoi_cell_2<Position> Kinetic_queries_2<Traits>::cell(Vertex_handle v, Center center,
+                                                         Evaluate position) const {
   const Sides sides = this->sides(v);
   const std::size_t n = sides.across.size();
   Voronoi_cell_2<Position> result;
@@ -110,21 +121,12 @@ Voronoi_cell_2<Position> Kinetic_queries_2<Traits>::cell(Vertex_handle v, Evalua
   for (std::size_t i = 0; i < (sides.is_bounded ? n : n - std::min<std::size_t>(n, 1)); ++i) {
     const Vertex_handle next = sides.across[(i + 1) % n];
     if (!is_left_turn(v, sides.across[i], next)) continue;  // the two sides of a strip
-    const auto center =
-        at_.construct_circumcenter_2_object()(v->point(), sides.across[i]->point(), next->point());
-    result.vertices.push_back(evaluate(center.trajectory()));
+    result.vertices.push_back(center(sides.across[i], next));
   }
   if (sides.is_bounded || n == 0) return result;
-  // The vector to the neighbor, turned to the right where its side comes from and to the left where
-  // it goes to.
-  const Trajectory_2 here = v->point().trajectory();
-  const auto turned = [&](Vertex_handle u, bool to_left) {
-    const Trajectory_2 there = u->point().trajectory();
-    const Polynomial x = there.x * here.w - here.x * there.w;
-    const Polynomial y = there.y * here.w - here.y * there.w;
-    return evaluate({to_left ? -y : y, to_left ? x : -x, here.w * there.w});
-  };
-  result.rays = {turned(sides.across.front(), false), turned(sides.across.back(), true)};
+  // The first side comes from infinity, and the last one goes there.
+  result.rays = {position(ray(v, sides.across.front(), false)),
+                 position(ray(v, sides.across.back(), true))};
   return result;
 }
 
@@ -136,18 +138,15 @@ Voronoi_cell_2<Exact_position_2> Kinetic_queries_2<Traits>::voronoi_cell(Point_i
                        "at a time that is not known to be rational a Voronoi vertex has no exact "
                        "coordinates; call rounded_voronoi_cell");
   const Rational t = time_.rational();
-  return cell<Exact_position_2>(v, [&](const Trajectory_2& path) {
+  const auto position = [&](const Trajectory_2& path) {
     const Rational w = path.w(t);
     return Exact_position_2{path.x(t) / w, path.y(t) / w};
-  });
-}
-
-template <KineticTraits_2 Traits>
-Voronoi_cell_2<Vector_2> Kinetic_queries_2<Traits>::rounded_voronoi_cell(Point_id id) const {
-  return cell<Vector_2>(vertex(id), [&](const Trajectory_2& path) {
-    return Vector_2{rounded_quotient(path.x, path.w, time_),
-                    rounded_quotient(path.y, path.w, time_)};
-  });
+  };
+  const auto center = [&](Vertex_handle a, Vertex_handle b) {
+    return position(
+        at_.construct_circumcenter_2_object()(v->point(), a->point(), b->point()).trajectory());
+  };
+  return cell<Exact_position_2>(v, center, position);
 }
 
 }  // namespace kinetri

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The areas of Voronoi cells within a region, from the places of all points: each convex part of
+// the region is cut, in exact arithmetic, by the bisectors of all pairs of points.
+#ifndef KINETRI_TEST_SUPPORT_AREA_ORACLE_H
+#define KINETRI_TEST_SUPPORT_AREA_ORACLE_H
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "kinetri/base/ids.h"
+#include "support/motions.h"
+
+namespace kinetri::test {
+
+/// A simple polygon, and convex polygons whose disjoint union it is.
+struct Region {
+  std::vector<Vector_2> polygon;
+  std::vector<std::vector<Vector_2>> convex_parts;
+};
+
+/// The part of a polygon whose points are as near to `p` as to `q`, or nearer.
+inline std::vector<Static_point> nearer_part(const std::vector<Static_point>& polygon,
+                                             const Static_point& p, const Static_point& q) {
+  // Positive where nearer to q.
+  const auto excess = [&](const Static_point& v) {
+    return Rational(CGAL::squared_distance(v, p) - CGAL::squared_distance(v, q));
+  };
+  std::vector<Static_point> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Static_point& v = polygon[i];
+    const Static_point& w = polygon[(i + 1) % polygon.size()];
+    const Rational at_v = excess(v);
+    const Rational at_w = excess(w);
+    if (at_v <= 0) result.push_back(v);
+    if (at_v * at_w < 0) result.push_back(v + at_v / Rational(at_v - at_w) * (w - v));
+  }
+  return result;
+}
+
+inline Rational exact_area(const std::vector<Static_point>& polygon) {
+  Rational sum;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Static_point& v = polygon[i];
+    const Static_point& w = polygon[(i + 1) % polygon.size()];
+    sum += v.x() * w.y() - w.x() * v.y();
+  }
+  return sum / 2;
+}
+
+inline Rational exact_area(const Region& region) {
+  Rational sum;
+  for (const auto& part : region.convex_parts) {
+    std::vector<Static_point> vertices;
+    for (const Vector_2& v : part) vertices.emplace_back(to_rational(v.x), to_rational(v.y));
+    sum += exact_area(vertices);
+  }
+  return sum;
+}
+
+/// The areas by id. Of points in one place the first has that of the cell.
+inline std::map<Point_id, Rational> exact_areas(const std::map<Point_id, Static_point>& places,
+                                                const Region& region) {
+  std::map<Point_id, Rational> result;
+  std::set<Static_point> seen;
+  for (const auto& [id, p] : places) {
+    Rational& area = result[id];
+    if (!seen.insert(p).second) continue;
+    for (const auto& part : region.convex_parts) {
+      std::vector<Static_point> cell;
+      for (const Vector_2& v : part) cell.emplace_back(to_rational(v.x), to_rational(v.y));
+      for (const auto& [other, q] : places) {
+        if (q != p) cell = nearer_part(cell, p, q);
+      }
+      area += exact_area(cell);
+    }
+  }
+  return result;
+}
+
+/// The areas must be those of the exact cells, but for rounding: of a few units in the last place
+/// of `largest`, the largest coordinate of the region and the points, on each side.
+inline void expect_areas(std::span<const double> areas,
+                         const std::map<Point_id, Static_point>& places, const Region& region,
+                         double largest) {
+  double perimeter = 0;
+  for (std::size_t i = 0; i < region.polygon.size(); ++i) {
+    const Vector_2& v = region.polygon[i];
+    const Vector_2& w = region.polygon[(i + 1) % region.polygon.size()];
+    perimeter += std::hypot(w.x - v.x, w.y - v.y);
+  }
+  const double error = 0x1p-49 * largest * perimeter;
+  const auto expected = exact_areas(places, region);
+  double sum = 0;
+  std::set<Static_point> seen;
+  for (Point_id id = 0; id < areas.size(); ++id) {
+    SCOPED_TRACE(testing::Message() << "area of " << id);
+    sum += areas[id];
+    if (!places.contains(id) || !seen.insert(places.at(id)).second) {
+      ASSERT_EQ(areas[id], 0);
+    } else {
+      ASSERT_NEAR(areas[id], to_double(expected.at(id)), error);
+    }
+  }
+  if (!places.empty()) {
+    EXPECT_NEAR(sum, to_double(exact_area(region)), error * static_cast<double>(areas.size()));
+  }
+}
+
+}  // namespace kinetri::test
+
+#endif  // KINETRI_TEST_SUPPORT_AREA_ORACLE_H
