@@ -33,6 +33,8 @@ const std::map<std::string, Mode> modes = {
     {"events",
      {measure_events, "time per event, against a static rebuild and an uncertified program"}},
     {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
+    {"answers",
+     {measure_answers, "Voronoi cells, areas, nearest neighbors, positions, the closest pair"}},
     {"memory", {measure_memory, "peak memory of construction and run"}},
     {"frames", {measure_frames, "frame rates from which on the kinetic way is faster"}},
     {"lattice-row",

@@ -80,6 +80,13 @@ nlohmann::json measure_frames(const Setup& setup);
 /// insertion and removal in a static triangulation of the same points, in turn.
 nlohmann::json measure_changes(const Setup& setup);
 
+/// Nanoseconds for each point of answers about all points at one time: Voronoi cells and their
+/// areas, nearest neighbors, positions; and milliseconds for the closest pair. Beside the exact
+/// cell, CGAL's static circumcenters, a look at all points, and positions that are not rounded
+/// correctly. Throws std::runtime_error if the areas do not sum to that of the box, or a nearest
+/// neighbor is not the nearest point.
+nlohmann::json measure_answers(const Setup& setup);
+
 /// Elastic collisions of discs in a box: the exact simulation, the part of it that is the
 /// triangulation's, and a cell list in doubles, in turn. Throws std::runtime_error if the two
 /// programs disagree where rounding cannot yet have separated them, or if discs overlap at the end.

@@ -46,6 +46,8 @@ INITIAL_NANOSECONDS = {100_000: 150}
 BYTES_PER_POINT = {1_000_000: 700}
 LATTICE_ROW_OVER_UNIFORM = {10_000: 20}
 COLLISIONS_OVER_CELL_LIST = 0.2
+ROUNDED_CELL_NANOSECONDS = 2000
+CLOSEST_PAIR_MILLISECONDS = {100_000: 30}
 
 # A time per event of fewer events says nothing.
 FEWEST_EVENTS = 1000
@@ -102,6 +104,8 @@ def measurements(arguments):
         yield "frames", "uniform", 100_000, min(runs, 3)
     for points in (1_000, 100_000):
         yield "changes", "uniform", points, runs
+    for points in (1_000, 10_000, 100_000):
+        yield "answers", "uniform", points, runs
     for points in sizes:
         for area_fraction in DISCS_UNTIL:
             yield "discs", area_fraction, points, min(runs, 2) if arguments.quick else runs
@@ -205,6 +209,16 @@ CHANGE_FIGURES = (
     ("erasure / static removal", "erase_over_static"),
 )
 
+ANSWER_FIGURES = (
+    ("exact Voronoi cell: ns", "exact_cell_ns"),
+    ("CGAL's circumcenters of a cell, in doubles: ns", "static_cell_ns"),
+    ("areas of Voronoi cells in a box: ns per point", "areas_ns"),
+    ("nearest neighbors: ns per point", "nearest_neighbors_ns"),
+    ("nearest of all points: ns per point", "nearest_of_all_ns"),
+    ("rounded positions: ns per point", "positions_ns"),
+    ("positions not rounded correctly: ns per point", "rounded_place_ns"),
+)
+
 
 def rows(results):
     """(what, scenario, points, values of the runs, target)."""
@@ -226,6 +240,13 @@ def rows(results):
                 yield what, scenario, points, [run[f"{key}_crossover_rate"] for run in runs], None
         elif mode == "changes":
             for what, key in CHANGE_FIGURES:
+                yield what, scenario, points, [run[key] for run in runs], None
+        elif mode == "answers":
+            cells = [run["rounded_cell_ns"] for run in runs]
+            yield "rounded Voronoi cell: ns", scenario, points, cells, ROUNDED_CELL_NANOSECONDS
+            pairs = [run["closest_pair_ms"] for run in runs]
+            yield "closest pair: ms", scenario, points, pairs, CLOSEST_PAIR_MILLISECONDS.get(points)
+            for what, key in ANSWER_FIGURES:
                 yield what, scenario, points, [run[key] for run in runs], None
         elif mode == "discs":
             for what, key, target in DISC_FIGURES:
