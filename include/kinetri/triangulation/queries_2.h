@@ -239,7 +239,6 @@ class Kinetic_queries_2 {
   template <class Position, class Center, class Evaluate>
   Voronoi_cell_2<Position> cell(Vertex_handle v, Center center, Evaluate position) const;
   Trajectory_2 ray(Vertex_handle v, Vertex_handle u, bool to_left) const;
-  static int index(Face_handle face, Vertex_handle v);
   bool find_ring(Vertex_handle v, std::vector<Ring_entry>& ring) const;
   bool are_alone(std::vector<Ring_entry>& ring, const detail::Ball& t) const;
   std::optional<Voronoi_cell_2<Vector_2>> ball_cell(Vertex_handle v) const;

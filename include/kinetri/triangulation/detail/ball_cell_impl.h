@@ -78,20 +78,13 @@ Vector_2 Kinetic_queries_2<Traits>::rounded_center(
           .trajectory());
 }
 
-// Where the vertex is in the face: as index(), without branches, which nothing predicts.
-template <KineticTraits_2 Traits>
-int Kinetic_queries_2<Traits>::index(Face_handle face, Vertex_handle v) {
-  return int{face->vertex(1) == v} + 2 * int{face->vertex(2) == v};
-}
-
 // The finite neighbors of `v` counterclockwise, from infinity to infinity where `v` is on the hull.
 // Returns whether it is not. Begins to load what will be looked at.
 template <KineticTraits_2 Traits>
 bool Kinetic_queries_2<Traits>::find_ring(Vertex_handle v, std::vector<Ring_entry>& ring) const {
   std::optional<std::size_t> infinite;
   Face_handle previous;
-  detail::for_each_face_at(topology(), v, [&](Face_handle face) {
-    const int at_v = index(face, v);
+  detail::for_each_face_at(topology(), v, [&](Face_handle face, int at_v) {
     const Vertex_handle u = face->vertex(Topology::ccw(at_v));
     const Face_handle beyond = face->neighbor(at_v);
     if (topology().is_infinite(u)) {
@@ -118,7 +111,7 @@ bool Kinetic_queries_2<Traits>::are_alone(std::vector<Ring_entry>& ring,
   std::vector<std::pair<const Ring_entry*, Vertex_handle>> pairs;
   pairs.reserve(6 * ring.size());
   const auto step = [&](const Ring_entry& u, Face_handle& face, bool is_clockwise) {
-    const int at_u = index(face, u.neighbor.vertex);
+    const int at_u = detail::index_in(face, u.neighbor.vertex);
     const int ccw = Topology::ccw(at_u);
     const int cw = Topology::cw(at_u);
     const Vertex_handle w = face->vertex(is_clockwise ? ccw : cw);
