@@ -232,11 +232,9 @@ template <class Motion>
 std::array<Certificate, 2> Basic_kinetic_traits_2<Motion>::in_circle_certificates(
     const std::array<Quadruple<Point_2>, 2>& certificates, const Time& t) const {
   std::array<Filter_result, 2> results;
-  if constexpr (std::same_as<Motion, Linear_motion_2>) {
-    if (arithmetic_ == Arithmetic::filtered) {
-      results =
-          filter_in_circles({motions(certificates[0]), motions(certificates[1])}, t.interval());
-    }
+  if (arithmetic_ == Arithmetic::filtered) {
+    results = filter_in_circles(std::array{motions(certificates[0]), motions(certificates[1])},
+                                t.interval());
   }
   return {certificate_or_unknown(results[0]), certificate_or_unknown(results[1])};
 }
@@ -245,10 +243,9 @@ template <class Motion>
 std::array<Certificate, 5> Basic_kinetic_traits_2<Motion>::certificates_after_flip(
     const Flip_neighborhood<Point_2>& around, const Double_interval& now) const {
   std::array<Filter_result, 5> results;
-  if constexpr (std::same_as<Motion, Linear_motion_2>) {
-    if (arithmetic_ == Arithmetic::filtered) {
-      results = filter_after_flip({motions(around.corners), motions(around.beyond)}, now);
-    }
+  if (arithmetic_ == Arithmetic::filtered) {
+    results = filter_after_flip(
+        Flip_neighborhood<Motion>{motions(around.corners), motions(around.beyond)}, now);
   }
   return {certificate_or_unknown(results[0]), certificate_or_unknown(results[1]),
           certificate_or_unknown(results[2]), certificate_or_unknown(results[3]),

@@ -403,15 +403,34 @@ TEST_P(Linear_kinetic_traits_2_test, after_a_flip_says_what_floating_point_knows
   }
 }
 
-TEST_P(Linear_kinetic_traits_2_test, a_batch_of_accelerated_points_is_unknown) {
+// Of accelerated points, some of which have a jerk or move straight on.
+TEST_P(Linear_kinetic_traits_2_test, two_certificates_of_polynomial_motions_are_those_of_each) {
   using Point = Polynomial_kinetic_traits_2::Point_2;
-  const Point a(Polynomial_motion_2{{0, 0}, {1, 0}, {0, 1}});
-  const Point b(Polynomial_motion_2{{4, 0}, {0, 1}, {1, 0}});
-  const Point c(Polynomial_motion_2{{4, 4}, {-1, 0}, {0, 0}});
-  const Point d(Polynomial_motion_2{{0, 5}, {0, -1}, {0, 0}});
-  EXPECT_EQ(expect_certificates_of_two_as_of_each<Point>(Polynomial_kinetic_traits_2(GetParam()),
-                                                         {{{&a, &b, &c, &d}, {&b, &d, &a, &c}}}, 0),
-            0);
+  test::Certificates source(98);
+  int known = 0;
+  for (int i = 0; i < 700 * test::multiplier(); ++i) {
+    const int flavor = i % test::Certificates::flavors;
+    std::vector<Point> points;
+    for (const int kind : {i % 4, i / 4 % 4}) {
+      for (const Linear_motion_2& m : source.next(flavor)) {
+        Polynomial_motion_2 motion = polynomial_motion(m);
+        if (kind > 0) motion.acceleration = {-m.velocity.x, m.velocity.y};
+        if (kind > 1) motion.jerk = {m.velocity.y, 0};
+        points.emplace_back(motion);
+      }
+    }
+    known += expect_certificates_of_two_as_of_each<Point>(
+        Polynomial_kinetic_traits_2(GetParam()),
+        {{{&points[0], &points[1], &points[2], &points[3]},
+          {&points[4], &points[5], &points[6], &points[7]}}},
+        source.time(flavor));
+    if (HasFailure()) return;
+  }
+  if (GetParam() == Arithmetic::filtered) {
+    EXPECT_GT(known, 200);
+  } else {
+    EXPECT_EQ(known, 0);
+  }
 }
 
 // Traits that override a certificate do not inherit batches that know nothing of it.

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cfenv>
+#include <cstddef>
+#include <utility>
 
 #include "kinetic/filter/filter.h"
 #include "kinetri/algebra/real_roots.h"
@@ -40,6 +42,12 @@ inline void expect_true(const Filter_result& result, const Polynomial& p,
   if (next) {
     ASSERT_GT(next->value, Algebraic_number(result.bounds.upper)) << "two roots in one bracket";
   }
+}
+
+/// The rounding mode of a case: each in turn.
+inline int rounding_mode(int number_of_case) {
+  constexpr std::array<int, 4> modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+  return modes[static_cast<std::size_t>(number_of_case) % modes.size()];
 }
 
 /// What `filter` says in a rounding mode, which it leaves as it is.
@@ -101,6 +109,65 @@ void expect_true_certificates(const std::array<Motion, 4>& m, double t, int mode
     decided.failures += kind == Filter_result::Kind::fails;
     expect(is_negated ? -orientation : orientation, turn);
     if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+/// Checks what the filter says in a rounding mode about the in-circle certificates of two times
+/// four points at once, from `t` on. Adds to `decided` how many it has decided.
+template <class Motion>
+void expect_true_pair(const std::array<Motion, 4>& m, const std::array<Motion, 4>& n, double t,
+                      int mode, int& decided) {
+  using Point = Basic_moving_point_2<Motion>;
+  const std::array<Quadruple<Motion>, 2> both = {
+      {{&m[0], &m[1], &m[2], &m[3]}, {&n[0], &n[1], &n[2], &n[3]}}};
+  const auto results = in_mode(mode, [&] { return filter_in_circles(both, {t, t}); });
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto [p, q, r, s] = both[k];
+    const Polynomial certificate =
+        -in_circle_polynomial(Point(*p), Point(*q), Point(*r), Point(*s));
+    expect_true(results[k], certificate, t);
+    if (testing::Test::HasFatalFailure()) return;
+    decided += results[k].kind != Filter_result::Kind::unknown;
+  }
+}
+
+/// How many certificates failed, and of the five after each flip, how many hold and how many of
+/// these a filter has decided.
+struct Decided_after_flips {
+  int flips = 0;
+  int positive = 0;
+  int decided = 0;
+};
+
+/// Checks what the filter says in a rounding mode about the five certificates after the flip of the
+/// points `m` with the points `beyond`, at the bracket of the first failure from `t` on.
+template <class Motion>
+void expect_true_after_flip(std::array<Motion, 4> m, const std::array<Motion, 4>& beyond, double t,
+                            int mode, Decided_after_flips& counts) {
+  using Point = Basic_moving_point_2<Motion>;
+  Filter_result failure = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
+  if (failure.kind == Filter_result::Kind::unknown) {
+    std::swap(m[0], m[1]);
+    failure = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
+  }
+  if (failure.kind != Filter_result::Kind::fails) return;
+  ++counts.flips;
+  // Two corners have changed places, so that what has failed is positive from then on.
+  const Flip_neighborhood<Motion> around = {{&m[1], &m[0], &m[2], &m[3]},
+                                            {&beyond[0], &beyond[1], &beyond[2], &beyond[3]}};
+  const auto results = in_mode(mode, [&] { return filter_after_flip(around, failure.bounds); });
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const auto [p, q, r, s] = around.certificate(k);
+    const Polynomial certificate =
+        -in_circle_polynomial(Point(*p), Point(*q), Point(*r), Point(*s));
+    Algebraic_number after(failure.bounds.lower);
+    if (k == 4) after = first_root_after(certificate, t).value().value;
+    expect_true(results[k], certificate, after);
+    if (testing::Test::HasFatalFailure()) return;
+    if (sign_just_after(certificate, after) == CGAL::POSITIVE) {
+      ++counts.positive;
+      counts.decided += results[k].kind != Filter_result::Kind::unknown;
+    }
   }
 }
 

@@ -27,22 +27,23 @@ inline constexpr int max_depth = 8;
 
 // ---- arithmetic ----
 
-template <std::size_t M, std::size_t N>
-std::array<double, M + N - 1> operator*(const std::array<double, M>& a,
-                                        const std::array<double, N>& b) {
-  std::array<double, M + N - 1> result = {};
+// Of one polynomial, or of several where a Number is several numbers.
+template <class A, class B, std::size_t M, std::size_t N>
+auto operator*(const std::array<A, M>& a, const std::array<B, N>& b) {
+  using Number = decltype(A() * B());
+  std::array<Number, M + N - 1> result = {};
   for (std::size_t i = 0; i < M; ++i) {
     for (std::size_t j = 0; j < N; ++j) result[i + j] += a[i] * b[j];
   }
   return result;
 }
-template <std::size_t M>
-std::array<double, M> operator+(std::array<double, M> a, const std::array<double, M>& b) {
+template <class Number, std::size_t M>
+std::array<Number, M> operator+(std::array<Number, M> a, const std::array<Number, M>& b) {
   for (std::size_t i = 0; i < M; ++i) a[i] += b[i];
   return a;
 }
-template <std::size_t M>
-std::array<double, M> operator-(std::array<double, M> a, const std::array<double, M>& b) {
+template <class Number, std::size_t M>
+std::array<Number, M> operator-(std::array<Number, M> a, const std::array<Number, M>& b) {
   for (std::size_t i = 0; i < M; ++i) a[i] -= b[i];
   return a;
 }
@@ -71,7 +72,7 @@ inline double least(const std::array<double, M>& c) {
 
 // The Bernstein coefficients over [0, 1]; of several polynomials where a Number is several numbers.
 template <class Number>
-std::array<Number, 5> bernstein_of_quartic(const std::array<Number, 5>& c) {
+std::array<Number, 5> bernstein(const std::array<Number, 5>& c) {
   const Number c1 = c[1] * 0.25;
   const Number c2 = c[2] * (1.0 / 6);
   const Number c3 = c[3] * 0.25;
@@ -80,9 +81,6 @@ std::array<Number, 5> bernstein_of_quartic(const std::array<Number, 5>& c) {
   const Number b3 = c[0] + 3 * c1 + 3 * c2 + c3;
   const Number b4 = c[0] + c[1] + c[2] + c[3] + c[4];
   return {c[0], b1, b2, b3, b4};
-}
-inline Coefficients<4> bernstein(const Coefficients<4>& c) {
-  return bernstein_of_quartic(c);
 }
 inline Coefficients<3> bernstein(const Coefficients<3>& c) {
   const double c1 = c[1] * (1.0 / 3);
@@ -99,8 +97,8 @@ inline Coefficients<1> bernstein(const Coefficients<1>& c) {
 }
 
 // The same for any degree: by powers, b_i = sum over k of c_k C(i, k) / C(degree, k).
-template <std::size_t M>
-std::array<double, M> bernstein(const std::array<double, M>& c) {
+template <class Number, std::size_t M>
+std::array<Number, M> bernstein(const std::array<Number, M>& c) {
   constexpr auto shares = [] {
     std::array<std::array<double, M>, M> binomial = {};
     for (std::size_t i = 0; i < M; ++i) {
@@ -115,7 +113,7 @@ std::array<double, M> bernstein(const std::array<double, M>& c) {
     }
     return result;
   }();
-  std::array<double, M> result;
+  std::array<Number, M> result;
   for (std::size_t i = 0; i < M; ++i) {
     result[i] = c[0];
     for (std::size_t k = 1; k <= i; ++k) result[i] += shares[i][k] * c[k];

@@ -143,9 +143,9 @@ constexpr double slope_errors(const std::array<double, M>& /*slope*/) {
 }
 
 // The first time at which a distance is not positive and falls.
-template <class Certificate>
-Filter_result first_contact(Polynomial_differences<1>& d, const Certificate& distance, double share,
-                            const Double_interval& after) {
+template <std::size_t K, class Certificate>
+Filter_result first_contact(Polynomial_differences<1, K>& d, const Certificate& distance,
+                            double share, const Double_interval& after) {
   const std::optional<double> window = d.window_ahead(share);
   if (!window) return {Kind::never_fails, {}, false, true};
   d.scale(*window);
@@ -162,7 +162,9 @@ Filter_result first_contact(Polynomial_differences<1>& d, const Certificate& dis
   return result;
 }
 
-Filter_result contact(Polynomial_differences<1>& d, double diameter, const Double_interval& after) {
+template <std::size_t K>
+Filter_result contact(Polynomial_differences<1, K>& d, double diameter,
+                      const Double_interval& after) {
   return first_contact(d, Distance{diameter * diameter}, window_share, after);
 }
 

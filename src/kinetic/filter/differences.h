@@ -16,15 +16,34 @@
 namespace kinetri {
 
 inline bool is_linear(const Polynomial_motion_2& m) {
-  constexpr Vector_2 zero = {};
-  return m.acceleration == zero && m.jerk == zero;
+  return degree(m) == 1;
 }
 inline Linear_motion_2 linear(const Polynomial_motion_2& m) {
   return {m.position, m.velocity, m.epoch};
 }
 
-// What `function` makes of the differences of the points `from` to `to`: those of linear motion,
-// where all points are linear.
+// The same motions, of which each is linear, at `lines`.
+template <std::size_t N>
+std::array<const Linear_motion_2*, N> linear(
+    const std::array<const Polynomial_motion_2*, N>& motions,
+    std::array<Linear_motion_2, N>& lines) {
+  std::array<const Linear_motion_2*, N> result;
+  for (std::size_t i = 0; i < N; ++i) {
+    lines[i] = linear(*motions[i]);
+    result[i] = &lines[i];
+  }
+  return result;
+}
+
+template <std::size_t N>
+std::size_t degree(const std::array<const Polynomial_motion_2*, N>& motions) {
+  std::size_t result = 1;
+  for (const Polynomial_motion_2* m : motions) result = std::max(result, degree(*m));
+  return result;
+}
+
+// What `function` makes of the differences of the points `from` to `to`: those of the degree of the
+// motions.
 template <std::size_t N, class Function>
 inline auto with_differences(const std::array<const Linear_motion_2*, N>& from,
                              const Linear_motion_2& to, double origin, const Function& function) {
@@ -35,16 +54,16 @@ template <std::size_t N, class Function>
 inline auto with_differences(const std::array<const Polynomial_motion_2*, N>& from,
                              const Polynomial_motion_2& to, double origin,
                              const Function& function) {
-  if (is_linear(to) && std::ranges::all_of(from, [](const auto* p) { return is_linear(*p); })) {
+  const std::size_t k = std::max(degree(from), degree(to));
+  if (k == 1) {
     std::array<Linear_motion_2, N> lines;
-    std::array<const Linear_motion_2*, N> pointers;
-    for (std::size_t i = 0; i < N; ++i) {
-      lines[i] = linear(*from[i]);
-      pointers[i] = &lines[i];
-    }
-    return with_differences(pointers, linear(to), origin, function);
+    return with_differences(linear(from, lines), linear(to), origin, function);
   }
-  Polynomial_differences<N> d(from, to, origin);
+  if (k == 2) {
+    Polynomial_differences<N, 2> d(from, to, origin);
+    return function(d);
+  }
+  Polynomial_differences<N, 3> d(from, to, origin);
   return function(d);
 }
 

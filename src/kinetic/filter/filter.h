@@ -36,17 +36,26 @@ template <class Motion>
 Filter_result filter_orientation(const Motion& p, const Motion& q, const Motion& r,
                                  const Double_interval& after, bool vanishes_at);
 
+/// @{
 /// Two in-circle certificates, each as filter_in_circle does it where nothing is known of its value
 /// at the time, at less cost than two calls; but both results may be unknown where that
 /// of one alone is.
 std::array<Filter_result, 2> filter_in_circles(
     const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after);
+std::array<Filter_result, 2> filter_in_circles(
+    const std::array<Quadruple<Polynomial_motion_2>, 2>& certificates,
+    const Double_interval& after);
+/// @}
 
+/// @{
 /// The five certificates after a flip at a time in `after`, at which that of the edge itself, the
 /// last one, vanishes. As five calls of filter_in_circle, at less than half of their cost; but
 /// where the points are of very different sizes more of the results are unknown.
 std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
                                                const Double_interval& after);
+std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Polynomial_motion_2>& around,
+                                               const Double_interval& after);
+/// @}
 
 /// @{
 /// The sign of a polynomial of certificate_polynomials.h (x_difference, y_difference,

@@ -43,16 +43,16 @@ auto vector_product(const Lifted<A>& a, const Lifted<B>& b) {
 }
 
 // Two points that make a left turn about the corner, and their vector product.
-template <class Number>
+template <class Lifted_point>
 struct Triangle {
-  Lifted<Number> u;
-  Lifted<Number> v;
-  Quadratic<Number> uv = vector_product(u, v);
+  Lifted_point u;
+  Lifted_point v;
+  decltype(vector_product(u, v)) uv = vector_product(u, v);
 };
 
 // Minus the in-circle determinant of the triangle and s.
 template <class Corner, class Number>
-Quartic<Number> in_circle_coefficients(const Triangle<Corner>& t, const Lifted<Number>& s) {
+Quartic<Number> in_circle_coefficients(const Triangle<Lifted<Corner>>& t, const Lifted<Number>& s) {
   const Quadratic<Number> vs = vector_product(t.v, s);
   const Quadratic<Number> us = vector_product(t.u, s);
   const Quadratic<Corner>& uv = t.uv;

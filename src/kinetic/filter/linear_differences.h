@@ -142,7 +142,7 @@ inline Coefficients<2> dot(const Difference& a, const Difference& b) {
 
 // Minus the in-circle determinant of differences to the fourth point.
 inline Coefficients<4> in_circle(const Linear_differences<3>& d) {
-  return in_circle_coefficients(Triangle<double>{lifted(d[1]), lifted(d[0])}, lifted(d[2]));
+  return in_circle_coefficients(Triangle<Lifted<double>>{lifted(d[1]), lifted(d[0])}, lifted(d[2]));
 }
 
 }  // namespace kinetri

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // In-circle certificates two at a time, one in each lane of a Pair.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -8,25 +9,31 @@
 #include "bernstein.h"
 #include "certificates.h"
 #include "coordinate_pair.h"
+#include "differences.h"
 #include "filter.h"
 #include "in_circle_coefficients.h"
 #include "judge.h"
-#include "linear_differences.h"
 
 namespace kinetri {
 namespace {
 
-Pair least(const Quartic<Pair>& c) {
-  return lesser(lesser(lesser(c[0], c[1]), lesser(c[2], c[3])), c[4]);
+template <std::size_t M>
+Pair least(const std::array<Pair, M>& c) {
+  Pair result = c[0];
+  for (std::size_t i = 1; i < M; ++i) result = lesser(result, c[i]);
+  return result;
 }
 
 // Two certificates over the window, one in each lane.
+template <std::size_t M>
 struct Two_certificates {
-  explicit Two_certificates(const Quartic<Pair>& coefficients)
-      : c(coefficients), b(bernstein_of_quartic(c)), least_c(least(c)), least_b(least(b)) {}
+  explicit Two_certificates(const std::array<Pair, M>& coefficients)
+      : c(coefficients), b(bernstein(c)), least_c(least(c)), least_b(least(b)) {}
 
-  static Quartic<double> lane(const Quartic<Pair>& x, std::size_t i) {
-    return {x[0][i], x[1][i], x[2][i], x[3][i], x[4][i]};
+  static std::array<double, M> lane(const std::array<Pair, M>& x, std::size_t i) {
+    std::array<double, M> result;
+    for (std::size_t k = 0; k < M; ++k) result[k] = x[k][i];
+    return result;
   }
 
   // As `judge`.
@@ -37,22 +44,16 @@ struct Two_certificates {
     return {Kind::holds, {1, 1}};
   }
 
-  Quartic<Pair> c;
-  Quartic<Pair> b;
+  std::array<Pair, M> c;
+  std::array<Pair, M> b;
   Pair least_c;
   Pair least_b;
 };
 
-}  // namespace
-
-std::array<Filter_result, 2> filter_in_circles(
-    const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after) {
-  const auto differences = [&](const Quadruple<Linear_motion_2>& points) {
-    const auto& [p, q, r, s] = points;
-    return Linear_differences<3>({p, q, r}, *s, after.lower);
-  };
-  std::array<Linear_differences<3>, 2> d = {differences(certificates[0]),
-                                            differences(certificates[1])};
+// Two in-circle certificates, of differences to the fourth point of each.
+template <class Differences>
+std::array<Filter_result, 2> in_circles(std::array<Differences, 2> d,
+                                        const Double_interval& after) {
   std::array<double, 2> windows;
   for (std::size_t k = 0; k < 2; ++k) {
     const std::optional<double> window = d[k].window_ahead(window_share);
@@ -61,28 +62,24 @@ std::array<Filter_result, 2> filter_in_circles(
     if (!d[k].is_in_range()) return {};
     windows[k] = *window;
   }
-  const Triangle<Pair> triangles = {lifted(d[0][1], d[1][1]), lifted(d[0][0], d[1][0])};
+  const Triangle triangles = {lifted(d[0][1], d[1][1]), lifted(d[0][0], d[1][0])};
   const Two_certificates both(in_circle_coefficients(triangles, lifted(d[0][2], d[1][2])));
   return {in_time(both.result(0, In_circle().error(d[0])), windows[0], after),
           in_time(both.result(1, In_circle().error(d[1])), windows[1], after)};
 }
 
-// The five certificates share points. So all of them are made from the differences to one corner,
-// over one window, with the error bound of the largest.
-std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
-                                               const Double_interval& after) {
-  const auto& [corner, to_right, to_far, to_left] = around.corners;
-  const auto& beyond = around.beyond;
-  Linear_differences<7> d({to_right, to_far, to_left, beyond[0], beyond[1], beyond[2], beyond[3]},
-                          *corner, after.lower);
+// The five certificates share points. So all of them are made from the differences `d` to one
+// corner, over one window, with the error bound of the largest.
+template <class Differences>
+std::array<Filter_result, 5> after_flip(Differences d, const Double_interval& after) {
   const std::optional<double> window = d.window_ahead(window_share);
   if (!window) return {};
   d.scale(*window);
   if (!d.is_in_range()) return {};
-  const Lifted<double> far = lifted(d[1]);
-  const Lifted<double> left = lifted(d[2]);
-  const Triangle<double> first = {lifted(d[0]), far};
-  const Triangle<double> second = {far, left};
+  const auto far = lifted(d[1]);
+  const auto left = lifted(d[2]);
+  const Triangle first = {lifted(d[0]), far};
+  const Triangle second = {far, left};
   const Two_certificates of_first(in_circle_coefficients(first, lifted(d[3], d[4])));
   const Two_certificates of_second(in_circle_coefficients(second, lifted(d[5], d[6])));
   const double error = In_circle().error(d);
@@ -91,6 +88,63 @@ std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Linear_mo
           result(of_second.result(0, error)), result(of_second.result(1, error)),
           result(judge_after_known_root(in_circle_coefficients(first, left), error,
                                         In_circle().norm(d), greatest_root(after, *window)))};
+}
+
+template <class Differences, class Motion>
+std::array<Filter_result, 2> in_circles(const std::array<Quadruple<Motion>, 2>& certificates,
+                                        const Double_interval& after) {
+  const auto differences = [&](const Quadruple<Motion>& points) {
+    const auto& [p, q, r, s] = points;
+    return Differences({p, q, r}, *s, after.lower);
+  };
+  return in_circles(std::array{differences(certificates[0]), differences(certificates[1])}, after);
+}
+
+template <class Differences, class Motion>
+std::array<Filter_result, 5> after_flip(const Flip_neighborhood<Motion>& around,
+                                        const Double_interval& after) {
+  const auto& [corner, to_right, to_far, to_left] = around.corners;
+  const auto& beyond = around.beyond;
+  return after_flip(
+      Differences({to_right, to_far, to_left, beyond[0], beyond[1], beyond[2], beyond[3]}, *corner,
+                  after.lower),
+      after);
+}
+
+}  // namespace
+
+std::array<Filter_result, 2> filter_in_circles(
+    const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after) {
+  return in_circles<Linear_differences<3>>(certificates, after);
+}
+
+std::array<Filter_result, 2> filter_in_circles(
+    const std::array<Quadruple<Polynomial_motion_2>, 2>& certificates,
+    const Double_interval& after) {
+  const std::size_t k = degree(certificates[0]);
+  if (degree(certificates[1]) != k) return {};  // which go together makes no difference
+  if (k == 3) return in_circles<Polynomial_differences<3, 3>>(certificates, after);
+  if (k == 2) return in_circles<Polynomial_differences<3, 2>>(certificates, after);
+  std::array<std::array<Linear_motion_2, 4>, 2> lines;
+  return in_circles<Linear_differences<3>>(
+      std::array{linear(certificates[0], lines[0]), linear(certificates[1], lines[1])}, after);
+}
+
+std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
+                                               const Double_interval& after) {
+  return after_flip<Linear_differences<7>>(around, after);
+}
+
+std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Polynomial_motion_2>& around,
+                                               const Double_interval& after) {
+  const std::size_t k = std::max(degree(around.corners), degree(around.beyond));
+  if (k == 3) return after_flip<Polynomial_differences<7, 3>>(around, after);
+  if (k == 2) return after_flip<Polynomial_differences<7, 2>>(around, after);
+  std::array<std::array<Linear_motion_2, 4>, 2> lines;
+  return after_flip<Linear_differences<7>>(
+      Flip_neighborhood<Linear_motion_2>{linear(around.corners, lines[0]),
+                                         linear(around.beyond, lines[1])},
+      after);
 }
 
 }  // namespace kinetri

@@ -5,7 +5,6 @@
 #ifndef KINETRI_SRC_KINETIC_FILTER_POLYNOMIAL_DIFFERENCES_H
 #define KINETRI_SRC_KINETIC_FILTER_POLYNOMIAL_DIFFERENCES_H
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -13,32 +12,53 @@
 #include <optional>
 
 #include "bernstein.h"
+#include "coordinate_pair.h"
 #include "frame.h"
+#include "in_circle_coefficients.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
 namespace kinetri {
 
-using Cubic = Coefficients<3>;
+// The difference of two motions of degree K by powers of time: of each power, the coefficients of
+// both coordinates.
+template <std::size_t K>
+using Powers = std::array<Pair, K + 1>;
 
-inline Cubic absolute(Cubic c) {
-  for (double& x : c) x = std::abs(x);
+inline std::size_t degree(const Polynomial_motion_2& m) {
+  constexpr Vector_2 zero = {};
+  return m.jerk != zero ? 3 : m.acceleration != zero ? 2 : 1;
+}
+
+template <std::size_t K>
+Powers<K> absolute(Powers<K> c) {
+  for (Pair& x : c) x = absolute(x);
   return c;
 }
-inline double sum(const Cubic& c) {
-  return (c[0] + c[1]) + (c[2] + c[3]);
+
+// By powers of the time from the epoch. Precondition: the motion has degree K at most.
+template <std::size_t K>
+Powers<K> by_powers(const Polynomial_motion_2& m) {
+  static_assert(K == 2 || K == 3);
+  if constexpr (K == 2) {
+    return {pair(m.position), pair(m.velocity), 0.5 * pair(m.acceleration)};
+  } else {
+    return {pair(m.position), pair(m.velocity), 0.5 * pair(m.acceleration), pair(m.jerk) / 6};
+  }
 }
 
 // By powers of the time from `elapsed` later.
-inline Cubic later(const Cubic& c, double elapsed) {
-  const double c3 = elapsed * c[3];
+inline Powers<2> later(const Powers<2>& c, double elapsed) {
+  const Pair c2 = elapsed * c[2];
+  return {c[0] + elapsed * (c[1] + c2), c[1] + 2 * c2, c[2]};
+}
+inline Powers<3> later(const Powers<3>& c, double elapsed) {
+  const Pair c3 = elapsed * c[3];
   return {c[0] + elapsed * (c[1] + elapsed * (c[2] + c3)), c[1] + elapsed * (2 * c[2] + 3 * c3),
           c[2] + 3 * c3, c[3]};
 }
 
-// The difference of two polynomial motions: x and y.
-using Cubic_difference = std::array<Cubic, 2>;
-
-template <std::size_t N>
+// The differences of motions of degree K at most.
+template <std::size_t N, std::size_t K = 3>
 class Polynomial_differences : public Frame {
  public:
   // docs/MATH.md, section 9.
@@ -48,94 +68,137 @@ class Polynomial_differences : public Frame {
 
   Polynomial_differences(const std::array<const Polynomial_motion_2*, N>& from,
                          const Polynomial_motion_2& to, double origin) {
-    for (std::size_t i = 0; i < N; ++i) {
-      differences_[i] = {coordinate(*from[i], to, origin, &Vector_2::x),
-                         coordinate(*from[i], to, origin, &Vector_2::y)};
-    }
+    for (std::size_t i = 0; i < N; ++i) differences_[i] = difference(*from[i], to, origin);
   }
 
   std::optional<double> window_ahead(double share) const {
-    Cubic extent = {};
-    for (const auto& [x, y] : differences_) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        extent[k] = std::max({extent[k], std::abs(x[k]), std::abs(y[k])});
-      }
+    Powers<K> extents = {};
+    for (const Powers<K>& d : differences_) {
+      for (std::size_t k = 0; k <= K; ++k) extents[k] = greater(absolute(d[k]), extents[k]);
     }
-    const double speed = extent[1] + std::sqrt(extent[2] * extent[0]) +
-                         std::cbrt(extent[3] * (extent[0] * extent[0]));
-    if (extent[1] == 0 && extent[2] == 0 && extent[3] == 0) return std::nullopt;
+    std::array<double, K + 1> extent;
+    for (std::size_t k = 0; k <= K; ++k) extent[k] = greatest(extents[k]);
+    // With acceleration, the distance passed in the time h is that of extent[1] h + extent[2] h^2.
+    double speed =
+        0.5 * (extent[1] + std::sqrt(extent[1] * extent[1] + 4 * share * extent[2] * extent[0]));
+    bool do_move = extent[1] != 0 || extent[2] != 0;
+    if constexpr (K == 3) {
+      speed += std::cbrt(extent[3] * (extent[0] * extent[0]));
+      do_move = do_move || extent[3] != 0;
+    }
+    if (!do_move) return std::nullopt;
     return share * extent[0] / speed;
   }
 
   void scale(double window) {
-    const Cubic powers = {1, window, window * window, window * window * window};
-    for (std::size_t k = 0; k < 4; ++k) {
-      terms_[k] *= powers[k];
-      for (auto& [x, y] : differences_) {
-        x[k] *= powers[k];
-        y[k] *= powers[k];
-      }
+    double power = 1;
+    for (std::size_t k = 0; k <= K; ++k) {
+      terms_[k] *= power;
+      for (Powers<K>& d : differences_) d[k] *= power;
+      power *= window;
     }
-    const double total = sum(terms_);
-    double size = 0;
-    for (const auto& [x, y] : differences_) {
-      size = std::max({size, sum(absolute(x)), sum(absolute(y))});
-    }
-    // The last term is more than the error of the coefficients.
-    size += 0x1p-48 * total;
+    const double total = sum(sum_of(terms_));
+    Pair size = {};
+    for (const Powers<K>& d : differences_) size = greater(sum_of(absolute<K>(d)), size);
     // Outside of the range the powers of the window may have underflowed.
     const bool is_exact = window == 0 || kinetri::is_in_range(window);
-    set_sizes(size, is_exact ? total : std::numeric_limits<double>::infinity());
+    // The last term is more than the error of the coefficients.
+    set_sizes(greatest(size) + 0x1p-48 * total,
+              is_exact ? total : std::numeric_limits<double>::infinity());
   }
 
-  const Cubic_difference& operator[](std::size_t i) const { return differences_[i]; }
+  const Powers<K>& operator[](std::size_t i) const { return differences_[i]; }
 
  private:
-  // One coordinate by powers of the time from the epoch.
-  static Cubic by_powers(const Polynomial_motion_2& m, double Vector_2::*axis) {
-    return {m.position.*axis, m.velocity.*axis, 0.5 * m.acceleration.*axis, m.jerk.*axis / 6};
+  static Pair sum_of(const Powers<K>& c) {
+    if constexpr (K == 2) return c[0] + (c[1] + c[2]);
+    if constexpr (K == 3) return (c[0] + c[1]) + (c[2] + c[3]);
   }
 
-  Cubic coordinate(const Polynomial_motion_2& p, const Polynomial_motion_2& q, double origin,
-                   double Vector_2::*axis) {
-    // Times the unit roundoff, what a coefficient loses by underflow, here or in `later`.
-    constexpr Cubic lost = {0x1p-1021, 0x1p-1021, 0x1p-1021, 0x1p-1021};
-    const Cubic from = by_powers(p, axis);
-    const Cubic to = by_powers(q, axis);
+  // Adds all numbers that the coefficients are made from to the terms.
+  Powers<K> difference(const Polynomial_motion_2& p, const Polynomial_motion_2& q, double origin) {
+    const Powers<K> from = by_powers<K>(p);
+    const Powers<K> to = by_powers<K>(q);
     if (p.epoch == q.epoch) {
       // Taking the difference first keeps the coordinates' common part out of the error.
-      const Cubic difference = from - to;
-      terms_ = terms_ + later(absolute(difference) + lost, std::abs(origin - p.epoch));
+      const Powers<K> difference = from - to;
+      add_terms(difference, std::abs(origin - p.epoch));
       return later(difference, origin - p.epoch);
     }
-    terms_ = terms_ + later(absolute(from) + lost, std::abs(origin - p.epoch)) +
-             later(absolute(to) + lost, std::abs(origin - q.epoch));
+    add_terms(from, std::abs(origin - p.epoch));
+    add_terms(to, std::abs(origin - q.epoch));
     return later(from, origin - p.epoch) - later(to, origin - q.epoch);
   }
 
-  std::array<Cubic_difference, N> differences_;
-  Cubic terms_ = {};  // the sums of all numbers that the coefficients were made from
+  void add_terms(const Powers<K>& c, double elapsed) {
+    Powers<K> terms = absolute<K>(c);
+    // Times the unit roundoff, what a coefficient loses by underflow, here or in `later`.
+    for (Pair& x : terms) x += 0x1p-1021;
+    terms_ = terms_ + later(terms, elapsed);
+  }
+
+  std::array<Powers<K>, N> differences_;
+  Powers<K> terms_ = {};  // the sums of all numbers that the coefficients were made from
 };
 
-inline Cubic coordinate(const Cubic_difference& d, int axis) {
-  return d[static_cast<std::size_t>(axis)];
+// One coordinate of a difference.
+template <std::size_t M>
+std::array<double, M> coordinate(const std::array<Pair, M>& d, int axis) {
+  std::array<double, M> result;
+  for (std::size_t k = 0; k < M; ++k) result[k] = d[k][axis];
+  return result;
 }
 
-inline Coefficients<6> cross(const Cubic_difference& a, const Cubic_difference& b) {
-  return a[0] * b[1] - a[1] * b[0];
+template <std::size_t M>
+auto cross(const std::array<Pair, M>& a, const std::array<Pair, M>& b) {
+  return coordinate(a, 0) * coordinate(b, 1) - coordinate(a, 1) * coordinate(b, 0);
 }
 
-inline Coefficients<6> dot(const Cubic_difference& a, const Cubic_difference& b) {
-  return a[0] * b[0] + a[1] * b[1];
+template <std::size_t M>
+auto dot(const std::array<Pair, M>& a, const std::array<Pair, M>& b) {
+  return coordinate(a, 0) * coordinate(b, 0) + coordinate(a, 1) * coordinate(b, 1);
+}
+
+// A difference, or two in the lanes of a Pair, with its squared length.
+template <std::size_t M, class Number>
+struct Lifted_polynomial {
+  std::array<Number, M> x, y;
+  std::array<Number, 2 * M - 1> squared_length = x * x + y * y;
+};
+
+template <std::size_t M>
+Lifted_polynomial<M, double> lifted(const std::array<Pair, M>& d) {
+  return {coordinate(d, 0), coordinate(d, 1)};
+}
+template <std::size_t M>
+Lifted_polynomial<M, Pair> lifted(const std::array<Pair, M>& a, const std::array<Pair, M>& b) {
+  std::array<Pair, M> x;
+  std::array<Pair, M> y;
+  for (std::size_t k = 0; k < M; ++k) {
+    x[k] = firsts(a[k], b[k]);
+    y[k] = seconds(a[k], b[k]);
+  }
+  return {x, y};
+}
+
+template <std::size_t M, class A, class B>
+auto vector_product(const Lifted_polynomial<M, A>& a, const Lifted_polynomial<M, B>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+// Minus the in-circle determinant of the triangle and s.
+template <std::size_t M, class Corner, class Number>
+auto in_circle_coefficients(const Triangle<Lifted_polynomial<M, Corner>>& t,
+                            const Lifted_polynomial<M, Number>& s) {
+  return t.u.squared_length * vector_product(t.v, s) - t.v.squared_length * vector_product(t.u, s) +
+         t.uv * s.squared_length;
 }
 
 // Minus the in-circle determinant of differences to the fourth point.
-inline Coefficients<12> in_circle(const Polynomial_differences<3>& d) {
-  Coefficients<12> c = {};
-  for (std::size_t i = 0; i < 3; ++i) {
-    c = c - dot(d[i], d[i]) * cross(d[(i + 1) % 3], d[(i + 2) % 3]);
-  }
-  return c;
+template <std::size_t K>
+Coefficients<4 * K> in_circle(const Polynomial_differences<3, K>& d) {
+  return in_circle_coefficients(
+      Triangle<Lifted_polynomial<K + 1, double>>{lifted(d[1]), lifted(d[0])}, lifted(d[2]));
 }
 
 }  // namespace kinetri

@@ -29,8 +29,6 @@ namespace {
 using Point = Basic_moving_point_2<Polynomial_motion_2>;
 using Motions = std::array<Polynomial_motion_2, 4>;
 
-constexpr std::array<int, 4> modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
 // The linear motions with higher derivatives of the size of their velocities, in every mixture of
 // degrees.
 Motions bent(const std::array<Linear_motion_2, 4>& lines, std::mt19937_64& random) {
@@ -65,13 +63,43 @@ TEST_P(Polynomial_filter, never_contradicts_exact_arithmetic) {
   for (int i = 0; i < cases; ++i) {
     const Motions m = next();
     SCOPED_TRACE(test::describe(m));
-    test::expect_true_certificates(m, time(), modes[static_cast<std::size_t>(i) % modes.size()],
-                                   decided);
+    test::expect_true_certificates(m, time(), test::rounding_mode(i), decided);
     if (HasFatalFailure()) return;
   }
   if (GetParam() == 0) {
     EXPECT_GT(decided.all, cases * 99 / 100) << "of the certificates, half hold at the start";
     EXPECT_GT(decided.failures, cases / 50);
+  }
+}
+
+TEST_P(Polynomial_filter, two_at_once_never_contradict_exact_arithmetic) {
+  int decided = 0;
+  const int cases = 300 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const Motions m = next();
+    const Motions n = next();
+    SCOPED_TRACE(test::describe(m) + test::describe(n));
+    test::expect_true_pair(m, n, time(), test::rounding_mode(i), decided);
+    if (HasFatalFailure()) return;
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(decided, cases / 2) << "half hold at the start; two are of one degree or unknown";
+  }
+}
+
+TEST_P(Polynomial_filter, after_a_flip_never_contradicts_exact_arithmetic) {
+  test::Decided_after_flips counts;
+  const int cases = 600 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const Motions m = next();
+    const Motions beyond = next();
+    SCOPED_TRACE(test::describe(m) + test::describe(beyond));
+    test::expect_true_after_flip(m, beyond, time(), test::rounding_mode(i), counts);
+    if (HasFatalFailure()) return;
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(counts.flips, cases / 50);
+    EXPECT_GT(counts.decided, counts.positive * 95 / 100);
   }
 }
 
@@ -89,7 +117,7 @@ TEST_P(Polynomial_filter, has_right_signs_at_instants) {
   const int cases = 1000 * test::multiplier();
   int certain = 0;
   for (int i = 0; i < cases; ++i) {
-    const int mode = modes[static_cast<std::size_t>(i) % modes.size()];
+    const int mode = test::rounding_mode(i);
     const Motions m = next();
     SCOPED_TRACE(test::describe(m));
     const double t = time();
@@ -175,7 +203,7 @@ TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
   int apart = 0;
   const Polynomial_kinetic_traits_2 exact = Polynomial_kinetic_traits_2::exact();
   for (int i = 0; i < cases; ++i) {
-    const int mode = modes[static_cast<std::size_t>(i) % modes.size()];
+    const int mode = test::rounding_mode(i);
     const Motions m = next();
     SCOPED_TRACE(test::describe(m));
     const double t = time();
