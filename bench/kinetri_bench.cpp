@@ -33,6 +33,7 @@ const std::map<std::string, Mode> modes = {
     {"events",
      {measure_events, "time per event, against a static rebuild and an uncertified program"}},
     {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
+    {"steps", {measure_steps, "turns and looks at each step, against a rebuild at each step"}},
     {"answers",
      {measure_answers, "Voronoi cells, areas, nearest neighbors, positions, the closest pair"}},
     {"memory", {measure_memory, "peak memory of construction and run"}},

@@ -80,6 +80,12 @@ nlohmann::json measure_frames(const Setup& setup);
 /// insertion and removal in a static triangulation of the same points, in turn.
 nlohmann::json measure_changes(const Setup& setup);
 
+/// Steps at which a share of the points turns, and after which one looks at the triangulation:
+/// seconds per step of `set_motions` and `advance_to`, and of a static triangulation built anew, in
+/// turn. For several shares and lengths of a step; a length is the mean way of a point divided by
+/// the distance of neighbors.
+nlohmann::json measure_steps(const Setup& setup);
+
 /// Nanoseconds for each point of answers about all points at one time: Voronoi cells and their
 /// areas, nearest neighbors, positions; and milliseconds for the closest pair. Beside the exact
 /// cell, CGAL's static circumcenters, a look at all points, and positions that are not rounded
