@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <cmath>
 
+#include "kinetic/filter/precise_filter.h"
 #include "kinetri/algebra/real_roots.h"
+#include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/certificates.h"
 #include "support/motions.h"
@@ -186,6 +189,38 @@ TEST_P(Contact_filter, of_signs_at_an_instant_never_contradicts_exact_arithmetic
     EXPECT_GT(decided, 6 * cases * 99 / 100);
     EXPECT_GT(surrounded, cases / 100);
   }
+}
+
+// The step of Newton's method errs, the more the smaller the discs are: beside the middle of two
+// binary64 numbers it may be on the wrong side.
+TEST(Rounded_contact, beside_the_middle_of_two_numbers_is_the_nearest_or_unknown) {
+  constexpr int least = -40;
+  int decided = 0;
+  int cases = 0;
+  for (int exponent = least; exponent <= 0; exponent += 4) {
+    const double diameter = std::ldexp(1.0, exponent);
+    for (int k = 1; k <= 52; ++k) {
+      for (const double sign : {-1.0, 0.0, 1.0}) {
+        // They touch at 1 + late.
+        const double late = 0x1p-53 * (1 + sign * std::ldexp(1.0, -k));
+        const Linear_motion_2 p = {{-diameter, 0}, {0, 0}, 0};
+        const Linear_motion_2 q = {{late, 0}, {-1, 0}, 1};
+        const Rational time = 1 + to_rational(late);
+        const auto rounded = rounded_contact(p, q, diameter, {1 - 0x1p-50, 1 + 0x1p-50});
+        ++cases;
+        decided += rounded.has_value();
+        if (rounded) {
+          ASSERT_EQ(*rounded, to_double(time)) << late << ", " << diameter;
+        }
+        const Linear_kinetic_traits_2 traits;
+        const Algebraic_number contact = traits.contact_failure(
+            Moving_point_2(p), Moving_point_2(q), diameter, {1 - 0x1p-50, 1 + 0x1p-50});
+        ASSERT_EQ(contact.to_double(), to_double(time)) << late << ", " << diameter;
+        ASSERT_EQ(contact, Algebraic_number(time));
+      }
+    }
+  }
+  EXPECT_GT(decided, cases / 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavors, Contact_filter, testing::Range(0, test::Certificates::flavors),
