@@ -44,22 +44,6 @@ double place_rounded_correctly(double p, double v, double epoch, double t) {
 
 }  // namespace
 
-Vector_2 rounded_place(const Linear_motion_2& motion, double t) {
-  const double elapsed = t - motion.epoch;
-  return {motion.position.x + motion.velocity.x * elapsed,
-          motion.position.y + motion.velocity.y * elapsed};
-}
-
-// The place is made with four roundings, each of at most two unit roundoffs of the terms in any
-// rounding mode.
-double place_error(const Linear_motion_2& motion, double t, const Double_interval& times) {
-  const auto& [position, velocity, epoch] = motion;
-  const double speed = std::abs(velocity.x) + std::abs(velocity.y);
-  const double terms = std::abs(position.x) + std::abs(position.y) + speed * std::abs(t - epoch);
-  return 0x1p-49 * terms + 2 * speed * (times.upper - times.lower) +
-         std::numeric_limits<double>::min();
-}
-
 Linear_motion_2 with_velocity_at(const Linear_motion_2& motion, const Vector_2& velocity,
                                  double t) {
   const auto& [position, old_velocity, epoch] = motion;

@@ -4,6 +4,9 @@
 #ifndef KINETRI_KINETIC_LINEAR_MOTION_2_H
 #define KINETRI_KINETIC_LINEAR_MOTION_2_H
 
+#include <cmath>
+#include <limits>
+
 #include "kinetri/base/double_interval.h"
 #include "kinetri/kinetic/wall_2.h"
 
@@ -36,11 +39,22 @@ bool same_trajectory(const Linear_motion_2& a, const Linear_motion_2& b);
 
 /// The place at time t, rounded: for what is shown, not for what is decided. It has an error of a
 /// few units in the last place of the largest term of the formula.
-Vector_2 rounded_place(const Linear_motion_2& motion, double t);
+inline Vector_2 rounded_place(const Linear_motion_2& motion, double t) {
+  const double elapsed = t - motion.epoch;
+  return {motion.position.x + motion.velocity.x * elapsed,
+          motion.position.y + motion.velocity.y * elapsed};
+}
 
 /// Bounds how far, in either coordinate, rounded_place(motion, t) is from the place at any of the
 /// times. Not finite where numbers overflow. Precondition: t is one of the times.
-double place_error(const Linear_motion_2& motion, double t, const Double_interval& times);
+inline double place_error(const Linear_motion_2& motion, double t, const Double_interval& times) {
+  const auto& [position, velocity, epoch] = motion;
+  const double speed = std::abs(velocity.x) + std::abs(velocity.y);
+  const double terms = std::abs(position.x) + std::abs(position.y) + speed * std::abs(t - epoch);
+  // Four roundings, each of at most two unit roundoffs of the terms in any rounding mode.
+  return 0x1p-49 * terms + 2 * speed * (times.upper - times.lower) +
+         std::numeric_limits<double>::min();
+}
 
 /// The velocity at time t, which is the same at all times, exactly.
 inline Vector_2 rounded_velocity(const Linear_motion_2& motion, double /*t*/) {

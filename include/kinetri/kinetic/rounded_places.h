@@ -27,6 +27,53 @@ concept HasRoundedPlace = requires(const Motion& motion, const Double_interval& 
   { place_error(motion, 1.0, times) } -> std::same_as<double>;
 };
 
+namespace detail {
+
+inline Vector_2 difference(const Vector_2& to, const Vector_2& from) {
+  return {to.x - from.x, to.y - from.y};
+}
+inline double size_of(const Vector_2& v) {
+  return std::max(std::abs(v.x), std::abs(v.y));
+}
+inline double square(const Vector_2& v) {
+  return v.x * v.x + v.y * v.y;
+}
+inline double cross(const Vector_2& v, const Vector_2& w) {
+  return v.x * w.y - v.y * w.x;
+}
+
+// Powers of sizes out of this range might under- or overflow.
+inline Sign certain_sign(double value, double error, double size) {
+  if (!(size > 0x1p-200 && size < 0x1p200)) return CGAL::ZERO;
+  if (value > error) return CGAL::POSITIVE;
+  if (value < -error) return CGAL::NEGATIVE;
+  return CGAL::ZERO;
+}
+
+/// @{
+/// The sign of a predicate of places of which each coordinate has at most the given error, where it
+/// is certain, else ZERO. docs/MATH.md, section 7, has the bounds.
+inline Sign certain_orientation(const Vector_2& p, const Vector_2& q, const Vector_2& r,
+                                double error) {
+  const Vector_2 a = difference(q, p);
+  const Vector_2 b = difference(r, p);
+  const double size = std::max(size_of(a), size_of(b));
+  return certain_sign(cross(a, b), 16 * size * (error + 0x1p-52 * size), size);
+}
+inline Sign certain_side_of_oriented_circle(const Vector_2& p, const Vector_2& q, const Vector_2& r,
+                                            const Vector_2& s, double error) {
+  const Vector_2 a = difference(p, s);
+  const Vector_2 b = difference(q, s);
+  const Vector_2 c = difference(r, s);
+  const double size = std::max(std::max(size_of(a), size_of(b)), size_of(c));
+  const double determinant =
+      square(a) * cross(b, c) - square(b) * cross(a, c) + square(c) * cross(a, b);
+  return certain_sign(determinant, 400 * (size * size * size) * (error + 0x1p-52 * size), size);
+}
+/// @}
+
+}  // namespace detail
+
 /// The places, by point id, each of which is exact up to one error in each coordinate. The signs
 /// are those at the time and just after it, or ZERO where that is not certain. All functions are
 /// O(1).
@@ -63,47 +110,21 @@ class Rounded_places {
   }
 
   /// Positive where p, q, r certainly make a left turn, negative where they certainly make a right
-  /// turn. docs/MATH.md, section 7, has the bounds for the errors.
+  /// turn.
   Sign orientation(Point_id p, Point_id q, Point_id r) const {
     if (places_.empty()) return CGAL::ZERO;
-    const Vector_2 a = difference(q, p);
-    const Vector_2 b = difference(r, p);
-    const double size = std::max(size_of(a), size_of(b));
-    return certain_sign(a.x * b.y - a.y * b.x, 16 * size * (error_ + 0x1p-52 * size), size);
+    return detail::certain_orientation((*this)[p], (*this)[q], (*this)[r], error_);
   }
 
   /// Positive where s is certainly on the left of the oriented circle through p, q, r, negative
   /// where it is certainly on the right of it.
   Sign side_of_oriented_circle(Point_id p, Point_id q, Point_id r, Point_id s) const {
     if (places_.empty()) return CGAL::ZERO;
-    const Vector_2 a = difference(p, s);
-    const Vector_2 b = difference(q, s);
-    const Vector_2 c = difference(r, s);
-    const double size = std::max(std::max(size_of(a), size_of(b)), size_of(c));
-    const double determinant =
-        square(a) * cross(b, c) - square(b) * cross(a, c) + square(c) * cross(a, b);
-    return certain_sign(determinant, 400 * (size * size * size) * (error_ + 0x1p-52 * size), size);
+    return detail::certain_side_of_oriented_circle((*this)[p], (*this)[q], (*this)[r], (*this)[s],
+                                                   error_);
   }
 
  private:
-  static double size_of(const Vector_2& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
-  static double square(const Vector_2& v) { return v.x * v.x + v.y * v.y; }
-  static double cross(const Vector_2& v, const Vector_2& w) { return v.x * w.y - v.y * w.x; }
-
-  // Powers of sizes out of this range might under- or overflow.
-  static Sign certain_sign(double value, double error, double size) {
-    if (!(size > 0x1p-200 && size < 0x1p200)) return CGAL::ZERO;
-    if (value > error) return CGAL::POSITIVE;
-    if (value < -error) return CGAL::NEGATIVE;
-    return CGAL::ZERO;
-  }
-
-  Vector_2 difference(Point_id p, Point_id q) const {
-    const Vector_2& from = (*this)[q];
-    const Vector_2& to = (*this)[p];
-    return {to.x - from.x, to.y - from.y};
-  }
-
   Point_id first_ = 0;
   std::vector<Vector_2> places_;  // from the point first_ on
   double error_ = 0;              // of each coordinate, at most

@@ -10,6 +10,7 @@
 #include "certificates.h"
 #include "differences.h"
 #include "judge.h"
+#include "kinetri/kinetic/rounded_places.h"
 
 namespace kinetri {
 namespace {
@@ -29,6 +30,15 @@ bool are_apart(const Polynomial_motion_2& p, const Polynomial_motion_2& q,
   Polynomial_differences<1> d({&p}, q, interval.lower);
   return sign_throughout(d, Coordinate{0}, interval) != CGAL::ZERO ||
          certain_sign(d, Coordinate{1}) != CGAL::ZERO;
+}
+
+// The sign of a predicate throughout the interval, from the rounded places: nearly always enough.
+// Where places are small differences of large numbers, differences of motions know more.
+template <class Predicate, class... Motions>
+Sign sign_of_places(const Predicate& predicate, const Double_interval& interval,
+                    const Motions&... motions) {
+  const double error = (place_error(motions, interval.lower, interval) + ...);
+  return predicate(rounded_place(motions, interval.lower)..., error);
 }
 
 }  // namespace
@@ -63,6 +73,10 @@ Sign certain_y_order(const Motion& p, const Motion& q, const Double_interval& in
 template <class Motion>
 Sign certain_orientation(const Motion& p, const Motion& q, const Motion& r,
                          const Double_interval& interval) {
+  const Sign sign =
+      sign_of_places([](auto&&... arguments) { return detail::certain_orientation(arguments...); },
+                     interval, p, q, r);
+  if (sign != CGAL::ZERO) return sign;
   return with_differences(std::array{&q, &r}, p, interval.lower, [&](auto& d) {
     // Mostly the triangle is far from flat.
     if constexpr (std::same_as<decltype(d), Linear_differences<2>&>) {
@@ -78,6 +92,10 @@ Sign certain_orientation(const Motion& p, const Motion& q, const Motion& r,
 template <class Motion>
 Sign certain_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                        const Double_interval& interval) {
+  const Sign sign = sign_of_places(
+      [](auto&&... arguments) { return detail::certain_side_of_oriented_circle(arguments...); },
+      interval, p, q, r, s);
+  if (sign != CGAL::ZERO) return sign;
   return with_differences(std::array{&p, &q, &r}, s, interval.lower,
                           [&](auto& d) { return -sign_throughout(d, In_circle(), interval); });
 }
