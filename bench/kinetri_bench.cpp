@@ -32,6 +32,10 @@ const std::string discs_mode = "discs";
 const std::map<std::string, Mode> modes = {
     {"events",
      {measure_events, "time per event, against a static rebuild and an uncertified program"}},
+    {"start",
+     {measure_start, "time to build the triangulation and its queue, beside CGAL's build"}},
+    {"accelerated",
+     {measure_accelerated, "time per event of accelerated points, beside straight ones"}},
     {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
     {"steps", {measure_steps, "turns and looks at each step, against a rebuild at each step"}},
     {"answers",

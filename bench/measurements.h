@@ -61,6 +61,13 @@ double rebuild_seconds(const std::vector<Static_kernel::Point_2>& points);
 /// time, in turn, until two seconds have passed.
 nlohmann::json measure_events(const Setup& setup);
 
+/// The two parts of the start, beside a static triangulation of the same points.
+nlohmann::json measure_start(const Setup& setup);
+
+/// Seconds of an event of points with accelerations of up to 1, beside one of the same points
+/// without.
+nlohmann::json measure_accelerated(const Setup& setup);
+
 /// The peak of the resident memory after construction and run of the exact triangulation alone.
 nlohmann::json measure_memory(const Setup& setup);
 

@@ -38,13 +38,21 @@ def at_most(bound):
 
 
 # The targets: at most these, and for discs at least.
-EVENT_OVER_REBUILD_POINT = {1_000: 2.0, 10_000: 2.0, 100_000: 3.0, 1_000_000: 4.0}  # on uniform
-EVENT_OVER_RIVAL_EVENT = 1.0
+EVENT_OVER_REBUILD_POINT = {1_000: 1.8, 10_000: 1.8, 100_000: 2.2, 1_000_000: 4.0}  # on uniform
+EVENT_OVER_RIVAL_EVENT = 0.9
 ROOT_SOLVES_PER_EVENT = 1.3  # on uniform
 EXACT_SHARE = 1e-4
 INITIAL_NANOSECONDS = {100_000: 150}
 BYTES_PER_POINT = {1_000_000: 700}
 LATTICE_ROW_OVER_UNIFORM = {10_000: 20}
+BUILD_OVER_STATIC = 1.5
+START_OVER_STATIC = 3.0
+ACCELERATED_OVER_STRAIGHT = 1.8
+TURN_NANOSECONDS = {1_000: 1000, 10_000: 1000, 100_000: 2500}
+TURN_ALL_OVER_REBUILD = 1.0
+TURN_TENTH_OVER_REBUILD = 0.25
+INSERT_OVER_STATIC = 4
+ERASE_OVER_STATIC = 8
 COLLISIONS_OVER_CELL_LIST = 0.2
 ROUNDED_CELL_NANOSECONDS = 2000
 CLOSEST_PAIR_MILLISECONDS = {100_000: 30}
@@ -102,8 +110,9 @@ def measurements(arguments):
         yield "frames", "uniform", points, runs
     if arguments.large:
         yield "frames", "uniform", 100_000, min(runs, 3)
-    for points in (1_000, 100_000):
-        yield "changes", "uniform", points, runs
+    for mode in FIGURES:
+        for points in (1_000, 10_000, 100_000):
+            yield mode, "uniform", points, runs
     for points in (1_000, 10_000, 100_000):
         yield "answers", "uniform", points, runs
     for points in (*sizes, 100_000) if arguments.large else sizes:
@@ -201,15 +210,35 @@ DISC_FIGURES = (
     ("share of the triangulation in the time", "share_of_triangulation", None),
 )
 
-CHANGE_FIGURES = (
-    ("turn of a point: ns", "turn_ns"),
-    ("insertion: ns", "insert_ns"),
-    ("all points turn at once / static rebuild", "turn_all_over_rebuild"),
-    ("every tenth point turns / static rebuild", "turn_tenth_over_rebuild"),
-    ("insertion / static insertion", "insert_over_static"),
-    ("erasure: ns", "erase_ns"),
-    ("erasure / static removal", "erase_over_static"),
+# What is printed of a start, of accelerated points and of changes, by its key in a run, and its
+# target, which may be by number of points.
+START_FIGURES = (
+    ("start: triangulation, ns per point", "build_ns", None),
+    ("start: certificates and queue, ns per point", "first_certificates_ns", None),
+    ("triangulation at the start / static one", "build_over_static", BUILD_OVER_STATIC),
+    ("whole start / static triangulation", "start_over_static", START_OVER_STATIC),
 )
+ACCELERATED_FIGURES = (
+    (
+        "event of accelerated points / of straight ones",
+        "accelerated_over_straight",
+        ACCELERATED_OVER_STRAIGHT,
+    ),
+)
+CHANGE_FIGURES = (
+    ("turn of a point: ns", "turn_ns", TURN_NANOSECONDS),
+    ("all points turn at once / static rebuild", "turn_all_over_rebuild", TURN_ALL_OVER_REBUILD),
+    ("every tenth point turns / static rebuild", "turn_tenth_over_rebuild", TURN_TENTH_OVER_REBUILD),
+    ("insertion: ns", "insert_ns", None),
+    ("insertion / static insertion", "insert_over_static", INSERT_OVER_STATIC),
+    ("erasure: ns", "erase_ns", None),
+    ("erasure / static removal", "erase_over_static", ERASE_OVER_STATIC),
+)
+FIGURES = {
+    "start": START_FIGURES,
+    "accelerated": ACCELERATED_FIGURES,
+    "changes": CHANGE_FIGURES,
+}
 
 ANSWER_FIGURES = (
     ("exact Voronoi cell: ns", "exact_cell_ns"),
@@ -240,9 +269,10 @@ def rows(results):
             for key, name in (("rebuild", "rebuild"), ("move", "move_if_no_collision")):
                 what = f"break-even frame rate against {name}: frames / time"
                 yield what, scenario, points, [run[f"{key}_crossover_rate"] for run in runs], None
-        elif mode == "changes":
-            for what, key in CHANGE_FIGURES:
-                yield what, scenario, points, [run[key] for run in runs], None
+        elif mode in FIGURES:
+            for what, key, bound in FIGURES[mode]:
+                target = at_most(bound.get(points) if isinstance(bound, dict) else bound)
+                yield what, scenario, points, [run[key] for run in runs], target
         elif mode == "answers":
             cells = [run["rounded_cell_ns"] for run in runs]
             target = at_most(ROUNDED_CELL_NANOSECONDS)

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "kinetri/kinetic/rounded_places.h"
+#include "kinetri/triangulation/detail/parallel.h"
+
 namespace kinetri::detail {
 namespace {
 
@@ -46,6 +49,48 @@ Static_delaunay static_delaunay(std::span<const Vector_2> places) {
          {face->neighbor(0)->info(), face->neighbor(1)->info(), face->neighbor(2)->info()}});
   }
   return result;
+}
+
+bool is_certainly_delaunay(const Static_delaunay& triangulation, std::span<const Vector_2> places,
+                           double error) {
+  using Face = Static_delaunay::Face;
+  const std::vector<Face>& faces = triangulation.faces;
+  const auto is_infinite = [](const Face& face) {
+    return std::ranges::find(face.vertices, no_point) != face.vertices.end();
+  };
+  const auto is_certain = [&](std::uint32_t f) {
+    const Face& face = faces[f];
+    if (is_infinite(face)) return true;
+    const auto& [p, q, r] = face.vertices;
+    if (certain_orientation(places[p], places[q], places[r], error) != CGAL::POSITIVE) return false;
+    for (const std::uint32_t g : face.neighbors) {
+      const Face& beyond = faces[g];
+      if (g < f || is_infinite(beyond)) continue;
+      const auto opposite = std::ranges::find(beyond.neighbors, f) - beyond.neighbors.begin();
+      const Point_id s = beyond.vertices[static_cast<std::size_t>(opposite)];
+      if (certain_side_of_oriented_circle(places[p], places[q], places[r], places[s], error) !=
+          CGAL::NEGATIVE) {
+        return false;
+      }
+    }
+    return true;
+  };
+  struct Block {
+    std::uint32_t first, last;
+    bool are_certain = true;
+  };
+  constexpr std::uint32_t faces_per_block = 2048;
+  const auto size = static_cast<std::uint32_t>(faces.size());
+  std::vector<Block> blocks;
+  for (std::uint32_t first = 0; first < size; first += std::min(faces_per_block, size - first)) {
+    blocks.push_back({first, first + std::min(faces_per_block, size - first)});
+  }
+  for_each_in_parallel(blocks, [&](Block& block) {
+    for (std::uint32_t f = block.first; f < block.last; ++f) {
+      block.are_certain = block.are_certain && is_certain(f);
+    }
+  });
+  return std::ranges::all_of(blocks, &Block::are_certain);
 }
 
 }  // namespace kinetri::detail

@@ -103,6 +103,9 @@ class Rounded_places {
   /// The place. Precondition: the point is one of those given.
   const Vector_2& operator[](Point_id id) const { return places_[id - first_]; }
 
+  /// The error of each coordinate, at most.
+  double error() const { return error_; }
+
   /// Whether all coordinates are finite.
   bool are_finite() const {
     return std::ranges::all_of(
@@ -127,7 +130,7 @@ class Rounded_places {
  private:
   Point_id first_ = 0;
   std::vector<Vector_2> places_;  // from the point first_ on
-  double error_ = 0;              // of each coordinate, at most
+  double error_ = 0;
 };
 
 }  // namespace kinetri

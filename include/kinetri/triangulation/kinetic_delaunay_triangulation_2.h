@@ -358,6 +358,9 @@ class Kinetic_delaunay_triangulation_2 {
   static bool build_from_places(std::span<const Point_2> points, const Rounded_places& places,
                                 Triangulation& result);
   static bool is_embedded(const Triangulation& triangulation, const Rounded_places& places);
+  static bool is_left_turn(const Triangulation& triangulation, const Rounded_places& places,
+                           Vertex_handle a, Vertex_handle b, Vertex_handle c);
+  static bool is_hull_convex(const Triangulation& triangulation, const Rounded_places& places);
   static bool flip_until_delaunay(Triangulation& triangulation, const Rounded_places& places);
   void index_vertices();
 

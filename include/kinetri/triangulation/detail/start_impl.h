@@ -104,26 +104,44 @@ bool Kinetic_delaunay_triangulation_2<Traits>::build_from_places(std::span<const
     const auto& [a, b, c] = found.faces[f].neighbors;
     faces[f]->set_neighbors(faces[a], faces[b], faces[c]);
   }
+  // Mostly the places are enough.
+  if (detail::is_certainly_delaunay(found, in_order, places.error())) {
+    return is_hull_convex(result, places);
+  }
   return is_embedded(result, places) && flip_until_delaunay(result, places);
 }
 
-// Whether all triangles turn left, and the hull turns left at each of its vertices and goes around
-// once. Then a triangulation whose faces make a sphere is embedded (see check_restored).
+// Whether all triangles turn left, and the hull is convex. Then a triangulation whose faces make a
+// sphere is embedded (see check_restored).
 template <KineticTraits_2 Traits>
 bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded(const Triangulation& triangulation,
                                                            const Rounded_places& places) {
+  return std::ranges::all_of(triangulation.finite_face_handles(),
+                             [&](Face_handle face) {
+                               return is_left_turn(triangulation, places, face->vertex(0),
+                                                   face->vertex(1), face->vertex(2));
+                             }) &&
+         is_hull_convex(triangulation, places);
+}
+
+// Whether the points make a left turn at the instant of the triangulation's traits, near which the
+// places are.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::is_left_turn(const Triangulation& triangulation,
+                                                            const Rounded_places& places,
+                                                            Vertex_handle a, Vertex_handle b,
+                                                            Vertex_handle c) {
+  const Sign known = places.orientation(a->point().id(), b->point().id(), c->point().id());
+  if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
+  const auto orientation = triangulation.geom_traits().orientation_2_object();
+  return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
+}
+
+// Whether the hull turns left at each of its vertices and goes around once.
+template <KineticTraits_2 Traits>
+bool Kinetic_delaunay_triangulation_2<Traits>::is_hull_convex(const Triangulation& triangulation,
+                                                              const Rounded_places& places) {
   const Instantaneous_traits& now = triangulation.geom_traits();
-  const auto orientation = now.orientation_2_object();
-  const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
-    const Sign known = places.orientation(a->point().id(), b->point().id(), c->point().id());
-    if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
-    return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
-  };
-  const bool turn_left =
-      std::ranges::all_of(triangulation.finite_face_handles(), [&](Face_handle face) {
-        return is_left_turn(face->vertex(0), face->vertex(1), face->vertex(2));
-      });
-  if (!turn_left) return false;
   const auto is_less = [&](Vertex_handle v, Vertex_handle w) {
     const auto by_x = now.compare_x_2_object()(v->point(), w->point());
     return by_x == CGAL::SMALLER ||
@@ -139,7 +157,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded(const Triangulation& 
     const Vertex_handle next = hull[k];
     const Vertex_handle here = hull[(k + 1) % hull.size()];
     const Vertex_handle previous = hull[(k + 2) % hull.size()];
-    if (!is_left_turn(previous, here, next)) return false;
+    if (!is_left_turn(triangulation, places, previous, here, next)) return false;
     if (is_less(here, previous) && is_less(here, next)) ++least_vertices;
   }
   return least_vertices == 1;

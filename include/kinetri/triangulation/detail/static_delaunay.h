@@ -34,6 +34,12 @@ struct Static_delaunay {
 /// finite. O(n log n), some 0.5 microseconds a point.
 Static_delaunay static_delaunay(std::span<const Vector_2> places);
 
+/// Whether all triangles certainly turn left, and the certificates of all edges between two of them
+/// certainly hold, for points that are as near to the places as the error says. Several threads
+/// look.
+bool is_certainly_delaunay(const Static_delaunay& triangulation, std::span<const Vector_2> places,
+                           double error);
+
 }  // namespace kinetri::detail
 
 #endif  // KINETRI_TRIANGULATION_DETAIL_STATIC_DELAUNAY_H
