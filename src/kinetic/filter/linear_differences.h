@@ -19,21 +19,21 @@
 
 namespace kinetri {
 
+// As difference() does where the epochs differ.
 inline Difference difference_from_two_epochs(const Linear_motion_2& p, const Linear_motion_2& q,
                                              double origin, Pair& terms) {
   const Pair moved_p = pair(p.velocity) * (origin - p.epoch);
   const Pair moved_q = pair(q.velocity) * (origin - q.epoch);
-  terms += absolute(pair(p.position)) + absolute(moved_p);
-  terms += absolute(pair(q.position)) + absolute(moved_q);
-  return {(pair(p.position) + moved_p) - (pair(q.position) + moved_q),
-          pair(p.velocity) - pair(q.velocity)};
+  const Pair place = pair(p.position) - pair(q.position);
+  terms += absolute(place) + absolute(moved_p) + absolute(moved_q);
+  return {place + (moved_p - moved_q), pair(p.velocity) - pair(q.velocity)};
 }
 
 // The difference p - q at the origin; adds all numbers that the place is made from to `terms`.
+// Taking the difference of the positions first keeps the coordinates' common part out of the error.
 inline Difference difference(const Linear_motion_2& p, const Linear_motion_2& q, double origin,
                              Pair& terms) {
   if (p.epoch != q.epoch) return difference_from_two_epochs(p, q, origin, terms);
-  // Taking the difference first keeps the coordinates' common part out of the error.
   const Pair slope = pair(p.velocity) - pair(q.velocity);
   const Pair place = pair(p.position) - pair(q.position);
   const Pair moved = slope * (origin - q.epoch);

@@ -95,5 +95,17 @@ TEST(Linear_filter, knows_nothing_where_numbers_overflow) {
   EXPECT_EQ(result.kind, Filter_result::Kind::unknown);
 }
 
+// The common part of the coordinates is in no error, also where only some points have turned.
+TEST(Linear_filter, decides_far_from_the_origin_where_epochs_differ) {
+  const double far = 0x1p45;
+  const auto result = [&](double epoch) {
+    return filter_in_circle(Linear_motion_2{{far, far}, {1, 0}, 0}, {{far + 8, far}, {0, 1}, epoch},
+                            {{far + 8, far + 8}, {0, 0}, 0}, {{far, far + 16}, {0, -1}, epoch},
+                            {1, 1}, false);
+  };
+  EXPECT_EQ(result(0).kind, Filter_result::Kind::holds);
+  EXPECT_EQ(result(0.5).kind, Filter_result::Kind::holds);
+}
+
 }  // namespace
 }  // namespace kinetri
