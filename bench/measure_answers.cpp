@@ -105,6 +105,13 @@ json measure_answers(const Setup& setup) {
       }
     }
     result["nearest_of_all_ns"] = 1e9 * all_pairs_watch.seconds() / few;
+    const Point_id some = std::min<Point_id>(ids, 1000);
+    const Stopwatch place_watch;
+    for (Point_id id = 0; id < some; ++id) {
+      const Static_kernel::Point_2& p = points[id];
+      sum += *queries.nearest_vertex({0.5 * (p.x() + points[0].x()), p.y()});
+    }
+    result["nearest_vertex_ns"] = 1e9 * place_watch.seconds() / some;
     const Stopwatch pair_watch;
     sum += (*queries.closest_pair())[0];
     result["closest_pair_ms"] = 1e3 * pair_watch.seconds();

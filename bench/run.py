@@ -246,6 +246,7 @@ ANSWER_FIGURES = (
     ("areas of Voronoi cells in a box: ns per point", "areas_ns"),
     ("nearest neighbors: ns per point", "nearest_neighbors_ns"),
     ("nearest of all points: ns per point", "nearest_of_all_ns"),
+    ("nearest point to a place: ns", "nearest_vertex_ns"),
     ("rounded positions: ns per point", "positions_ns"),
     ("positions not rounded correctly: ns per point", "rounded_place_ns"),
 )

@@ -116,6 +116,11 @@ class Kinetic_delaunay_triangulation_2 {
   /// is the object itself, valid until the next call that advances time.
   const Triangulation& triangulation() const { return triangulation_; }
 
+  /// A vertex that is probably near the place of a point at the current time, which need not be
+  /// one of the triangulation: where a search for the place may begin. O(n^(1/3)). Precondition:
+  /// there is a point.
+  Vertex_handle vertex_near(const Point_2& point) const;
+
   /// What decides about the points: certificates, and the predicates at an instant.
   const Traits& traits() const { return traits_; }
 
@@ -474,7 +479,6 @@ class Kinetic_delaunay_triangulation_2 {
   void find_turns(std::span<const Change> changes, Change_plan& plan);
   void check_are_distinct(std::span<const Change> changes, std::span<const Jump> jumps) const;
   void locate_jumps(std::span<const Change> changes, std::span<Jump> jumps) const;
-  Face_handle face_near(const Point_2& point) const;
   std::vector<Point_2> points_after(std::span<const Change> changes) const;
   void make_changes(std::span<const Change> changes, Change_plan& plan);
   void make_turns(std::span<const Change> turns);

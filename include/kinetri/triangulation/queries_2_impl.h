@@ -124,7 +124,7 @@ auto Kinetic_queries_2<Traits>::all_nearest(const Point_2& query) const
     -> std::vector<Vertex_handle> {
   if (kinetic_.number_of_points() == 0) return {};
   const auto compare_beside = beside_.compare_distance_2_object();
-  Vertex_handle nearest = *topology().finite_vertex_handles().begin();
+  Vertex_handle nearest = kinetic_.vertex_near(query);
   for (Vertex_handle before; nearest != before;) {
     before = nearest;
     for_each_neighbor(before, [&](Vertex_handle u) {
@@ -163,7 +163,9 @@ Location_2 Kinetic_queries_2<Traits>::locate(const Vector_2& place) const {
 template <KineticTraits_2 Traits>
 auto Kinetic_queries_2<Traits>::find_face(const Point_2& query) const -> Face_handle {
   const auto orientation = beside_.orientation_2_object();
-  Face_handle face = *topology().finite_face_handles().begin();
+  Face_handle face = kinetic_.vertex_near(query)->face();
+  if (topology().is_infinite(face))
+    face = face->neighbor(face->index(topology().infinite_vertex()));
   Face_handle previous;
   while (!topology().is_infinite(face)) {
     int i = 0;

@@ -8,9 +8,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -254,7 +252,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::locate_jumps(std::span<const Chan
     const auto& [id, motion] = jump.change;
     if (!motion) continue;
     const Point_2 point(*motion, id);
-    jump.location = locate(point, face_near(point));
+    jump.location = locate(point, vertex_near(point)->face());
     const auto& [face, locus, i] = jump.location;
     if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
       const Point_id other = face->vertex(i)->point().id();
@@ -265,35 +263,6 @@ void Kinetic_delaunay_triangulation_2<Traits>::locate_jumps(std::span<const Chan
       if (!triangulation_.is_infinite(v) && !changes_itself(v)) jump.near = v;
     }
   }
-}
-
-// A face near the place of a point at the present time, where the search for the place begins: at
-// the nearest of some points, about as many as the third root of all, in doubles. The walk from
-// there passes about as many triangles. [Muecke, Saias and Zhu 1996]
-template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::face_near(const Point_2& point) const
-    -> Face_handle {
-  if constexpr (HasRoundedPlace<Motion>) {
-    const double time = current_time().to_double();
-    const Vector_2 place = rounded_place(point.motion(), time);
-    const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_points_));
-    const std::size_t step = std::max<std::size_t>(1, vertices_.size() / tries);
-    Vertex_handle nearest;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t id = point.id() % step; id < vertices_.size(); id += step) {
-      const Vertex_handle v = vertices_[id];
-      if (v == Vertex_handle() || v->point().id() == point.id()) continue;
-      const Vector_2 there = rounded_place(v->point().motion(), time);
-      const double dx = there.x - place.x;
-      const double dy = there.y - place.y;
-      const double distance = dx * dx + dy * dy;
-      if (!(distance < least)) continue;
-      least = distance;
-      nearest = v;
-    }
-    if (nearest != Vertex_handle()) return nearest->face();
-  }
-  return Face_handle();
 }
 
 // The points that there are after the changes, in the order of their ids.

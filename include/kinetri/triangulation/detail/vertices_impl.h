@@ -6,6 +6,8 @@
 #define KINETRI_TRIANGULATION_DETAIL_VERTICES_IMPL_H
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +16,34 @@
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
+
+// The nearest of some points, about as many as the third root of all, in doubles, if there is a way
+// to round places. The walk from there passes about as many triangles. [Muecke, Saias and Zhu 1996]
+template <KineticTraits_2 Traits>
+auto Kinetic_delaunay_triangulation_2<Traits>::vertex_near(const Point_2& point) const
+    -> Vertex_handle {
+  KINETRI_PRECONDITION(number_of_points_ > 0, "there is no point, and so none is near");
+  Vertex_handle nearest;
+  if constexpr (HasRoundedPlace<Motion>) {
+    const double time = current_time().to_double();
+    const Vector_2 place = rounded_place(point.motion(), time);
+    const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_points_));
+    const std::size_t step = std::max<std::size_t>(1, vertices_.size() / tries);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t id = point.id() % step; id < vertices_.size(); id += step) {
+      const Vertex_handle v = vertices_[id];
+      if (v == Vertex_handle()) continue;
+      const Vector_2 there = rounded_place(v->point().motion(), time);
+      const double dx = there.x - place.x;
+      const double dy = there.y - place.y;
+      const double distance = dx * dx + dy * dy;
+      if (!(distance < least)) continue;
+      least = distance;
+      nearest = v;
+    }
+  }
+  return nearest != Vertex_handle() ? nearest : *triangulation_.finite_vertex_handles().begin();
+}
 
 // Takes the vertex out of the triangulation, which stays Delaunay at the instant of its traits. The
 // vertex itself stays, without faces: CGAL removes another one in its place.
