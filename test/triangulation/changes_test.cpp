@@ -331,6 +331,23 @@ TEST(Changes, may_insert_under_an_id_that_was_reserved) {
       "the id 7 is not one that waits for its point; take one that reserve_id gives");
 }
 
+// Of two points both are looked at; of one, or where the ids of most points are erased, any will
+// do.
+TEST(Vertex_near, is_the_nearer_of_two_points_at_the_current_time) {
+  Kinetic_delaunay kinetic({{{0, 0}, {1, 0}, 0}, {{10, 0}, {-1, 0}, 0}});
+  const Moving_point_2 place({{2, 1}, {0, 0}, 0});
+  EXPECT_EQ(kinetic.vertex_near(place), kinetic.vertex(0));
+  kinetic.advance_to(8.0);
+  EXPECT_EQ(kinetic.vertex_near(place), kinetic.vertex(1));
+  kinetic.erase(1);
+  EXPECT_EQ(kinetic.vertex_near(place), kinetic.vertex(0));
+  kinetic.erase(0);
+  EXPECT_PRECONDITION_ERROR(kinetic.vertex_near(place), "there is no point, and so none is near");
+  Kinetic_delaunay sparse(test::random_motions(100, 10, 5, 1));
+  for (Point_id id = 0; id < 99; ++id) sparse.erase(id);
+  EXPECT_EQ(sparse.vertex_near(place), sparse.vertex(99));
+}
+
 TEST(Changes, are_events_with_their_points) {
   Kinetic_delaunay kinetic(test::random_motions(20, 10, 5, 1));
   test::Event_recorder recorder(kinetic);
