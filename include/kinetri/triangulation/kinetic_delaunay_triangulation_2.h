@@ -477,7 +477,7 @@ class Kinetic_delaunay_triangulation_2 {
   Change_plan plan(std::span<const Change> changes);
   bool are_most(std::size_t points) const;
   void find_turns(std::span<const Change> changes, Change_plan& plan);
-  void check_are_distinct(std::span<const Change> changes, std::span<const Jump> jumps) const;
+  void check_are_distinct(std::span<const Change> changes, std::vector<Jump>& jumps) const;
   void locate_jumps(std::span<const Change> changes, std::span<Jump> jumps) const;
   std::vector<Point_2> points_after(std::span<const Change> changes) const;
   void make_changes(std::span<const Change> changes, Change_plan& plan);

@@ -224,17 +224,29 @@ void Kinetic_delaunay_triangulation_2<Traits>::find_turns(std::span<const Change
   }
 }
 
-// Throws if two of the points that jump or come would have one trajectory with each other or with
-// one that turns.
+// Throws if two of the points that change would have one trajectory. Puts the jumps into an order
+// in which near ones follow one another: that of the vertices of a triangulation of the points.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::check_are_distinct(
-    std::span<const Change> changes, std::span<const Jump> jumps) const {
-  if (jumps.size() == 1 && changes.size() == 1) return;
+void Kinetic_delaunay_triangulation_2<Traits>::check_are_distinct(std::span<const Change> changes,
+                                                                  std::vector<Jump>& jumps) const {
   std::vector<Point_2> changed;
   for (const Change& change : changes) {
     if (change.motion) changed.emplace_back(*change.motion, change.point);
   }
-  if (changed.size() > 1) build_now(changed);
+  if (changed.size() < 2) return;
+  const Triangulation of_changed = build_now(changed);
+  const auto id = [](const Jump& jump) { return jump.change.point; };
+  std::ranges::sort(jumps, {}, id);
+  std::vector<Jump> in_order;
+  in_order.reserve(jumps.size());
+  for (const Jump& jump : jumps) {
+    if (!jump.change.motion) in_order.push_back(jump);
+  }
+  for (const Vertex_handle v : of_changed.finite_vertex_handles()) {
+    const auto jump = std::ranges::lower_bound(jumps, v->point().id(), {}, id);
+    if (jump != jumps.end() && id(*jump) == v->point().id()) in_order.push_back(*jump);
+  }
+  jumps = std::move(in_order);
 }
 
 // Finds where the points come that jump or come. Throws if one would have the trajectory of another
@@ -248,11 +260,13 @@ void Kinetic_delaunay_triangulation_2<Traits>::locate_jumps(std::span<const Chan
   const auto changes_itself = [&](Vertex_handle v) {
     return std::ranges::binary_search(changed, v->point().id());
   };
+  Face_handle near;  // where the point before comes
   for (Jump& jump : jumps) {
     const auto& [id, motion] = jump.change;
     if (!motion) continue;
     const Point_2 point(*motion, id);
-    jump.location = locate(point, vertex_near(point)->face());
+    jump.location = locate(point, near == Face_handle() ? vertex_near(point)->face() : near);
+    near = jump.location.face;
     const auto& [face, locus, i] = jump.location;
     if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
       const Point_id other = face->vertex(i)->point().id();
