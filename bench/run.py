@@ -61,7 +61,7 @@ CLOSEST_PAIR_MILLISECONDS = {100_000: 30}
 FEWEST_EVENTS = 1000
 
 EXAMPLES = """examples:
-  bench/run.py --quick            two minutes at most: n = 1000 and 10 000
+  bench/run.py --quick            some five minutes: mostly n = 1000 and 10 000
   bench/run.py                    every scenario
   bench/run.py --large --runs 3   also n = 100 000 and 1 000 000, on `uniform`
   bench/run.py --json out.json    keeps what each run measured
