@@ -48,9 +48,8 @@ class Balls : public testing::Test {
     if (choice == 1) return {{high, low, 0}, to_rational(high) + to_rational(low)};
     const double radius =
         std::abs(high) * std::ldexp(1 + unit(random) / 2, choice == 2 ? -104 : -40);
-    return {
-        {high, low, radius},
-        to_rational(high) + to_rational(low) + to_rational(radius) * to_rational(unit(random))};
+    return {{high, low, radius},
+            to_rational(high) + to_rational(low) + to_rational(radius) * to_rational(unit(random))};
   }
 
   double number() {
