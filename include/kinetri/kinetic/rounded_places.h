@@ -9,8 +9,8 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <limits>
-#include <ranges>
 #include <vector>
 
 #include "kinetri/algebra/algebraic_number.h"
@@ -82,17 +82,24 @@ class Rounded_places {
   /// No places: no sign is certain.
   Rounded_places() = default;
 
-  /// The places of `points`, a range of moving points, at `time`. O(the range of their ids).
-  template <std::ranges::forward_range Points>
-  Rounded_places(Points&& points, const Algebraic_number& time) {
-    if (std::ranges::empty(points)) return;
-    const auto [least, greatest] = std::ranges::minmax(
-        points | std::views::transform([](const auto& point) { return point.id(); }));
-    first_ = least;
-    places_.resize(std::size_t{greatest} - least + 1);
+  /// The places of the points that `point_of` makes of the elements of a range, at `time`. O(the
+  /// range of their ids).
+  template <class Range, class Projection = std::identity>
+  Rounded_places(const Range& range, const Algebraic_number& time,
+                 const Projection& point_of = Projection()) {
+    Point_id last = 0;
+    first_ = no_point;
+    for (const auto& element : range) {
+      const Point_id id = point_of(element).id();
+      first_ = std::min(first_, id);
+      last = std::max(last, id);
+    }
+    if (first_ == no_point) return;
+    places_.resize(std::size_t{last} - first_ + 1);
     const double rounded_time = time.to_double();
     const Double_interval times = time.interval();
-    for (const auto& point : points) {
+    for (const auto& element : range) {
+      const auto& point = point_of(element);
       places_[point.id() - first_] = rounded_place(point.motion(), rounded_time);
       const double error = place_error(point.motion(), rounded_time, times);
       error_ =

@@ -49,6 +49,8 @@ struct Triangle {
   Lifted_point v;
   decltype(vector_product(u, v)) uv = vector_product(u, v);
 };
+template <class Lifted_point>
+Triangle(Lifted_point, Lifted_point) -> Triangle<Lifted_point>;
 
 // Minus the in-circle determinant of the triangle and s.
 template <class Corner, class Number>

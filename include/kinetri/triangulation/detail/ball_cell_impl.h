@@ -98,7 +98,9 @@ bool Kinetic_queries_2<Traits>::find_ring(Vertex_handle v, std::vector<Ring_entr
   });
   // Of the point that begins with the first face; infinity has no entry.
   if (infinite != 0) ring.front().before = previous;
-  if (infinite) std::ranges::rotate(ring, ring.begin() + static_cast<std::ptrdiff_t>(*infinite));
+  if (infinite) {
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(*infinite), ring.end());
+  }
   return !infinite;
 }
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -30,10 +29,8 @@ auto Kinetic_delaunay_triangulation_2<Traits>::build_now(std::span<const Point_2
 template <KineticTraits_2 Traits>
 Rounded_places Kinetic_delaunay_triangulation_2<Traits>::places_now() const {
   if constexpr (HasRoundedPlace<Motion>) {
-    const auto is_there = [](Vertex_handle v) { return v != Vertex_handle(); };
-    const auto point = [](Vertex_handle v) -> const Point_2& { return v->point(); };
-    return Rounded_places(vertices_ | std::views::filter(is_there) | std::views::transform(point),
-                          current_time());
+    const auto point_of = [](Vertex_handle v) -> const Point_2& { return v->point(); };
+    return Rounded_places(triangulation_.finite_vertex_handles(), current_time(), point_of);
   } else {
     return {};
   }
