@@ -122,7 +122,7 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
     }
   }
   std::ranges::sort(watched);
-  watched.erase(std::ranges::unique(watched).begin(), watched.end());
+  watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
   for (const auto& [a, b] : watched) {
     const auto& partners = contacts(a).partners;
     const auto partner = std::ranges::find(partners, b, &Partner::id);
