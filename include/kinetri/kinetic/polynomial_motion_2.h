@@ -43,12 +43,12 @@ bool same_trajectory(const Polynomial_motion_2& a, const Polynomial_motion_2& b)
 /// The place and the velocity at time t, rounded, with errors of some units in the last place of
 /// the largest term of the formula: for what is shown, not for what is decided.
 Vector_2 rounded_place(const Polynomial_motion_2& motion, double t);
+Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t);
+/// @}
 
 /// Bounds how far, in either coordinate, rounded_place(motion, t) is from the place at any of the
 /// times. Not finite where numbers overflow. Precondition: t is one of the times.
 double place_error(const Polynomial_motion_2& motion, double t, const Double_interval& times);
-Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t);
-/// @}
 
 /// The motion with the epoch `t` and the given velocity that starts from the place of `motion` at
 /// t, with the acceleration that it has there and its jerk; each coordinate of place and

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <concepts>
 
 #include "certificates.h"
 #include "differences.h"
@@ -77,16 +76,8 @@ Sign certain_orientation(const Motion& p, const Motion& q, const Motion& r,
       sign_of_places([](auto&&... arguments) { return detail::certain_orientation(arguments...); },
                      interval, p, q, r);
   if (sign != CGAL::ZERO) return sign;
-  return with_differences(std::array{&q, &r}, p, interval.lower, [&](auto& d) {
-    // Mostly the triangle is far from flat.
-    if constexpr (std::same_as<decltype(d), Linear_differences<2>&>) {
-      const double turn = d[0].place[0] * d[1].place[1] - d[0].place[1] * d[1].place[0];
-      const double error = error_throughout(d, interval);
-      if (turn > error) return CGAL::POSITIVE;
-      if (turn < -error) return CGAL::NEGATIVE;
-    }
-    return sign_throughout(d, Orientation(), interval);
-  });
+  return with_differences(std::array{&q, &r}, p, interval.lower,
+                          [&](auto& d) { return sign_throughout(d, Orientation(), interval); });
 }
 
 template <class Motion>
