@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The motion of a disc: that of its centre, and a radius that grows at a constant rate. More
+// generally a moving point with a weight, as regular triangulations and power diagrams have it: a
+// disc has the square of its radius as its weight.
+#ifndef KINETRI_KINETIC_DISC_MOTION_2_H
+#define KINETRI_KINETIC_DISC_MOTION_2_H
+
+#include <concepts>
+
+#include "kinetri/base/double_interval.h"
+#include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
+#include "kinetri/kinetic/wall_2.h"
+
+namespace kinetri {
+
+/// A disc whose centre has the motion `CentreMotion` and whose radius at time t is
+///
+///     radius + growth * (t - epoch),
+///
+/// an exact polynomial over the rationals in t. Its weight at time t is the square of that, plus
+/// `weight`: a point whose weight is a given number, of either sign, has the radius 0 and that
+/// `weight`; a disc has the `weight` 0. The power of a place x to it is the squared distance of x
+/// and the centre minus the weight. All numbers are finite (`is_finite`).
+template <class CentreMotion>
+struct Basic_disc_motion_2 : CentreMotion {
+  using Centre_motion = CentreMotion;  ///< of the centre; it has the epoch
+
+  double radius = 0;  ///< at the epoch
+  double growth = 0;  ///< of the radius per unit of time
+  double weight = 0;  ///< to be added to the square of the radius
+
+  /// Equality of the representations; see `same_trajectory` for that of the discs.
+  friend bool operator==(const Basic_disc_motion_2&, const Basic_disc_motion_2&) = default;
+};
+
+/// A disc whose centre moves along a straight line with constant velocity.
+using Disc_motion_2 = Basic_disc_motion_2<Linear_motion_2>;
+/// A disc whose centre accelerates.
+using Polynomial_disc_motion_2 = Basic_disc_motion_2<Polynomial_motion_2>;
+
+/// A motion of a point with a weight, such as a disc.
+template <class Motion>
+concept HasWeight = requires(const Motion& motion) {
+  typename Motion::Centre_motion;
+  { motion.radius + motion.growth + motion.weight } -> std::same_as<double>;
+};
+
+/// The same disc, as one whose centre may accelerate.
+Polynomial_disc_motion_2 polynomial_motion(const Disc_motion_2& disc);
+
+// As for Linear_motion_2, where `Disc` is Disc_motion_2 or Polynomial_disc_motion_2. What is said of
+// a motion without a radius, such as `rounded_place`, is said of that of the centre.
+
+/// @{
+/// Whether all numbers are finite.
+bool is_finite(const Disc_motion_2& disc);
+bool is_finite(const Polynomial_disc_motion_2& disc);
+/// @}
+
+/// @{
+/// Whether the two have the same centre and the same weight at every time, exactly.
+bool same_trajectory(const Disc_motion_2& a, const Disc_motion_2& b);
+bool same_trajectory(const Polynomial_disc_motion_2& a, const Polynomial_disc_motion_2& b);
+/// @}
+
+/// The radius at time t, rounded: for what is shown, not for what is decided. It has an error of a
+/// few units in the last place of the largest term of the formula.
+template <class CentreMotion>
+double rounded_radius(const Basic_disc_motion_2<CentreMotion>& disc, double t) {
+  return disc.radius + disc.growth * (t - disc.epoch);
+}
+
+/// The weight at time t, rounded as rounded_radius is.
+template <class CentreMotion>
+double rounded_weight(const Basic_disc_motion_2<CentreMotion>& disc, double t) {
+  const double radius = rounded_radius(disc, t);
+  return radius * radius + disc.weight;
+}
+
+/// Bounds how far rounded_weight(disc, t) is from the weight at any of the times. Not finite where
+/// numbers overflow. Precondition: t is one of the times.
+template <class CentreMotion>
+double weight_error(const Basic_disc_motion_2<CentreMotion>& disc, double t,
+                    const Double_interval& times);
+
+/// @{
+/// The disc with the epoch `t` and the given velocity that starts from the place of `disc` at t,
+/// with its radius there and its growth; the place is rounded as for a point. A radius that does
+/// not change is not rounded. One that does is rounded down, by at least as much as the place may
+/// be off: discs that touch at a time within half a unit in the last place of t do not overlap
+/// after both have been continued so.
+Disc_motion_2 with_velocity_at(const Disc_motion_2& disc, const Vector_2& velocity, double t);
+Polynomial_disc_motion_2 with_velocity_at(const Polynomial_disc_motion_2& disc,
+                                          const Vector_2& velocity, double t);
+/// @}
+
+/// The disc at rest, which does not grow, from its place at t on, rounded as with_velocity_at does.
+template <class CentreMotion>
+Basic_disc_motion_2<CentreMotion> at_rest_at(const Basic_disc_motion_2<CentreMotion>& disc,
+                                             double t) {
+  const Basic_disc_motion_2<CentreMotion> there = with_velocity_at(disc, {}, t);
+  CentreMotion centre = {};
+  centre.position = there.position;
+  centre.epoch = t;
+  return {centre, there.radius, 0, there.weight};
+}
+
+/// Whether neither the place nor the radius ever changes.
+template <class CentreMotion>
+bool is_at_rest(const Basic_disc_motion_2<CentreMotion>& disc) {
+  return is_at_rest(static_cast<const CentreMotion&>(disc)) && disc.growth == 0;
+}
+
+/// @{
+/// As for points, about the centre: the clearance of the wall is what the centre keeps from it.
+template <class CentreMotion>
+Basic_disc_motion_2<CentreMotion> clamped_inside(const Basic_disc_motion_2<CentreMotion>& disc,
+                                                 const Wall_2& wall,
+                                                 const Double_interval& times) {
+  Basic_disc_motion_2<CentreMotion> result = disc;
+  static_cast<CentreMotion&>(result) =
+      clamped_inside(static_cast<const CentreMotion&>(disc), wall, times);
+  return result;
+}
+/// @}
+
+/// The disc at -t in place of t, exactly.
+template <class CentreMotion>
+Basic_disc_motion_2<CentreMotion> mirrored(const Basic_disc_motion_2<CentreMotion>& disc) {
+  return {mirrored(static_cast<const CentreMotion&>(disc)), disc.radius, -disc.growth, disc.weight};
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_KINETIC_DISC_MOTION_2_H
