@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <initializer_list>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -32,13 +33,27 @@ constexpr std::string_view out_of_range =
     "is out of the range of binary64; expected 0, or a magnitude from 4.9e-324 to 1.8e308";
 
 // Those of numbers first.
-enum Column : std::size_t { x, y, vx, vy, ax, ay, jx, jy, radius, label, column_count };
+enum Column : std::size_t {
+  x,
+  y,
+  vx,
+  vy,
+  ax,
+  ay,
+  jx,
+  jy,
+  radius,
+  growth,
+  mass,
+  label,
+  column_count
+};
 constexpr std::array<std::string_view, column_count> column_names = {
-    "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "id"};
+    "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "growth", "mass", "id"};
 constexpr std::size_t required_columns = ax;
 constexpr std::string_view expected_columns =
-    "expected a header line with the columns x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any "
-    "order";
+    "expected a header line with the columns x,y,vx,vy and optionally radius, growth, mass, ax,ay, "
+    "jx,jy, in any order";
 
 // The numbers of a motion with epoch 0 in the order of the columns.
 std::array<double, 4> numbers(const Linear_motion_2& m) {
@@ -57,6 +72,8 @@ class Points_reader {
   Points_file read() {
     header_ = table_.read_csv_header(column_names, required_columns, expected_columns);
     has_radius_ = header_.has(radius);
+    has_growth_ = header_.has(growth);
+    has_mass_ = header_.has(mass);
     has_label_ = header_.has(label);
     check_pair(ax, ay);
     check_pair(jx, jy);
@@ -105,12 +122,28 @@ class Points_reader {
       result_.motions.push_back({position, velocity, 0});
     }
     result_.lines.push_back(table_.line());
+    read_disc(values);
+  }
+
+  void read_disc(const std::array<double, label>& values) {
     if (has_radius_) {
       if (values[radius] < 0) {
         table_.fail(joined("the radius ", values[radius], " is negative; expected at least 0"));
       }
       result_.radii.push_back(values[radius]);
     }
+    if (has_growth_) result_.growths.push_back(values[growth]);
+    if (has_mass_) {
+      if (!(values[mass] > 0)) {
+        table_.fail(joined("the mass ", values[mass], " is not positive; expected more than 0"));
+      }
+      result_.masses.push_back(values[mass]);
+    }
+  }
+
+  // Discs about one centre that moves may differ in their radii.
+  std::array<double, 2> sizes(Point_id id) const {
+    return {has_radius_ ? result_.radii[id] : 0, has_growth_ ? result_.growths[id] : 0};
   }
 
   void read_label(std::string_view field) {
@@ -145,7 +178,9 @@ class Points_reader {
     for (std::size_t id = 0; id < motions.size(); ++id) {
       entries[id] = {motions[id].position.x, static_cast<Point_id>(id)};
     }
-    const auto others = [&motions](const Entry& entry) { return numbers(motions[entry.id]); };
+    const auto others = [&](const Entry& entry) {
+      return std::pair(numbers(motions[entry.id]), sizes(entry.id));
+    };
     std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
       if (a.x != b.x) return a.x < b.x;
       const auto others_a = others(a);
@@ -163,16 +198,29 @@ class Points_reader {
     if (!first) return;
     throw Input_error(
         name_, result_.lines[(*first)[1]],
-        joined("the point has the same place and ",
-               result_.is_polynomial ? "derivatives" : "velocity", " as the one in line ",
+        joined("the point has the same ", equal_numbers(), " as the one in line ",
                result_.lines[(*first)[0]],
                "; expected points that differ in one of them: remove one or change its motion"));
+  }
+
+  std::string equal_numbers() const {
+    std::vector<std::string_view> names = {"place",
+                                           result_.is_polynomial ? "derivatives" : "velocity"};
+    if (has_radius_) names.emplace_back("radius");
+    if (has_growth_) names.emplace_back("growth");
+    std::string result(names.front());
+    for (std::size_t i = 1; i < names.size(); ++i) {
+      result += joined(i + 1 < names.size() ? ", " : " and ", names[i]);
+    }
+    return result;
   }
 
   Table_reader table_;
   const std::string& name_;
   Csv_header header_;
   bool has_radius_ = false;
+  bool has_growth_ = false;
+  bool has_mass_ = false;
   bool has_label_ = false;
   Points_file result_;
 };
@@ -209,18 +257,29 @@ Points_file read_points_file(const std::string& path) {
 
 namespace {
 
+// A column that a file may have.
+struct Optional_column {
+  Column column;
+  std::span<const double> values;  // one for each point, or none
+};
+
 template <class Motion>
 void write_all_points(std::ostream& out, std::span<const Motion> motions,
-                      std::span<const double> radii) {
-  KINETRI_PRECONDITION(radii.empty() || radii.size() == motions.size(),
-                       "there are not as many radii as points; expected one for each, or none");
+                      std::initializer_list<Optional_column> columns) {
+  for (const auto& [column, values] : columns) {
+    KINETRI_PRECONDITION(
+        values.empty() || values.size() == motions.size(),
+        "a column has not as many numbers as there are points; expected one for each, or none");
+  }
   std::string row;
   const auto add_field = [&](const Text_piece& piece) {
     if (!row.empty()) row += ',';
     row += piece.text();
   };
   for (std::size_t i = 0; i < numbers(Motion()).size(); ++i) add_field(column_names[i]);
-  if (!radii.empty()) add_field(column_names[radius]);
+  for (const auto& [column, values] : columns) {
+    if (!values.empty()) add_field(column_names[column]);
+  }
   out << row << '\n';
   for (std::size_t i = 0; i < motions.size(); ++i) {
     KINETRI_PRECONDITION(
@@ -228,7 +287,9 @@ void write_all_points(std::ostream& out, std::span<const Motion> motions,
         "a motion has a number that is not finite, or begins at another time than 0");
     row.clear();
     for (const double number : numbers(motions[i])) add_field(number);
-    if (!radii.empty()) add_field(radii[i]);
+    for (const auto& [column, values] : columns) {
+      if (!values.empty()) add_field(values[i]);
+    }
     out << row << '\n';
   }
 }
@@ -236,13 +297,15 @@ void write_all_points(std::ostream& out, std::span<const Motion> motions,
 }  // namespace
 
 void write_points(std::ostream& out, std::span<const Linear_motion_2> motions,
-                  std::span<const double> radii) {
-  write_all_points(out, motions, radii);
+                  std::span<const double> radii, std::span<const double> growths,
+                  std::span<const double> masses) {
+  write_all_points(out, motions, {{radius, radii}, {growth, growths}, {mass, masses}});
 }
 
 void write_points(std::ostream& out, std::span<const Polynomial_motion_2> motions,
-                  std::span<const double> radii) {
-  write_all_points(out, motions, radii);
+                  std::span<const double> radii, std::span<const double> growths,
+                  std::span<const double> masses) {
+  write_all_points(out, motions, {{radius, radii}, {growth, growths}, {mass, masses}});
 }
 
 }  // namespace kinetri

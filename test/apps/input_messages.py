@@ -4,7 +4,7 @@ from message_case import DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, si
 
 COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion, manual or help"
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice or lattice-jitter"
-POINTS_COLUMNS = "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"
+POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
 TRACKS_COLUMNS = "t,id,x,y, in any order"
 
 
@@ -185,12 +185,16 @@ def table_cases():
     yield points("x,y,vx,vy\n1,2,3,-inf\n", line=2, column="vy", text="-inf")
     yield points("x,y,vx,vy\n1e400,2,3,4\n", line=2, column="x", text="1e400")
     yield points("x,y,vx,vy,radius\n1,2,3,4,-1\n", line=2, radius=-1)
+    yield points("x,y,vx,vy,mass\n1,2,3,4,0\n", line=2, mass=0)
     discs = "--until 1 --collisions elastic"
     yield points("x,y,vx,vy,radius\n1,1,1,0,0\n", discs, line=2)
     yield points("x,y,vx,vy,radius\n1,1,1,0,1e308\n", discs, line=2, radius="1e+308")
     yield points("x,y,vx,vy,radius\n1,1,1,0,1\n5,5,0,0,2\n", discs, line=3, radius=2, other=1, first=2)
-    yield points(ONE_FLIP + "4,0,0,0\n", line=6, first=3, motion="velocity")
-    yield points("x,y,vx,vy,jx,jy\n1,2,3,4,5,6\n1,2,3,4,5,6\n", line=3, first=2, motion="derivatives")
+    yield points(ONE_FLIP + "4,0,0,0\n", line=6, first=3, numbers="place and velocity")
+    yield points("x,y,vx,vy,jx,jy\n1,2,3,4,5,6\n1,2,3,4,5,6\n", line=3, first=2,
+                 numbers="place and derivatives")
+    yield points("x,y,vx,vy,radius\n1,2,3,4,5\n1,2,3,4,5\n", line=3, first=2,
+                 numbers="place, velocity and radius")
     box = "--until 1 --box 0,0,10,10"
     yield points("x,y,vx,vy\n0,0,1,0\n5,12,0,0\n", box, line=3, time=0, x=5, y=12, side="upper",
                  position=10)

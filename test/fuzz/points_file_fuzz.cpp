@@ -4,6 +4,7 @@
 // reads points that are as promised and come back the same from what is written of them.
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 #include "fuzz/fuzz.h"
 #include "kinetri/base/error.h"
@@ -34,7 +35,10 @@ void check_points(const Points_file& points) {
   require(
       (points.is_polynomial ? points.polynomial_motions.size() : points.motions.size()) == number,
       "a line for each point");
-  require(points.radii.empty() || points.radii.size() == number, "a radius for each point or none");
+  for (const std::vector<double>& column : {points.radii, points.growths, points.masses}) {
+    require(column.empty() || column.size() == number, "a number for each point or none");
+    for (const double value : column) require(std::isfinite(value), "a finite number");
+  }
   require(points.labels.empty() || points.labels.size() == number,
           "a label for each point or none");
   if (points.is_polynomial) return;
@@ -42,8 +46,9 @@ void check_points(const Points_file& points) {
     require(is_finite(m) && m.epoch == 0, "finite numbers at epoch 0");
   }
   for (const double radius : points.radii) require(radius >= 0, "a radius that is not negative");
+  for (const double mass : points.masses) require(mass > 0, "a mass that is positive");
   std::stringstream written;
-  write_points(written, points.motions, points.radii);
+  write_points(written, points.motions, points.radii, points.growths, points.masses);
   const Points_file again = read_points(written, "written");
   require(again.motions.size() == points.motions.size(), "as many points as were written");
   for (std::size_t i = 0; i < again.motions.size(); ++i) {
@@ -54,6 +59,8 @@ void check_points(const Points_file& points) {
             "the numbers that were written");
   }
   require(again.radii == points.radii, "the radii that were written");
+  require(again.growths == points.growths, "the growths that were written");
+  require(again.masses == points.masses, "the masses that were written");
 }
 
 }  // namespace

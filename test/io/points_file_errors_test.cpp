@@ -39,43 +39,43 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_file{
             "",
             "p.csv:1: the file is empty; expected a header line with the columns x,y,vx,vy and "
-            "optionally radius, ax,ay, jx,jy, in any order"},
+            "optionally radius, growth, mass, ax,ay, jx,jy, in any order"},
         Bad_file{
             "\n# only a comment\n",
             "p.csv:1: the file is empty; expected a header line with the columns x,y,vx,vy and "
-            "optionally radius, ax,ay, jx,jy, in any order"},
+            "optionally radius, growth, mass, ax,ay, jx,jy, in any order"},
         Bad_file{"x,y,vx\n1,2,3\n",
                  "p.csv:1: the column vy is missing; expected a header line with the columns "
-                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+                 "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"},
         Bad_file{"# c\nx,y,vx,x,vy\n",
                  "p.csv:2: the column x is named twice; expected a header line with the columns "
-                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+                 "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"},
         Bad_file{"# c\nx,y,vx,X,vy\n",
                  "p.csv:2: the column x is named twice; expected a header line with the columns "
-                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+                 "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"},
         Bad_file{"ID,x,y,vx,vy,id\n",
                  "p.csv:1: the column id is named twice; expected a header line with the columns "
-                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+                 "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"},
         Bad_file{"x;y;vx\n",
                  "p.csv:1: the column vy is missing; expected a header line with the columns "
-                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+                 "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"},
         // A comma in the header: then semicolons separate nothing.
         Bad_file{"x;y;vx,vy\n",
                  "p.csv:1: the column x is missing; expected a header line with the columns "
-                 "x,y,vx,vy and optionally radius, ax,ay, jx,jy, in any order"},
+                 "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"},
         Bad_file{"x,y,\"vx,vy\n",
                  "p.csv:1: a quotation mark is not closed: '\"vx,vy'; expected a second one on the "
                  "same line"},
         Bad_file{"x;y;vx;vy;1.5\n",
                  "p.csv:1: unknown column '1.5'; expected a header line with the columns x,y,vx,vy "
-                 "and optionally radius, ax,ay, jx,jy, in any order"},
+                 "and optionally radius, growth, mass, ax,ay, jx,jy, in any order"},
         Bad_file{"x,y,vx,vy,ax\n",
                  "p.csv:1: the column ay is missing; expected both ax and ay, or neither"},
         Bad_file{"x,y,vx,vy,ax,ay,jy\n",
                  "p.csv:1: the column jx is missing; expected both jx and jy, or neither"},
         Bad_file{"1,2,3,4\n",
                  "p.csv:1: unknown column '1'; expected a header line with the columns x,y,vx,vy "
-                 "and optionally radius, ax,ay, jx,jy, in any order"}));
+                 "and optionally radius, growth, mass, ax,ay, jx,jy, in any order"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, Bad_points_file,
@@ -123,7 +123,25 @@ INSTANTIATE_TEST_SUITE_P(
             "p.csv:5: the column id is 'a', as in line 2; expected ids that differ, or another "
             "name of the column (where points have several rows, they are tracks)"},
         Bad_file{"x,y,vx,vy,radius\n1,2,3,4,-0.5\n",
-                 "p.csv:2: the radius -0.5 is negative; expected at least 0"}));
+                 "p.csv:2: the radius -0.5 is negative; expected at least 0"},
+        Bad_file{"x,y,vx,vy,radius\n1,2,3,4,inf\n",
+                 "p.csv:2: the column radius is 'inf', which is not finite; expected a finite "
+                 "number"},
+        Bad_file{"growth,x,y,vx,vy\n-1,0,0,0,0\nnan,1,2,3,4\n",
+                 "p.csv:3: the column growth is 'nan', which is not finite; expected a finite "
+                 "number"},
+        Bad_file{"x,y,vx,vy,mass\n1,2,3,4,-2\n",
+                 "p.csv:2: the mass -2 is not positive; expected more than 0"},
+        Bad_file{"x,y,vx,vy,mass\n1,2,3,4,5\n1,2,3,5,0\n",
+                 "p.csv:3: the mass 0 is not positive; expected more than 0"},
+        Bad_file{"x,y,vx,vy,mass\n1,2,3,4,inf\n",
+                 "p.csv:2: the column mass is 'inf', which is not finite; expected a finite "
+                 "number"},
+        Bad_file{"x,y,vx,vy,mass\n1,2,3,4,\n",
+                 "p.csv:2: the column mass is empty; expected a number"},
+        Bad_file{"x,y,vx,vy,mass,Mass\n",
+                 "p.csv:1: the column mass is named twice; expected a header line with the columns "
+                 "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"}));
 
 TEST(Read_points, text_that_is_no_number_is_quoted) {
   EXPECT_EQ(
@@ -165,6 +183,18 @@ TEST(Read_points, binary_input_is_an_error) {
   }
 }
 
+TEST(Read_points, discs_are_equal_if_their_sizes_are) {
+  EXPECT_EQ(points_error("x,y,vx,vy,radius\n1,2,3,4,5\n1,2,3,4,6\n1,2,3,4,5\n"),
+            "p.csv:4: the point has the same place, velocity and radius as the one in line 2; "
+            "expected points that differ in one of them: remove one or change its motion");
+  EXPECT_EQ(points_error("x,y,vx,vy,ax,ay,growth,radius\n1,2,3,4,0,0,-0,1\n1,2,3,4,-0,0,0,1\n"),
+            "p.csv:3: the point has the same place, derivatives, radius and growth as the one in "
+            "line 2; expected points that differ in one of them: remove one or change its motion");
+  EXPECT_EQ(points_error("x,y,vx,vy,growth\n1,2,3,4,0\n1,2,3,4,1\n"), "");
+  // Masses have no part in what becomes of the triangulation.
+  EXPECT_NE(points_error("x,y,vx,vy,mass\n1,2,3,4,1\n1,2,3,4,2\n"), "");
+}
+
 TEST(Read_points, equal_points_name_both_lines) {
   EXPECT_EQ(points_error("x,y,vx,vy\n1,2,3,4\n\n5,6,7,8\n1.0,2,0x3,4e0\n"),
             "p.csv:5: the point has the same place and velocity as the one in line 2; expected "
@@ -179,10 +209,6 @@ TEST(Read_points, of_several_equal_points_the_first_repetition_is_named) {
       points_error("x,y,vx,vy\n9,9,9,9\n1,1,1,1\n2,2,2,2\n2,2,2,2\n1,1,1,1\n9,9,9,9\n2,2,2,2\n")
           .find("p.csv:5: the point has the same place and velocity as the one in line 4"),
       std::string::npos);
-}
-
-TEST(Read_points, equal_radii_do_not_make_points_differ) {
-  EXPECT_NE(points_error("x,y,vx,vy,radius\n1,2,3,4,5\n1,2,3,4,6\n"), "");
 }
 
 // Quadratic behavior would take minutes.

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -46,6 +47,20 @@ TEST(Read_points, takes_columns_in_any_order) {
   ASSERT_EQ(file.motions.size(), 1U);
   EXPECT_EQ(file.motions[0], (Linear_motion_2{{1, 2}, {3, 4}, 0}));
   EXPECT_EQ(file.radii, std::vector<double>{9});
+}
+
+TEST(Read_points, reads_discs) {
+  const Points_file file =
+      points_of("x,mass,y,Growth,vx,vy,radius\n1,1e-3,2,-0.5,3,4,9\n5,7,6,0.25,7,8,0\n");
+  EXPECT_EQ(file.radii, (std::vector<double>{9, 0}));
+  EXPECT_EQ(file.growths, (std::vector<double>{-0.5, 0.25}));
+  EXPECT_EQ(file.masses, (std::vector<double>{1e-3, 7}));
+  EXPECT_TRUE(file.ignored_columns.empty());
+  const Points_file grown = points_of("x,y,vx,vy,jx,jy,growth\n1,2,3,4,5,6,7\n");
+  EXPECT_TRUE(grown.is_polynomial);
+  EXPECT_EQ(grown.growths, std::vector<double>{7});
+  EXPECT_TRUE(grown.radii.empty());
+  EXPECT_TRUE(grown.masses.empty());
 }
 
 TEST(Read_points, reads_higher_derivatives) {
@@ -218,15 +233,21 @@ TEST(Write_points, read_gives_the_same_numbers_back) {
   };
   std::vector<Linear_motion_2> motions;
   std::vector<double> radii;
+  std::vector<double> growths;
+  std::vector<double> masses;
   for (int i = 0; i < 5000; ++i) {
     motions.push_back({{any(), any()}, {any(), any()}, 0});
     radii.push_back(std::abs(any()));
+    growths.push_back(any());
+    masses.push_back(std::abs(any()));
   }
   std::ostringstream out;
-  write_points(out, motions, radii);
+  write_points(out, motions, radii, growths, masses);
   const Points_file file = points_of(out.str());
   EXPECT_EQ(file.motions, motions);
   EXPECT_EQ(file.radii, radii);
+  EXPECT_EQ(file.growths, growths);
+  EXPECT_EQ(file.masses, masses);
 }
 
 TEST(Write_points, writes_higher_derivatives) {
@@ -238,6 +259,17 @@ TEST(Write_points, writes_higher_derivatives) {
   EXPECT_EQ(points_of(out.str()).polynomial_motions, motions);
 }
 
+TEST(Write_points, writes_the_columns_that_are_given) {
+  const std::vector<Linear_motion_2> motions = {{{1, 2}, {3, 4}, 0}};
+  const std::vector<double> numbers = {0.5};
+  std::ostringstream growing;
+  write_points(growing, motions, {}, numbers);
+  EXPECT_EQ(growing.str(), "x,y,vx,vy,growth\n1,2,3,4,0.5\n");
+  std::ostringstream heavy;
+  write_points(heavy, std::vector<Polynomial_motion_2>(1), numbers, {}, numbers);
+  EXPECT_EQ(heavy.str(), "x,y,vx,vy,ax,ay,jx,jy,radius,mass\n0,0,0,0,0,0,0,0,0.5,0.5\n");
+}
+
 TEST(Write_points, what_the_format_cannot_hold_throws) {
   std::ostringstream out;
   EXPECT_PRECONDITION_ERROR(
@@ -246,9 +278,15 @@ TEST(Write_points, what_the_format_cannot_hold_throws) {
   EXPECT_PRECONDITION_ERROR(
       write_points(out, std::vector<Linear_motion_2>{{{INFINITY, 0}, {0, 0}, 0}}),
       "a motion has a number that is not finite, or begins at another time than 0");
-  EXPECT_PRECONDITION_ERROR(
-      write_points(out, std::vector<Linear_motion_2>(2), std::vector<double>(1)),
-      "there are not as many radii as points; expected one for each, or none");
+  const std::vector<double> one(1);
+  const std::vector<double> none;
+  using Columns = std::array<std::vector<double>, 3>;
+  for (const auto& [radii, growths, masses] :
+       {Columns{one, none, none}, Columns{none, one, none}, Columns{none, none, one}}) {
+    EXPECT_PRECONDITION_ERROR(
+        write_points(out, std::vector<Linear_motion_2>(2), radii, growths, masses),
+        "a column has not as many numbers as there are points; expected one for each, or none");
+  }
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Files of moving points: comma separated, a header line naming the columns x, y, vx, vy and
-// optionally radius, ax and ay, jx and jy in any order, then one point a line: its place at time 0
-// and its derivatives there, velocity, acceleration and jerk. Blank lines and lines that begin with
-// # are skipped.
+// optionally radius, growth, mass, ax and ay, jx and jy in any order, then one point a line: its
+// place at time 0 and its derivatives there, velocity, acceleration and jerk; the radius that a
+// disc about it has at time 0, how much that grows in a unit of time, and the mass. Blank lines and
+// lines that begin with # are skipped.
 //
 // Files as R, pandas and spreadsheets write them are read as well: fields in quotation marks (two
 // of them inside stand for one), names of columns in upper case, semicolons as separators where the
@@ -43,12 +44,14 @@ Parsed_number parse_number(std::string_view text);
 
 /// What a file of points holds. Entry i of each vector belongs to the point with the id i.
 struct Points_file {
-  /// With epoch 0, all of them finite, no two equal. Those of one kind: polynomial if the file has
-  /// a column ax or jx, else linear.
+  /// With epoch 0, all of them finite; no two points are equal in motion, radius and growth. Those
+  /// of one kind: polynomial if the file has a column ax or jx, else linear.
   std::vector<Linear_motion_2> motions;
   std::vector<Polynomial_motion_2> polynomial_motions;  ///< as `motions`
   bool is_polynomial = false;                           ///< which of the two there are
   std::vector<double> radii;       ///< at least 0; empty if the file has no such column
+  std::vector<double> growths;     ///< finite; empty if the file has no such column
+  std::vector<double> masses;      ///< greater than 0; empty if the file has no such column
   std::vector<std::size_t> lines;  ///< where the point stands, counted from 1
   /// The texts of the column `id`, no two equal; empty if the file has no such column. They name
   /// points for people only: the id of a point is its index.
@@ -68,10 +71,10 @@ struct Points_file {
 /// named by a number; a column that is missing or named twice, or one of a pair without the other;
 /// a row with too few or too many fields; a quotation mark that is not closed on its line; a field
 /// that is empty or not a number (see parse_number), a number with a decimal comma; a label that is
-/// empty; a negative radius; two points with the same label, or with the same motion (0 and -0 are
-/// the same), naming both lines; 2^32 - 1 points or more; a stream that fails. Zero points are
-/// valid. Cost: linear, but for sorts that find equal points and labels: O(n log n) for every
-/// input.
+/// empty; a negative radius; a mass that is not greater than 0; two points with the same label, or
+/// with the same motion, radius and growth (0 and -0 are the same), naming both lines; 2^32 - 1
+/// points or more; a stream that fails. Zero points are valid. Cost: linear, but for sorts that
+/// find equal points and labels: O(n log n) for every input.
 Points_file read_points(std::istream& in, const std::string& name);
 
 /// Reads the file `path`, or standard input if it is "-". Throws as read_points, and Input_error
@@ -80,12 +83,15 @@ Points_file read_points_file(const std::string& path);
 
 /// @{
 /// Writes points so that read_points gives the same numbers back: header, then the shortest decimal
-/// numbers that read back exactly. Precondition: all motions are finite and have epoch 0; `radii`
-/// is empty or as long as `motions`. Errors are those of the stream.
+/// numbers that read back exactly. Precondition: all motions are finite and have epoch 0; each of
+/// `radii`, `growths` and `masses` is empty, and then no column, or as long as `motions`. Errors
+/// are those of the stream.
 void write_points(std::ostream& out, std::span<const Linear_motion_2> motions,
-                  std::span<const double> radii = {});
+                  std::span<const double> radii = {}, std::span<const double> growths = {},
+                  std::span<const double> masses = {});
 void write_points(std::ostream& out, std::span<const Polynomial_motion_2> motions,
-                  std::span<const double> radii = {});
+                  std::span<const double> radii = {}, std::span<const double> growths = {},
+                  std::span<const double> masses = {});
 /// @}
 
 }  // namespace kinetri
