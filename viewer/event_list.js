@@ -8,7 +8,8 @@ const LONGEST_LIST = 8e6;  // pixels; browsers do not scroll much further
 const LEFT_ALONE = 2500;   // milliseconds for which the list stays where the user has scrolled it
 const GLYPHS = {
   flip: '\u21c4', hull_insert: '\u25b2', hull_remove: '\u25bc', rebuild: '\u21bb', wall: '\u2503',
-  collision: '\u25cf', insert: '+', erase: '\u00d7', trajectory: '\u2197',
+  hide: '\u25cb', reveal: '\u25c9', collision: '\u25cf', insert: '+', erase: '\u00d7',
+  trajectory: '\u2197',
 };
 
 /** A number with few digits, for display. */

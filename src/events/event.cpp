@@ -13,6 +13,10 @@ std::string_view name(Event_kind kind) {
       return "hull_remove";
     case Event_kind::flip:
       return "flip";
+    case Event_kind::hide:
+      return "hide";
+    case Event_kind::reveal:
+      return "reveal";
     case Event_kind::wall:
       return "wall";
     case Event_kind::collision:

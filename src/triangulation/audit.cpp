@@ -9,9 +9,9 @@
 
 namespace kinetri {
 
-template Audit_report Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>::audit(
+template Audit_report Kinetic_triangulation_2<Linear_kinetic_traits_2>::audit(
     Audit_level level) const;
-template Audit_report Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>::audit(
+template Audit_report Kinetic_triangulation_2<Polynomial_kinetic_traits_2>::audit(
     Audit_level level) const;
 bool detail::is_passed(const Audit_report& report, bool verbose) {
   if (verbose) {

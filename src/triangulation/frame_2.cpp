@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 namespace {
@@ -47,7 +47,7 @@ void add_faces(Frame_2& frame, const Triangulation& triangulation) {
 }  // namespace
 
 template <KineticTraits_2 Traits>
-Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Traits>& kinetic) {
+Frame_2 frame_of(const Kinetic_triangulation_2<Traits>& kinetic) {
   Frame_2 frame;
   frame.time = kinetic.current_time().to_double();
   frame.events = kinetic.counters().events;
@@ -70,7 +70,7 @@ Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Traits>& kinetic) {
   return frame;
 }
 
-template Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>&);
-template Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>&);
+template Frame_2 frame_of(const Kinetic_triangulation_2<Linear_kinetic_traits_2>&);
+template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&);
 
 }  // namespace kinetri

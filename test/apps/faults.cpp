@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Failures that the program must survive and that a right library never has. Linked in front of the
-// library, this definition of Kinetic_delaunay_triangulation_2<>::audit takes the place of the real
-// one; the environment variable KINETRI_TEST_FAULT chooses the failure.
+// library, this definition of Kinetic_triangulation_2<Linear_kinetic_traits_2>::audit takes the
+// place of the real one; the environment variable KINETRI_TEST_FAULT chooses the failure.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -18,12 +18,12 @@ namespace kinetri {
 // The member function under its name in the Itanium C++ ABI, where a member function takes the
 // object as its first argument.
 Audit_report
-faulty_audit(const Kinetic_delaunay_triangulation_2<>* audited, Audit_level level) __asm__(
-    "_ZNK7kinetri32Kinetic_delaunay_triangulation_2INS_22Basic_kinetic_traits_2INS_15Linear_motion_"
+faulty_audit(const Kinetic_triangulation_2<Linear_kinetic_traits_2>* audited, Audit_level level) __asm__(
+    "_ZNK7kinetri23Kinetic_triangulation_2INS_22Basic_kinetic_traits_2INS_15Linear_motion_"
     "2EEEE5audit"
     "ENS_11Audit_levelE");
 
-Audit_report faulty_audit(const Kinetic_delaunay_triangulation_2<>* /*audited*/,
+Audit_report faulty_audit(const Kinetic_triangulation_2<Linear_kinetic_traits_2>* /*audited*/,
                           Audit_level /*level*/) {
   const char* const variable = std::getenv("KINETRI_TEST_FAULT");
   const std::string_view fault = variable == nullptr ? "" : variable;

@@ -14,9 +14,9 @@ namespace {
 
 // Outside programs read these names, and the order settles simultaneous events.
 TEST(Event_kind, names_and_their_order_are_fixed) {
-  const std::vector<std::string_view> expected = {"rebuild", "hull_insert", "hull_remove",
-                                                  "flip",    "wall",        "collision",
-                                                  "insert",  "erase",       "trajectory"};
+  const std::vector<std::string_view> expected = {
+      "rebuild", "hull_insert", "hull_remove", "flip",  "hide",      "reveal",
+      "wall",    "collision",   "insert",      "erase", "trajectory"};
   ASSERT_EQ(expected.size(), event_kinds);
   for (std::size_t i = 0; i < event_kinds; ++i) {
     EXPECT_EQ(name(static_cast<Event_kind>(i)), expected[i]);

@@ -64,12 +64,13 @@ TEST(Write_stats, each_number_stands_under_its_key) {
 
   EXPECT_EQ(written(statistics), Json::parse(R"({
     "points": 100, "from": -1.0, "until": 0.1, "reached": 0.05, "interrupted": true,
-    "events": {"rebuild": 1, "hull_insert": 2, "hull_remove": 4, "flip": 8, "wall": 16,
-               "collision": 32, "insert": 64, "erase": 128, "trajectory": 256},
-    "events_total": 511,
+    "events": {"rebuild": 1, "hull_insert": 2, "hull_remove": 4, "flip": 8, "hide": 16,
+               "reveal": 32, "wall": 64, "collision": 128, "insert": 256, "erase": 512,
+               "trajectory": 1024},
+    "events_total": 2047,
     "events_discarded": {"rebuild": 3, "hull_insert": 6, "hull_remove": 12, "flip": 24,
-                         "wall": 24, "collision": 25, "insert": 192, "erase": 384,
-                         "trajectory": 768},
+                         "hide": 48, "reveal": 96, "wall": 24, "collision": 25,
+                         "insert": 768, "erase": 1536, "trajectory": 3072},
     "instants": 46, "largest_instant": 3, "batches": 15, "flat_hulls": 16,
     "points_set_aside": 17, "reconstructions": 1, "rechecks": 14,
     "certificates": {"created": 5, "root_solves": 6, "filter_decided": 7,

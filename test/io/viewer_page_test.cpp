@@ -90,7 +90,7 @@ TEST(Viewer_page, holds_the_recording) {
   EXPECT_EQ(events["first"], 5);
   EXPECT_EQ(events["kinds"].size(), event_kinds);
   EXPECT_EQ(events["kinds"][3], "flip");
-  EXPECT_EQ(events["kind"], "AwcF");
+  EXPECT_EQ(events["kind"], "AwkH");
   EXPECT_EQ(events["fields"], "EwQs");
   EXPECT_EQ(events["time"], "mpmZmZmZuT8AAAAAAAAAQAAAAAAAAAhA");
   EXPECT_EQ(events["ids"], "AAABAAEAAgABAAAAAgA=");

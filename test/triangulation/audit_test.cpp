@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "kinetri/triangulation/audit_impl.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2_impl.h"
+#include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 #include "support/motions.h"
 
 namespace kinetri {

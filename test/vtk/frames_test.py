@@ -35,8 +35,8 @@ except ImportError:
     sys.exit(SKIPPED)
 
 Fraction = fractions.Fraction
-KINDS = ["rebuild", "hull_insert", "hull_remove", "flip", "wall", "collision", "insert", "erase",
-         "trajectory"]
+KINDS = ["rebuild", "hull_insert", "hull_remove", "flip", "hide", "reveal", "wall", "collision",
+         "insert", "erase", "trajectory"]
 
 ACCELERATED = """x,y,vx,vy,ax,ay,jx,jy
 0,0,1,0,0,2,0,0

@@ -86,6 +86,7 @@ set style line 3 lc rgb '#009e73' lw 2 pt 9 ps 0.9
 set style line 4 lc rgb '#cc79a7' lw 2 pt 11 ps 0.9
 set style line 5 lc rgb '#000000' lw 2 pt 13 ps 0.9
 set style line 6 lc rgb '#e69f00' lw 2 pt 4 ps 0.9
+set style line 7 lc rgb '#56b4e9' lw 2 pt 6 ps 0.9
 set pointintervalbox 0
 set border 3 lc rgb '#404040'
 set tics nomirror out

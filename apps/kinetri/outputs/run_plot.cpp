@@ -26,14 +26,15 @@ struct Group {
   const char* name;
   std::initializer_list<Event_kind> kinds;
 };
-const std::array<Group, 6> groups = {
+const std::array<Group, 7> groups = {
     {{"flips", {Event_kind::flip}},
      {"collisions", {Event_kind::collision}},
      {"walls", {Event_kind::wall}},
      {"points that come, turn or go",
       {Event_kind::insert, Event_kind::erase, Event_kind::trajectory}},
      {"hull", {Event_kind::hull_insert, Event_kind::hull_remove}},
-     {"rebuilds", {Event_kind::rebuild}}}};
+     {"rebuilds", {Event_kind::rebuild}},
+     {"hidden points", {Event_kind::hide, Event_kind::reveal}}}};
 
 double count(const Run_sample& sample, const Group& group) {
   std::uint64_t sum = 0;

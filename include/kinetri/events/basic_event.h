@@ -25,6 +25,8 @@ enum class Event_kind : std::uint8_t {
   hull_insert,  ///< a vertex becomes a hull vertex: the hull edge in front of it is removed
   hull_remove,  ///< a vertex leaves the hull: the edge between its hull neighbors is added
   flip,         ///< an edge is replaced by the other diagonal of its quadrilateral
+  hide,         ///< point_a has no power cell from now on: another point hides it
+  reveal,       ///< point_a has a power cell from now on
   wall,         ///< point_a hits the box
   collision,    ///< point_a and point_b touch
   insert,       ///< point_a is inserted
@@ -33,7 +35,7 @@ enum class Event_kind : std::uint8_t {
 };
 
 /// The number of kinds.
-inline constexpr std::size_t event_kinds = 9;
+inline constexpr std::size_t event_kinds = 11;
 
 /// The kind's name in files: "flip", "hull_insert", ...
 std::string_view name(Event_kind kind);
@@ -55,6 +57,7 @@ constexpr Edge_ids edge_ids(Point_id a, Point_id b) {
 /// | `hull_insert` | `removed` |
 /// | `hull_remove` | `added` |
 /// | `rebuild` | `removed` or `added`: each edge has an event of its own |
+/// | `hide`, `reveal` | `point_a`; its edges have `rebuild` events after it |
 /// | `wall`, `insert`, `erase`, `trajectory` | `point_a` |
 /// | `collision` | `point_a`, `point_b`, the smaller id first |
 template <class Time>

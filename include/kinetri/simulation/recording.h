@@ -19,7 +19,7 @@
 #include "kinetri/kinetic/polynomial_motion_2.h"
 #include "kinetri/simulation/box_2.h"
 #include "kinetri/simulation/detail/triangle_map.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
@@ -78,8 +78,8 @@ struct Recording {
 template <class Traits = Linear_kinetic_traits_2>
 class Recorder : public Event_observer {
  public:
-  using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;  ///< what is observed
-  using Time = Algebraic_number;                                   ///< of events
+  using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
+  using Time = Algebraic_number;                          ///< of events
 
   /// Records `triangulation` from its current time up to the time `until`. Add the recorder as an
   /// observer of the triangulation, or of the simulation that owns it. If there are more than

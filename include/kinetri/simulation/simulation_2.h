@@ -36,7 +36,7 @@
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/simulation_snapshot.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
@@ -88,12 +88,12 @@ class Outside_box_error : public Error {
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Simulation_2 : private Event_observer {
  public:
-  using Triangulation = Kinetic_delaunay_triangulation_2<Traits>;  ///< what a simulation owns
-  using Motion = typename Traits::Motion;                          ///< of the traits
-  using Point_2 = typename Traits::Point_2;                        ///< of the traits
-  using Time = Algebraic_number;                                   ///< of events
-  using Observer = Event_observer;                                 ///< what add_observer takes
-  using Snapshot = Simulation_snapshot<Traits>;                    ///< what snapshot() gives
+  using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what a simulation owns
+  using Motion = typename Traits::Motion;                 ///< of the traits
+  using Point_2 = typename Traits::Point_2;               ///< of the traits
+  using Time = Algebraic_number;                          ///< of events
+  using Observer = Event_observer;                        ///< what add_observer takes
+  using Snapshot = Simulation_snapshot<Traits>;           ///< what snapshot() gives
 
   /// Throws Precondition_error where an option has no meaning: a box without area, or not finite;
   /// a radius that is negative or not finite; collisions of discs without a radius; a box that is

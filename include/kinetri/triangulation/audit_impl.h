@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of the audits of Kinetic_delaunay_triangulation_2. The geometric levels judge the
+// Definitions of the audits of Kinetic_triangulation_2. The geometric levels judge the
 // exact positions at a rational time by CGAL's static predicates and share no formula with the
 // certificates.
 #ifndef KINETRI_TRIANGULATION_AUDIT_IMPL_H
@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
@@ -306,8 +306,8 @@ void Auditor<KineticTriangulation>::check_certificates() {
 }  // namespace detail
 
 template <KineticTraits_2 Traits>
-Audit_report Kinetic_delaunay_triangulation_2<Traits>::audit(Audit_level level) const {
-  return detail::Auditor<Kinetic_delaunay_triangulation_2>(*this).run(level);
+Audit_report Kinetic_triangulation_2<Traits>::audit(Audit_level level) const {
+  return detail::Auditor<Kinetic_triangulation_2>(*this).run(level);
 }
 
 }  // namespace kinetri

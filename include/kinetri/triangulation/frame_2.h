@@ -17,7 +17,7 @@
 namespace kinetri {
 
 template <KineticTraits_2 Traits>
-class Kinetic_delaunay_triangulation_2;
+class Kinetic_triangulation_2;
 
 /// The triangulation just after a time. All indices refer to `ids`, `places` and `velocities`,
 /// which have one element per point.
@@ -41,11 +41,10 @@ struct Frame_2 {
 /// The frame at the current time. It depends only on the current triangulation and counters, not on
 /// the order of faces or vertices. Cost: O(n log n). Precondition: not called during an event.
 template <KineticTraits_2 Traits>
-Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Traits>& kinetic);
+Frame_2 frame_of(const Kinetic_triangulation_2<Traits>& kinetic);
 
-extern template Frame_2 frame_of(const Kinetic_delaunay_triangulation_2<Linear_kinetic_traits_2>&);
-extern template Frame_2 frame_of(
-    const Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>&);
+extern template Frame_2 frame_of(const Kinetic_triangulation_2<Linear_kinetic_traits_2>&);
+extern template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&);
 
 }  // namespace kinetri
 

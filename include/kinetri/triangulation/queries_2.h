@@ -22,7 +22,7 @@
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
 #include "kinetri/triangulation/detail/ball.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
@@ -88,7 +88,7 @@ class Kinetic_queries_2 {
   using Point_2 = typename Traits::Point_2;  ///< of the traits
 
   /// Queries at the current time.
-  explicit Kinetic_queries_2(const Kinetic_delaunay_triangulation_2<Traits>& triangulation)
+  explicit Kinetic_queries_2(const Kinetic_triangulation_2<Traits>& triangulation)
       : Kinetic_queries_2(triangulation, triangulation.current_time()) {}
 
   /// Queries at `time`. If it is the time of the next event, the answers hold for the triangulation
@@ -96,8 +96,7 @@ class Kinetic_queries_2 {
   /// after the next event (checked exactly, see has_event_before). Walls and collisions of a
   /// Simulation_2 are not events of its triangulation: after the next contact the answers still
   /// assume the current motions.
-  Kinetic_queries_2(const Kinetic_delaunay_triangulation_2<Traits>& triangulation,
-                    const Time& time);
+  Kinetic_queries_2(const Kinetic_triangulation_2<Traits>& triangulation, const Time& time);
 
   /// The time of the queries.
   const Time& time() const { return time_; }
@@ -165,7 +164,7 @@ class Kinetic_queries_2 {
   std::vector<double> rounded_positions() const;
 
  private:
-  using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
+  using Kinetic = Kinetic_triangulation_2<Traits>;
   using Topology = typename Kinetic::Triangulation;
   using Vertex_handle = typename Kinetic::Vertex_handle;
   using Face_handle = typename Kinetic::Face_handle;

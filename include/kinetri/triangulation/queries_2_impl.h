@@ -16,8 +16,8 @@
 namespace kinetri {
 
 template <KineticTraits_2 Traits>
-Kinetic_queries_2<Traits>::Kinetic_queries_2(
-    const Kinetic_delaunay_triangulation_2<Traits>& triangulation, const Time& time)
+Kinetic_queries_2<Traits>::Kinetic_queries_2(const Kinetic_triangulation_2<Traits>& triangulation,
+                                             const Time& time)
     : kinetic_(triangulation),
       time_(time),
       number_of_events_(triangulation.counters().number_of_events()),

@@ -16,7 +16,7 @@
 
 namespace kinetri {
 
-/// A snapshot of Kinetic_delaunay_triangulation_2. The points alone would not do, since cocircular
+/// A snapshot of Kinetic_triangulation_2. The points alone would not do, since cocircular
 /// ones have several triangulations. The order of the vertices in a face, and the face at which
 /// CGAL begins at a vertex, are part of it so that CGAL's queries, too, go the same way and decide
 /// ties alike. The queue is not, since when a certificate fails does not depend on when that was

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2: the certificates of edges.
+// Definitions of Kinetic_triangulation_2: the certificates of edges.
 #ifndef KINETRI_TRIANGULATION_DETAIL_CERTIFICATES_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_CERTIFICATES_IMPL_H
 
@@ -10,13 +10,12 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
 template <KineticTraits_2 Traits>
-inline auto Kinetic_delaunay_triangulation_2<Traits>::two_sided(const Edge& edge) const
-    -> Two_sided_edge {
+inline auto Kinetic_triangulation_2<Traits>::two_sided(const Edge& edge) const -> Two_sided_edge {
   if (triangulation_.dimension() < 2) return {edge, edge};
   // Without branches, which nothing could predict.
   const auto& [face, i] = edge;
@@ -31,7 +30,7 @@ inline auto Kinetic_delaunay_triangulation_2<Traits>::two_sided(const Edge& edge
 // edge to the infinite vertex. In a face that lists (infinite, b, a) counterclockwise the hull
 // runs from a to b.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::hull_turn(const Two_sided_edge& infinite_edge) const
+auto Kinetic_triangulation_2<Traits>::hull_turn(const Two_sided_edge& infinite_edge) const
     -> std::array<Vertex_handle, 3> {
   const auto& [face, i] = infinite_edge.here;
   const Vertex_handle here = face->vertex(i);
@@ -44,14 +43,14 @@ auto Kinetic_delaunay_triangulation_2<Traits>::hull_turn(const Two_sided_edge& i
 
 // The infinite vertex has the id no_point.
 template <KineticTraits_2 Traits>
-Edge_ids Kinetic_delaunay_triangulation_2<Traits>::ids_of(const Edge& edge) {
+Edge_ids Kinetic_triangulation_2<Traits>::ids_of(const Edge& edge) {
   return edge_ids(edge.first->vertex(Triangulation::cw(edge.second))->point().id(),
                   edge.first->vertex(Triangulation::ccw(edge.second))->point().id());
 }
 
 // Precondition: dimension 2.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::certificate_points(const Two_sided_edge& edge) const
+auto Kinetic_triangulation_2<Traits>::certificate_points(const Two_sided_edge& edge) const
     -> Certificate_points {
   const auto& [face, i] = edge.here;
   const Vertex_handle left = face->vertex(Triangulation::cw(i));
@@ -72,9 +71,10 @@ auto Kinetic_delaunay_triangulation_2<Traits>::certificate_points(const Two_side
 }
 
 template <KineticTraits_2 Traits>
-inline Certificate Kinetic_delaunay_triangulation_2<Traits>::certificate(
-    const Certificate_points& points, const Time& after, Certificate_state state,
-    const Traits& traits) {
+inline Certificate Kinetic_triangulation_2<Traits>::certificate(const Certificate_points& points,
+                                                                const Time& after,
+                                                                Certificate_state state,
+                                                                const Traits& traits) {
   const auto& [p, q, r, s] = points.points;
   if (points.kind == Entry_kind::flip) {
     return traits.in_circle_certificate(*p, *q, *r, *s, after, state);
@@ -90,11 +90,10 @@ inline Certificate Kinetic_delaunay_triangulation_2<Traits>::certificate(
 // that its ends are apart; its certificate is that of the one that fails first.
 template <KineticTraits_2 Traits>
 template <class Put>
-void Kinetic_delaunay_triangulation_2<Traits>::certify(std::span<const Two_sided_edge> edges,
-                                                       const Time& after, Certificate_state state,
-                                                       const Traits& traits,
-                                                       Certificate_counters& counters,
-                                                       const Put& put) const {
+void Kinetic_triangulation_2<Traits>::certify(std::span<const Two_sided_edge> edges,
+                                              const Time& after, Certificate_state state,
+                                              const Traits& traits, Certificate_counters& counters,
+                                              const Put& put) const {
   const auto time = [&after]() -> const Time& { return after; };
   const auto finish = [&](const Two_sided_edge& edge, Entry_kind failure, Certificate&& known) {
     counters.count(known);
@@ -146,9 +145,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::certify(std::span<const Two_sided
 
 // The certificate of one edge, and the kind of its failure; counted nowhere.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::certificate_of(const Two_sided_edge& edge,
-                                                              const Time& after,
-                                                              const Traits& traits) const
+auto Kinetic_triangulation_2<Traits>::certificate_of(const Two_sided_edge& edge, const Time& after,
+                                                     const Traits& traits) const
     -> std::pair<Entry_kind, Certificate> {
   std::pair<Entry_kind, Certificate> result;
   Certificate_counters unused;
@@ -165,9 +163,12 @@ auto Kinetic_delaunay_triangulation_2<Traits>::certificate_of(const Two_sided_ed
 // in-circle or orientation polynomial is positive, no two of its points coincide.
 template <KineticTraits_2 Traits>
 template <class After>
-inline auto Kinetic_delaunay_triangulation_2<Traits>::first_failure(
-    const Two_sided_edge& edge, Entry_kind kind, Certificate& certificate, const After& after,
-    const Traits& traits, Certificate_counters& counters) const -> Entry_kind {
+inline auto Kinetic_triangulation_2<Traits>::first_failure(const Two_sided_edge& edge,
+                                                           Entry_kind kind,
+                                                           Certificate& certificate,
+                                                           const After& after, const Traits& traits,
+                                                           Certificate_counters& counters) const
+    -> Entry_kind {
   using Kind = Certificate::Kind;
   if (certificate.kind == Kind::holds || kind == Entry_kind::hull_remove) return kind;
   const bool fails = certificate.kind == Kind::fails;
@@ -192,7 +193,7 @@ inline auto Kinetic_delaunay_triangulation_2<Traits>::first_failure(
 
 // The certificate that the ends of the edge are apart.
 template <KineticTraits_2 Traits>
-inline Certificate Kinetic_delaunay_triangulation_2<Traits>::coincidence(
+inline Certificate Kinetic_triangulation_2<Traits>::coincidence(
     const Two_sided_edge& edge, const Time& after, const Double_interval& among,
     const Traits& traits, Certificate_counters& counters) const {
   const auto& [face, i] = edge.here;
@@ -207,18 +208,15 @@ inline Certificate Kinetic_delaunay_triangulation_2<Traits>::coincidence(
 
 // The exact failure time of an edge's certificate, within bounds that the traits gave.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::failure_time(const Two_sided_edge& edge,
-                                                            Entry_kind kind,
-                                                            const Double_interval& bounds) const
-    -> Time {
+auto Kinetic_triangulation_2<Traits>::failure_time(const Two_sided_edge& edge, Entry_kind kind,
+                                                   const Double_interval& bounds) const -> Time {
   KINETRI_ASSERT(kind >= Entry_kind::hull_insert, "the time of a coincidence is kept");
   return failure_time(certificate_points(edge), bounds);
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::failure_time(const Certificate_points& failed,
-                                                            const Double_interval& bounds) const
-    -> Time {
+auto Kinetic_triangulation_2<Traits>::failure_time(const Certificate_points& failed,
+                                                   const Double_interval& bounds) const -> Time {
   const auto& [p, q, r, s] = failed.points;
   return failed.kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
                                          : traits_.orientation_failure(*p, *q, *r, bounds);

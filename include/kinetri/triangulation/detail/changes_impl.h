@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2: changes of points at the present time. The edges
+// Definitions of Kinetic_triangulation_2: changes of points at the present time. The edges
 // that a change leaves violated have their events at the present time, and are flipped by these
 // (docs/MATH.md, section 5).
 #ifndef KINETRI_TRIANGULATION_DETAIL_CHANGES_IMPL_H
@@ -18,29 +18,28 @@
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/detail/point_problems.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
 // ---- changes ----
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
+void Kinetic_triangulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
   const Change change = {id, motion};
   apply(Event_kind::trajectory, id, std::nullopt, {&change, 1});
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::erase(Point_id id) {
+void Kinetic_triangulation_2<Traits>::erase(Point_id id) {
   const Change change = {id, std::nullopt};
   apply(Event_kind::erase, id, std::nullopt, {&change, 1});
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
-                                                     std::optional<Point_id> point_a,
-                                                     std::optional<Point_id> point_b,
-                                                     std::span<const Change> changes) {
+void Kinetic_triangulation_2<Traits>::apply(Event_kind kind, std::optional<Point_id> point_a,
+                                            std::optional<Point_id> point_b,
+                                            std::span<const Change> changes) {
   for (const auto& [id, motion] : changes) {
     KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
     KINETRI_PRECONDITION(!motion || is_finite(*motion), detail::not_finite_problem(id));
@@ -53,19 +52,19 @@ void Kinetic_delaunay_triangulation_2<Traits>::apply(Event_kind kind,
 }
 
 template <KineticTraits_2 Traits>
-Point_id Kinetic_delaunay_triangulation_2<Traits>::reserve_id() {
+Point_id Kinetic_triangulation_2<Traits>::reserve_id() {
   KINETRI_PRECONDITION(vertices_.size() + 1 < no_point, detail::too_many_points);
   vertices_.emplace_back();
   return static_cast<Point_id>(vertices_.size() - 1);
 }
 
 template <KineticTraits_2 Traits>
-Point_id Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion) {
+Point_id Kinetic_triangulation_2<Traits>::insert(const Motion& motion) {
   return insert(std::span(&motion, 1));
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion, Point_id id) {
+void Kinetic_triangulation_2<Traits>::insert(const Motion& motion, Point_id id) {
   KINETRI_PRECONDITION(id < vertices_.size() && !contains(id),
                        "the id " + std::to_string(id) +
                            " is not one that waits for its point; take one that reserve_id gives");
@@ -76,8 +75,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::insert(const Motion& motion, Poin
 // ---- changes of many points ----
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::set_motions(std::span<const Point_id> ids,
-                                                           std::span<const Motion> motions) {
+void Kinetic_triangulation_2<Traits>::set_motions(std::span<const Point_id> ids,
+                                                  std::span<const Motion> motions) {
   KINETRI_PRECONDITION(ids.size() == motions.size(), std::to_string(ids.size()) + " ids and " +
                                                          std::to_string(motions.size()) +
                                                          " motions; expected a motion for each id");
@@ -92,7 +91,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_motions(std::span<const Point
 }
 
 template <KineticTraits_2 Traits>
-Point_id Kinetic_delaunay_triangulation_2<Traits>::insert(std::span<const Motion> motions) {
+Point_id Kinetic_triangulation_2<Traits>::insert(std::span<const Motion> motions) {
   const auto first = next_id();
   KINETRI_PRECONDITION(motions.size() < no_point - vertices_.size(), detail::too_many_points);
   std::vector<Change> changes;
@@ -113,7 +112,7 @@ Point_id Kinetic_delaunay_triangulation_2<Traits>::insert(std::span<const Motion
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::erase(std::span<const Point_id> ids) {
+void Kinetic_triangulation_2<Traits>::erase(std::span<const Point_id> ids) {
   std::vector<Change> changes;
   changes.reserve(ids.size());
   for (const Point_id id : ids) {
@@ -124,8 +123,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::erase(std::span<const Point_id> i
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::change_all(Event_kind kind,
-                                                          std::vector<Change> changes) {
+void Kinetic_triangulation_2<Traits>::change_all(Event_kind kind, std::vector<Change> changes) {
   if (changes.empty()) return;
   std::ranges::sort(changes, {}, &Change::point);
   const auto twice = std::ranges::adjacent_find(changes, {}, &Change::point);
@@ -142,8 +140,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::change_all(Event_kind kind,
 // Makes the changes and the flips that they make necessary, and reports the events, then the edges
 // that have changed. What is refused is refused before anything is reported or changed.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::perform(std::span<const Event> events,
-                                                       std::span<const Change> changes) {
+void Kinetic_triangulation_2<Traits>::perform(std::span<const Event> events,
+                                              std::span<const Change> changes) {
   Change_plan planned = plan(changes);
   report(events.front(), [&] {
     rebuilt_edges_.emplace();
@@ -158,8 +156,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::perform(std::span<const Event> ev
 
 // How the changes are to be made. Throws if two points would have one trajectory.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::plan(std::span<const Change> changes)
-    -> Change_plan {
+auto Kinetic_triangulation_2<Traits>::plan(std::span<const Change> changes) -> Change_plan {
   Change_plan result;
   find_turns(changes, result);
   if (result.jumps.empty()) return result;
@@ -176,7 +173,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::plan(std::span<const Change> chan
 
 // Whether so many points turn that everything is looked at anew.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::are_most(std::size_t points) const {
+bool Kinetic_triangulation_2<Traits>::are_most(std::size_t points) const {
   constexpr std::size_t few = 16;
   return points > few && points > number_of_points_ / 4;
 }
@@ -184,8 +181,8 @@ bool Kinetic_delaunay_triangulation_2<Traits>::are_most(std::size_t points) cons
 // Tells points that turn, so that only certificates change, from those that jump, come or go. The
 // points turn one after the other, for as long as this looks at them.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::find_turns(std::span<const Change> changes,
-                                                          Change_plan& plan) {
+void Kinetic_triangulation_2<Traits>::find_turns(std::span<const Change> changes,
+                                                 Change_plan& plan) {
   std::vector<Point_2> before;
   const auto turn = [&](const Change& change) {
     const Vertex_handle v = vertices_[change.point];
@@ -227,8 +224,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::find_turns(std::span<const Change
 // Throws if two of the points that change would have one trajectory. Puts the jumps into an order
 // in which near ones follow one another: that of the vertices of a triangulation of the points.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::check_are_distinct(std::span<const Change> changes,
-                                                                  std::vector<Jump>& jumps) const {
+void Kinetic_triangulation_2<Traits>::check_are_distinct(std::span<const Change> changes,
+                                                         std::vector<Jump>& jumps) const {
   std::vector<Point_2> changed;
   for (const Change& change : changes) {
     if (change.motion) changed.emplace_back(*change.motion, change.point);
@@ -252,8 +249,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::check_are_distinct(std::span<cons
 // Finds where the points come that jump or come. Throws if one would have the trajectory of another
 // point, which does not change. Precondition: dimension 2.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::locate_jumps(std::span<const Change> changes,
-                                                            std::span<Jump> jumps) const {
+void Kinetic_triangulation_2<Traits>::locate_jumps(std::span<const Change> changes,
+                                                   std::span<Jump> jumps) const {
   std::vector<Point_id> changed;
   for (const Change& change : changes) changed.push_back(change.point);
   std::ranges::sort(changed);
@@ -281,7 +278,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::locate_jumps(std::span<const Chan
 
 // The points that there are after the changes, in the order of their ids.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::points_after(std::span<const Change> changes) const
+auto Kinetic_triangulation_2<Traits>::points_after(std::span<const Change> changes) const
     -> std::vector<Point_2> {
   std::vector<std::optional<Motion>> motions(vertices_.size());
   for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
@@ -296,8 +293,8 @@ auto Kinetic_delaunay_triangulation_2<Traits>::points_after(std::span<const Chan
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::make_changes(std::span<const Change> changes,
-                                                            Change_plan& plan) {
+void Kinetic_triangulation_2<Traits>::make_changes(std::span<const Change> changes,
+                                                   Change_plan& plan) {
   if (plan.rebuilt) {
     const auto set_points = [&] {
       for (const Change& change : changes) set_point(change);
@@ -314,7 +311,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::make_changes(std::span<const Chan
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::make_turns(std::span<const Change> turns) {
+void Kinetic_triangulation_2<Traits>::make_turns(std::span<const Change> turns) {
   if (are_most(turns.size())) {
     queue_.clear();
     for (const Change& change : turns) set_point(change);
@@ -332,8 +329,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::make_turns(std::span<const Change
 // that would leave points on a line: then the points are to be set, and all is to be rebuilt.
 // `are_located` says that nothing has changed since the points were located.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::make_jumps(std::span<const Jump> jumps,
-                                                          bool are_located) {
+bool Kinetic_triangulation_2<Traits>::make_jumps(std::span<const Jump> jumps, bool are_located) {
   for (const auto& [change, location, near] : jumps) {
     const Vertex_handle v = vertices_[change.point];
     if (v == Vertex_handle()) continue;
@@ -356,7 +352,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::make_jumps(std::span<const Jump> 
 
 // Gives a vertex its new motion; makes it, or deletes it, where the point comes or goes.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::set_point(const Change& change) {
+void Kinetic_triangulation_2<Traits>::set_point(const Change& change) {
   Vertex_handle& v = vertices_[change.point];
   if (!change.motion) {
     if (v == Vertex_handle()) return;
@@ -377,7 +373,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_point(const Change& change) {
 // an inner vertex add up to what they were, namely once around; a hull vertex sees its neighbors
 // within less than half of that. Sufficient, not necessary.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded_around(Vertex_handle v) const {
+bool Kinetic_triangulation_2<Traits>::is_embedded_around(Vertex_handle v) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
     // Mostly it is an inner vertex of few neighbors.
     std::array<const Point_2*, 16> around;
@@ -433,7 +429,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded_around(Vertex_handle 
 // Where the point stands just after now, searched from `start`, or from anywhere. Precondition:
 // dimension 2.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::locate(const Point_2& point, Face_handle start) const
+auto Kinetic_triangulation_2<Traits>::locate(const Point_2& point, Face_handle start) const
     -> Location {
   Location result;
   result.face = triangulation_.locate(point, result.locus, result.index, start);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2: the run of time, and the events.
+// Definitions of Kinetic_triangulation_2: the run of time, and the events.
 #ifndef KINETRI_TRIANGULATION_DETAIL_EVENTS_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_EVENTS_IMPL_H
 
@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
@@ -20,7 +20,7 @@ namespace kinetri {
 // Has certificates checked again until the first entry of the queue is a failure, or is later than
 // `until`, if that is given. Returns whether it is a failure, at or before `until`.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::settle(const Time* until) {
+bool Kinetic_triangulation_2<Traits>::settle(const Time* until) {
   if (until == nullptr) return settle_while([](const Entry& /*entry*/) { return true; });
   const auto exact = [until]() -> const Time& { return *until; };
   return settle_while(
@@ -29,7 +29,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::settle(const Time* until) {
 
 // The same until the present time.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::settle_now() {
+bool Kinetic_triangulation_2<Traits>::settle_now() {
   const auto exact = [this]() -> const Time& { return current_time(); };
   return settle_while(
       [&](const Entry& entry) { return queue_.is_due(entry, current_bounds(), exact); });
@@ -37,14 +37,14 @@ bool Kinetic_delaunay_triangulation_2<Traits>::settle_now() {
 
 template <KineticTraits_2 Traits>
 template <class Is_due>
-inline bool Kinetic_delaunay_triangulation_2<Traits>::settle_while(const Is_due& is_due) {
+inline bool Kinetic_triangulation_2<Traits>::settle_while(const Is_due& is_due) {
   return queue_.settle(is_due, [this](std::span<const Entry> entries) { recheck(entries); });
 }
 
 // Certifies the edges of entries anew, from the time of the first entry on, at which the
 // certificates of the others hold as well: two together cost less than one by one.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::recheck(std::span<const Entry> entries) {
+void Kinetic_triangulation_2<Traits>::recheck(std::span<const Entry> entries) {
   counters_.rechecks += entries.size();
   std::array<Two_sided_edge, 2> edges;
   for (std::size_t k = 0; k < entries.size(); ++k) edges[k] = two_sided(entries[k].edge());
@@ -52,13 +52,13 @@ void Kinetic_delaunay_triangulation_2<Traits>::recheck(std::span<const Entry> en
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::next_event_time() -> std::optional<Time> {
+auto Kinetic_triangulation_2<Traits>::next_event_time() -> std::optional<Time> {
   if (!settle(nullptr)) return std::nullopt;
   return queue_.time(queue_.top());
 }
 
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::has_event_before(const Time& time) const {
+bool Kinetic_triangulation_2<Traits>::has_event_before(const Time& time) const {
   if (queue_.empty() || queue_.time_of(queue_.top()) >= time) return false;
   if (queue_.top().kind != Entry_kind::recheck) return true;
   return std::ranges::any_of(edges(), [&](const Edge& edge) {
@@ -70,8 +70,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::has_event_before(const Time& time
 // Whether the failure of the entry's certificate is before `time`. Checks certificates again, as
 // `settle` does, but keeps nothing of what it finds.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::fails_before(const Entry& entry,
-                                                            const Time& time) const {
+bool Kinetic_triangulation_2<Traits>::fails_before(const Entry& entry, const Time& time) const {
   if (entry.bounds.lower > time.interval().upper) return false;
   if (entry.kind != Entry_kind::recheck) return queue_.time_of(entry) < time;
   const Two_sided_edge edge = two_sided(entry.edge());
@@ -88,18 +87,18 @@ bool Kinetic_delaunay_triangulation_2<Traits>::fails_before(const Entry& entry,
 }
 
 template <KineticTraits_2 Traits>
-std::size_t Kinetic_delaunay_triangulation_2<Traits>::step() {
+std::size_t Kinetic_triangulation_2<Traits>::step() {
   return step_until(nullptr);
 }
 
 template <KineticTraits_2 Traits>
-std::size_t Kinetic_delaunay_triangulation_2<Traits>::step(const Time& until) {
+std::size_t Kinetic_triangulation_2<Traits>::step(const Time& until) {
   return step_until(&until);
 }
 
 // Points may meet, and part, without an event.
 template <KineticTraits_2 Traits>
-std::size_t Kinetic_delaunay_triangulation_2<Traits>::step_until(const Time* until) {
+std::size_t Kinetic_triangulation_2<Traits>::step_until(const Time* until) {
   std::size_t events = 0;
   while (events == 0 && settle(until)) {
     events = run_instant();
@@ -109,7 +108,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::step_until(const Time* unt
 }
 
 template <KineticTraits_2 Traits>
-std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& time) {
+std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time) {
   KINETRI_PRECONDITION(
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one, "
@@ -124,7 +123,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::advance_to(const Time& tim
 // Sets the instant of the predicates that the triangulation gives out. Events do so where somebody
 // looks on or a predicate is needed: it costs a copy of the time.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::show_current_time() {
+void Kinetic_triangulation_2<Traits>::show_current_time() {
   clock_.set({current_time(), Time_side::after});
 }
 
@@ -133,7 +132,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::show_current_time() {
 // event at t itself; so the state is Delaunay just after t when no event at t is left. docs/MATH.md
 // has the argument, and why it ends.
 template <KineticTraits_2 Traits>
-std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
+std::size_t Kinetic_triangulation_2<Traits>::run_instant() {
   events_in_instant_ = 0;
   hull_is_flat_ = false;
   if (queue_.top().kind == Entry_kind::coincidence) {
@@ -159,7 +158,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::run_instant() {
 // ---- events ----
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::execute_due_events() {
+void Kinetic_triangulation_2<Traits>::execute_due_events() {
   while (settle_now()) {
     const Entry event = queue_.pop();
     execute(two_sided(event.edge()), event);
@@ -167,8 +166,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute_due_events() {
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edge,
-                                                       const Entry& event) {
+void Kinetic_triangulation_2<Traits>::execute(const Two_sided_edge& edge, const Entry& event) {
   KINETRI_ASSERT(event.kind >= Entry_kind::hull_insert,
                  "an event is a failure, and coincident points have been set aside");
   if (event.kind == Entry_kind::hull_insert) {
@@ -184,14 +182,14 @@ void Kinetic_delaunay_triangulation_2<Traits>::execute(const Two_sided_edge& edg
 
 // The finite triangle at a hull edge, seen from that edge.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::hull_triangle(const Two_sided_edge& hull_edge) const
+auto Kinetic_triangulation_2<Traits>::hull_triangle(const Two_sided_edge& hull_edge) const
     -> const Edge& {
   return triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there : hull_edge.here;
 }
 
 // Whether a triangle, flat at this time, makes a left turn just after it.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::is_touch(Face_handle face) const {
+bool Kinetic_triangulation_2<Traits>::is_touch(Face_handle face) const {
   const auto after = traits_.instantaneous_traits({current_time(), Time_side::after});
   return after.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
                                       face->vertex(2)->point()) == CGAL::LEFT_TURN;
@@ -200,8 +198,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_touch(Face_handle face) const 
 // Whether the triangle at a hull edge and one beside it are flat at this time and one of the two
 // does not turn over: then others may turn over behind it that no hull edge tells of.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::may_hide_a_turn(
-    const Two_sided_edge& hull_edge) const {
+bool Kinetic_triangulation_2<Traits>::may_hide_a_turn(const Two_sided_edge& hull_edge) const {
   const auto now = traits_.instantaneous_traits({current_time(), Time_side::at});
   const auto& [face, i] = hull_triangle(hull_edge);
   for (const int j : {Triangulation::cw(i), Triangulation::ccw(i)}) {
@@ -219,8 +216,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::may_hide_a_turn(
 // Whether all points lie on the line of a hull edge, whose triangle is flat at this time. Usually
 // the first one that is looked at does not.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::are_all_collinear(
-    const Two_sided_edge& hull_edge) const {
+bool Kinetic_triangulation_2<Traits>::are_all_collinear(const Two_sided_edge& hull_edge) const {
   const Face_handle face = hull_triangle(hull_edge).first;
   const auto now = traits_.instantaneous_traits({current_time(), Time_side::at});
   return std::ranges::all_of(triangulation_.finite_vertex_handles(), [&](Vertex_handle v) {
@@ -234,8 +230,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::are_all_collinear(
 // the ends of the edge, and is no hull vertex yet. Otherwise several hull triangles went flat
 // together, possibly all of the triangulation.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
-    const Two_sided_edge& hull_edge) const {
+bool Kinetic_triangulation_2<Traits>::can_insert_into_hull(const Two_sided_edge& hull_edge) const {
   const auto& [face, i] = hull_triangle(hull_edge);
   const Vertex_handle apex = face->vertex(i);
   if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
@@ -249,7 +244,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::can_insert_into_hull(
 // are noted they are only noted.
 template <KineticTraits_2 Traits>
 template <class Change_edges>
-void Kinetic_delaunay_triangulation_2<Traits>::report(Event event, Change_edges change_edges) {
+void Kinetic_triangulation_2<Traits>::report(Event event, Change_edges change_edges) {
   if (rebuilt_edges_) {
     if (event.removed) rebuilt_edges_->note(*event.removed, -1);
     if (event.added) rebuilt_edges_->note(*event.added, 1);
@@ -275,8 +270,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::report(Event event, Change_edges 
 //
 // The outer edges' entries leave the queue first, while the corners that they speak of are there.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& edge,
-                                                         Event_kind kind) {
+void Kinetic_triangulation_2<Traits>::flip_edge(const Two_sided_edge& edge, Event_kind kind) {
   const Face_handle face = edge.here.first;
   const int i = edge.here.second;
   const Face_handle neighbor = edge.there.first;
@@ -308,15 +302,15 @@ void Kinetic_delaunay_triangulation_2<Traits>::flip_edge(const Two_sided_edge& e
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::count_event(Event_kind kind) {
+void Kinetic_triangulation_2<Traits>::count_event(Event_kind kind) {
   ++counters_.events[static_cast<std::size_t>(kind)];
   ++events_in_instant_;
 }
 
 // What observers are told of a flip that is about to happen.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::flip_event(const Two_sided_edge& edge,
-                                                          Event_kind kind) -> Event {
+auto Kinetic_triangulation_2<Traits>::flip_event(const Two_sided_edge& edge, Event_kind kind)
+    -> Event {
   const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
     const Edge_ids ids = edge_ids(a->point().id(), b->point().id());
     if (ids[1] == no_point) return std::nullopt;

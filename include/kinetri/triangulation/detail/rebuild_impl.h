@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2: instants that flips alone do not pass, because
+// Definitions of Kinetic_triangulation_2: instants that flips alone do not pass, because
 // points coincide or the hull goes flat.
 #ifndef KINETRI_TRIANGULATION_DETAIL_REBUILD_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_REBUILD_IMPL_H
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
@@ -21,7 +21,7 @@ namespace kinetri {
 // share edges just before, so that each place's points are connected by edges whose ends coincide;
 // these are first in the queue.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
+void Kinetic_triangulation_2<Traits>::set_coincident_points_aside() {
   rebuilt_edges_.emplace();
   // By point, one that is nearer to the least id in its place, or that one itself.
   std::map<Point_id, Point_id> parents;
@@ -52,7 +52,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_coincident_points_aside() {
 
 // Puts the points that were set aside back where they are just after now, one after the other.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::put_points_back() {
+void Kinetic_triangulation_2<Traits>::put_points_back() {
   while (!points_set_aside_.empty()) {
     const auto [v, companion] = points_set_aside_.back();
     points_set_aside_.pop_back();
@@ -66,8 +66,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::put_points_back() {
 // triangulation of the points after that, if it has been made already.
 template <KineticTraits_2 Traits>
 template <class Change_vertices>
-void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_vertices,
-                                                       std::optional<Triangulation> rebuilt) {
+void Kinetic_triangulation_2<Traits>::rebuild(Change_vertices change_vertices,
+                                              std::optional<Triangulation> rebuilt) {
   if (!rebuilt_edges_) rebuilt_edges_.emplace();
   for (const Edge_ids& edge : finite_edge_ids()) rebuilt_edges_->note(edge, -1);
   points_set_aside_.clear();
@@ -80,7 +80,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild(Change_vertices change_ve
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::rebuild() {
+void Kinetic_triangulation_2<Traits>::rebuild() {
   ++counters_.reconstructions;
   rebuild([] {});
 }
@@ -88,7 +88,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::rebuild() {
 // Just before the mirrored time the triangulation is Delaunay; the events of that time are executed
 // as in `run_instant`. A flat triangle, as there is also where points meet, is rebuilt instead.
 template <KineticTraits_2 Traits>
-std::size_t Kinetic_delaunay_triangulation_2<Traits>::reverse() {
+std::size_t Kinetic_triangulation_2<Traits>::reverse() {
   const std::uint64_t before = counters_.number_of_events();
   queue_.clear();
   set_current_time(-current_time());
@@ -109,7 +109,7 @@ std::size_t Kinetic_delaunay_triangulation_2<Traits>::reverse() {
 
 // Whether a triangle is flat at the present time, or the points are on a line.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::has_flat_triangle() const {
+bool Kinetic_triangulation_2<Traits>::has_flat_triangle() const {
   if (triangulation_.dimension() < 2) return true;
   const auto now = traits_.instantaneous_traits({current_time(), Time_side::at});
   return std::ranges::any_of(triangulation_.finite_face_handles(), [&](Face_handle face) {
@@ -121,7 +121,7 @@ bool Kinetic_delaunay_triangulation_2<Traits>::has_flat_triangle() const {
 // Takes over the faces of another triangulation of the same points. The vertices stay what they
 // are.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::adopt(Triangulation rebuilt) {
+void Kinetic_triangulation_2<Traits>::adopt(Triangulation rebuilt) {
   auto& tds = triangulation_.tds();
   const auto vertex_here = [&](Vertex_handle there) {
     return rebuilt.is_infinite(there) ? triangulation_.infinite_vertex()
@@ -143,7 +143,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::adopt(Triangulation rebuilt) {
 
 // Reports the edges that a rebuild has removed and added in the end, then all that it has touched.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::report_rebuild() {
+void Kinetic_triangulation_2<Traits>::report_rebuild() {
   if (!rebuilt_edges_) return;
   const auto edges = rebuilt_edges_->take();
   rebuilt_edges_.reset();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2: the queue's entries, and the present time.
+// Definitions of Kinetic_triangulation_2: the queue's entries, and the present time.
 #ifndef KINETRI_TRIANGULATION_DETAIL_SCHEDULING_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_SCHEDULING_IMPL_H
 
@@ -12,38 +12,35 @@
 
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/parallel.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
 // ---- the queue ----
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::Queue_policy::entry_time(const Entry& entry) const
-    -> Time {
+auto Kinetic_triangulation_2<Traits>::Queue_policy::entry_time(const Entry& entry) const -> Time {
   if (entry.kind == Entry_kind::recheck) return Time(entry.bounds.lower);
   return triangulation.failure_time(triangulation.two_sided(entry.edge()), entry.kind,
                                     entry.bounds);
 }
 
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::Queue_policy::precedes(const Entry& a,
-                                                                      const Entry& b) const {
+bool Kinetic_triangulation_2<Traits>::Queue_policy::precedes(const Entry& a, const Entry& b) const {
   if (a.kind != b.kind) return a.kind < b.kind;
   return ids_of(a.edge()) < ids_of(b.edge());
 }
 
 // What is around the first entry's own face has been asked for when it came near.
 template <KineticTraits_2 Traits>
-inline void Kinetic_delaunay_triangulation_2<Traits>::Queue_policy::prefetch_first(
+inline void Kinetic_triangulation_2<Traits>::Queue_policy::prefetch_first(
     const Entry& entry) const {
   if (triangulation.triangulation_.dimension() < 2) return;
   detail::prefetch_around(entry.face->neighbor(entry.index));
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Two_sided_edge& edge,
-                                                         Queue_handle handle) {
+void Kinetic_triangulation_2<Traits>::set_event(const Two_sided_edge& edge, Queue_handle handle) {
   edge.here.first->set_event(edge.here.second, handle);
   edge.there.first->set_event(edge.there.second, handle);
 }
@@ -52,7 +49,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::set_event(const Two_sided_edge& e
 // time to check it again. Returns no_event if it never fails. Mostly the entry is made in its
 // place.
 template <KineticTraits_2 Traits>
-KINETRI_ALWAYS_INLINE Queue_handle Kinetic_delaunay_triangulation_2<Traits>::push(
+KINETRI_ALWAYS_INLINE Queue_handle Kinetic_triangulation_2<Traits>::push(
     const Edge& edge, Entry_kind kind, Certificate&& certificate) {
   if (certificate.kind == Certificate::Kind::never_fails) return no_event;
   if (certificate.failure == nullptr) return queue_.emplace(edge, kind, certificate);
@@ -62,9 +59,8 @@ KINETRI_ALWAYS_INLINE Queue_handle Kinetic_delaunay_triangulation_2<Traits>::pus
 // Puts the entries of the edges' certificates from `after` on into the queue. Precondition: the
 // edges have none.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule(std::span<const Two_sided_edge> edges,
-                                                        const Time& after,
-                                                        Certificate_state state) {
+void Kinetic_triangulation_2<Traits>::schedule(std::span<const Two_sided_edge> edges,
+                                               const Time& after, Certificate_state state) {
   certify(edges, after, state, traits_, certificate_counters_,
           [this](const Two_sided_edge& edge, Entry_kind kind, Certificate&& certificate) {
             set_event(edge, push(edge.here, kind, std::move(certificate)));
@@ -74,7 +70,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule(std::span<const Two_side
 // Schedules an edge that has just been flipped, and the outer edges of its quadrilateral, seen from
 // outside: counterclockwise, the first two are those of the face at the edge.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_after_flip(
+void Kinetic_triangulation_2<Traits>::schedule_after_flip(
     const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer) {
   if constexpr (BatchKineticTraits_2<Traits>) {
     const auto& [face, i] = edge.here;
@@ -119,7 +115,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_after_flip(
 
 // Faces that have all edges, infinite ones too: in dimension 1, a face for each edge.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::faces() const -> std::vector<Face_handle> {
+auto Kinetic_triangulation_2<Traits>::faces() const -> std::vector<Face_handle> {
   std::vector<Face_handle> result;
   if (triangulation_.dimension() < 1) return result;
   if (triangulation_.dimension() == 1) {
@@ -134,8 +130,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::faces() const -> std::vector<Face
 // Calls `function` with each edge that is the face's own: every edge is that of one of its faces.
 template <KineticTraits_2 Traits>
 template <class Function>
-void Kinetic_delaunay_triangulation_2<Traits>::for_each_own_edge(Face_handle face,
-                                                                 Function function) const {
+void Kinetic_triangulation_2<Traits>::for_each_own_edge(Face_handle face, Function function) const {
   if (triangulation_.dimension() == 1) return function(Edge(face, 2));
   for (int i = 0; i < 3; ++i) {
     if (face < face->neighbor(i)) function(Edge(face, i));
@@ -145,8 +140,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::for_each_own_edge(Face_handle fac
 // The same edge, from the side that its ids choose: which face has it as its own is another one in
 // each run, and certificates are rounded otherwise from the other side.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::chosen_side(const Two_sided_edge& edge)
-    -> Two_sided_edge {
+auto Kinetic_triangulation_2<Traits>::chosen_side(const Two_sided_edge& edge) -> Two_sided_edge {
   const auto& [face, i] = edge.here;
   const bool is_here = face->vertex(Triangulation::cw(i))->point().id() <
                        face->vertex(Triangulation::ccw(i))->point().id();
@@ -155,7 +149,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::chosen_side(const Two_sided_edge&
 
 // All edges, infinite ones too.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge> {
+auto Kinetic_triangulation_2<Traits>::edges() const -> std::vector<Edge> {
   std::vector<Edge> result;
   for (const Face_handle face : faces()) {
     for_each_own_edge(face, [&](const Edge& edge) { result.push_back(edge); });
@@ -166,7 +160,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::edges() const -> std::vector<Edge
 // Schedules every edge; the queue is empty. Several threads do so, each for a block of faces, whose
 // edges have the handles that follow those of the block before.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
+void Kinetic_triangulation_2<Traits>::schedule_all() {
   constexpr std::size_t faces_per_block = 512;
   const std::vector<Face_handle> all = faces();
   std::vector<Block> blocks;
@@ -190,7 +184,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_all() {
 // Puts the entries of the block's edges into the queue.
 template <KineticTraits_2 Traits>
 template <class Put>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_block(Block& block, const Put& put) const {
+void Kinetic_triangulation_2<Traits>::schedule_block(Block& block, const Put& put) const {
   const auto put_entry = [&](const Two_sided_edge& edge, Entry_kind kind,
                              Certificate&& certificate) {
     const bool may_fail = certificate.kind != Certificate::Kind::never_fails;
@@ -220,7 +214,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_block(Block& block, cons
 }
 
 template <KineticTraits_2 Traits>
-inline void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
+inline void Kinetic_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
   const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle == no_event) return;
   const Entry entry = queue_.erase(handle);
@@ -230,7 +224,7 @@ inline void Kinetic_delaunay_triangulation_2<Traits>::unschedule(const Two_sided
 }
 
 template <KineticTraits_2 Traits>
-Event_kind Kinetic_delaunay_triangulation_2<Traits>::event_kind(Entry_kind failure) {
+Event_kind Kinetic_triangulation_2<Traits>::event_kind(Entry_kind failure) {
   switch (failure) {
     case Entry_kind::flip:
       return Event_kind::flip;
@@ -248,20 +242,20 @@ Event_kind Kinetic_delaunay_triangulation_2<Traits>::event_kind(Entry_kind failu
 // Makes the time of a failure the present one. It need not be made: mostly its bounds are enough,
 // until the next event comes.
 template <KineticTraits_2 Traits>
-inline void Kinetic_delaunay_triangulation_2<Traits>::set_current_time(const Two_sided_edge& edge,
-                                                                       const Entry& entry) {
+inline void Kinetic_triangulation_2<Traits>::set_current_time(const Two_sided_edge& edge,
+                                                              const Entry& entry) {
   if (entry.time != detail::Time_pool::none) return set_current_time(queue_.time_of(entry));
   pending_time_ = {certificate_points(edge), entry.bounds};
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::set_current_time(Time time) {
+void Kinetic_triangulation_2<Traits>::set_current_time(Time time) {
   pending_time_.reset();
   current_time_ = std::move(time);
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::current_time() const -> const Time& {
+auto Kinetic_triangulation_2<Traits>::current_time() const -> const Time& {
   if (pending_time_) {
     current_time_ = failure_time(pending_time_->first, pending_time_->second);
     pending_time_.reset();
@@ -270,7 +264,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::current_time() const -> const Tim
 }
 
 template <KineticTraits_2 Traits>
-inline Double_interval Kinetic_delaunay_triangulation_2<Traits>::current_bounds() const {
+inline Double_interval Kinetic_triangulation_2<Traits>::current_bounds() const {
   return pending_time_ ? pending_time_->second : current_time().interval();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2: how its state is taken out and put back.
+// Definitions of Kinetic_triangulation_2: how its state is taken out and put back.
 #ifndef KINETRI_TRIANGULATION_DETAIL_SNAPSHOT_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_SNAPSHOT_IMPL_H
 
@@ -12,12 +12,12 @@
 
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/snapshot_links.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::snapshot() const -> Snapshot {
+auto Kinetic_triangulation_2<Traits>::snapshot() const -> Snapshot {
   KINETRI_PRECONDITION(!is_in_event_ && !rebuilt_edges_ && points_set_aside_.empty(),
                        "a snapshot within an event; take it when advance_to or step has returned");
   Snapshot result;
@@ -49,9 +49,9 @@ auto Kinetic_delaunay_triangulation_2<Traits>::snapshot() const -> Snapshot {
 }
 
 template <KineticTraits_2 Traits>
-Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(Restoration /*restores*/,
-                                                                           const Snapshot& snapshot,
-                                                                           const Traits& traits)
+Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(Restoration /*restores*/,
+                                                         const Snapshot& snapshot,
+                                                         const Traits& traits)
     : traits_(traits),
       current_time_(snapshot.time.detached()),
       clock_({current_time_, Time_side::after}) {
@@ -71,7 +71,7 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(Resto
 
 // Makes the vertices and faces of a snapshot whose links are right.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::make_faces(const Snapshot& snapshot) {
+void Kinetic_triangulation_2<Traits>::make_faces(const Snapshot& snapshot) {
   auto& tds = triangulation_.tds();
   tds.faces().clear();
   tds.set_dimension(snapshot.dimension);
@@ -108,7 +108,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::make_faces(const Snapshot& snapsh
 // vertices allows; so it is a sphere. And since the hull goes around once, the angles at each inner
 // vertex add up to no more than one turn (Gauss and Bonnet): no place is covered twice.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::check_restored() const {
+void Kinetic_triangulation_2<Traits>::check_restored() const {
   if (triangulation_.dimension() < 2) return check_restored_chain();
   const Instantaneous_traits& now = triangulation_.geom_traits();
   const auto orientation = now.orientation_2_object();
@@ -158,7 +158,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::check_restored() const {
 
 // The same of points on a line, or fewer than three.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::check_restored_chain() const {
+void Kinetic_triangulation_2<Traits>::check_restored_chain() const {
   if (triangulation_.dimension() < 1) return;
   const Instantaneous_traits& now = triangulation_.geom_traits();
   for (const Edge& edge : triangulation_.finite_edges()) {

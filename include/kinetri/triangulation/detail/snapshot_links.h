@@ -2,7 +2,7 @@
 //
 // Whether the links of a snapshot are those of a triangulation, looked at before anything follows
 // them. Together with the geometry, which is checked when the faces are there, this is enough; see
-// Kinetic_delaunay_triangulation_2::check_restored.
+// Kinetic_triangulation_2::check_restored.
 #ifndef KINETRI_TRIANGULATION_DETAIL_SNAPSHOT_LINKS_H
 #define KINETRI_TRIANGULATION_DETAIL_SNAPSHOT_LINKS_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2: the triangulation at a time, from the points
+// Definitions of Kinetic_triangulation_2: the triangulation at a time, from the points
 // alone.
 #ifndef KINETRI_TRIANGULATION_DETAIL_START_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_START_IMPL_H
@@ -13,13 +13,13 @@
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/detail/static_delaunay.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
 // The triangulation just after the present time.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::build_now(std::span<const Point_2> points) const
+auto Kinetic_triangulation_2<Traits>::build_now(std::span<const Point_2> points) const
     -> Triangulation {
   return build(points, current_time(),
                traits_.instantaneous_traits({current_time(), Time_side::after}));
@@ -27,7 +27,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::build_now(std::span<const Point_2
 
 // The places of all points at the present time, if there is a way to round them.
 template <KineticTraits_2 Traits>
-Rounded_places Kinetic_delaunay_triangulation_2<Traits>::places_now() const {
+Rounded_places Kinetic_triangulation_2<Traits>::places_now() const {
   if constexpr (HasRoundedPlace<Motion>) {
     const auto point_of = [](Vertex_handle v) -> const Point_2& { return v->point(); };
     return Rounded_places(triangulation_.finite_vertex_handles(), current_time(), point_of);
@@ -40,10 +40,8 @@ Rounded_places Kinetic_delaunay_triangulation_2<Traits>::places_now() const {
 // places is nearly the same, and made fast; where it is not certain to be the only one after some
 // flips, CGAL inserts the points.
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> points,
-                                                     const Time& time,
-                                                     const Instantaneous_traits& traits)
-    -> Triangulation {
+auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, const Time& time,
+                                            const Instantaneous_traits& traits) -> Triangulation {
   Triangulation result(traits);
   if constexpr (HasRoundedPlace<Motion>) {
     constexpr std::size_t few = 16;  // are inserted as fast
@@ -71,9 +69,9 @@ auto Kinetic_delaunay_triangulation_2<Traits>::build(std::span<const Point_2> po
 // from that of their rounded places. Returns false, and leaves anything, where the rounded places
 // have another hull or a triangle that turns over, or where several triangulations are Delaunay.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::build_from_places(std::span<const Point_2> points,
-                                                                 const Rounded_places& places,
-                                                                 Triangulation& result) {
+bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2> points,
+                                                        const Rounded_places& places,
+                                                        Triangulation& result) {
   std::vector<Vector_2> in_order;
   in_order.reserve(points.size());
   for (const Point_2& point : points) in_order.push_back(places[point.id()]);
@@ -111,8 +109,8 @@ bool Kinetic_delaunay_triangulation_2<Traits>::build_from_places(std::span<const
 // Whether all triangles turn left, and the hull is convex. Then a triangulation whose faces make a
 // sphere is embedded (see check_restored).
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded(const Triangulation& triangulation,
-                                                           const Rounded_places& places) {
+bool Kinetic_triangulation_2<Traits>::is_embedded(const Triangulation& triangulation,
+                                                  const Rounded_places& places) {
   return std::ranges::all_of(triangulation.finite_face_handles(),
                              [&](Face_handle face) {
                                return is_left_turn(triangulation, places, face->vertex(0),
@@ -124,10 +122,9 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_embedded(const Triangulation& 
 // Whether the points make a left turn at the instant of the triangulation's traits, near which the
 // places are.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::is_left_turn(const Triangulation& triangulation,
-                                                            const Rounded_places& places,
-                                                            Vertex_handle a, Vertex_handle b,
-                                                            Vertex_handle c) {
+bool Kinetic_triangulation_2<Traits>::is_left_turn(const Triangulation& triangulation,
+                                                   const Rounded_places& places, Vertex_handle a,
+                                                   Vertex_handle b, Vertex_handle c) {
   const Sign known = places.orientation(a->point().id(), b->point().id(), c->point().id());
   if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
   const auto orientation = triangulation.geom_traits().orientation_2_object();
@@ -136,8 +133,8 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_left_turn(const Triangulation&
 
 // Whether the hull turns left at each of its vertices and goes around once.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::is_hull_convex(const Triangulation& triangulation,
-                                                              const Rounded_places& places) {
+bool Kinetic_triangulation_2<Traits>::is_hull_convex(const Triangulation& triangulation,
+                                                     const Rounded_places& places) {
   const Instantaneous_traits& now = triangulation.geom_traits();
   const auto is_less = [&](Vertex_handle v, Vertex_handle w) {
     const auto by_x = now.compare_x_2_object()(v->point(), w->point());
@@ -163,8 +160,8 @@ bool Kinetic_delaunay_triangulation_2<Traits>::is_hull_convex(const Triangulatio
 // Flips edges until the triangulation, which is embedded, is Delaunay. Returns false if it is not
 // the only one that is: if four points are cocircular.
 template <KineticTraits_2 Traits>
-bool Kinetic_delaunay_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangulation,
-                                                                   const Rounded_places& places) {
+bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangulation,
+                                                          const Rounded_places& places) {
   const auto exact_side = triangulation.geom_traits().side_of_oriented_circle_2_object();
   const auto side = [&](Face_handle face, const Point_2& s) {
     const Point_2& p = face->vertex(0)->point();

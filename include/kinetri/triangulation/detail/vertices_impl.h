@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2: how a vertex leaves the triangulation and comes
+// Definitions of Kinetic_triangulation_2: how a vertex leaves the triangulation and comes
 // back, with the certificates around it.
 #ifndef KINETRI_TRIANGULATION_DETAIL_VERTICES_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_VERTICES_IMPL_H
@@ -13,15 +13,14 @@
 
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
 // The nearest of some points, about as many as the third root of all, in doubles, if there is a way
 // to round places. The walk from there passes about as many triangles. [Muecke, Saias and Zhu 1996]
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::vertex_near(const Point_2& point) const
-    -> Vertex_handle {
+auto Kinetic_triangulation_2<Traits>::vertex_near(const Point_2& point) const -> Vertex_handle {
   KINETRI_PRECONDITION(number_of_points_ > 0, "there is no point, and so none is near");
   Vertex_handle nearest;
   if constexpr (HasRoundedPlace<Motion>) {
@@ -48,7 +47,7 @@ auto Kinetic_delaunay_triangulation_2<Traits>::vertex_near(const Point_2& point)
 // Takes the vertex out of the triangulation, which stays Delaunay at the instant of its traits. The
 // vertex itself stays, without faces: CGAL removes another one in its place.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::take_out(Vertex_handle v) {
+void Kinetic_triangulation_2<Traits>::take_out(Vertex_handle v) {
   std::vector<Edge> link;  // as the faces beyond it see it, which stay
   detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
     link.push_back(two_sided(Edge(face, face->index(v))).there);
@@ -65,7 +64,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::take_out(Vertex_handle v) {
 // Schedules the edges of a polygon and those inside it, which are new. The polygon has no vertex
 // inside, so that its faces are the nodes of a tree.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_inside(std::span<const Edge> polygon) {
+void Kinetic_triangulation_2<Traits>::schedule_inside(std::span<const Edge> polygon) {
   std::vector<Face_handle> beyond;
   for (const Edge& edge : polygon) beyond.push_back(edge.first);
   std::ranges::sort(beyond);
@@ -88,7 +87,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_inside(std::span<const E
 // the hull edges are flipped as in a static triangulation, before any certificate is made; what
 // violates its certificate at the hull has its event at the present time.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& location) {
+void Kinetic_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& location) {
   const auto& [face, locus, i] = location;
   KINETRI_ASSERT(locus != Triangulation::VERTEX, "the point is in the place of no other");
   const bool is_on_edge = locus == Triangulation::EDGE;
@@ -111,7 +110,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::put_in(Vertex_handle v, const Loc
 // Flips the edges opposite `v`, which is new and whose edges have no events, until the
 // triangulation is Delaunay at the instant of its traits; it was so without `v`. [Lawson 1977]
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::flip_link(Vertex_handle v) {
+void Kinetic_triangulation_2<Traits>::flip_link(Vertex_handle v) {
   const auto side = triangulation_.geom_traits().side_of_oriented_circle_2_object();
   std::vector<Edge> link;
   detail::for_each_face_at(triangulation_, v,
@@ -136,8 +135,8 @@ void Kinetic_delaunay_triangulation_2<Traits>::flip_link(Vertex_handle v) {
 
 // Gives the faces at `old` the vertex `replacement`, which has none.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::replace_in_faces(Vertex_handle old,
-                                                                Vertex_handle replacement) {
+void Kinetic_triangulation_2<Traits>::replace_in_faces(Vertex_handle old,
+                                                       Vertex_handle replacement) {
   std::vector<Face_handle> faces;
   detail::for_each_face_at(triangulation_, old, [&](Face_handle f) { faces.push_back(f); });
   for (const Face_handle f : faces) f->set_vertex(f->index(old), replacement);
@@ -145,7 +144,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::replace_in_faces(Vertex_handle ol
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::unschedule_face(Face_handle face) {
+void Kinetic_triangulation_2<Traits>::unschedule_face(Face_handle face) {
   for (int i = 0; i < 3; ++i) {
     const Two_sided_edge edge = two_sided(Edge(face, i));
     unschedule(edge);
@@ -155,15 +154,15 @@ void Kinetic_delaunay_triangulation_2<Traits>::unschedule_face(Face_handle face)
 
 // The certificates that speak of `v` are those of the edges of its faces.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::unschedule_around(Vertex_handle v) {
+void Kinetic_triangulation_2<Traits>::unschedule_around(Vertex_handle v) {
   detail::for_each_face_at(triangulation_, v, [&](Face_handle face) { unschedule_face(face); });
 }
 
 // The same, and adds those edges to `edges` that are not among them yet, which are marked by the
 // handle `listed` until they are scheduled.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::unschedule_around(
-    Vertex_handle v, std::vector<Two_sided_edge>& edges) {
+void Kinetic_triangulation_2<Traits>::unschedule_around(Vertex_handle v,
+                                                        std::vector<Two_sided_edge>& edges) {
   constexpr Queue_handle listed = no_event - 1;
   detail::for_each_face_at(triangulation_, v, [&](Face_handle face, int at) {
     for (const int i : {at, Triangulation::cw(at)}) {
@@ -185,7 +184,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::unschedule_around(
 // Schedules those edges of the faces at `v` that have no event. Two neighboring faces share an edge
 // at `v`, which is that of the first of them.
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::schedule_around(Vertex_handle v) {
+void Kinetic_triangulation_2<Traits>::schedule_around(Vertex_handle v) {
   std::vector<Two_sided_edge> edges;
   detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
     const int at = face->index(v);
@@ -198,7 +197,7 @@ void Kinetic_delaunay_triangulation_2<Traits>::schedule_around(Vertex_handle v) 
 
 // Notes the finite edges at `v` as added (1) or removed (-1).
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::note_edges_at(Vertex_handle v, int change) {
+void Kinetic_triangulation_2<Traits>::note_edges_at(Vertex_handle v, int change) {
   detail::for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
     rebuilt_edges_->note(edge_ids(v->point().id(), u->point().id()), change);
   });

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_delaunay_triangulation_2 but for its audits. Include this, and
+// Definitions of Kinetic_triangulation_2 but for its audits. Include this, and
 // audit_impl.h, only where you instantiate the class for your own kinetic traits class; it is
 // compiled into the library for both kinds of motion.
-#ifndef KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
-#define KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
+#ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
+#define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
 
 #include <algorithm>
 #include <chrono>
@@ -12,15 +12,15 @@
 
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/point_problems.h"
-#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
 
 // ---- construction ----
 
 template <KineticTraits_2 Traits>
-Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
-    const std::vector<Motion>& motions, const Time& start, const Traits& traits)
+Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(const std::vector<Motion>& motions,
+                                                         const Time& start, const Traits& traits)
     : traits_(traits), current_time_(start), clock_({start, Time_side::after}) {
   KINETRI_PRECONDITION(motions.size() < no_point, detail::too_many_points);
   std::vector<Point_2> points;
@@ -42,7 +42,7 @@ Kinetic_delaunay_triangulation_2<Traits>::Kinetic_delaunay_triangulation_2(
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_delaunay_triangulation_2<Traits>::index_vertices() {
+void Kinetic_triangulation_2<Traits>::index_vertices() {
   for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
     vertices_[v->point().id()] = v;
   }
@@ -51,18 +51,18 @@ void Kinetic_delaunay_triangulation_2<Traits>::index_vertices() {
 // ---- the present ----
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::vertex(Point_id id) const -> Vertex_handle {
+auto Kinetic_triangulation_2<Traits>::vertex(Point_id id) const -> Vertex_handle {
   KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
   return vertices_[id];
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_delaunay_triangulation_2<Traits>::motion(Point_id id) const -> const Motion& {
+auto Kinetic_triangulation_2<Traits>::motion(Point_id id) const -> const Motion& {
   return vertex(id)->point().motion();
 }
 
 template <KineticTraits_2 Traits>
-std::vector<Edge_ids> Kinetic_delaunay_triangulation_2<Traits>::finite_edge_ids() const {
+std::vector<Edge_ids> Kinetic_triangulation_2<Traits>::finite_edge_ids() const {
   std::vector<Edge_ids> result;
   for (const Edge& edge : triangulation_.finite_edges()) result.push_back(ids_of(edge));
   std::ranges::sort(result);
@@ -80,4 +80,4 @@ std::vector<Edge_ids> Kinetic_delaunay_triangulation_2<Traits>::finite_edge_ids(
 #include "kinetri/triangulation/detail/start_impl.h"
 #include "kinetri/triangulation/detail/vertices_impl.h"
 
-#endif  // KINETRI_TRIANGULATION_KINETIC_DELAUNAY_TRIANGULATION_2_IMPL_H
+#endif  // KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H

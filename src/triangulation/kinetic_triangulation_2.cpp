@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
+
+#include <numeric>
+
+#include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+
+namespace kinetri {
+
+std::uint64_t Triangulation_counters::number_of_events() const {
+  return std::accumulate(events.begin(), events.end(), std::uint64_t{0});
+}
+
+template class Kinetic_triangulation_2<Linear_kinetic_traits_2>;
+template class Kinetic_triangulation_2<Polynomial_kinetic_traits_2>;
+
+}  // namespace kinetri
