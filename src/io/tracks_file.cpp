@@ -9,6 +9,7 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -23,13 +24,13 @@ namespace {
 
 constexpr Table_kind tracks_kind = {"tracks", "observation"};
 
-enum Column : std::size_t { t, id, x, y, column_count };
-using Column_names = std::array<std::string_view, column_count>;
-constexpr Column_names rows_columns = {"t", "id", "x", "y"};
+enum Column : std::size_t { t, id, x, y, radius, column_count };
+constexpr std::size_t required_columns = radius;
+constexpr std::array<std::string_view, column_count> rows_columns = {"t", "id", "x", "y", "radius"};
 // In the order of the fields.
-constexpr Column_names frames_columns = {"frame", "id", "x", "y"};
+constexpr std::array<std::string_view, required_columns> frames_columns = {"frame", "id", "x", "y"};
 constexpr std::string_view expected_columns =
-    "expected a header line with the columns t,id,x,y, in any order";
+    "expected a header line with the columns t,id,x,y and optionally radius, in any order";
 
 constexpr std::string_view expected_order =
     "; expected frame, id, x and y in this order: exchange the first two columns, for example with "
@@ -72,7 +73,8 @@ class Tracks_reader {
 
   void read_rows() {
     const std::vector<std::size_t> columns =
-        table_.read_header(rows_columns, column_count, expected_columns);
+        table_.read_header(rows_columns, required_columns, expected_columns);
+    result_.has_radii = std::find(columns.begin(), columns.end(), radius) != columns.end();
     while (const auto line = table_.next()) {
       Row row;
       std::size_t fields = 0;
@@ -91,10 +93,10 @@ class Tracks_reader {
       Row row;
       std::size_t fields = 0;
       for_each_field_between_blanks(*line, [&](std::string_view field) {
-        if (fields < column_count) read_field(row, field, fields, frames_columns);
+        if (fields < frames_columns.size()) read_field(row, field, fields, frames_columns);
         ++fields;
       });
-      if (fields != column_count) {
+      if (fields != frames_columns.size()) {
         table_.fail(joined("the row has ", fields, fields == 1 ? " field" : " fields",
                            "; expected 4, frame, id, x and y, separated by tabs or blanks"));
       }
@@ -128,9 +130,12 @@ class Tracks_reader {
   }
 
   void read_field(Row& row, std::string_view field, std::size_t column,
-                  const Column_names& names) const {
+                  std::span<const std::string_view> names) const {
     if (column != id) {
       row.values[column] = table_.number(field, names[column]);
+      if (column == radius && row.values[radius] < 0) {
+        table_.fail(joined("the radius ", row.values[radius], " is negative; expected at least 0"));
+      }
     } else if (field.empty()) {
       table_.fail(joined("the column ", names[column], " is empty; expected any text"));
     } else {
@@ -151,17 +156,26 @@ class Tracks_reader {
   void add(const Row& row, double time) {
     auto found = rows_.find(row.id);
     if (found == rows_.end()) {
-      found = rows_.emplace(row.id, std::vector<Track_observation>()).first;
+      found = rows_.emplace(row.id, Track{"", {}, row.values[radius]}).first;
     }
-    std::vector<Track_observation>& observations = found->second;
+    expect_radius(row, found->second);
+    std::vector<Track_observation>& observations = found->second.observations;
     observations.push_back({time, {row.values[x], row.values[y]}, table_.line()});
     if (observations.size() > 1 && earlier(observations.back(), observations.end()[-2])) {
       ++result_.rows_out_of_order;
     }
   }
 
+  void expect_radius(const Row& row, const Track& track) const {
+    if (row.values[radius] == track.radius) return;
+    table_.fail(joined("id ", quoted(row.id), " has the radius ", row.values[radius], ", but ",
+                       track.radius, " in line ", track.observations.front().line,
+                       "; expected one radius for each id"));
+  }
+
   Tracks_file tracks() {
-    for (auto& [track_id, observations] : rows_) {
+    for (auto& [track_id, track] : rows_) {
+      std::vector<Track_observation>& observations = track.observations;
       if (!std::is_sorted(observations.begin(), observations.end(), earlier)) {
         std::stable_sort(observations.begin(), observations.end(), earlier);
       }
@@ -172,7 +186,8 @@ class Tracks_reader {
     result_.tracks.reserve(rows_.size());
     while (!rows_.empty()) {
       auto node = rows_.extract(rows_.begin());
-      result_.tracks.push_back({std::move(node.key()), std::move(node.mapped())});
+      result_.tracks.push_back(std::move(node.mapped()));
+      result_.tracks.back().id = std::move(node.key());
     }
     std::sort(result_.tracks.begin(), result_.tracks.end(), [](const Track& a, const Track& b) {
       const Track_observation& first_a = a.observations.front();
@@ -219,10 +234,10 @@ class Tracks_reader {
   Table_reader table_;
   const std::string& name_;
   // The rows of each id: a tree, and not a hash, so that no input makes the search slow.
-  std::map<std::string, std::vector<Track_observation>, std::less<>> rows_;
-  std::optional<Conflict> conflict_;  // the one whose second line comes first
-  bool is_order_confirmed_ = false;   // by a comment that names the columns
-  std::size_t frame_rate_line_ = 0;   // of a comment that gives the rate; 0 if there is none
+  std::map<std::string, Track, std::less<>> rows_;  // the tracks without their ids
+  std::optional<Conflict> conflict_;                // the one whose second line comes first
+  bool is_order_confirmed_ = false;                 // by a comment that names the columns
+  std::size_t frame_rate_line_ = 0;  // of a comment that gives the rate; 0 if there is none
   Tracks_file result_;
 };
 

@@ -5,7 +5,7 @@ from message_case import DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, si
 COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion, manual or help"
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice or lattice-jitter"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
-TRACKS_COLUMNS = "t,id,x,y, in any order"
+TRACKS_COLUMNS = "t,id,x,y and optionally radius, in any order"
 
 
 def usage_cases():
@@ -203,6 +203,8 @@ def table_cases():
     yield points("x,y,vx,vy\n0,5,1,0\n0,5,-1,0\n", box, time=0, a=0, b=1)
     yield tracks("t,id,x,y\n0,a,0,0\n1,b,0,0\n0,a,2,1.5\n", line=4, id="a", time=0, x=2, y=1.5, x2=0,
                  y2=0, first=2)
+    yield tracks("t,id,x,y,radius\n0,a,0,0,1\n1,a,1,0,2\n", line=3, id="a", radius=2, other=1, first=2)
+    yield tracks("t,id,x,y,radius\n0,a,0,0,-1\n", line=2, radius=-1)
     yield tracks("1e300 a 0 0\n", "--format frames --fps 1e-300", line=1, frame="1e+300", fps="1e-300")
     yield tracks("t,id,x,y\n0,a,-1e308,0\n1,a,1e308,0\n", line=3, id="a", first=2)
     yield tracks("t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n", line=6, time=1,

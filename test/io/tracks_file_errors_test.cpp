@@ -42,26 +42,26 @@ INSTANTIATE_TEST_SUITE_P(
     Header, Bad_tracks_rows,
     testing::Values(
         Bad_tracks{"",
-                   "t.csv:1: the file is empty; expected a header line with the columns t,id,x,y, "
-                   "in any order"},
+                   "t.csv:1: the file is empty; expected a header line with the columns t,id,x,y "
+                   "and optionally radius, in any order"},
         Bad_tracks{"\n# only a comment\n",
-                   "t.csv:1: the file is empty; expected a header line with the columns t,id,x,y, "
-                   "in any order"},
+                   "t.csv:1: the file is empty; expected a header line with the columns t,id,x,y "
+                   "and optionally radius, in any order"},
         Bad_tracks{"t,id,x\n0,a,1\n",
                    "t.csv:1: the column y is missing; expected a header line with the columns "
-                   "t,id,x,y, in any order"},
+                   "t,id,x,y and optionally radius, in any order"},
         Bad_tracks{"x,y,t\n",
                    "t.csv:1: the column id is missing; expected a header line with the columns "
-                   "t,id,x,y, in any order"},
+                   "t,id,x,y and optionally radius, in any order"},
         Bad_tracks{"# c\nt,id,x,t,y\n",
                    "t.csv:2: the column t is named twice; expected a header line with the columns "
-                   "t,id,x,y, in any order"},
+                   "t,id,x,y and optionally radius, in any order"},
         Bad_tracks{"t,id,x,y,vx\n",
                    "t.csv:1: unknown column 'vx'; expected a header line with the columns "
-                   "t,id,x,y, in any order"},
+                   "t,id,x,y and optionally radius, in any order"},
         Bad_tracks{"0,a,1,2\n",
                    "t.csv:1: unknown column '0'; expected a header line with the columns "
-                   "t,id,x,y, in any order"}));
+                   "t,id,x,y and optionally radius, in any order"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, Bad_tracks_rows,
@@ -85,6 +85,21 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_tracks{"t,id,x,y\n1e999,a,1,2\n",
                    "t.csv:2: the column t is '1e999', which is out of the range of binary64; "
                    "expected 0, or a magnitude from 4.9e-324 to 1.8e308"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Radii, Bad_tracks_rows,
+    testing::Values(
+        Bad_tracks{"t,id,x,y,radius\n0,a,1,2,-1\n",
+                   "t.csv:2: the radius -1 is negative; expected at least 0"},
+        Bad_tracks{"t,id,radius,x,y\n0,a,nan,1,2\n",
+                   "t.csv:2: the column radius is 'nan', which is not finite; expected a finite "
+                   "number"},
+        Bad_tracks{"t,id,x,y,radius\n0,a,1,2,1\n0,b,2,2,2\n1,a,1,2,1\n1,b,2,2,1\n",
+                   "t.csv:5: id 'b' has the radius 1, but 2 in line 3; expected one radius for "
+                   "each id"},
+        Bad_tracks{"t,id,x,y,radius,radius\n",
+                   "t.csv:1: the column radius is named twice; expected a header line with the "
+                   "columns t,id,x,y and optionally radius, in any order"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, Bad_tracks_frames,

@@ -52,6 +52,20 @@ TEST(Read_tracks_rows, takes_columns_in_any_order) {
   EXPECT_EQ(shown(rows("id,t,y,x\na,1,4,3\n")), "a: 1 (3, 4) line 2");
 }
 
+TEST(Read_tracks_rows, reads_radii) {
+  const Tracks_file file = rows("radius,t,id,x,y\n0.5,1,a,1,2\n0x1p1,0,b,-3,0.5\n.5,0,a,0,0\n");
+  EXPECT_TRUE(file.has_radii);
+  ASSERT_EQ(file.tracks.size(), 2U);
+  EXPECT_EQ(file.tracks[0].id, "b");
+  EXPECT_EQ(file.tracks[0].radius, 2);
+  EXPECT_EQ(file.tracks[1].radius, 0.5);
+  EXPECT_EQ(file.tracks[1].observations.size(), 2U);
+  const Tracks_file without = rows("t,id,x,y\n1,a,1,2\n");
+  EXPECT_FALSE(without.has_radii);
+  EXPECT_EQ(without.tracks[0].radius, 0);
+  EXPECT_FALSE(frames("10 a 0 0\n").has_radii);
+}
+
 TEST(Read_tracks_rows, skips_blank_lines_and_comments) {
   EXPECT_EQ(shown(rows("# before\n\n \t\nt,id,x,y\n#0,a,0,0\n\n0,a,1,2\n  \n1,a,1,2\n\n")),
             "a: 0 (1, 2) line 7 1 (1, 2) line 9");

@@ -4,8 +4,9 @@
 // formats; the rows of either may stand in any order, and blank lines and lines that begin with #
 // are skipped.
 //
-//   rows    comma separated, a header line naming the columns t, id, x and y in any order; an id is
-//           any text without commas, which is not quoted: quotation marks belong to the id
+//   rows    comma separated, a header line naming the columns t, id, x, y and optionally radius, of
+//           a disc about what moves, in any order; an id is any text without commas, which is not
+//           quoted: quotation marks belong to the id; all rows of an id have the same radius
 //   frames  no header; four fields `frame id x y` separated by tabs or blanks, the form of some
 //           public data sets of pedestrians; a frame is a finite number, an id any text
 //
@@ -46,6 +47,7 @@ struct Track_observation {
 struct Track {
   std::string id;                               ///< not empty
   std::vector<Track_observation> observations;  ///< at least one, at strictly ascending times
+  double radius = 0;                            ///< at least 0; 0 if the file has no such column
 };
 
 /// What a file of tracks holds.
@@ -53,6 +55,7 @@ struct Tracks_file {
   /// By the time of their first observation, and by its line where the times are equal.
   std::vector<Track> tracks;
   std::size_t observations = 0;  ///< of all tracks
+  bool has_radii = false;        ///< whether the file has a column radius
   /// Rows left out because they repeat id, time and place of an earlier one (0 and -0 are the
   /// same).
   std::size_t doubled_rows = 0;
@@ -72,8 +75,9 @@ struct Tracks_file {
 ///
 /// Throws Input_error `name:line: ...` for everything else: no header; a column that is unknown,
 /// missing or named twice; a row with too few or too many fields; a field that is empty, or not a
-/// number where one is needed (see parse_number); a time that is out of the range of binary64; one
-/// id at two places at one time, naming both lines; a stream that fails. Of several ids that are at
+/// number where one is needed (see parse_number); a time that is out of the range of binary64; a
+/// negative radius, or two radii of one id, naming both lines; one id at two places at one time,
+/// naming both lines; a stream that fails. Of several ids that are at
 /// two places the one whose second place comes first in the file is named. In the format `frames`
 /// also for a comment that names the columns in another order, or gives another rate than `fps`;
 /// and, where no comment confirms the order of the columns, for a sign that the ids stand in the
