@@ -49,11 +49,20 @@ function certificateOf(playback, edge) {
   return result;
 }
 
-/** Whether the row is the failure of a certificate. An edge may also be removed because a point is
- * inserted or erased, or because points meet; rows of a thinned recording are net effects. */
+/** Whether the row, which removes an edge, is the failure of its certificate. An edge may also be
+ * removed because a point is inserted or erased, or because points meet; rows of a thinned recording
+ * are net effects. The edges of a point that others hide from then on go with rows of their own. */
 function isFailure(recording, row) {
-  return recording.thinned === null &&
-    ['flip', 'hull_insert'].includes(recording.kinds[recording.rowKind[row]]);
+  const {thinned, kinds, rowKind, rowA, rowRemoved, instantBegin, edgeA, edgeB} = recording;
+  if (thinned !== null) return false;
+  const kind = kinds[rowKind[row]];
+  if (kind !== 'rebuild') return kind === 'flip' || kind === 'hull_insert';
+  const edge = rowRemoved[row];
+  for (let i = instantBegin[row]; i < row; ++i) {
+    if (kinds[rowKind[i]] !== 'hide') continue;
+    if (rowA[i] === edgeA[edge] || rowA[i] === edgeB[edge]) return true;
+  }
+  return false;
 }
 
 /** What ends the time during which the edge has these corners and their motions, forward (direction

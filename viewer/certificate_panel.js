@@ -49,9 +49,13 @@ class CertificatePanel {
   meaning({kind, a, b, left, right}) {
     const name = (point) => this.viewer.pointName(point);
     if (kind === 'in-circle') {
-      return `Opposite corners ${name(left)} and ${name(right)}. The edge is Delaunay while ` +
-        `\u2212in-circle(${[a, b, left, right].map(name).join(', ')}) is positive: while ` +
-        `${name(right)} is outside the circle through ${name(a)}, ${name(b)} and ${name(left)}.`;
+      const isWeighted = this.viewer.recording.motionSizes !== null;
+      const corners = `${name(a)}, ${name(b)} and ${name(left)}`;
+      return `Opposite corners ${name(left)} and ${name(right)}. The edge is ` +
+        `${isWeighted ? 'regular' : 'Delaunay'} while ` +
+        `\u2212in-circle(${[a, b, left, right].map(name).join(', ')}) is positive: ` + (isWeighted ?
+        `at the place of equal power to ${corners}, the power to ${name(right)} is greater.` :
+        `while ${name(right)} is outside the circle through ${corners}.`);
     }
     if (kind === 'orientation') {
       const corners = left >= 0 ? [a, b, left] : [b, a, right];

@@ -31,13 +31,17 @@ function actionsOf(viewer) {
 
 /** The switches that are of use for the recording; `mark` is the colour of what it switches. */
 function switchesOf(recording) {
+  const isWeighted = recording.motionSizes !== null;
   const all = [
     {id: 'wave', key: 'w', label: 'Wave', isThere: recording.wave !== null, mark: '--accent'},
-    {id: 'delaunay', key: 'd', label: 'Delaunay', isThere: true, mark: '--edge'},
+    {id: 'delaunay', key: 'd', label: isWeighted ? 'Regular' : 'Delaunay', isThere: true,
+     mark: '--edge'},
     {id: 'hull', key: 'h', label: 'Hull', isThere: true, mark: '--hull'},
-    {id: 'voronoi', key: 'v', label: 'Voronoi', isThere: true, mark: '--voronoi'},
-    {id: 'circle', key: 'c', label: 'Circumcircle', isThere: true, mark: '--circle'},
-    {id: 'discs', key: 'o', label: 'Discs', isThere: recording.radius > 0, mark: '--disc'},
+    {id: 'voronoi', key: 'v', label: isWeighted ? 'Power' : 'Voronoi', isThere: true,
+     mark: '--voronoi'},
+    {id: 'circle', key: 'c', label: isWeighted ? 'Power circle' : 'Circumcircle', isThere: true,
+     mark: '--circle'},
+    {id: 'discs', key: 'o', label: 'Discs', isThere: hasDiscs(recording), mark: '--disc'},
     {id: 'trails', key: 't', label: 'Trails', isThere: !turnsAreLeftOut(recording),
      mark: '--trail'},
     {id: 'ids', key: 'i', label: recording.names === null ? 'Ids' : 'Names', isThere: true,

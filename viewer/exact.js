@@ -59,6 +59,15 @@ function coordinatePolynomial({motionData: data, stride, degree}, motion, coordi
   return add(multiply(value, elapsed), times(6n, at(0)));
 }
 
+/** The weight of a motion, times 6^2: its radius squared, and what it has beside that. */
+function weightPolynomial({motionData: data, stride, motionSizes: sizes}, motion, origin) {
+  const [radius, growth, weight] = sizes.subarray(3 * motion, 3 * motion + 3);
+  const elapsed = add(subtract(constant(origin), constant(data[stride * motion])),
+                      {coefficients: [0n, 1n], exponent: 0});
+  const disc = add(constant(radius), multiply(constant(growth), elapsed));
+  return multiply({coefficients: [36n], exponent: 0}, add(multiply(disc, disc), constant(weight)));
+}
+
 /** The differences of two motions in x and y, times 6. */
 function differences(recording, motion, other, origin) {
   return [0, 1].map((coordinate) =>
@@ -79,12 +88,17 @@ function orientationPolynomial(recording, [a, b, c], origin) {
   return cross(differences(recording, b, a, origin), differences(recording, c, a, origin));
 }
 
-/** Minus the in-circle determinant of four motions, times 6^4. */
+/** Minus the in-circle determinant of four motions, times 6^4; that of the circle of equal power to
+ * three of them where they have weights. */
 function delaunayPolynomial(recording, [a, b, c, d], origin) {
   const [p, q, r] = [a, b, c].map((motion) => differences(recording, motion, d, origin));
-  const sum = add(add(multiply(squaredLength(p), cross(q, r)),
-                      multiply(squaredLength(q), cross(r, p))),
-                  multiply(squaredLength(r), cross(p, q)));
+  const lifted = (difference, motion) => {
+    if (recording.motionSizes === null) return squaredLength(difference);
+    const [weight, other] = [motion, d].map((m) => weightPolynomial(recording, m, origin));
+    return subtract(squaredLength(difference), subtract(weight, other));
+  };
+  const sum = add(add(multiply(lifted(p, a), cross(q, r)), multiply(lifted(q, b), cross(r, p))),
+                  multiply(lifted(r, c), cross(p, q)));
   return negate(sum);
 }
 

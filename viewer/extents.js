@@ -29,16 +29,19 @@ class Extents {
 
   sample() {
     const {recording, whole} = this;
-    const {from, until, points, radius} = recording;
+    const {from, until, points} = recording;
     const playback = new Playback(recording);
     const xs = new Float64Array(points), ys = new Float64Array(points);
+    const rs = new Float64Array(points), ws = new Float64Array(points);
     const samples = [];
     let least = Infinity;
     for (let i = 0; i <= TIMES_IN_RUN; ++i) {
       playback.goTo(from + (until - from) * i / TIMES_IN_RUN);
       placePoints(playback, playback.time, xs, ys);
+      sizePoints(playback, playback.time, rs, ws);
       const isThere = (place) => !Number.isNaN(place);
-      const extent = extentOf(xs.filter(isThere), ys.filter(isThere), radius);
+      const extent = extentOf(xs.filter(isThere), ys.filter(isThere),
+                              rs.reduce((a, b) => Math.max(a, b), 0));
       samples.push(extent);
       least = Math.min(least, Math.max(extent[2] - extent[0], extent[3] - extent[1]));
     }
@@ -56,8 +59,11 @@ function wholeExtent(recording) {
     return extentOf([left, right], [bottom, top], 0);
   }
   const xs = [], ys = [];
-  for (let i = 0; i < recording.motions; ++i) sampleMotion(recording, i, xs, ys);
-  return extentOf(xs, ys, recording.radius);
+  let radius = recording.radius;
+  for (let i = 0; i < recording.motions; ++i) {
+    radius = Math.max(radius, sampleMotion(recording, i, xs, ys));
+  }
+  return extentOf(xs, ys, radius);
 }
 
 /** Of most of the places, with discs of the radius. */
@@ -79,8 +85,9 @@ function extentOf(xs, ys, radius) {
   return extent;
 }
 
+/** Adds the places of the motion, and returns its greatest radius. */
 function sampleMotion(recording, motion, xs, ys) {
-  if (!recording.motionThere[motion]) return;
+  if (!recording.motionThere[motion]) return 0;
   const {motionRow, motionNext, rowTime, degree} = recording;
   const next = motionNext[motion];
   const begin = motionRow[motion] < 0 ? recording.from : rowTime[motionRow[motion]];
@@ -91,6 +98,7 @@ function sampleMotion(recording, motion, xs, ys) {
     xs.push(motionX(recording, motion, time));
     ys.push(motionY(recording, motion, time));
   }
+  return Math.max(motionRadius(recording, motion, begin), motionRadius(recording, motion, end));
 }
 
 /** [least, greatest] of most of the numbers, with some room. */

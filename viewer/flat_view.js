@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The flat view: box, discs, edges, hull and points. Its overlays are in overlays.js.
+// The flat view: box, discs, edges, hull and points; those that others hide are hollow, and their
+// discs dashed. Its overlays are in overlays.js.
 'use strict';
 
 class FlatView extends View {
@@ -8,6 +9,7 @@ class FlatView extends View {
     super(viewer);
     this.extents = new Extents(viewer.recording);
     this.camera = new Camera(this.extents.at(viewer.playback.time));
+    this.sw = new Float64Array(viewer.recording.points);  // weights, in squared pixels
   }
 
   resize(width, height) {
@@ -23,10 +25,11 @@ class FlatView extends View {
     for (let point = 0; point < recording.points; ++point) {
       this.sx[point] = camera.screenX(viewer.x[point]);
       this.sy[point] = camera.screenY(viewer.y[point]);
+      this.sw[point] = viewer.w[point] * camera.scale * camera.scale;
     }
     if (recording.box !== null) this.drawBox(context);
     if (recording.points === 0) this.sayEmpty(context);
-    if (switches.discs && recording.radius > 0) this.drawDiscs(context);
+    if (switches.discs && hasDiscs(recording)) this.drawAllDiscs(context);
     if (switches.trails) drawTrails(context, this);
     if (switches.delaunay) this.drawEdges(context);
     if (switches.voronoi) drawVoronoi(context, this);
@@ -54,20 +57,32 @@ class FlatView extends View {
     context.strokeRect(x, y, this.camera.screenX(right) - x, this.camera.screenY(bottom) - y);
   }
 
-  drawDiscs(context) {
+  drawAllDiscs(context) {
+    const {colors} = this.viewer;
+    this.traceDiscs(context, 0);
+    context.fillStyle = colors.discFill;
+    context.fill();
+    context.strokeStyle = colors.disc;
+    context.lineWidth = 1.25;
+    context.stroke();
+    this.traceDiscs(context, 1);
+    context.strokeStyle = colors.quiet;
+    context.setLineDash([4, 3]);
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  /** Makes a path of the discs of the points that are hidden, or of the others. */
+  traceDiscs(context, isHidden) {
     const {sx, sy} = this;
-    const radius = this.viewer.recording.radius * this.camera.scale;
+    const {r, hidden} = this.viewer;
     context.beginPath();
     for (let point = 0; point < sx.length; ++point) {
-      if (!this.isSeen(sx[point], sy[point], radius)) continue;
+      const radius = r[point] * this.camera.scale;
+      if (hidden[point] !== isHidden || !this.isSeen(sx[point], sy[point], radius)) continue;
       context.moveTo(sx[point] + radius, sy[point]);
       context.arc(sx[point], sy[point], radius, 0, 2 * Math.PI);
     }
-    context.fillStyle = this.viewer.colors.discFill;
-    context.fill();
-    context.strokeStyle = this.viewer.colors.disc;
-    context.lineWidth = 1.25;
-    context.stroke();
   }
 
   drawEdges(context) {
@@ -114,16 +129,29 @@ class FlatView extends View {
   }
 
   drawPoints(context) {
+    const {colors} = this.viewer;
+    this.tracePoints(context, 0);
+    context.fillStyle = colors.point;
+    context.fill();
+    this.tracePoints(context, 1);
+    context.fillStyle = colors.background;
+    context.fill();
+    context.strokeStyle = colors.quiet;
+    context.lineWidth = 1.25;
+    context.stroke();
+  }
+
+  /** Makes a path of the dots of the points that are hidden, or of the others. */
+  tracePoints(context, isHidden) {
     const {sx, sy} = this;
+    const {hidden} = this.viewer;
     const radius = this.pointRadius();
     context.beginPath();
     for (let point = 0; point < sx.length; ++point) {
-      if (!this.isSeen(sx[point], sy[point], radius)) continue;
+      if (hidden[point] !== isHidden || !this.isSeen(sx[point], sy[point], radius)) continue;
       context.moveTo(sx[point] + radius, sy[point]);
       context.arc(sx[point], sy[point], radius, 0, 2 * Math.PI);
     }
-    context.fillStyle = this.viewer.colors.point;
-    context.fill();
   }
 
   zoom(factor, x, y) {

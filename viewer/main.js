@@ -11,6 +11,8 @@
  *   edges()            the edges, [a, b] with a < b, sorted
  *   triangles()        the triangles, [a, b, c] counterclockwise, a the least id, sorted
  *   positions()        [x, y] of each point by id at the time shown; null if it is not there
+ *   radii()            the radius of each point by id at the time shown; null if it is not there
+ *   hidden()           the ids of the points that others hide, ascending
  *   goTo(time)         executes each row whose exact time is at or before `time`, and no other
  *   stepForward()      to just after the next instant; false if there is none
  *   stepBackward()     to just after the previous instant, or to the start; false at the start
@@ -41,8 +43,16 @@ function consoleObject(viewer) {
       return result.sort((s, t) => s[0] - t[0] || s[1] - t[1] || s[2] - t[2]);
     },
     positions() {
-      placePoints(playback, playback.time, viewer.x, viewer.y);
+      viewer.place();
       return Array.from(viewer.x, (x, point) => (Number.isNaN(x) ? null : [x, viewer.y[point]]));
+    },
+    radii() {
+      viewer.place();
+      return Array.from(viewer.r, (r, point) => (Number.isNaN(viewer.x[point]) ? null : r));
+    },
+    hidden() {
+      viewer.place();
+      return Array.from(viewer.hidden.keys()).filter((point) => viewer.hidden[point] === 1);
     },
     goTo(time) {
       if (!Number.isFinite(time)) throw new TypeError('goTo: expected a finite time');

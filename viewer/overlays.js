@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The overlays of the flat view: trails, the Voronoi diagram, the circumcircle of the triangle
-// under the pointer, the events around the time shown, and the selected edge.
+// The overlays of the flat view: trails, the Voronoi or power diagram, the circumcircle or power
+// circle of the triangle under the pointer, the events around the time shown, and the selected edge.
 'use strict';
 
 const TRAIL_PARTS = 5;             // each fainter than the one before it
@@ -57,8 +57,8 @@ function traceMotion(context, view, motion, begin, end) {
   }
 }
 
-/** The Voronoi edge of each Delaunay edge: between the circumcentres of its two triangles, or a ray
- * from the circumcentre of its only triangle. */
+/** The edge of the diagram for each edge: between the centres of its two triangles, or a ray from
+ * the centre of its only triangle. */
 function drawVoronoi(context, view) {
   const {playback, recording, colors} = view.viewer;
   const {width, height} = view.camera;
@@ -76,17 +76,19 @@ function drawVoronoi(context, view) {
 }
 
 function setVoronoiEnds(view, edge, far) {
-  const {sx, sy} = view;
+  const {sx, sy, sw} = view;
   const {playback, recording} = view.viewer;
   const a = recording.edgeA[edge], b = recording.edgeB[edge];
   const [left, right] = cornersOf(playback, edge);
   // On the screen y is down, so that the left of ab is at (dy, -dx).
   const dx = sx[b] - sx[a], dy = sy[b] - sy[a], length = Math.hypot(dx, dy);
-  const mx = (sx[a] + sx[b]) / 2, my = (sy[a] + sy[b]) / 2;
+  // Where the edge of the diagram crosses the line of ab.
+  const part = 0.5 + (sw[a] - sw[b]) / (2 * length * length);
+  const mx = sx[a] + part * dx, my = sy[a] + part * dy;
   const hasLeft = left >= 0 && setCenter(view, a, b, left, 0);
   const hasRight = right >= 0 && setCenter(view, a, b, right, 2);
   const ux = dy / length, uy = -dx / length;
-  // A ray begins far from the picture where the circumcentre is, but has to reach across it.
+  // A ray begins far from the picture where the centre is, but has to reach across it.
   const reach = (x, y) => far + Math.hypot(x - mx, y - my);
   if (!hasLeft) {
     const x = hasRight ? ENDS[2] : mx, y = hasRight ? ENDS[3] : my, r = reach(x, y);
@@ -101,17 +103,18 @@ function setVoronoiEnds(view, edge, far) {
 }
 
 function setCenter(view, a, b, c, at) {
-  const {sx, sy} = view;
-  circumcenter(CENTER, sx[a], sy[a], sx[b], sy[b], sx[c], sy[c]);
+  const {sx, sy, sw} = view;
+  powerCenter(CENTER, sx[a], sy[a], sw[a], sx[b], sy[b], sw[b], sx[c], sy[c], sw[c]);
   ENDS[at] = CENTER.x;
   ENDS[at + 1] = CENTER.y;
   return Number.isFinite(CENTER.x) && Number.isFinite(CENTER.y);
 }
 
-/** The triangle under the pointer, and its circumcircle. */
+/** The triangle under the pointer, and its circumcircle: with weights the circle whose centre has
+ * the squared radius as its power to the three, if that is positive. */
 function drawCircumcircle(context, view) {
   const {triangleList, pointer, colors} = view.viewer;
-  const {sx, sy} = view;
+  const {sx, sy, sw} = view;
   if (pointer === null) return;
   triangleList.update();
   const {corners, triangles} = triangleList;
@@ -125,9 +128,10 @@ function drawCircumcircle(context, view) {
     context.closePath();
     context.fillStyle = colors.circleFill;
     context.fill();
-    circumcenter(CENTER, sx[a], sy[a], sx[b], sy[b], sx[c], sy[c]);
-    const radius = Math.hypot(sx[a] - CENTER.x, sy[a] - CENTER.y);
-    if (!(radius < 1e6)) return;  // a line, as far as the picture goes
+    powerCenter(CENTER, sx[a], sy[a], sw[a], sx[b], sy[b], sw[b], sx[c], sy[c], sw[c]);
+    const dx = sx[a] - CENTER.x, dy = sy[a] - CENTER.y;
+    const radius = Math.sqrt(dx * dx + dy * dy - sw[a]);
+    if (!(radius < 1e6)) return;  // a line, as far as the picture goes; or not real
     context.strokeStyle = colors.circle;
     context.lineWidth = 2.5;
     context.beginPath();

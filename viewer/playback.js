@@ -169,6 +169,19 @@ function motionVelocity({motionData: data, stride, degree}, motion, time, coordi
   return data[i] + s * (data[i + 2] + (degree === 3 ? s * data[i + 4] / 2 : 0));
 }
 
+/** The radius of the disc about the point, in binary64. */
+function motionRadius({motionData: data, stride, motionSizes: sizes, radius}, motion, time) {
+  if (sizes === null) return radius;
+  return sizes[3 * motion] + sizes[3 * motion + 1] * (time - data[stride * motion]);
+}
+
+/** The weight of the point in the triangulation, in binary64. */
+function motionWeight(recording, motion, time) {
+  if (recording.motionSizes === null) return 0;
+  const radius = motionRadius(recording, motion, time);
+  return radius * radius + recording.motionSizes[3 * motion + 2];
+}
+
 /** Whether the motion is one that moves at all. */
 function isMoving({motionData: data, stride}, motion) {
   for (let i = stride * motion + 3; i < stride * (motion + 1); ++i) {
@@ -190,6 +203,42 @@ function placePoints(playback, time, xs, ys) {
     }
   }
   if (recording.thinned !== null) placeTurningPoints(playback, time, xs, ys);
+}
+
+/** Writes the radii and weights of all points at a time to rs and ws; 0 for points that are not
+ * there. */
+function sizePoints(playback, time, rs, ws) {
+  const {recording, current} = playback;
+  for (let point = 0; point < recording.points; ++point) {
+    const motion = current[point];
+    const isThere = motion >= 0 && recording.motionThere[motion] === 1;
+    rs[point] = isThere ? Math.max(motionRadius(recording, motion, time), 0) : 0;
+    ws[point] = isThere ? motionWeight(recording, motion, time) : 0;
+  }
+}
+
+/** Writes to `hidden` which points are there without being vertices, since others hide them: those
+ * without an edge. Where there is no edge at all, one point is the only vertex: that of least power
+ * anywhere. */
+function findHidden(playback, xs, ys, ws, hidden) {
+  const {recording, live, liveCount} = playback;
+  hidden.fill(0);
+  if (recording.motionSizes === null) return;
+  for (let point = 0; point < recording.points; ++point) {
+    hidden[point] = Number.isNaN(xs[point]) ? 0 : 1;
+  }
+  for (let i = 0; i < liveCount; ++i) {
+    hidden[recording.edgeA[live[i]]] = hidden[recording.edgeB[live[i]]] = 0;
+  }
+  if (liveCount > 0) return;
+  let least = Infinity, vertex = -1;
+  for (let point = 0; point < recording.points; ++point) {
+    const power = xs[point] * xs[point] + ys[point] * ys[point] - ws[point];
+    if (!(power < least)) continue;
+    least = power;
+    vertex = point;
+  }
+  if (vertex >= 0) hidden[vertex] = 0;
 }
 
 /**

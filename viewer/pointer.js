@@ -123,7 +123,9 @@ class PointerInput {
     name.textContent = recording.names === null ? `Point ${point}` :
       `${recording.names[point]}, point ${point}`;
     tip.replaceChildren(name, `position  ${pair(viewer.x[point], viewer.y[point])}\n` +
-      `velocity  ${pair(...velocity)}\nspeed  ${shortNumber(Math.hypot(...velocity))}`);
+      `velocity  ${pair(...velocity)}\nspeed  ${shortNumber(Math.hypot(...velocity))}` +
+      (recording.motionSizes === null ? '' : `\nradius  ${shortNumber(viewer.r[point], 7)}`) +
+      (viewer.hidden[point] === 1 ? '\nhidden: it has no power cell' : ''));
     const {width, height} = viewer;
     const {x, y} = viewer.pointer;
     const left = x + TIP_OFFSET + tip.offsetWidth > width ? x - TIP_OFFSET - tip.offsetWidth :

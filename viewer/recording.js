@@ -89,7 +89,8 @@ class EdgeNumbers {
  *   instantBegin, instantEnd   the rows of the same time
  *
  * Arrays by motion: motionPoint; motionRow (-1: from the start); motionThere; motionPrevious (the
- * previous motion of the point, or -1); motionNext; motionData, `stride` numbers each.
+ * previous motion of the point, or -1); motionNext; motionData, `stride` numbers each; motionSizes,
+ * three each: radius at the epoch, its growth, and the weight beside it; null where points have none.
  *
  * Arrays by edge: edgeA < edgeB. The first `initialEdges` are there at the start.
  *
@@ -341,9 +342,19 @@ function readMotions(recording, json, ids) {
     last[point[i]] = i;
   }
   demand(data.every(Number.isFinite), 'a trajectory has a place or speed that is no number');
+  const sizes = json.sizes === undefined ? null :
+    decodeNumbers(json.sizes, 'Float64', 'the list of sizes of discs');
+  demand(sizes === null || (sizes.length === 3 * count && sizes.every(Number.isFinite)),
+         'not every trajectory has a radius, a growth and a weight');
   Object.assign(recording, {degree, stride, motions: count, starting: json.starting, rowMotion,
                             motionRow, motionPoint: point, motionThere: there, motionData: data,
+                            motionSizes: sizes,
                             motionPrevious: previous, motionNext: next});
+}
+
+/** Whether the points have discs about them. */
+function hasDiscs({radius, motionSizes}) {
+  return radius > 0 || motionSizes !== null;
 }
 
 /** Whether points turn at times that are left out. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The triangles, as the recording has them, and circumcentres.
+// The triangles, as the recording has them, and their centres.
 'use strict';
 
 /**
@@ -78,11 +78,12 @@ class TriangleList {
   }
 }
 
-/** The centre of the circle through three points, in `center.x` and `center.y`; not finite where
- * the points are collinear. */
-function circumcenter(center, ax, ay, bx, by, cx, cy) {
+/** The place of equal power to three weighted points a, b and c, in `center.x` and `center.y`; not
+ * finite where the points are collinear. Of points without weights it is the centre of the circle
+ * through them. */
+function powerCenter(center, ax, ay, aw, bx, by, bw, cx, cy, cw) {
   const ux = bx - ax, uy = by - ay, vx = cx - ax, vy = cy - ay;
-  const u = ux * ux + uy * uy, v = vx * vx + vy * vy;
+  const u = ux * ux + uy * uy - (bw - aw), v = vx * vx + vy * vy - (cw - aw);
   const d = 2 * (ux * vy - uy * vx);
   center.x = ax + (vy * u - uy * v) / d;
   center.y = ay + (ux * v - vx * u) / d;

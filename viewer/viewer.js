@@ -24,6 +24,9 @@ class Viewer {
     this.triangleList = new TriangleList(this.playback);
     this.x = new Float64Array(recording.points);
     this.y = new Float64Array(recording.points);
+    this.r = new Float64Array(recording.points);
+    this.w = new Float64Array(recording.points);     // weights
+    this.hidden = new Uint8Array(recording.points);  // 1 for those that others hide
     this.colors = {};
     this.direction = 0;  // of playing: 1, -1, or 0 while paused
     this.pointer = null;
@@ -32,7 +35,7 @@ class Viewer {
     this.certificate = null;  // its certificate, or its last one if the edge is not there
     this.switches = {
       wave: recording.wave !== null, delaunay: true, hull: true, voronoi: false, circle: false,
-      discs: recording.radius > 0, trails: false, ids: recording.points <= 40,
+      discs: hasDiscs(recording), trails: false, ids: recording.points <= 40,
     };
     const span = recording.until - recording.from;
     this.speedStep = span > 0 ? Math.round(3 * Math.log10(span / WHOLE_RUN)) : 0;
@@ -239,7 +242,7 @@ class Viewer {
   draw() {
     const {playback} = this;
     const context = sizedContext(element('picture'), this.width, this.height);
-    placePoints(playback, playback.time, this.x, this.y);
+    this.place();
     this.followSelected();
     context.fillStyle = this.colors.background;
     context.fillRect(0, 0, this.width, this.height);
@@ -252,6 +255,14 @@ class Viewer {
     this.showSide();
     this.controls.update();
     writePresent(this);
+  }
+
+  /** Computes the positions and sizes of the points, and which of them are hidden. */
+  place() {
+    const {playback, x, y, r, w, hidden} = this;
+    placePoints(playback, playback.time, x, y);
+    sizePoints(playback, playback.time, r, w);
+    findHidden(playback, x, y, w, hidden);
   }
 
   /** Updates the certificate of the selected edge; of an edge that is not there it stays. */

@@ -109,6 +109,13 @@ void write_triangles(Json_writer& json, const Recording& recording, std::size_t 
   json.end_object();
 }
 
+bool has_sizes(const Recording& recording) {
+  return std::ranges::any_of(recording.motions, [](const Recorded_motion& recorded) {
+    const auto& motion = recorded.motion;
+    return motion && (motion->radius != 0 || motion->growth != 0 || motion->weight != 0);
+  });
+}
+
 void write_motions(Json_writer& json, const Recording& recording, std::size_t points) {
   const int terms = degree(recording);
   std::size_t starting = 0;
@@ -116,12 +123,13 @@ void write_motions(Json_writer& json, const Recording& recording, std::size_t po
   Id_bytes point(points);
   Bytes there;
   Bytes data;
+  Bytes sizes;
   for (const Recorded_motion& recorded : recording.motions) {
     if (!recorded.event) ++starting;
     event.add(static_cast<std::uint32_t>(recorded.event.value_or(0)));
     point.add(recorded.point);
     there.add(static_cast<std::uint8_t>(recorded.motion.has_value()));
-    const Polynomial_motion_2 motion = recorded.motion.value_or(Polynomial_motion_2());
+    const Polynomial_disc_motion_2 motion = recorded.motion.value_or(Polynomial_disc_motion_2());
     const std::array<Vector_2, 4> derivatives = {motion.position, motion.velocity,
                                                  motion.acceleration, motion.jerk};
     data.add(motion.epoch);
@@ -129,6 +137,7 @@ void write_motions(Json_writer& json, const Recording& recording, std::size_t po
       data.add(derivatives[static_cast<std::size_t>(i)].x);
       data.add(derivatives[static_cast<std::size_t>(i)].y);
     }
+    for (const double size : {motion.radius, motion.growth, motion.weight}) sizes.add(size);
   }
   json.begin_object();
   json.member("count", recording.motions.size());
@@ -138,6 +147,7 @@ void write_motions(Json_writer& json, const Recording& recording, std::size_t po
   json.member("point", point.base64());
   json.member("there", there.base64());
   json.member("data", data.base64());
+  if (has_sizes(recording)) json.member("sizes", sizes.base64());
   json.end_object();
 }
 

@@ -12,11 +12,16 @@
 namespace kinetri {
 namespace {
 
-Polynomial_motion_2 as_polynomial(const Linear_motion_2& motion) {
-  return polynomial_motion(motion);
+Polynomial_disc_motion_2 as_disc(const Linear_motion_2& motion) {
+  return {polynomial_motion(motion)};
 }
-const Polynomial_motion_2& as_polynomial(const Polynomial_motion_2& motion) {
-  return motion;
+Polynomial_disc_motion_2 as_disc(const Polynomial_motion_2& motion) {
+  return {motion};
+}
+
+// Whether the points of such an event keep their motions.
+bool is_of_topology(Event_kind kind) {
+  return kind < Event_kind::wall;
 }
 
 bool is_one_flip(Event_kind kind) {
@@ -78,7 +83,7 @@ class Merged_events {
  private:
   struct Point_change {
     bool was_there = true;
-    std::optional<Polynomial_motion_2> motion;
+    std::optional<Polynomial_disc_motion_2> motion;
   };
 
   static Recorded_event with_edge(Recorded_event row,
@@ -162,7 +167,7 @@ void Recorder<Traits>::record_motion(Point_id id, std::optional<std::size_t> eve
   Recorded_motion& motion = recording_.motions.emplace_back();
   motion.event = event;
   motion.point = id;
-  if (triangulation_.contains(id)) motion.motion = as_polynomial(triangulation_.motion(id));
+  if (triangulation_.contains(id)) motion.motion = as_disc(triangulation_.motion(id));
 }
 
 template <class Traits>
@@ -172,8 +177,10 @@ void Recorder<Traits>::after_event(const Event& event) {
   const std::size_t index = recording_.events.size();
   recording_.events.push_back({event.number, event.kind, rounded_time_, event.removed, event.added,
                                event.point_a, event.point_b});
-  if (event.point_a) record_motion(*event.point_a, index);
-  if (event.point_b) record_motion(*event.point_b, index);
+  if (!is_of_topology(event.kind)) {
+    if (event.point_a) record_motion(*event.point_a, index);
+    if (event.point_b) record_motion(*event.point_b, index);
+  }
   if (is_one_flip(event.kind)) {
     std::vector<Edge_ids> edges;
     if (event.removed) edges.push_back(*event.removed);

@@ -28,6 +28,11 @@ json data(const std::string& page) {
       test::between(page, "<script type=\"application/json\" id=\"recording\">", "</script"));
 }
 
+Polynomial_disc_motion_2 disc(const Polynomial_motion_2& centre, double radius = 0,
+                              double growth = 0, double weight = 0) {
+  return {centre, radius, growth, weight};
+}
+
 // Three points: one accelerates, one leaves.
 Recording small_recording() {
   Recording result;
@@ -35,9 +40,9 @@ Recording small_recording() {
   result.until = 4;
   result.initial_edges = {{0, 1}, {0, 2}, {1, 2}};
   result.initial_triangles = {{0, 2, 1}};
-  result.motions = {{std::nullopt, 0, Polynomial_motion_2{{1, 2}, {3, 4}}},
-                    {std::nullopt, 1, Polynomial_motion_2{{-1, 0.25}, {}, {6, -7}, {}, 0.5}},
-                    {std::nullopt, 2, Polynomial_motion_2{{1e300, 5e-324}, {0, -0.0}, {}, {}, 2}},
+  result.motions = {{std::nullopt, 0, disc({{1, 2}, {3, 4}})},
+                    {std::nullopt, 1, disc({{-1, 0.25}, {}, {6, -7}, {}, 0.5})},
+                    {std::nullopt, 2, disc({{1e300, 5e-324}, {0, -0.0}, {}, {}, 2})},
                     {1, 1, std::nullopt}};
   // 0.1 is above 1/10; the next number above it and itself bound some exact time.
   result.events = {{5, Event_kind::flip, {0.1, {0.1, 0.1 + 0x1p-56}}, {{0, 1}}, {{1, 2}}},
@@ -106,7 +111,7 @@ TEST(Viewer_page, has_wide_ids_for_many_points) {
   Recording recording;
   recording.initial_edges = {{0, 1}, {0, 70'000}, {1, 70'000}};
   for (Point_id id = 0; id <= 70'000; ++id) {
-    recording.motions.push_back({std::nullopt, id, Polynomial_motion_2{}});
+    recording.motions.push_back({std::nullopt, id, disc({})});
   }
   EXPECT_EQ(data(page(recording, {}))["initial_edges"], "AAAAAAEAAAAAAAAAcBEBAAEAAABwEQEA");
 }
@@ -130,6 +135,16 @@ TEST(Viewer_page, says_what_the_settings_say) {
   EXPECT_EQ(object["wave"]["height"], 3);
   EXPECT_EQ(object["wave"]["width"], 20);
   EXPECT_EQ(object["motions"]["degree"], 3);
+}
+
+TEST(Viewer_page, has_the_sizes_of_discs) {
+  Recording recording = small_recording();
+  EXPECT_FALSE(data(page(recording, {}))["motions"].contains("sizes"));
+  recording.motions[0].motion = disc({{1, 2}, {3, 4}}, 0.5, -0.25);
+  recording.motions[2].motion = disc({{5, 6}}, 2, 0, -3);
+  EXPECT_EQ(data(page(recording, {}))["motions"]["sizes"],
+            "AAAAAAAA4D8AAAAAAADQvwAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"
+            "AAAAAAAAAEAAAAAAAAAAAAAAAAAAAAjAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA");
 }
 
 TEST(Viewer_page, is_not_broken_by_texts) {

@@ -13,7 +13,7 @@
 //   points        the number of point ids: these are 0 ... points - 1
 //   names         the points' names by id; absent: their ids
 //   box           [xmin, ymin, xmax, ymax], or null
-//   radius        of the discs, 0 without discs
+//   radius        of the discs where all are equal and none grows; else 0
 //   thinned       null, or {"events": how many the run had} where events are left out (Recording)
 //   wave          null, or {"height": h, "width": w}: the page begins with the wave. At a place its
 //                 height is h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving
@@ -27,13 +27,15 @@
 //                 change triangles: event: base64 of uint32, the index of the event; removed and
 //                 added: base64 of uint32, how many triangles it removes and adds; ids: base64 of
 //                 the corners of these, as in initial, of each event the removed ones first
-//   motions       {count, degree, starting, event, point, there, data}: trajectories in the order
-//                 in which they begin, the first `starting` of them at the start. event: base64 of
-//                 uint32, index of the event from which on it is in force, 0 for those of the
-//                 start; point: base64 of ids; there: base64 of uint8, 1, or 0 if the point is gone
-//                 from then on; data: base64 of binary64, each trajectory (0 of points that are
-//                 gone) the epoch e, x, y, vx, vy, and, as far as `degree` (1 to 3) asks for them,
-//                 ax, ay, jx, jy: x + vx s + ax s^2/2 + jx s^3/6 with s = t - e
+//   motions       {count, degree, starting, event, point, there, data, sizes}: trajectories in the
+//                 order in which they begin, the first `starting` of them at the start. event:
+//                 base64 of uint32, index of the event from which on it is in force, 0 for those of
+//                 the start; point: base64 of ids; there: base64 of uint8, 1, or 0 if the point is
+//                 gone from then on; data: base64 of binary64, each trajectory (0 of points that
+//                 are gone) the epoch e, x, y, vx, vy, and, as far as `degree` (1 to 3) asks for
+//                 them, ax, ay, jx, jy: x + vx s + ax s^2/2 + jx s^3/6 with s = t - e; sizes:
+//                 absent where points have no weights, else base64 of binary64, each trajectory r,
+//                 g and w: the disc has the radius r + g s, the point the weight (r + g s)^2 + w
 //   events        {count, first, kinds, kind, fields, time, ids}: first: the number that the
 //                 first one has in the run, 0 if some are left out; kinds: the names of the kinds;
 //                 kind: base64 of uint8, indices in `kinds`; fields: base64 of uint8, the sum of 1
@@ -64,10 +66,11 @@ struct Wave_shape {
 
 /// What the page says and shows besides the recording.
 struct Viewer_settings {
-  std::string title;                              ///< of the run, for people
-  std::vector<std::string> names;                 ///< of the points by id, or none
-  std::optional<Box_2> box = std::nullopt;        ///< drawn if there is one
-  double radius = 0;                              ///< of the discs, 0 without discs
+  std::string title;                        ///< of the run, for people
+  std::vector<std::string> names;           ///< of the points by id, or none
+  std::optional<Box_2> box = std::nullopt;  ///< drawn if there is one
+  /// Of the discs, where all are equal and none grows, and the motions have no radius; else 0.
+  double radius = 0;
   std::optional<Wave_shape> wave = std::nullopt;  ///< the page begins with it if there is one
 };
 

@@ -16,7 +16,7 @@
 #include "kinetri/base/double_interval.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
-#include "kinetri/kinetic/polynomial_motion_2.h"
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/simulation/box_2.h"
 #include "kinetri/simulation/detail/triangle_map.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
@@ -38,7 +38,9 @@ using Recorded_event = Basic_event<Recorded_time>;
 struct Recorded_motion {
   std::optional<std::size_t> event;  ///< index of the event in the recording; none: from the start
   Point_id point = no_point;         ///< the point
-  std::optional<Polynomial_motion_2> motion;  ///< the new motion; none: the point is erased
+  /// The new motion, with the radius and the weight where points have one; none: the point is
+  /// erased.
+  std::optional<Polynomial_disc_motion_2> motion;
 };
 
 /// A triangle that an event removes or adds.
@@ -57,6 +59,8 @@ struct Recorded_triangle {
 /// `events` has the events of the run. Where triangles change, or turn over, although no edge does
 /// (points meet and pass, or all points are on a line for an instant), there is a row of the kind
 /// rebuild without an edge, which is no event of the run: its number is that of the next event.
+///
+/// Points that others hide are those that are there without an edge, if any point has one.
 struct Recording {
   double from = 0;                              ///< the start, rounded
   double until = 0;                             ///< the end, rounded
