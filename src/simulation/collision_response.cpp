@@ -27,19 +27,28 @@ Contact_response_2 collide_elastically(const Contact_2& contact) {
   n = {std::scalbn(n.x, exponent), std::scalbn(n.y, exponent)};
   const auto size_of = [](const Vector_2& v) { return std::max(std::abs(v.x), std::abs(v.y)); };
   // Velocities whose differences might overflow are scaled as well.
-  const double greatest = std::max(size_of(contact.velocity_a), size_of(contact.velocity_b));
+  const double greatest = std::max({size_of(contact.velocity_a), size_of(contact.velocity_b),
+                                    std::abs(contact.growth_a), std::abs(contact.growth_b)});
   const double scale = greatest > 0x1p1000 ? 0x1p10 : 1;
   const Vector_2 a = {contact.velocity_a.x / scale, contact.velocity_a.y / scale};
   const Vector_2 b = {contact.velocity_b.x / scale, contact.velocity_b.y / scale};
-  const double impulse = ((b.x - a.x) * n.x + (b.y - a.y) * n.y) / (n.x * n.x + n.y * n.y);
+  const double growth = contact.growth_a / scale + contact.growth_b / scale;
+  const double square = n.x * n.x + n.y * n.y;
+  // For unit masses, as are the changes below. Without growth nothing is subtracted, exactly.
+  const double impulse =
+      ((b.x - a.x) * n.x + (b.y - a.y) * n.y - growth * std::sqrt(square)) / square;
+  // The parts of twice the impulse: 1 and 1, exactly, where the masses are equal.
+  const double part_a = 2 / (1 + contact.mass_a / contact.mass_b);
+  const double part_b = 2 / (1 + contact.mass_b / contact.mass_a);
   const auto velocities = [&](double along) {
     const Vector_2 change = {along * n.x, along * n.y};
-    return Contact_response_2{Vector_2{(a.x + change.x) * scale, (a.y + change.y) * scale},
-                              Vector_2{(b.x - change.x) * scale, (b.y - change.y) * scale}};
+    return Contact_response_2{
+        Vector_2{(a.x + part_a * change.x) * scale, (a.y + part_a * change.y) * scale},
+        Vector_2{(b.x - part_b * change.x) * scale, (b.y - part_b * change.y) * scale}};
   };
   Contact_response_2 result = velocities(impulse);
   if (contact.is_pressed) return result;
-  const double size = std::max(size_of(a), size_of(b)) / size_of(n);
+  const double size = std::max({size_of(a), size_of(b), std::abs(growth)}) / size_of(n);
   for (double further =
            size * std::numeric_limits<double>::epsilon() + std::numeric_limits<double>::min();
        contact.would_approach(*result.velocity_a, *result.velocity_b); further *= 2) {

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "kinetri/algebra/real_roots.h"
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "support/brute_force_simulator.h"
 #include "support/motions.h"
@@ -39,12 +40,23 @@ struct All_pairs_contact {
   }
 };
 
+/// The radius at a time, straight from the definition; the same number for all points.
+template <class Motion>
+Rational radius_at(const Motion& motion, const Rational& t, const Simulation_options& options) {
+  if constexpr (HasWeight<Motion>) {
+    return to_rational(motion.radius) +
+           to_rational(motion.growth) * (t - to_rational(motion.epoch));
+  } else {
+    return to_rational(options.radius);
+  }
+}
+
 template <class Motion>
 class All_pairs_simulator {
  public:
   All_pairs_simulator(const std::vector<Motion>& motions, const Simulation_options& options)
       : options_(options), time_(0.0) {
-    if (options.box) walls_ = options.box->walls(options.rim_touches ? options.radius : 0);
+    if (options.box) walls_ = options.box->walls(0);
     for (Point_id id = 0; id < motions.size(); ++id) motions_[id] = motions[id];
     for (const auto& [id, motion] : motions_) find_contacts(id);
   }
@@ -92,22 +104,22 @@ class All_pairs_simulator {
   }
 
  private:
-  static constexpr int degree = std::same_as<Motion, Linear_motion_2> ? 1 : 3;
+  static constexpr int degree = std::derived_from<Motion, Linear_motion_2> ? 1 : 3;
 
-  // The squared distance minus the square of the diameter, up to a positive factor.
+  // The squared distance minus the square of the sum of the radii, up to a positive factor.
   Polynomial gap(const Motion& p, const Motion& q) const {
-    const Rational diameter = 2 * to_rational(options_.radius);
     return interpolate(2 * degree, [&](const Rational& t) {
-      return Rational(CGAL::squared_distance(place_at(p, t), place_at(q, t)) - diameter * diameter);
+      const Rational contact = radius_at(p, t, options_) + radius_at(q, t, options_);
+      return Rational(CGAL::squared_distance(place_at(p, t), place_at(q, t)) - contact * contact);
     });
   }
 
-  static Polynomial clearance(const Motion& p, const Wall_2& wall) {
+  Polynomial clearance(const Motion& p, const Wall_2& wall) const {
     const Rational position = to_rational(wall.position);
-    const Rational distance = to_rational(wall.clearance);
     return interpolate(degree, [&](const Rational& t) {
       const Static_point place = place_at(p, t);
       const Rational x = wall.is_vertical() ? place.x() : place.y();
+      const Rational distance = options_.rim_touches ? radius_at(p, t, options_) : Rational(0);
       return Rational((wall.is_upper() ? position - x : x - position) - distance);
     });
   }
@@ -169,9 +181,18 @@ class All_pairs_simulator {
 
   Motion clamped(Motion motion) const {
     if (!options_.box) return motion;
-    for (const Wall_2& wall : walls_) motion = clamped_inside(motion, wall, time_.tight_interval());
+    for (Wall_2 wall : walls_) {
+      wall.clearance = options_.rim_touches ? options_.radius : 0;
+      motion = clamped_inside(motion, wall, time_.tight_interval());
+    }
     return motion;
   }
+
+  static double growth_of(const Motion& motion) {
+    if constexpr (HasWeight<Motion>) return motion.growth;
+    return 0;
+  }
+  double mass(Point_id id) const { return options_.masses.empty() ? 1 : options_.masses.at(id); }
 
   bool do_approach(const Motion& p, const Motion& q) const {
     return sign_just_after(derivative(gap(p, q)), time_) == CGAL::NEGATIVE;
@@ -226,7 +247,9 @@ class All_pairs_simulator {
     }
     const double time = time_.to_double();
     Vector_2 velocity = rounded_velocity(motion, time);
-    (wall.is_vertical() ? velocity.x : velocity.y) *= -1;
+    double& component = wall.is_vertical() ? velocity.x : velocity.y;
+    component = -component;
+    if (options_.rim_touches) component += (wall.is_upper() ? -2 : 2) * growth_of(motion);
     change(id, clamped(with_velocity_at(motion, velocity, time)));
     finish_changes();
   }
@@ -252,6 +275,10 @@ class All_pairs_simulator {
                            {place_q.x - place_p.x, place_q.y - place_p.y},
                            rounded_velocity(p, time),
                            rounded_velocity(q, time),
+                           mass(a),
+                           mass(b),
+                           growth_of(p),
+                           growth_of(q),
                            is_pressed,
                            would_approach});
     const auto after = [&](const Motion& motion, bool stops,

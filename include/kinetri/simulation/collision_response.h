@@ -24,6 +24,10 @@ struct Contact_2 {
   Vector_2 separation;          ///< centre of b minus centre of a; may be rounded to zero
   Vector_2 velocity_a;          ///< of point_a just before the contact
   Vector_2 velocity_b;          ///< of point_b just before the contact
+  double mass_a = 1;            ///< of point_a: positive
+  double mass_b = 1;            ///< of point_b: positive
+  double growth_a = 0;          ///< growth of the radius of point_a per unit of time
+  double growth_b = 0;          ///< growth of the radius of point_b per unit of time
   /// Whether they have no speed toward each other, but accelerate toward each other: the first
   /// derivative of their squared distance is zero, exactly. No exchange of velocities parts them.
   bool is_pressed = false;
@@ -43,7 +47,8 @@ struct Contact_response_2 {
   std::optional<Vector_2> velocity_b = std::nullopt;  ///< new velocity of point_b; finite
   bool erases_a = false;                              ///< whether point_a is erased
   bool erases_b = false;                              ///< whether point_b is erased
-  bool stops_a = false;  ///< whether point_a rests from now on: velocity, acceleration, jerk are 0
+  /// Whether point_a rests from now on: velocity, acceleration, jerk and growth are 0.
+  bool stops_a = false;
   bool stops_b = false;  ///< whether point_b rests from now on
 
   /// Whether a point gets another velocity, or rests, and both stay.
@@ -60,20 +65,29 @@ using Collision_response = std::function<Contact_response_2(const Contact_2&)>;
 Contact_response_2 log_contact(const Contact_2& contact);
 
 /// The two points exchange their velocities: a point that hits a resting point stops and sets it in
-/// motion. Energy and momentum are conserved exactly. If the exchanged velocities would still make
-/// the discs approach, because of rounded positions of nearly equal centres, they pass through each
-/// other. Source: Computation of Topologic Events in Kinetic Delaunay Triangulation using Sturm
-/// Sequences of Polynomials, section 6.3.
+/// motion. The masses make no difference. Energy and momentum are conserved exactly where the
+/// masses are equal. If the exchanged velocities would still make the discs approach, they pass
+/// through each other. So do discs that grow faster than the exchanged velocities part them, such
+/// as two that rest, and discs of nearly equal centres, because of rounded positions. Source:
+/// Computation of Topologic Events in Kinetic Delaunay Triangulation using Sturm Sequences of
+/// Polynomials, section 6.3.
 Contact_response_2 swap_velocities(const Contact_2& contact);
 
-/// Elastic collision of equal masses: the components of the velocities along the line of centres
-/// are exchanged. Energy and momentum are conserved up to rounding. If the rounded velocities would
-/// still approach, as in a nearly tangential contact, they get the least further change with which
-/// they do not. If no change up to the size of the speeds achieves that, because the centres nearly
-/// coincide, they pass through each other.
+/// Elastic collision: impulses along the line of centres, equal and opposite, after which the rims
+/// part as fast as they approached. Let v be the component of the relative velocity along the line
+/// of centres, positive where the centres part, and G the sum of the growths: then v becomes 2 G -
+/// v, and each velocity changes by the part of that change that is in inverse proportion to the
+/// mass. So momentum is conserved up to rounding, and energy too where nothing grows; equal masses
+/// exchange the components. (Growing discs gain energy. The rule for them: B. Lubachevsky, F.
+/// Stillinger, Geometric properties of random disk packings, Journal of Statistical Physics 60,
+/// 1990.)
+///
+/// If the rounded velocities would still approach, as in a nearly tangential contact, they get the
+/// least further change with which they do not. If no change up to the size of the speeds achieves
+/// that, because the centres nearly coincide, they pass through each other.
 Contact_response_2 collide_elastically(const Contact_2& contact);
 
-/// Both points stop, and stay where they are: velocity, acceleration and jerk are 0.
+/// Both points stop, and stay where they are: velocity, acceleration, jerk and growth are 0.
 Contact_response_2 stop_both(const Contact_2& contact);
 
 /// Both points are erased.

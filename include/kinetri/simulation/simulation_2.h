@@ -97,8 +97,9 @@ class Simulation_2 : private Event_observer {
 
   /// Throws Precondition_error where an option has no meaning: a box without area, or not finite;
   /// a radius that is negative or not finite; collisions of discs without a radius; a box that is
-  /// not wider than a disc whose rim touches it. Throws Outside_box_error if a point is outside of
-  /// the box at the start, and as the constructor of the triangulation. Cost: that of the
+  /// not wider than a disc whose rim touches it; masses that are not positive and finite, or
+  /// another number of masses than of points. Throws Outside_box_error if a point is outside of the
+  /// box at the start, and as the constructor of the triangulation. Cost: that of the
   /// triangulation, and a contact certificate for each edge and wall.
   Simulation_2(const std::vector<Motion>& motions, const Simulation_options& options,
                const Time& start = Time(), const Traits& traits = Traits());
@@ -124,8 +125,11 @@ class Simulation_2 : private Event_observer {
   const Triangulation& triangulation() const { return triangulation_; }
   /// The time just after which the triangulation is Delaunay now.
   const Time& current_time() const { return triangulation_.current_time(); }
-  /// The box and the discs, as given to the constructor or held by the snapshot.
+  /// The box and the discs, as given to the constructor or held by the snapshot, with the present
+  /// masses.
   const Simulation_options& options() const { return options_; }
+  /// The mass of a point: as given, or 1.
+  double mass(Point_id id) const { return id < options_.masses.size() ? options_.masses[id] : 1; }
 
   /// The whole state but the response and the observers, to be restored later or elsewhere; see
   /// Simulation_snapshot. O(n). Precondition: not within an event or an instant: not called by an
@@ -150,13 +154,17 @@ class Simulation_2 : private Event_observer {
 
   /// @{
   /// Changes a point at current_time(), as the functions of the triangulation of these names do.
-  /// Precondition: triangulation().contains(id). With a box, the point must be inside the box now;
-  /// throws Outside_box_error if it is not.
-  Point_id insert(const Motion& motion);
+  /// Precondition: triangulation().contains(id); the mass is positive and finite. With a box, the
+  /// point must be inside the box now; throws Outside_box_error if it is not.
+  Point_id insert(const Motion& motion, double mass = 1);
   void set_motion(Point_id id, const Motion& motion);
   void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
   void erase(Point_id id);
   /// @}
+
+  /// Gives a point another mass from now on. Precondition: triangulation().contains(id); the mass
+  /// is positive and finite.
+  void set_mass(Point_id id, double mass);
 
   /// @{
   /// Schedules a change at `time`, after the triangulation's events and the contacts of that time.
@@ -167,8 +175,9 @@ class Simulation_2 : private Event_observer {
   /// at that time, is dropped too: the call that has reached its time throws what the functions
   /// above throw, and the next call goes on with the remaining changes. An observer may schedule
   /// changes. Precondition: time >= current_time(); the motion is finite; the id has been given or
-  /// reserved. schedule_insert returns the id that the point will have.
-  Point_id schedule_insert(const Time& time, const Motion& motion);
+  /// reserved; the mass is positive and finite. schedule_insert returns the id that the point will
+  /// have.
+  Point_id schedule_insert(const Time& time, const Motion& motion, double mass = 1);
   void schedule_motion(const Time& time, Point_id id, const Motion& motion);
   void schedule_erase(const Time& time, Point_id id);
   /// @}
@@ -255,7 +264,8 @@ class Simulation_2 : private Event_observer {
   };
 
   const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
-  const char* options_problem() const;
+  std::string options_problem() const;
+  void keep_mass(Point_id id, double mass);
   struct Restoration {};
   Simulation_2(Restoration, const Snapshot& snapshot, Collision_response response,
                const Traits& traits);

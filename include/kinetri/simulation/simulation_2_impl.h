@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/simulation/detail/disc_numbers.h"
 #include "kinetri/simulation/detail/shortest_text.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/detail/point_problems.h"
@@ -27,8 +28,9 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
       options_(options),
       diameter_(2 * options.radius),
       triangulation_(motions, start, traits) {
-  const char* const problem = options_problem();
-  KINETRI_PRECONDITION(problem == nullptr, problem);
+  KINETRI_PRECONDITION(options_problem().empty(), options_problem());
+  KINETRI_PRECONDITION(options_.masses.empty() || options_.masses.size() == motions.size(),
+                       "masses, but not one for each point");
   if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
   for (Point_id id = 0; id < motions.size(); ++id) check_inside(point(id));
   triangulation_.add_observer(*this);
@@ -36,15 +38,19 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
   schedule_all();
 }
 
-// What is wrong with the options; null if nothing is.
+// What is wrong with the options; empty if nothing is.
 template <ContactKineticTraits_2 Traits>
-const char* Simulation_2<Traits>::options_problem() const {
+std::string Simulation_2<Traits>::options_problem() const {
   if (!std::isfinite(diameter_) || !(options_.radius >= 0)) {
     return "the radius is negative, or the diameter is not finite";
   }
   if (options_.response && options_.radius == 0)
     return "the radius is 0, and discs without one never touch";
-  if (!options_.box) return nullptr;
+  for (Point_id id = 0; id < options_.masses.size(); ++id) {
+    const std::string problem = detail::mass_problem(id, options_.masses[id]);
+    if (!problem.empty()) return problem;
+  }
+  if (!options_.box) return {};
   const auto& [xmin, ymin, xmax, ymax] = *options_.box;
   if (!std::isfinite(xmin) || !std::isfinite(ymin) || !std::isfinite(xmax) ||
       !std::isfinite(ymax) || !(xmin < xmax && ymin < ymax)) {
@@ -55,7 +61,7 @@ const char* Simulation_2<Traits>::options_problem() const {
                                to_rational(ymax) - to_rational(ymin) <= diameter)) {
     return "the box is not wider and higher than a disc whose rim touches it";
   }
-  return nullptr;
+  return {};
 }
 
 template <ContactKineticTraits_2 Traits>

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "kinetri/events/indexed_queue.h"
 #include "kinetri/simulation/box_2.h"
@@ -26,6 +27,9 @@ struct Simulation_options {
   double radius = 0;
   /// The response to contacts of discs. If empty, no contacts are computed.
   Collision_response response = nullptr;
+  /// The masses by point id, each positive and finite; points beyond the end, such as those that
+  /// are inserted without one, have the mass 1. Empty, or one for each point at the start.
+  std::vector<double> masses = {};
   /// The most contacts, of all points together, at one time.
   std::uint64_t max_contacts_per_instant = 1'000'000;
 };

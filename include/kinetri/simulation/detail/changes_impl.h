@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kinetri/base/check.h"
+#include "kinetri/simulation/detail/disc_numbers.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/detail/point_problems.h"
 
@@ -50,9 +51,13 @@ auto Simulation_2<Traits>::take_scheduled_motion(const Entry& change) -> std::op
 }
 
 template <ContactKineticTraits_2 Traits>
-Point_id Simulation_2<Traits>::schedule_insert(const Time& time, const Motion& motion) {
-  const Point_id id = triangulation_.reserve_id();
+Point_id Simulation_2<Traits>::schedule_insert(const Time& time, const Motion& motion,
+                                               double mass) {
+  const Point_id id = triangulation_.next_id();
+  KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
+  triangulation_.reserve_id();
   schedule(time, Entry_kind::insert, id, motion);
+  keep_mass(id, mass);
   return id;
 }
 
@@ -91,10 +96,12 @@ bool Simulation_2<Traits>::try_change(const Due_change& change) {
 }
 
 template <ContactKineticTraits_2 Traits>
-Point_id Simulation_2<Traits>::insert(const Motion& motion) {
-  check_inside(Point_2(motion, triangulation_.next_id()));
+Point_id Simulation_2<Traits>::insert(const Motion& motion, double mass) {
   const Point_id id = triangulation_.next_id();
+  KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
+  check_inside(Point_2(motion, id));
   change({&id, 1}, [&] { triangulation_.insert(motion); });
+  keep_mass(id, mass);
   return id;
 }
 
@@ -121,6 +128,21 @@ void Simulation_2<Traits>::set_motions(std::span<const Point_id> ids,
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::erase(Point_id id) {
   change({&id, 1}, [&] { triangulation_.erase(id); });
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::set_mass(Point_id id, double mass) {
+  KINETRI_PRECONDITION(triangulation_.contains(id), detail::unknown_id_problem(id));
+  KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
+  keep_mass(id, mass);
+}
+
+// Points beyond the end of the masses have the mass 1.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::keep_mass(Point_id id, double mass) {
+  if (mass == this->mass(id)) return;
+  if (id >= options_.masses.size()) options_.masses.resize(id + 1, 1.0);
+  options_.masses[id] = mass;
 }
 
 // Takes the changes of motions out of the queue that can be made together with the first one, which

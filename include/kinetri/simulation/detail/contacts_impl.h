@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/simulation/detail/disc_numbers.h"
 #include "kinetri/simulation/detail/shortest_text.h"
 #include "kinetri/simulation/simulation_2.h"
 
@@ -65,6 +66,10 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
                          {place_b.x - place_a.x, place_b.y - place_a.y},
                          rounded_velocity(motion_a, time),
                          rounded_velocity(motion_b, time),
+                         mass(a),
+                         mass(b),
+                         detail::growth_of(motion_a),
+                         detail::growth_of(motion_b),
                          is_pressed,
                          std::cref(would_approach)});
 

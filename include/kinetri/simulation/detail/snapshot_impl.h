@@ -64,8 +64,11 @@ Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& sna
       "a response where the snapshot's simulation had none, or none where it had one; pass one "
       "if and only if has_response is set");
   options_.response = std::move(response);
-  if (const char* const problem = options_problem()) {
-    throw Snapshot_error(std::string("the snapshot's options cannot be used: ") + problem);
+  if (const std::string problem = options_problem(); !problem.empty()) {
+    throw Snapshot_error("the snapshot's options cannot be used: " + problem);
+  }
+  if (options_.masses.size() > triangulation_.next_id()) {
+    throw Snapshot_error("the snapshot has more masses than point ids");
   }
   counters_.queue = {};
   if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
