@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "filter/disc_filter.h"
 #include "filter/filter.h"
 #include "filter/precise_filter.h"
 #include "kinetri/algebra/real_roots.h"
@@ -18,6 +19,9 @@ namespace kinetri {
 namespace {
 
 using Time = Algebraic_number;
+
+template <class Motion>
+constexpr bool is_linear = std::same_as<Centre_motion_of<Motion>, Linear_motion_2>;
 
 // The polynomials of failures that the filter has bracketed, made when an exact decision needs
 // them.
@@ -140,21 +144,31 @@ std::optional<Time> contact_time(const Polynomial& distance, const Time& t) {
   return failure_time(distance, *fall);
 }
 
-// The first time strictly after t at which both coordinates of a difference vanish.
-std::optional<Time> coincidence_time(const Polynomial& x, const Polynomial& y, const Time& t) {
-  if (x.degree() > 1 || y.degree() > 1) {
-    const Polynomial common = gcd(x, y);
+// The first time strictly after t at which both coordinates of a difference vanish, and `weight`,
+// the difference of the weights.
+std::optional<Time> coincidence_time(const Polynomial& x, const Polynomial& y,
+                                     const Polynomial& weight, const Time& t) {
+  if (x.degree() > 1 || y.degree() > 1 || (x.degree() < 1 && y.degree() < 1)) {
+    const Polynomial common = gcd(gcd(x, y), weight);
     if (common.degree() < 1) return std::nullopt;
     std::optional<Real_root> root = first_root_after(common, t);
     return root ? std::optional(std::move(root->value)) : std::nullopt;
   }
-  // Linear polynomials: a common root is a root of the one that is not constant, and of the other.
+  // Linear polynomials: a common root is a root of the one that is not constant, and of the others.
   const Polynomial& moving = x.degree() == 1 ? x : y;
   const Polynomial& other = x.degree() == 1 ? y : x;
-  if (moving.degree() != 1) return std::nullopt;
   const Rational root(-moving[0], moving[1]);
-  if (other.sign_at(root) != CGAL::ZERO || compare(t, root) != CGAL::SMALLER) return std::nullopt;
+  if (other.sign_at(root) != CGAL::ZERO || weight.sign_at(root) != CGAL::ZERO ||
+      compare(t, root) != CGAL::SMALLER) {
+    return std::nullopt;
+  }
   return Time(root);
+}
+
+template <class Point>
+Polynomial weight_difference_or_zero(const Point& p, const Point& q) {
+  if constexpr (HasWeight<typename Point::Motion>) return weight_difference(p, q);
+  return {};
 }
 
 Certificate exact_contact_certificate(const Polynomial& distance, const Time& t) {
@@ -256,11 +270,11 @@ template <class Motion>
 bool Basic_kinetic_traits_2<Motion>::is_surrounded(const Point_2& p,
                                                    std::span<const Point_2* const> around,
                                                    const Double_interval& now) const {
-  if constexpr (std::same_as<Motion, Linear_motion_2>) {
-    std::array<const Motion*, most_around> others;
+  if constexpr (is_linear<Motion>) {
+    std::array<const Linear_motion_2*, most_around> others;
     if (arithmetic_ != Arithmetic::filtered || around.size() > others.size()) return false;
     std::ranges::transform(around, others.begin(), [](const Point_2* q) { return &q->motion(); });
-    return certainly_surrounded(p.motion(), std::span(others).first(around.size()), now);
+    return certainly_surrounded(centre(p.motion()), std::span(others).first(around.size()), now);
   }
   return false;
 }
@@ -285,11 +299,27 @@ Certificate Basic_kinetic_traits_2<Motion>::coincidence_certificate(
   if (arithmetic_ == Arithmetic::filtered && certainly_apart(p.motion(), q.motion(), among)) {
     return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::filter};
   }
-  std::optional<Time> time = coincidence_time(x_difference(p, q), y_difference(p, q), t);
+  std::optional<Time> time =
+      coincidence_time(x_difference(p, q), y_difference(p, q), weight_difference_or_zero(p, q), t);
   if (!time) return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::exact};
   const Double_interval bounds = time->interval();
   return {Certificate::Kind::fails, bounds, std::make_unique<Time>(std::move(*time)), false,
           Certificate::Means::exact};
+}
+
+// ---- weights ----
+
+template <class Motion>
+Certificate Basic_kinetic_traits_2<Motion>::segment_certificate(
+    const Point_2& p, const Point_2& q, const Point_2& r,
+    const Time& t) const requires HasWeight<Motion> {
+  return exact_certificate(segment_polynomial(p, q, r), t);
+}
+
+template <class Motion>
+Certificate Basic_kinetic_traits_2<Motion>::weight_certificate(
+    const Point_2& p, const Point_2& q, const Time& t) const requires HasWeight<Motion> {
+  return exact_certificate(weight_difference(p, q), t);
 }
 
 // ---- contacts ----
@@ -305,13 +335,14 @@ Certificate Basic_kinetic_traits_2<Motion>::contact_certificate(const Point_2& p
   return exact_contact_certificate(contact_polynomial(p, q, diameter), t);
 }
 
-// On straight lines two that part never meet again: their squared distance is convex.
+// On straight lines two that part never meet again: their distance is convex, and remains so less
+// the sum of radii that grow at constant rates.
 template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::next_contact_certificate(const Point_2& p,
                                                                      const Point_2& q,
                                                                      double diameter,
                                                                      const Time& t) const {
-  if constexpr (std::same_as<Motion, Linear_motion_2>) {
+  if constexpr (is_linear<Motion>) {
     return {};
   } else {
     const std::optional<Time> parting = failure_time(-contact_polynomial(p, q, diameter), t);
@@ -340,12 +371,20 @@ Time Basic_kinetic_traits_2<Motion>::contact_failure(const Point_2& p, const Poi
 template <class Motion>
 Time Basic_kinetic_traits_2<Motion>::wall_failure(const Point_2& p, const Wall_2& wall,
                                                   const Double_interval& bounds) const {
-  if constexpr (std::same_as<Motion, Linear_motion_2>) {
-    const auto& [position, velocity, epoch] = p.motion();
-    const Rational clearance = to_rational(wall.clearance);
+  if constexpr (is_linear<Motion>) {
+    const auto& [position, velocity, epoch] = centre(p.motion());
+    Rational clearance = to_rational(wall.clearance);
+    Rational growth = 0;
+    if constexpr (HasWeight<Motion>) {
+      if (wall.rim) {
+        clearance += to_rational(p.motion().radius);
+        growth = to_rational(p.motion().growth);
+      }
+    }
     const Rational bound = to_rational(wall.position) + (wall.is_upper() ? -clearance : clearance);
     const Rational place = to_rational(wall.is_vertical() ? position.x : position.y);
-    const Rational speed = to_rational(wall.is_vertical() ? velocity.x : velocity.y);
+    const Rational speed = to_rational(wall.is_vertical() ? velocity.x : velocity.y) +
+                           (wall.is_upper() ? growth : -growth);
     return Time(Rational(to_rational(epoch) + (bound - place) / speed));
   } else {
     return Time(std::make_shared<Wall_root<Motion>>(p, wall), bounds);
@@ -375,10 +414,14 @@ bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Point_2& p, const 
 template <class Motion>
 bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Point_2& p, const Wall_2& wall,
                                                         const Time& t) const {
-  if constexpr (std::same_as<Motion, Linear_motion_2>) {
+  if constexpr (is_linear<Motion>) {
     const Vector_2& velocity = p.motion().velocity;
-    const double outward = wall.is_vertical() ? velocity.x : velocity.y;
-    return wall.is_upper() ? outward > 0 : outward < 0;
+    const double speed = wall.is_vertical() ? velocity.x : velocity.y;
+    double growth = 0;
+    if constexpr (HasWeight<Motion>) {
+      if (wall.rim) growth = p.motion().growth;
+    }
+    return wall.is_upper() ? speed > -growth : speed < growth;
   }
   return sign_at(derivative(wall_polynomial(p, wall)), t) == CGAL::NEGATIVE;
 }
@@ -412,5 +455,7 @@ bool Basic_kinetic_traits_2<Motion>::is_inside(const Point_2& p, const Wall_2& w
 
 template class Basic_kinetic_traits_2<Linear_motion_2>;
 template class Basic_kinetic_traits_2<Polynomial_motion_2>;
+template class Basic_kinetic_traits_2<Disc_motion_2>;
+template class Basic_kinetic_traits_2<Polynomial_disc_motion_2>;
 
 }  // namespace kinetri

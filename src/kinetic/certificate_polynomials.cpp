@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/certificate_polynomials.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "kinetri/base/check.h"
 
 namespace kinetri {
 namespace {
 
-// The vector from one point to another, in homogeneous coordinates.
+// The vector from one point to another, in homogeneous coordinates, and by how much the weight of
+// the other is greater, times w^2.
 struct Vector {
   Polynomial x;
   Polynomial y;
   Polynomial w;
+  Polynomial weight;
 };
 
 bool is_one(const Polynomial& w) {
@@ -24,7 +29,8 @@ Polynomial times(const Polynomial& a, const Polynomial& w) {
 
 Vector difference(const Trajectory_2& to, const Trajectory_2& from) {
   return {times(to.x, from.w) - times(from.x, to.w), times(to.y, from.w) - times(from.y, to.w),
-          times(to.w, from.w)};
+          times(to.w, from.w),
+          times(times(to.weight, from.w), from.w) - times(times(from.weight, to.w), to.w)};
 }
 
 Polynomial cross(const Vector& a, const Vector& b) {
@@ -35,6 +41,44 @@ Polynomial dot(const Vector& a, const Vector& b) {
 }
 Polynomial squared_length(const Vector& a) {
   return dot(a, a);
+}
+// The height of the end of the vector, lifted by x^2 + y^2 - weight, above the plane that touches
+// the lifted paraboloid over its beginning.
+Polynomial lift(const Vector& a) {
+  return squared_length(a) - a.weight;
+}
+
+// A polynomial with dyadic coefficients: the numerator divided by the denominator.
+struct Fraction {
+  Polynomial numerator;
+  Integer denominator;
+};
+
+Fraction fraction(const Rational& constant, const Rational& slope) {
+  using boost::multiprecision::denominator;
+  using boost::multiprecision::numerator;
+  // Both are powers of two.
+  const Integer common = std::max(denominator(constant), denominator(slope));
+  return {Polynomial(std::vector<Integer>{numerator(constant) * (common / denominator(constant)),
+                                          numerator(slope) * (common / denominator(slope))}),
+          common};
+}
+
+// The radius of a point as constant + slope * t.
+struct Radius {
+  Rational constant = 0;
+  Rational slope = 0;
+};
+
+template <class Point>
+Radius radius(const Point& p) {
+  if constexpr (HasWeight<typename Point::Motion>) {
+    if (p.has_motion()) {
+      const Rational growth = to_rational(p.motion().growth);
+      return {to_rational(p.motion().radius) - growth * to_rational(p.motion().epoch), growth};
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -69,9 +113,9 @@ Polynomial in_circle_polynomial(const Point& p, const Point& q, const Point& r, 
   const Vector w = difference(c, d);
   // With row i times w_i^2 (a positive factor) the columns are x w, y w and x^2 + y^2, so that each
   // cofactor carries the product of its two denominators.
-  return squared_length(u) * times(times(cross(v, w), v.w), w.w) +
-         squared_length(v) * times(times(cross(w, u), w.w), u.w) +
-         squared_length(w) * times(times(cross(u, v), u.w), v.w);
+  return lift(u) * times(times(cross(v, w), v.w), w.w) +
+         lift(v) * times(times(cross(w, u), w.w), u.w) +
+         lift(w) * times(times(cross(u, v), u.w), v.w);
 }
 
 template <class Point>
@@ -81,6 +125,36 @@ Polynomial distance_difference(const Point& p, const Point& q, const Point& r) {
   const Polynomial to_q = squared_length(difference(b, a));
   const Polynomial to_r = squared_length(difference(c, a));
   return times(times(to_q, c.w), c.w) - times(times(to_r, b.w), b.w);
+}
+
+template <class Point>
+Polynomial weight_difference(const Point& p, const Point& q) {
+  const auto [a, b] = common_trajectories<2, typename Point::Motion>({&p, &q});
+  return times(times(a.weight, b.w), b.w) - times(times(b.weight, a.w), a.w);
+}
+
+template <class Point>
+Polynomial power_distance_difference(const Point& p, const Point& q, const Point& r) {
+  const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
+  // As distance_difference.
+  const Polynomial to_q = squared_length(difference(b, a)) - times(times(b.weight, a.w), a.w);
+  const Polynomial to_r = squared_length(difference(c, a)) - times(times(c.weight, a.w), a.w);
+  return times(times(to_q, c.w), c.w) - times(times(to_r, b.w), b.w);
+}
+
+// With u = p - q and v = r - q the determinant of the coordinates of u and v along the line and of
+// their lifts, times the length of u - v. Everything is multiplied by (u.w v.w)^4.
+template <class Point>
+Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r) {
+  const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
+  const Vector u = difference(a, b);
+  const Vector v = difference(c, b);
+  const Polynomial uu = times(squared_length(u), v.w);
+  const Polynomial uv = dot(u, v);
+  const Polynomial vv = times(squared_length(v), u.w);
+  const Polynomial along_u = times(uu - times(uv, u.w), u.w);
+  const Polynomial along_v = times(times(uv, v.w) - vv, v.w);
+  return times(times(along_u * lift(v), u.w), v.w) - times(times(along_v * lift(u), u.w), v.w);
 }
 
 template <class Point>
@@ -94,39 +168,58 @@ Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point
 template <class Point>
 Polynomial contact_polynomial(const Point& p, const Point& q, double diameter) {
   const Vector v = difference(p.trajectory(), q.trajectory());
-  const Rational d = to_rational(diameter);
-  const Integer numerator = boost::multiprecision::numerator(d);
-  const Integer denominator = boost::multiprecision::denominator(d);
-  return squared_length(v) * Integer(denominator * denominator) -
-         v.w * v.w * Integer(numerator * numerator);
+  const Radius of_p = radius(p);
+  const Radius of_q = radius(q);
+  const auto [reach, denominator] =
+      fraction(to_rational(diameter) + of_p.constant + of_q.constant, of_p.slope + of_q.slope);
+  return squared_length(v) * Integer(denominator * denominator) - v.w * v.w * (reach * reach);
 }
 
 template <class Point>
 Polynomial wall_polynomial(const Point& p, const Wall_2& wall) {
   const Trajectory_2 path = p.trajectory();
-  const Rational clearance = to_rational(wall.clearance);
-  const Rational bound = to_rational(wall.position) + (wall.is_upper() ? -clearance : clearance);
-  const Integer numerator = boost::multiprecision::numerator(bound);
-  const Integer denominator = boost::multiprecision::denominator(bound);
-  const Polynomial inward =
-      (wall.is_vertical() ? path.x : path.y) * denominator - path.w * numerator;
+  const Radius rim = wall.rim ? radius(p) : Radius();
+  const Rational clearance = to_rational(wall.clearance) + rim.constant;
+  const Rational position = to_rational(wall.position);
+  const auto [bound, denominator] = wall.is_upper() ? fraction(position - clearance, -rim.slope)
+                                                    : fraction(position + clearance, rim.slope);
+  const Polynomial inward = (wall.is_vertical() ? path.x : path.y) * denominator - path.w * bound;
   return times(wall.is_upper() ? -inward : inward, path.w);
 }
+
+namespace {
+
+// The center of the circle through the point a, a + u and a + v, of which the squared distances
+// from a, or their powers, are given, times the squares of the denominators.
+Trajectory_2 circle_center(const Trajectory_2& a, const Vector& u, const Vector& v,
+                           const Polynomial& square_of_u, const Polynomial& square_of_v) {
+  // center - a = (v.y |u|^2 - u.y |v|^2, u.x |v|^2 - v.x |u|^2) / (2 cross(u, v)) with u and v
+  // divided by their denominators; here everything is multiplied by (u.w v.w)^2.
+  const Polynomial uu = times(square_of_u, v.w);
+  const Polynomial vv = times(square_of_v, u.w);
+  const Polynomial denominator = times(times(cross(u, v), u.w), v.w) * Integer(2);
+  KINETRI_PRECONDITION(!denominator.is_zero(),
+                       "three points that stay collinear have no circumcenter");
+  return {times(a.x, denominator) + times(v.y * uu - u.y * vv, a.w),
+          times(a.y, denominator) + times(u.x * vv - v.x * uu, a.w), times(a.w, denominator)};
+}
+
+}  // namespace
 
 template <class Point>
 Trajectory_2 circumcenter_trajectory(const Point& p, const Point& q, const Point& r) {
   const Trajectory_2 a = p.trajectory();
   const Vector u = difference(q.trajectory(), a);
   const Vector v = difference(r.trajectory(), a);
-  // center - p = (v.y |u|^2 - u.y |v|^2, u.x |v|^2 - v.x |u|^2) / (2 cross(u, v)) with u and v
-  // divided by their denominators; here everything is multiplied by (u.w v.w)^2.
-  const Polynomial uu = times(squared_length(u), v.w);
-  const Polynomial vv = times(squared_length(v), u.w);
-  const Polynomial denominator = times(times(cross(u, v), u.w), v.w) * Integer(2);
-  KINETRI_PRECONDITION(!denominator.is_zero(),
-                       "three points that stay collinear have no circumcenter");
-  return {times(a.x, denominator) + times(v.y * uu - u.y * vv, a.w),
-          times(a.y, denominator) + times(u.x * vv - v.x * uu, a.w), times(a.w, denominator)};
+  return circle_center(a, u, v, squared_length(u), squared_length(v));
+}
+
+template <class Point>
+Trajectory_2 weighted_circumcenter_trajectory(const Point& p, const Point& q, const Point& r) {
+  const Trajectory_2 a = p.trajectory();
+  const Vector u = difference(q.trajectory(), a);
+  const Vector v = difference(r.trajectory(), a);
+  return circle_center(a, u, v, lift(u), lift(v));
 }
 
 #define KINETRI_INSTANTIATE(Point)                                                         \
@@ -139,9 +232,15 @@ Trajectory_2 circumcenter_trajectory(const Point& p, const Point& q, const Point
   template Polynomial scalar_product_polynomial(const Point&, const Point&, const Point&); \
   template Polynomial contact_polynomial(const Point&, const Point&, double);              \
   template Polynomial wall_polynomial(const Point&, const Wall_2&);                        \
-  template Trajectory_2 circumcenter_trajectory(const Point&, const Point&, const Point&)
+  template Polynomial weight_difference(const Point&, const Point&);                       \
+  template Polynomial power_distance_difference(const Point&, const Point&, const Point&); \
+  template Polynomial segment_polynomial(const Point&, const Point&, const Point&);        \
+  template Trajectory_2 circumcenter_trajectory(const Point&, const Point&, const Point&); \
+  template Trajectory_2 weighted_circumcenter_trajectory(const Point&, const Point&, const Point&)
 KINETRI_INSTANTIATE(Moving_point_2);
 KINETRI_INSTANTIATE(Basic_moving_point_2<Polynomial_motion_2>);
+KINETRI_INSTANTIATE(Basic_moving_point_2<Disc_motion_2>);
+KINETRI_INSTANTIATE(Basic_moving_point_2<Polynomial_disc_motion_2>);
 #undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

@@ -53,9 +53,11 @@ class Linear_coordinate {
   static constexpr int denominator = 1;
 
   Linear_coordinate(const Linear_motion_2& motion, double Vector_2::*axis)
-      : position_(dyadic(motion.position.*axis)),
-        velocity_(dyadic(motion.velocity.*axis)),
-        drift_(product(velocity_, dyadic(motion.epoch))) {}
+      : Linear_coordinate(motion.position.*axis, motion.velocity.*axis, motion.epoch) {}
+  Linear_coordinate(double position, double velocity, double epoch)
+      : position_(dyadic(position)),
+        velocity_(dyadic(velocity)),
+        drift_(product(velocity_, dyadic(epoch))) {}
 
   int least_exponent(int exponent) const {
     return least_exponent_of({&position_, &velocity_, &drift_}, exponent);
@@ -126,11 +128,47 @@ struct Coordinates {
   }
 };
 
+// The weight of a disc, scaled by the square of what scales the coordinates, to which `Centre`
+// belongs.
+template <class Centre>
+struct Weighted_coordinates {
+  static constexpr int denominator = Centre::denominator;
+  Centre centre;
+  Linear_coordinate radius;
+  Dyadic weight;
+
+  template <class Disc>
+  explicit Weighted_coordinates(const Disc& disc)
+      : centre(kinetri::centre(disc)),
+        radius(disc.radius, disc.growth, disc.epoch),
+        weight(dyadic(disc.weight)) {}
+
+  int least_exponent(int exponent) const {
+    exponent = radius.least_exponent(centre.least_exponent(exponent));
+    // Twice the exponent of the result must not be above that of the weight.
+    return weight.mantissa == 0 ? exponent : std::min(exponent, floor_of_half(weight.exponent));
+  }
+  Trajectory_2 scaled(int exponent, Integer w) const {
+    const Polynomial scaled_radius = radius.scaled(exponent) * Integer(denominator);
+    const Integer scaled_weight = shifted(weight, 2 * exponent) * (denominator * denominator);
+    Trajectory_2 result = centre.scaled(exponent, std::move(w));
+    result.weight = scaled_radius * scaled_radius + Polynomial{scaled_weight};
+    return result;
+  }
+
+ private:
+  static int floor_of_half(int x) { return x >= 0 ? x / 2 : -((1 - x) / 2); }
+};
+
 Coordinates<Linear_coordinate> coordinates(const Linear_motion_2& motion) {
   return Coordinates<Linear_coordinate>(motion);
 }
 Coordinates<Polynomial_coordinate> coordinates(const Polynomial_motion_2& motion) {
   return Coordinates<Polynomial_coordinate>(motion);
+}
+template <class Centre>
+auto coordinates(const Basic_disc_motion_2<Centre>& disc) {
+  return Weighted_coordinates<decltype(coordinates(kinetri::centre(disc)))>(disc);
 }
 
 std::ostream& operator<<(std::ostream& out, const Vector_2& v) {
@@ -144,6 +182,12 @@ void print(std::ostream& out, const Linear_motion_2& motion) {
 void print(std::ostream& out, const Polynomial_motion_2& motion) {
   out << motion.position << " at time " << motion.epoch << ", velocity " << motion.velocity
       << ", acceleration " << motion.acceleration << ", jerk " << motion.jerk;
+}
+
+template <class Centre>
+void print(std::ostream& out, const Basic_disc_motion_2<Centre>& disc) {
+  print(out, centre(disc));
+  out << ", radius " << disc.radius << ", growth " << disc.growth << ", weight " << disc.weight;
 }
 
 constexpr int no_exponent = 1 << 20;  // above that of every product of binary64 numbers here
@@ -161,6 +205,12 @@ Trajectory_2 trajectory(const Linear_motion_2& motion) {
   return trajectory_of(motion);
 }
 Trajectory_2 trajectory(const Polynomial_motion_2& motion) {
+  return trajectory_of(motion);
+}
+Trajectory_2 trajectory(const Disc_motion_2& motion) {
+  return trajectory_of(motion);
+}
+Trajectory_2 trajectory(const Polynomial_disc_motion_2& motion) {
   return trajectory_of(motion);
 }
 
@@ -217,22 +267,20 @@ std::array<Trajectory_2, N> common_trajectories(
   return result;
 }
 
-template class Basic_moving_point_2<Linear_motion_2>;
-template class Basic_moving_point_2<Polynomial_motion_2>;
-template std::ostream& operator<<(std::ostream& out,
-                                  const Basic_moving_point_2<Linear_motion_2>& point);
-template std::ostream& operator<<(std::ostream& out,
-                                  const Basic_moving_point_2<Polynomial_motion_2>& point);
-
 #define KINETRI_INSTANTIATE(N, Motion)                                 \
   template std::array<Trajectory_2, N> common_trajectories<N, Motion>( \
       const std::array<const Basic_moving_point_2<Motion>*, N>&)
-KINETRI_INSTANTIATE(2, Linear_motion_2);
-KINETRI_INSTANTIATE(3, Linear_motion_2);
-KINETRI_INSTANTIATE(4, Linear_motion_2);
-KINETRI_INSTANTIATE(2, Polynomial_motion_2);
-KINETRI_INSTANTIATE(3, Polynomial_motion_2);
-KINETRI_INSTANTIATE(4, Polynomial_motion_2);
+#define KINETRI_INSTANTIATE_ALL(Motion)                                                      \
+  template class Basic_moving_point_2<Motion>;                                               \
+  template std::ostream& operator<<(std::ostream& out, const Basic_moving_point_2<Motion>&); \
+  KINETRI_INSTANTIATE(2, Motion);                                                            \
+  KINETRI_INSTANTIATE(3, Motion);                                                            \
+  KINETRI_INSTANTIATE(4, Motion)
+KINETRI_INSTANTIATE_ALL(Linear_motion_2);
+KINETRI_INSTANTIATE_ALL(Polynomial_motion_2);
+KINETRI_INSTANTIATE_ALL(Disc_motion_2);
+KINETRI_INSTANTIATE_ALL(Polynomial_disc_motion_2);
+#undef KINETRI_INSTANTIATE_ALL
 #undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

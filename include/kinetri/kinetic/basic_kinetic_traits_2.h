@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The models of KineticTraits_2: points that move along straight lines with constant velocity, the
-// default, and points whose coordinates are polynomials of degree at most 3 in time.
+// default, and points whose coordinates are polynomials of degree at most 3 in time; and discs of
+// which the centres move so.
 #ifndef KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 
@@ -12,20 +13,36 @@
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/instantaneous_traits_2.h"
 #include "kinetri/kinetic/kinetic_traits_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
+#include "kinetri/kinetic/weighted_instantaneous_traits_2.h"
 
 namespace kinetri {
 
+/// The predicates at an instant of one kind of motion: of motions with weights, those of regular
+/// triangulations too.
+template <class Motion>
+struct Instantaneous_traits_type {
+  using type = Basic_instantaneous_traits_2<Motion>;  ///< without weights
+};
+/// The same for motions with weights.
+template <HasWeight Motion>
+struct Instantaneous_traits_type<Motion> {
+  using type = Basic_weighted_instantaneous_traits_2<Motion>;  ///< with weights
+};
+/// The type that Instantaneous_traits_type has.
+template <class Motion>
+using Instantaneous_traits_of = typename Instantaneous_traits_type<Motion>::type;
+
 /// Certificates of one kind of motion; see KineticTraits_2 for their contracts. With motions of
 /// degree d (linear: 1, polynomial: at most 3) they are polynomials in time: in-circle of degree at
-/// most 4d, orientation 2d, coincidence d. Every failure time is exact. Cost: some hundred
-/// floating-point operations (polynomial: a thousand) where the filter decides
-/// (src/kinetic/filter), else exact arithmetic, a thousand times
-/// that.
+/// most 4d, orientation 2d, coincidence d; of discs, coincidence 2d at most. Every failure time is
+/// exact. Cost: some hundred floating-point operations (polynomial: a thousand) where the filter
+/// decides (src/kinetic/filter), else exact arithmetic, a thousand times that.
 template <class MotionType>
 class Basic_kinetic_traits_2 {
  public:
@@ -34,7 +51,7 @@ class Basic_kinetic_traits_2 {
   using Motion = MotionType;
   using Point_2 = Basic_moving_point_2<Motion>;
   using Time = Algebraic_number;
-  using Instantaneous_traits = Basic_instantaneous_traits_2<Motion>;
+  using Instantaneous_traits = Instantaneous_traits_of<Motion>;
   /// @}
 
   /// Traits with the filter.
@@ -44,7 +61,7 @@ class Basic_kinetic_traits_2 {
 
   /// @{
   /// As KineticTraits_2 says. The failure time of a coincidence certificate of linear motions is
-  /// rational.
+  /// rational. In-circle and coincidence certificates of discs are as WeightedKineticTraits_2 says.
   Certificate in_circle_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
                                     const Point_2& s, const Time& t, Certificate_state state) const;
   Certificate orientation_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
@@ -68,6 +85,15 @@ class Basic_kinetic_traits_2 {
                                                      const Double_interval& now) const;
   bool is_surrounded(const Point_2& p, std::span<const Point_2* const> around,
                      const Double_interval& now) const;
+  /// @}
+
+  /// @{
+  /// As WeightedKineticTraits_2 says, for motions with weights. Polynomials of degree 4d (segment)
+  /// and 2 (weight).
+  Certificate segment_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
+                                  const Time& t) const requires HasWeight<Motion>;
+  Certificate weight_certificate(const Point_2& p, const Point_2& q,
+                                 const Time& t) const requires HasWeight<Motion>;
   /// @}
 
   /// @{
@@ -111,16 +137,29 @@ class Basic_kinetic_traits_2 {
 
 extern template class Basic_kinetic_traits_2<Linear_motion_2>;
 extern template class Basic_kinetic_traits_2<Polynomial_motion_2>;
+extern template class Basic_kinetic_traits_2<Disc_motion_2>;
+extern template class Basic_kinetic_traits_2<Polynomial_disc_motion_2>;
 
 /// The traits of points in linear motion.
 using Linear_kinetic_traits_2 = Basic_kinetic_traits_2<Linear_motion_2>;
 /// The traits of points that accelerate; linear ones may be among them, at more cost.
 using Polynomial_kinetic_traits_2 = Basic_kinetic_traits_2<Polynomial_motion_2>;
+/// The traits of discs, or other points with weights, whose centres are in linear motion.
+using Disc_kinetic_traits_2 = Basic_kinetic_traits_2<Disc_motion_2>;
+/// The traits of discs whose centres accelerate; linear ones may be among them, at more cost.
+using Polynomial_disc_kinetic_traits_2 = Basic_kinetic_traits_2<Polynomial_disc_motion_2>;
 
 static_assert(ContactKineticTraits_2<Linear_kinetic_traits_2>);
 static_assert(ContactKineticTraits_2<Polynomial_kinetic_traits_2>);
+static_assert(ContactKineticTraits_2<Disc_kinetic_traits_2>);
+static_assert(ContactKineticTraits_2<Polynomial_disc_kinetic_traits_2>);
 static_assert(BatchKineticTraits_2<Linear_kinetic_traits_2>);
 static_assert(BatchKineticTraits_2<Polynomial_kinetic_traits_2>);
+static_assert(BatchKineticTraits_2<Disc_kinetic_traits_2>);
+static_assert(BatchKineticTraits_2<Polynomial_disc_kinetic_traits_2>);
+static_assert(WeightedKineticTraits_2<Disc_kinetic_traits_2>);
+static_assert(WeightedKineticTraits_2<Polynomial_disc_kinetic_traits_2>);
+static_assert(!WeightedKineticTraits_2<Linear_kinetic_traits_2>);
 
 }  // namespace kinetri
 

@@ -39,9 +39,13 @@ Polynomial orientation_polynomial(const Point& p, const Point& q, const Point& r
 /// where it lies outside; both reversed where they make a right turn. Zero where the four are
 /// cocircular or all collinear. With the differences d = (point - s):
 ///
-///     | dpx  dpy  dpx^2 + dpy^2 |
-///     | dqx  dqy  dqx^2 + dqy^2 |
-///     | drx  dry  drx^2 + dry^2 |
+///     | dpx  dpy  dpx^2 + dpy^2 - dpw |
+///     | dqx  dqy  dqx^2 + dqy^2 - dqw |
+///     | drx  dry  drx^2 + dry^2 - drw |
+///
+/// dpw is the weight of p minus that of s, which is zero for points. Of weighted points the circle
+/// is the power circle of p, q, r, to which the three are orthogonal, and s lies inside of it where
+/// its power product with it is negative: the sign of CGAL's power_side_of_oriented_power_circle_2.
 ///
 /// Source: L. Guibas, J. Stolfi, Primitives for the manipulation of general subdivisions and the
 /// computation of Voronoi diagrams, ACM Transactions on Graphics 4(2), 1985, section 8.
@@ -52,25 +56,49 @@ Polynomial in_circle_polynomial(const Point& p, const Point& q, const Point& r, 
 template <class Point>
 Polynomial distance_difference(const Point& p, const Point& q, const Point& r);
 
+/// Sign of the weight of p minus that of q.
+template <class Point>
+Polynomial weight_difference(const Point& p, const Point& q);
+
+/// Sign of the power of p to q minus the power of p to r, that is of (|p-q|^2 - weight of q) -
+/// (|p-r|^2 - weight of r). The weight of p is not used.
+template <class Point>
+Polynomial power_distance_difference(const Point& p, const Point& q, const Point& r);
+
+/// Where p, q, r are collinear and p and r are apart: positive where q, lifted by x^2 + y^2 -
+/// weight, is below the line through p and r, lifted. So between p and r the point q is hidden by
+/// the two where this is negative. For q as the last argument it is the sign of CGAL's
+/// power_side_of_oriented_power_circle_2 of three points. Degree 4d.
+template <class Point>
+Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r);
+
 /// The scalar product of p - q and r - q. With p, q, r collinear it is negative exactly where q
 /// lies strictly between p and r.
 template <class Point>
 Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point& r);
 
-/// Sign of |p-q|^2 - diameter^2: positive where discs of that diameter about p and q are apart.
-/// Precondition: the diameter is finite.
+/// Sign of |p-q|^2 - (diameter + radius of p + radius of q)^2: positive where discs of that
+/// diameter about points p and q, which have no radius, are apart, or the discs p and q by that
+/// distance at least. Degree 2d. Precondition: the diameter is finite, and the sum in brackets is
+/// not negative.
 template <class Point>
 Polynomial contact_polynomial(const Point& p, const Point& q, double diameter);
 
-/// Sign of the distance from p to the exact bound of the wall: positive inside, zero at the bound.
+/// Sign of the distance from p, or from its rim if the wall is one for rims, to the exact bound of
+/// the wall: positive inside, zero at the bound.
 /// Precondition: the numbers of the wall are finite.
 template <class Point>
 Polynomial wall_polynomial(const Point& p, const Wall_2& wall);
 
-/// The trajectory of the center of the circle through p, q, r.
+/// The trajectory of the center of the circle through p, q, r, whatever their weights.
 /// Precondition: p, q, r are not collinear at all times.
 template <class Point>
 Trajectory_2 circumcenter_trajectory(const Point& p, const Point& q, const Point& r);
+
+/// The trajectory of the place that has the same power to p, q and r; it has the weight zero.
+/// Precondition: p, q, r are not collinear at all times.
+template <class Point>
+Trajectory_2 weighted_circumcenter_trajectory(const Point& p, const Point& q, const Point& r);
 
 }  // namespace kinetri
 

@@ -33,6 +33,13 @@ namespace kinetri {
 /// | `may_overlap(p, q, diameter, t)` | whether it is less just after t; or true if unsure: fast |
 /// | `is_inside(p, wall, t)` | whether p is on the inner side of the bound at t, or at it |
 ///
+/// Points that are discs themselves (HasWeight) add their radii at each time to `diameter`, which
+/// is 0 in the usual case, and to the clearance of a wall for rims. What approaches then is their
+/// rims: in place of the squared distance of p and q its excess over the square of the sum of the
+/// radii decreases, which at a contact has the same sign as the distance of the rims. Precondition:
+/// diameter and radii add up to no negative number; so whoever uses the certificate knows that
+/// radii which shrink are not negative at the times that matter.
+///
 /// A contact certificate of two discs that are certainly apart just after t has `may_vanish` unset.
 ///
 /// Only the first contact of a pair matters. `next_contact_certificate` gives the first contact

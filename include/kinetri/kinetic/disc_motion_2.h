@@ -6,7 +6,11 @@
 #ifndef KINETRI_KINETIC_DISC_MOTION_2_H
 #define KINETRI_KINETIC_DISC_MOTION_2_H
 
+#include <cmath>
 #include <concepts>
+#include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "kinetri/base/double_interval.h"
 #include "kinetri/kinetic/linear_motion_2.h"
@@ -47,11 +51,25 @@ concept HasWeight = requires(const Motion& motion) {
   { motion.radius + motion.growth + motion.weight } -> std::same_as<double>;
 };
 
+/// The motion of the place: of a disc, that of its centre, and else the motion itself.
+template <class Motion>
+const auto& centre(const Motion& motion) {
+  if constexpr (HasWeight<Motion>) {
+    return static_cast<const typename Motion::Centre_motion&>(motion);
+  } else {
+    return motion;
+  }
+}
+
+/// The type of `centre(motion)`.
+template <class Motion>
+using Centre_motion_of = std::remove_cvref_t<decltype(centre(std::declval<const Motion&>()))>;
+
 /// The same disc, as one whose centre may accelerate.
 Polynomial_disc_motion_2 polynomial_motion(const Disc_motion_2& disc);
 
-// As for Linear_motion_2, where `Disc` is Disc_motion_2 or Polynomial_disc_motion_2. What is said of
-// a motion without a radius, such as `rounded_place`, is said of that of the centre.
+// As for Linear_motion_2, where `Disc` is Disc_motion_2 or Polynomial_disc_motion_2. What is said
+// of a motion without a radius, such as `rounded_place`, is said of that of the centre.
 
 /// @{
 /// Whether all numbers are finite.
@@ -83,14 +101,27 @@ double rounded_weight(const Basic_disc_motion_2<CentreMotion>& disc, double t) {
 /// numbers overflow. Precondition: t is one of the times.
 template <class CentreMotion>
 double weight_error(const Basic_disc_motion_2<CentreMotion>& disc, double t,
-                    const Double_interval& times);
+                    const Double_interval& times) {
+  // The radius is made with three roundings, the weight with two more, each of at most two unit
+  // roundoffs in any rounding mode.
+  const double radius = std::abs(rounded_radius(disc, t));
+  const double change = std::abs(disc.growth) * std::abs(t - disc.epoch);
+  const double radius_error = disc.growth == 0
+                                  ? 0
+                                  : 0x1p-49 * (std::abs(disc.radius) + change) +
+                                        2 * std::abs(disc.growth) * (times.upper - times.lower) +
+                                        std::numeric_limits<double>::min();
+  return 2 * radius_error * (2 * radius + radius_error) +
+         0x1p-50 * (radius * radius + std::abs(disc.weight)) + std::numeric_limits<double>::min();
+}
 
 /// @{
 /// The disc with the epoch `t` and the given velocity that starts from the place of `disc` at t,
 /// with its radius there and its growth; the place is rounded as for a point. A radius that does
 /// not change is not rounded. One that does is rounded down, by at least as much as the place may
-/// be off: discs that touch at a time within half a unit in the last place of t do not overlap
-/// after both have been continued so.
+/// be off, but not below zero: from a time within half a unit in the last place of t on, the new
+/// disc begins inside of the old one. So two growing discs that touch at such a time do not overlap
+/// there after both have been continued so, unless one is as small as the rounding.
 Disc_motion_2 with_velocity_at(const Disc_motion_2& disc, const Vector_2& velocity, double t);
 Polynomial_disc_motion_2 with_velocity_at(const Polynomial_disc_motion_2& disc,
                                           const Vector_2& velocity, double t);
@@ -114,16 +145,12 @@ bool is_at_rest(const Basic_disc_motion_2<CentreMotion>& disc) {
 }
 
 /// @{
-/// As for points, about the centre: the clearance of the wall is what the centre keeps from it.
-template <class CentreMotion>
-Basic_disc_motion_2<CentreMotion> clamped_inside(const Basic_disc_motion_2<CentreMotion>& disc,
-                                                 const Wall_2& wall,
-                                                 const Double_interval& times) {
-  Basic_disc_motion_2<CentreMotion> result = disc;
-  static_cast<CentreMotion&>(result) =
-      clamped_inside(static_cast<const CentreMotion&>(disc), wall, times);
-  return result;
-}
+/// As for points, about the centre or, if the wall is one for rims, about the rim: the position of
+/// the disc is changed, by about as little as is needed, and not its radius.
+Disc_motion_2 clamped_inside(const Disc_motion_2& disc, const Wall_2& wall,
+                             const Double_interval& times);
+Polynomial_disc_motion_2 clamped_inside(const Polynomial_disc_motion_2& disc, const Wall_2& wall,
+                                        const Double_interval& times);
 /// @}
 
 /// The disc at -t in place of t, exactly.

@@ -74,7 +74,7 @@ class Basic_instantaneous_traits_2 {
   /// The instant of the predicates.
   const Instant& instant() const { return *instant_; }
 
- private:
+ protected:
   // Base of the predicates: they read the shared instant.
   class Predicate {
    public:
@@ -88,6 +88,9 @@ class Basic_instantaneous_traits_2 {
     Sign in_circle(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s) const;
     Sign distance_order(const Point_2& p, const Point_2& q, const Point_2& r) const;
     Sign scalar_product(const Point_2& p, const Point_2& q, const Point_2& r) const;
+    Sign weight_order(const Point_2& p, const Point_2& q) const;
+    Sign power_distance_order(const Point_2& p, const Point_2& q, const Point_2& r) const;
+    Sign below_segment(const Point_2& p, const Point_2& q, const Point_2& r) const;
 
    private:
     // What `filter` knows of the motions of the points, and else the sign of their polynomial.
@@ -161,7 +164,7 @@ class Basic_instantaneous_traits_2 {
     using Predicate::Predicate;
     /// On which side of the circle through p, q, r the point s is: the positive one is to the left
     /// of the circle as it goes from p to q to r. On the boundary also where all four are
-    /// collinear.
+    /// collinear. Of points with weights it is the power circle (in_circle_polynomial).
     CGAL::Oriented_side operator()(const Point_2& p, const Point_2& q, const Point_2& r,
                                    const Point_2& s) const {
       return this->in_circle(p, q, r, s);
@@ -253,6 +256,8 @@ class Basic_instantaneous_traits_2 {
 
 extern template class Basic_instantaneous_traits_2<Linear_motion_2>;
 extern template class Basic_instantaneous_traits_2<Polynomial_motion_2>;
+extern template class Basic_instantaneous_traits_2<Disc_motion_2>;
+extern template class Basic_instantaneous_traits_2<Polynomial_disc_motion_2>;
 
 /// The traits at an instant of points in linear motion.
 using Instantaneous_traits_2 = Basic_instantaneous_traits_2<Linear_motion_2>;

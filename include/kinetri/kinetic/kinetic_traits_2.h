@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The concept KineticTraits_2: what the kinetic triangulation asks of a model of motion. And the
-// concept BatchKineticTraits_2: several certificates in one call, which a model offers for speed.
+// concepts BatchKineticTraits_2: several certificates in one call, which a model offers for speed;
+// and WeightedKineticTraits_2: points with weights, such as discs.
 #ifndef KINETRI_KINETIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_KINETIC_TRAITS_2_H
 
@@ -107,6 +108,32 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.in_circle_certificates(two, t) } -> std::same_as<std::array<Certificate, 2>>;
   { traits.certificates_after_flip(around, now) } -> std::same_as<std::array<Certificate, 5>>;
   { traits.is_surrounded(p, points, now) } -> std::same_as<bool>;
+};
+
+/// Traits of points with weights, such as discs: those of a regular triangulation. The
+/// Instantaneous_traits are a model of CGAL's RegularTriangulationTraits_2 with Weighted_point_2 =
+/// Point_2 (Basic_weighted_instantaneous_traits_2), an in-circle certificate is about the power
+/// circle, and two points *coincide* where they have the same place and the same weight. There are
+/// two more certificates, which are always exact, and have Certificate::failure if they fail:
+///
+/// | Function | Condition |
+/// |---|---|
+/// | `segment_certificate(p, q, r, t)` | q is not hidden by p and r |
+/// | `weight_certificate(p, q, t)` | the weight of p is not less than that of q |
+///
+/// The points p, q, r of a segment certificate are collinear at all times, and q is between p and
+/// r; it is not hidden as long as it is not above the segment from p to r, each lifted by x^2 + y^2
+/// - weight.
+template <class Traits>
+concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
+    requires(const Traits traits, const typename Traits::Point_2 p, const Algebraic_number t,
+             const typename Traits::Instantaneous_traits at_instant) {
+  { traits.segment_certificate(p, p, p, t) } -> std::same_as<Certificate>;
+  { traits.weight_certificate(p, p, t) } -> std::same_as<Certificate>;
+  requires std::same_as<typename Traits::Instantaneous_traits::Weighted_point_2,
+                        typename Traits::Point_2>;
+  at_instant.power_side_of_oriented_power_circle_2_object();
+  at_instant.compare_power_distance_2_object();
 };
 
 }  // namespace kinetri

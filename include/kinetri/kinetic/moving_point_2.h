@@ -14,23 +14,25 @@
 
 #include "kinetri/algebra/polynomial.h"
 #include "kinetri/base/ids.h"
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
 namespace kinetri {
 
-/// A trajectory in homogeneous coordinates: the place at time t is (x(t) / w(t), y(t) / w(t)).
-/// It is undefined where w vanishes.
+/// A trajectory in homogeneous coordinates: the place at time t is (x(t) / w(t), y(t) / w(t)), and
+/// the weight there is weight(t) / w(t)^2. It is undefined where w vanishes.
 struct Trajectory_2 : boost::intrusive_ref_counter<Trajectory_2> {
   /// Undefined at every time: w is the zero polynomial.
   Trajectory_2() = default;
-  /// The trajectory (x_ / w_, y_ / w_).
-  Trajectory_2(Polynomial x_, Polynomial y_, Polynomial w_)
-      : x(std::move(x_)), y(std::move(y_)), w(std::move(w_)) {}
+  /// The trajectory (x_ / w_, y_ / w_), of a point with the weight weight_ / w_^2.
+  Trajectory_2(Polynomial x_, Polynomial y_, Polynomial w_, Polynomial weight_ = {})
+      : x(std::move(x_)), y(std::move(y_)), w(std::move(w_)), weight(std::move(weight_)) {}
 
-  Polynomial x;  ///< w times the x coordinate
-  Polynomial y;  ///< w times the y coordinate
-  Polynomial w;  ///< the common denominator, of either sign
+  Polynomial x;       ///< w times the x coordinate
+  Polynomial y;       ///< w times the y coordinate
+  Polynomial w;       ///< the common denominator, of either sign
+  Polynomial weight;  ///< w^2 times the weight; zero for points without one
 };
 
 /// A place in the plane, exact.
@@ -44,13 +46,20 @@ struct Exact_position_2 {
 Trajectory_2 trajectory(const Linear_motion_2& motion);
 /// The trajectory of a polynomial motion; w is a positive constant too.
 Trajectory_2 trajectory(const Polynomial_motion_2& motion);
+/// @{
+/// The trajectory of the centre of a disc, with the weight of the disc; w is a positive constant
+/// too.
+Trajectory_2 trajectory(const Disc_motion_2& motion);
+Trajectory_2 trajectory(const Polynomial_disc_motion_2& motion);
+/// @}
 
 /// A moving point. A value; equality is not defined, since equal places at an instant are a
 /// question for the predicates (`Basic_instantaneous_traits_2`).
 template <class MotionType>
 class Basic_moving_point_2 {
  public:
-  using Motion = MotionType;  ///< Linear_motion_2 or Polynomial_motion_2
+  using Motion =
+      MotionType;  ///< Linear_motion_2, Polynomial_motion_2, or a disc with such a centre
 
   /// A point at rest at the origin.
   Basic_moving_point_2() = default;
@@ -88,17 +97,26 @@ std::ostream& operator<<(std::ostream& out, const Basic_moving_point_2<Motion>& 
 
 extern template class Basic_moving_point_2<Linear_motion_2>;
 extern template class Basic_moving_point_2<Polynomial_motion_2>;
+extern template class Basic_moving_point_2<Disc_motion_2>;
+extern template class Basic_moving_point_2<Polynomial_disc_motion_2>;
 extern template std::ostream& operator<<(std::ostream& out,
                                          const Basic_moving_point_2<Linear_motion_2>& point);
 extern template std::ostream& operator<<(std::ostream& out,
                                          const Basic_moving_point_2<Polynomial_motion_2>& point);
+extern template std::ostream& operator<<(std::ostream& out,
+                                         const Basic_moving_point_2<Disc_motion_2>& point);
+extern template std::ostream& operator<<(
+    std::ostream& out, const Basic_moving_point_2<Polynomial_disc_motion_2>& point);
 
 /// A point in linear motion.
 using Moving_point_2 = Basic_moving_point_2<Linear_motion_2>;
+/// A disc whose centre is in linear motion.
+using Moving_disc_2 = Basic_moving_point_2<Disc_motion_2>;
 
 /// The trajectories of several points, each in a form that serves predicates which do not change
 /// when the whole plane is scaled: if all the points have motions, x and y are scaled by one common
-/// positive number to integer polynomials and w is 1; else each is as `trajectory()` gives it.
+/// positive number to integer polynomials, weights by its square, and w is 1; else each is as
+/// `trajectory()` gives it.
 template <std::size_t N, class Motion>
 std::array<Trajectory_2, N> common_trajectories(
     const std::array<const Basic_moving_point_2<Motion>*, N>& points);
