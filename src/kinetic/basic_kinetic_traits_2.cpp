@@ -317,6 +317,20 @@ Certificate Basic_kinetic_traits_2<Motion>::segment_certificate(
 }
 
 template <class Motion>
+Certificate Basic_kinetic_traits_2<Motion>::hiding_certificate(
+    const Point_2& p, const Point_2& q, const Point_2& r,
+    const Time& t) const requires HasWeight<Motion> {
+  return exact_certificate(-segment_polynomial(p, q, r), t);
+}
+
+template <class Motion>
+Certificate Basic_kinetic_traits_2<Motion>::meeting_certificate(
+    const Point_2& p, const Point_2& q, const Time& t) const requires HasWeight<Motion> {
+  return exact_certificate(
+      coincidence_time(x_difference(p, q), y_difference(p, q), Polynomial(), t), true);
+}
+
+template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::weight_certificate(
     const Point_2& p, const Point_2& q, const Time& t) const requires HasWeight<Motion> {
   return exact_certificate(weight_difference(p, q), t);

@@ -21,14 +21,18 @@ bool has_finite_numbers(const Disc& disc) {
 }
 
 template <class Disc>
-bool have_same_trajectory(const Disc& a, const Disc& b) {
-  if (!same_trajectory(centre(a), centre(b))) return false;
+bool have_same_weight(const Disc& a, const Disc& b) {
   if (a.radius == b.radius && a.weight == b.weight && a.growth == b.growth &&
       (a.growth == 0 || a.epoch == b.epoch)) {
     return true;
   }
   using Point = Basic_moving_point_2<Disc>;
   return weight_difference(Point(a), Point(b)).is_zero();
+}
+
+template <class Disc>
+bool have_same_trajectory(const Disc& a, const Disc& b) {
+  return same_trajectory(centre(a), centre(b)) && have_same_weight(a, b);
 }
 
 double sum_of(const Vector_2& v) {
@@ -148,6 +152,13 @@ bool same_trajectory(const Disc_motion_2& a, const Disc_motion_2& b) {
 }
 bool same_trajectory(const Polynomial_disc_motion_2& a, const Polynomial_disc_motion_2& b) {
   return have_same_trajectory(a, b);
+}
+
+bool have_equal_weights(const Disc_motion_2& a, const Disc_motion_2& b) {
+  return have_same_weight(a, b);
+}
+bool have_equal_weights(const Polynomial_disc_motion_2& a, const Polynomial_disc_motion_2& b) {
+  return have_same_weight(a, b);
 }
 
 Disc_motion_2 with_velocity_at(const Disc_motion_2& disc, const Vector_2& velocity, double t) {

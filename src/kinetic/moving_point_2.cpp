@@ -234,6 +234,14 @@ Exact_position_2 Basic_moving_point_2<Motion>::position(const Rational& t) const
 }
 
 template <class Motion>
+Rational Basic_moving_point_2<Motion>::weight(const Rational& t) const {
+  const Trajectory_2 path = trajectory();
+  const Rational w = path.w(t);
+  KINETRI_PRECONDITION(w != 0, "the point is nowhere at this time");
+  return path.weight(t) / (w * w);
+}
+
+template <class Motion>
 std::ostream& operator<<(std::ostream& out, const Basic_moving_point_2<Motion>& point) {
   const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
   out << "point ";

@@ -88,12 +88,16 @@ class Basic_kinetic_traits_2 {
   /// @}
 
   /// @{
-  /// As WeightedKineticTraits_2 says, for motions with weights. Polynomials of degree 4d (segment)
-  /// and 2 (weight).
+  /// As WeightedKineticTraits_2 says, for motions with weights. Polynomials of degree 4d (segment,
+  /// hiding), 2 (weight) and d (meeting).
   Certificate segment_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
                                   const Time& t) const requires HasWeight<Motion>;
+  Certificate hiding_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
+                                 const Time& t) const requires HasWeight<Motion>;
   Certificate weight_certificate(const Point_2& p, const Point_2& q,
                                  const Time& t) const requires HasWeight<Motion>;
+  Certificate meeting_certificate(const Point_2& p, const Point_2& q,
+                                  const Time& t) const requires HasWeight<Motion>;
   /// @}
 
   /// @{

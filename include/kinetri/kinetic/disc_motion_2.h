@@ -83,6 +83,12 @@ bool same_trajectory(const Disc_motion_2& a, const Disc_motion_2& b);
 bool same_trajectory(const Polynomial_disc_motion_2& a, const Polynomial_disc_motion_2& b);
 /// @}
 
+/// @{
+/// Whether the two have the same weight at every time, exactly.
+bool have_equal_weights(const Disc_motion_2& a, const Disc_motion_2& b);
+bool have_equal_weights(const Polynomial_disc_motion_2& a, const Polynomial_disc_motion_2& b);
+/// @}
+
 /// The radius at time t, rounded: for what is shown, not for what is decided. It has an error of a
 /// few units in the last place of the largest term of the formula.
 template <class CentreMotion>

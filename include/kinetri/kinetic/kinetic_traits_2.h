@@ -114,22 +114,28 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// Instantaneous_traits are a model of CGAL's RegularTriangulationTraits_2 with Weighted_point_2 =
 /// Point_2 (Basic_weighted_instantaneous_traits_2), an in-circle certificate is about the power
 /// circle, and two points *coincide* where they have the same place and the same weight. There are
-/// two more certificates, which are always exact, and have Certificate::failure if they fail:
+/// four more certificates, which are always exact, and have Certificate::failure if they fail, and
+/// `have_equal_weights(motion, motion)` says whether two weights are equal at all times:
 ///
 /// | Function | Condition |
 /// |---|---|
 /// | `segment_certificate(p, q, r, t)` | q is not hidden by p and r |
+/// | `hiding_certificate(p, q, r, t)` | q is hidden by p and r |
 /// | `weight_certificate(p, q, t)` | the weight of p is not less than that of q |
+/// | `meeting_certificate(p, q, t)` | p and q have different places strictly after t |
 ///
-/// The points p, q, r of a segment certificate are collinear at all times, and q is between p and
-/// r; it is not hidden as long as it is not above the segment from p to r, each lifted by x^2 + y^2
-/// - weight.
+/// The points p, q, r of a segment or hiding certificate are collinear at all times, and q is
+/// between p and r. The first holds as long as q is not above the segment from p to r, each lifted
+/// by x^2 + y^2 - weight, the second as long as it is not below.
 template <class Traits>
 concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
     requires(const Traits traits, const typename Traits::Point_2 p, const Algebraic_number t,
              const typename Traits::Instantaneous_traits at_instant) {
   { traits.segment_certificate(p, p, p, t) } -> std::same_as<Certificate>;
+  { traits.hiding_certificate(p, p, p, t) } -> std::same_as<Certificate>;
   { traits.weight_certificate(p, p, t) } -> std::same_as<Certificate>;
+  { traits.meeting_certificate(p, p, t) } -> std::same_as<Certificate>;
+  { have_equal_weights(p.motion(), p.motion()) } -> std::same_as<bool>;
   requires std::same_as<typename Traits::Instantaneous_traits::Weighted_point_2,
                         typename Traits::Point_2>;
   at_instant.power_side_of_oriented_power_circle_2_object();

@@ -84,6 +84,9 @@ class Basic_moving_point_2 {
   /// `t`.
   Exact_position_2 position(const Rational& t) const;
 
+  /// Its weight at time `t`, exactly: zero without one. Precondition: w does not vanish at `t`.
+  Rational weight(const Rational& t) const;
+
  private:
   Motion motion_ = {};
   boost::intrusive_ptr<const Trajectory_2> constructed_;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Lazy_exact_nt.h>
+#include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/boost_mp.h>
@@ -16,10 +17,12 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "kinetri/triangulation/detail/hidden_points.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
@@ -45,9 +48,17 @@ class Auditor {
   using Exact_number = CGAL::Lazy_exact_nt<Rational>;
   using Kernel = CGAL::Simple_cartesian<Exact_number>;
   using Place = typename Kernel::Point_2;
-  using Static_triangulation = CGAL::Delaunay_triangulation_2<
+  using Weighted_place = typename Kernel::Weighted_point_2;
+  static constexpr bool is_weighted = KineticTriangulation::is_weighted;
+  using Static_delaunay = CGAL::Delaunay_triangulation_2<
       Kernel, CGAL::Triangulation_data_structure_2<
                   CGAL::Triangulation_vertex_base_with_info_2<Point_id, Kernel>>>;
+  using Static_regular = CGAL::Regular_triangulation_2<
+      Kernel, CGAL::Triangulation_data_structure_2<
+                  CGAL::Triangulation_vertex_base_with_info_2<
+                      Point_id, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>,
+                  CGAL::Regular_triangulation_face_base_2<Kernel>>>;
+  using Static_triangulation = std::conditional_t<is_weighted, Static_regular, Static_delaunay>;
   using Triangulation = typename KineticTriangulation::Triangulation;
   using Vertex_handle = typename KineticTriangulation::Vertex_handle;
   using Face_handle = typename KineticTriangulation::Face_handle;
@@ -63,23 +74,55 @@ class Auditor {
 
   void place_points();
   bool has_touch(const Time& time) const;
+  bool are_hidden_points_alike() const;
   void check_links();
+  bool are_links_right() const;
   void check_embedding();
   void check_chain();
   void check_delaunay();
+  void check_hidden_points();
+  bool has_same_vertices(const Static_triangulation& reference);
   void check_reference();
   void check_certificates();
+  void check_hidden_certificates(const Traits& traits);
   std::optional<Failure> next_failure(const Edge& edge, const Traits& traits) const;
+  void check_entry(const std::string& name, Queue_handle handle,
+                   const std::optional<Failure>& failure);
 
   const Place& place(Vertex_handle v) const { return places_[v->point().id()]; }
+  // With its weight, if it has one.
+  decltype(auto) input(Point_id id) const {
+    if constexpr (is_weighted) {
+      return Weighted_place(places_[id], weights_[id]);
+    } else {
+      return (places_[id]);
+    }
+  }
+  // On which side of the circle, or power circle, through three points another one is.
+  template <class Input>
+  static CGAL::Oriented_side side_of_circle(const Input& p, const Input& q, const Input& r,
+                                            const Input& s) {
+    if constexpr (is_weighted) {
+      return CGAL::power_side_of_oriented_power_circle(p, q, r, s);
+    } else {
+      return CGAL::side_of_oriented_circle(p, q, r, s);
+    }
+  }
   std::string name(const Edge& edge) const { return edge_name(audited_.ids_of(edge)); }
+  std::string name(const typename KineticTriangulation::Entry& entry) const {
+    if constexpr (is_weighted) {
+      if (entry.is_hidden()) return "hidden point " + std::to_string(entry.hidden->point().id());
+    }
+    return name(entry.edge());
+  }
   void fail(std::string message) { report_.failures.push_back(std::move(message)); }
   void fail(const char* what, const std::array<Vertex_handle, 3>& v);
 
   const KineticTriangulation& audited_;
   const Triangulation& triangulation_;
   const decltype(KineticTriangulation::queue_)& queue_;
-  std::vector<Place> places_;  // at one exact time, by point id
+  std::vector<Place> places_;          // at one exact time, by point id
+  std::vector<Exact_number> weights_;  // then, if points have weights
   Audit_report report_;
 };
 
@@ -91,15 +134,19 @@ Audit_report Auditor<KineticTriangulation>::run(Audit_level level) {
 
   place_points();
   check_embedding();
-  if (level >= Audit_level::delaunay) check_delaunay();
+  if (level >= Audit_level::delaunay) {
+    check_delaunay();
+    check_hidden_points();
+  }
   if (level >= Audit_level::reference) check_reference();
   if (level >= Audit_level::certificates) check_certificates();
   return std::move(report_);
 }
 
 // Places the points at a rational time strictly between now and the next event. Between events a
-// triangle may touch: be flat at one time without turning over, which is no event and no fault.
-// Such a time is no place to look, so another one is taken, nearer to now.
+// triangle may touch: be flat at one time without turning over, which is no event and no fault. And
+// two hidden points may be alike, of which the static triangulation keeps one. Such a time is no
+// place to look, so another one is taken, nearer to now.
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::place_points() {
   const Time& now = audited_.current_time();
@@ -107,16 +154,33 @@ void Auditor<KineticTriangulation>::place_points() {
   do {
     const Rational time = simplest_between(now, end);
     places_.clear();
+    weights_.clear();
     for (const Vertex_handle v : audited_.vertices_) {
       if (v == Vertex_handle()) {
         places_.emplace_back();  // of no point: nobody asks
+        weights_.emplace_back();
         continue;
       }
       const auto position = v->point().position(time);
       places_.emplace_back(Exact_number(position.x), Exact_number(position.y));
+      if constexpr (is_weighted) weights_.emplace_back(v->point().weight(time));
     }
     end = Time(time);
-  } while (has_touch(end));
+  } while (has_touch(end) || are_hidden_points_alike());
+}
+
+// Whether two hidden points have the same place and the same weight where they have been placed.
+template <class KineticTriangulation>
+bool Auditor<KineticTriangulation>::are_hidden_points_alike() const {
+  if constexpr (is_weighted) {
+    std::vector<std::tuple<Exact_number, Exact_number, Exact_number>> hidden;
+    for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
+      hidden.emplace_back(place(v).x(), place(v).y(), weights_[v->point().id()]);
+    }
+    std::ranges::sort(hidden, [](const auto& a, const auto& b) { return a < b; });
+    return std::adjacent_find(hidden.begin(), hidden.end()) != hidden.end();
+  }
+  return false;
 }
 
 // Whether a triangle is flat at `time`, where the points have been placed, but not for a while.
@@ -131,13 +195,33 @@ bool Auditor<KineticTriangulation>::has_touch(const Time& time) const {
   });
 }
 
+// Whether the faces fit together. CGAL's data structure knows no hidden vertices: where there are
+// some it counts wrongly.
+template <class KineticTriangulation>
+bool Auditor<KineticTriangulation>::are_links_right() const {
+  const auto& tds = triangulation_.tds();
+  if (audited_.number_of_hidden_points() == 0) return tds.is_valid();
+  for (auto f = tds.faces().begin(); f != tds.faces().end(); ++f) {
+    if (!f->is_valid()) return false;
+  }
+  std::size_t visible = 1;  // the infinite one
+  for (auto v = triangulation_.finite_vertices_begin(); v != triangulation_.finite_vertices_end();
+       ++v) {
+    ++visible;
+    if (!v->face()->has_vertex(v)) return false;
+  }
+  if (tds.dimension() == 0) return visible == 2;
+  return tds.faces().size() == (tds.dimension() == 1 ? visible : 2 * visible - 4);
+}
+
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::check_links() {
   const auto& vertices = audited_.vertices_;
-  if (!triangulation_.tds().is_valid()) return fail("the triangulation's links are broken");
-  if (triangulation_.number_of_vertices() != audited_.number_of_points()) {
+  if (!are_links_right()) return fail("the triangulation's links are broken");
+  const std::size_t vertices_there = triangulation_.tds().number_of_vertices() - 1;
+  if (vertices_there != audited_.number_of_points()) {
     fail("there are " + std::to_string(audited_.number_of_points()) + " points but " +
-         std::to_string(triangulation_.number_of_vertices()) + " vertices");
+         std::to_string(vertices_there) + " vertices");
   }
   for (std::size_t id = 0; id < vertices.size(); ++id) {
     if (audited_.contains(static_cast<Point_id>(id)) && vertices[id]->point().id() != id) {
@@ -147,11 +231,26 @@ void Auditor<KineticTriangulation>::check_links() {
   }
   if (!queue_.is_valid()) fail("the queue is out of order");
   if (!queue_.empty() && queue_.time_of(queue_.top()) <= audited_.current_time()) {
-    fail("the event of " + name(queue_.top().edge()) + " is not in the future");
+    fail("the event of " + name(queue_.top()) + " is not in the future");
   }
-  if (triangulation_.dimension() < 1) return;
   std::size_t events = 0;
+  if constexpr (is_weighted) {
+    for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
+      const auto& list = v->face()->vertex_list();
+      if (std::ranges::count(list, v) != 1) {
+        fail("the hidden point " + std::to_string(v->point().id()) +
+             " is not in the list of its face");
+      }
+      if (v->event() == no_event) continue;
+      ++events;
+      if (!queue_.contains(v->event()) || !queue_[v->event()].is_hidden() ||
+          queue_[v->event()].hidden != v) {
+        fail("the hidden point " + std::to_string(v->point().id()) + " has the event of another");
+      }
+    }
+  }
   for (const Edge& edge : triangulation_.all_edges()) {
+    if (triangulation_.dimension() < 1) break;
     const Queue_handle handle = edge.first->event(edge.second);
     const Edge mirror = triangulation_.dimension() == 2 ? triangulation_.mirror_edge(edge) : edge;
     if (mirror.first->event(mirror.second) != handle) {
@@ -221,9 +320,9 @@ void Auditor<KineticTriangulation>::check_delaunay() {
     const auto& [face, i] = edge;
     if (triangulation_.is_infinite(face) || triangulation_.is_infinite(face->neighbor(i))) continue;
     const Vertex_handle opposite = triangulation_.tds().mirror_vertex(face, i);
-    if (CGAL::side_of_oriented_circle(place(face->vertex(0)), place(face->vertex(1)),
-                                      place(face->vertex(2)),
-                                      place(opposite)) == CGAL::ON_POSITIVE_SIDE) {
+    if (side_of_circle(input(face->vertex(0)->point().id()), input(face->vertex(1)->point().id()),
+                       input(face->vertex(2)->point().id()),
+                       input(opposite->point().id())) == CGAL::ON_POSITIVE_SIDE) {
       fail("not locally Delaunay: " + name(edge) + " between " +
            std::to_string(face->vertex(i)->point().id()) + " and " +
            std::to_string(opposite->point().id()));
@@ -231,18 +330,111 @@ void Auditor<KineticTriangulation>::check_delaunay() {
   }
 }
 
+// A hidden point is in the projection of its face, and not below the lifted face. With locally
+// regular edges that makes the triangulation regular for all points.
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::check_hidden_points() {
+  if constexpr (is_weighted) {
+    for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
+      const Face_handle face = v->face();
+      const auto fail_at = [&](const char* what) {
+        fail("the hidden point " + std::to_string(v->point().id()) + what);
+      };
+      const auto corner = [&](int i) { return input(face->vertex(i)->point().id()); };
+      const auto point = input(v->point().id());
+      if (triangulation_.dimension() == 0) {
+        if (corner(0).point() != point.point() || corner(0).weight() < point.weight()) {
+          fail_at(" is not hidden by the vertex that should hide it");
+        }
+        continue;
+      }
+      if (triangulation_.is_infinite(face)) {
+        fail_at(" is in an infinite face");
+        continue;
+      }
+      if (triangulation_.dimension() == 1) {
+        if (!CGAL::collinear_are_ordered_along_line(corner(0).point(), point.point(),
+                                                    corner(1).point()) ||
+            CGAL::power_side_of_oriented_power_circle(corner(0), corner(1), point) ==
+                CGAL::ON_POSITIVE_SIDE) {
+          fail_at(" is not hidden by the edge that should hide it");
+        }
+        continue;
+      }
+      for (int i = 0; i < 3; ++i) {
+        if (CGAL::orientation(corner(Triangulation::ccw(i)).point(),
+                              corner(Triangulation::cw(i)).point(),
+                              point.point()) == CGAL::RIGHT_TURN) {
+          fail_at(" is not in its face");
+        }
+      }
+      if (side_of_circle(corner(0), corner(1), corner(2), point) == CGAL::ON_POSITIVE_SIDE) {
+        fail_at(" is not hidden by its face");
+      }
+    }
+  }
+}
+
+// Compares the hidden points with those of the static regular triangulation. A point that stays in
+// the lifted plane of its neighbors may be hidden as well as not. Returns whether there is none
+// such that is hidden in only one of the two.
+template <class KineticTriangulation>
+bool Auditor<KineticTriangulation>::has_same_vertices(const Static_triangulation& reference) {
+  bool result = true;
+  if constexpr (is_weighted) {
+    // Whether a hidden vertex of either triangulation is in the lifted plane of its face.
+    const auto is_in_plane = [&](const auto& triangulation, auto v, const auto& input_of) {
+      const auto face = v->face();
+      if (triangulation.dimension() == 0) return true;  // two discs alike are refused
+      const auto corner = [&](int i) { return input_of(face->vertex(i)); };
+      const auto side =
+          triangulation.dimension() == 1
+              ? CGAL::power_side_of_oriented_power_circle(corner(0), corner(1), input_of(v))
+              : side_of_circle(corner(0), corner(1), corner(2), input_of(v));
+      return side == CGAL::ON_ORIENTED_BOUNDARY;
+    };
+    std::vector<typename Static_triangulation::Vertex_handle> hidden(places_.size());
+    for (const auto v : reference.hidden_vertex_handles()) hidden[v->info()] = v;
+    for (const Vertex_handle v : audited_.vertices_) {
+      if (v == Vertex_handle()) continue;
+      const Point_id id = v->point().id();
+      const auto there = hidden[id];
+      const bool is_hidden_there = there != typename Static_triangulation::Vertex_handle();
+      if (v->is_hidden() == is_hidden_there) continue;
+      const bool is_ambiguous =
+          is_hidden_there
+              ? is_in_plane(reference, there, [](auto u) { return u->point(); })
+              : is_in_plane(triangulation_, v, [&](auto u) { return input(u->point().id()); });
+      if (!is_ambiguous) {
+        fail("point " + std::to_string(id) + (is_hidden_there ? " is not" : " is") +
+             " hidden, unlike in the static regular triangulation");
+      }
+      result = false;
+    }
+  }
+  return result;
+}
+
 // Where points stay cocircular the Delaunay triangulation is not unique; then any choice of
 // diagonals is right, and only the edges that every choice has are compared, and the number of all.
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::check_reference() {
-  std::vector<std::pair<Place, Point_id>> input;
-  input.reserve(places_.size());
-  for (const Vertex_handle v : audited_.vertices_) {
-    if (v != Vertex_handle()) input.emplace_back(place(v), v->point().id());
-  }
   Static_triangulation reference;
-  reference.insert(input.begin(), input.end());
+  if constexpr (is_weighted) {
+    for (const Vertex_handle v : audited_.vertices_) {
+      if (v == Vertex_handle()) continue;
+      reference.insert(input(v->point().id()))->info() = v->point().id();
+    }
+  } else {
+    std::vector<std::pair<Place, Point_id>> points;
+    points.reserve(places_.size());
+    for (const Vertex_handle v : audited_.vertices_) {
+      if (v != Vertex_handle()) points.emplace_back(place(v), v->point().id());
+    }
+    reference.insert(points.begin(), points.end());
+  }
 
+  if (!has_same_vertices(reference)) return;  // each is right if its edges and hidden points are
   const std::vector<Edge_ids> present = audited_.finite_edge_ids();
   std::size_t edges = 0;
   for (const auto& [face, i] : reference.finite_edges()) {
@@ -253,9 +445,9 @@ void Auditor<KineticTriangulation>::check_reference() {
     const bool has_alternative =
         reference.dimension() == 2 && !reference.is_infinite(face) &&
         !reference.is_infinite(face->neighbor(i)) &&
-        CGAL::side_of_oriented_circle(
-            face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
-            reference.tds().mirror_vertex(face, i)->point()) == CGAL::ON_ORIENTED_BOUNDARY;
+        side_of_circle(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+                       reference.tds().mirror_vertex(face, i)->point()) ==
+            CGAL::ON_ORIENTED_BOUNDARY;
     if (!has_alternative) {
       fail("missing: " + edge_name(ids) + " of the static Delaunay triangulation");
     }
@@ -282,24 +474,52 @@ auto Auditor<KineticTriangulation>::next_failure(const Edge& edge, const Traits&
 
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::check_certificates() {
-  if (triangulation_.dimension() < 1) return;
   const Traits traits = audited_.traits_.exact();
+  check_hidden_certificates(traits);
+  if (triangulation_.dimension() < 1) return;
   for (const Edge& edge : triangulation_.all_edges()) {
     if (triangulation_.dimension() == 1 && triangulation_.is_infinite(edge)) continue;
-    const auto failure = next_failure(edge, traits);
-    const Queue_handle handle = edge.first->event(edge.second);
-    if (handle == no_event) {
-      if (failure) fail(name(edge) + " will fail but has no event");
-    } else if (queue_[handle].kind == Entry_kind::recheck) {
-      if (failure && failure->time <= queue_.time_of(queue_[handle])) {
-        fail(name(edge) + " fails before it is checked again");
+    check_entry(name(edge), edge.first->event(edge.second), next_failure(edge, traits));
+  }
+}
+
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::check_hidden_certificates(const Traits& traits) {
+  if constexpr (is_weighted) {
+    const auto hidden = audited_.hidden_points();
+    Certificate_counters unused;
+    for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
+      auto [index, next] = hidden.certificate(v, audited_.current_time(), traits, unused);
+      while (next.kind == Certificate::Kind::holds) {
+        std::tie(index, next) = hidden.certificate(v, Time(next.bounds.lower), traits, unused);
       }
-    } else if (!failure) {
-      fail(name(edge) + " has an event but never fails");
-    } else if (failure->time != queue_.time_of(queue_[handle]) ||
-               failure->kind != queue_[handle].kind) {
-      fail(name(edge) + " has an event at another time, or of another kind, than its failure");
+      std::optional<Failure> failure;
+      if (next.kind == Certificate::Kind::fails) {
+        failure =
+            Failure{Entry_kind::hidden,
+                    next.failure ? std::move(*next.failure)
+                                 : audited_.failure_time(hidden.points(v, index), next.bounds)};
+      }
+      check_entry("the hidden point " + std::to_string(v->point().id()), v->event(), failure);
     }
+  }
+}
+
+// Whether what the queue holds for the edge or hidden point agrees with its failure.
+template <class KineticTriangulation>
+void Auditor<KineticTriangulation>::check_entry(const std::string& name, Queue_handle handle,
+                                                const std::optional<Failure>& failure) {
+  if (handle == no_event) {
+    if (failure) fail(name + " will fail but has no event");
+  } else if (queue_[handle].kind == Entry_kind::recheck) {
+    if (failure && failure->time <= queue_.time_of(queue_[handle])) {
+      fail(name + " fails before it is checked again");
+    }
+  } else if (!failure) {
+    fail(name + " has an event but never fails");
+  } else if (failure->time != queue_.time_of(queue_[handle]) ||
+             failure->kind != queue_[handle].kind) {
+    fail(name + " has an event at another time, or of another kind, than its failure");
   }
 }
 

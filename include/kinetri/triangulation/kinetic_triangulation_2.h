@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The kinetic Delaunay triangulation: a CGAL::Delaunay_triangulation_2 of moving points that is
-// kept right through time. This class owns the triangulation, the event queue, and the invariant
-// that joins them:
+// The kinetic triangulation: a CGAL::Delaunay_triangulation_2 of moving points, or, where points
+// have weights, a CGAL::Regular_triangulation_2, that is kept right through time. This class owns
+// the triangulation, the event queue, and the invariant that joins them:
 //
-//   between two calls of a public function the triangulation is Delaunay just after current_time(),
-//   and each edge whose certificate may ever fail again has exactly one entry in the queue: either
-//   its failure, at its exact time, or a time up to which the certificate certainly holds, and at
-//   which it is checked again.
+//   between two calls of a public function the triangulation is Delaunay (regular) just after
+//   current_time(), and each edge, and each hidden point, whose certificate may ever fail again has
+//   exactly one entry in the queue: either its failure, at its exact time, or a time up to which
+//   the certificate certainly holds, and at which it is checked again.
 //
 // One event's way through the code: `settle` has certificates checked again until a failure is
 // first in the queue; `run_instant` takes it out; `execute` looks at its kind; `flip_edge` flips
@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,7 @@
 #include "kinetri/triangulation/audit.h"
 #include "kinetri/triangulation/detail/edge_changes.h"
 #include "kinetri/triangulation/detail/prefetch.h"
+#include "kinetri/triangulation/detail/regular_triangulation.h"
 #include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 #include "kinetri/triangulation/triangulation_snapshot.h"
@@ -46,10 +48,30 @@ namespace detail {
 
 template <class KineticTriangulation>
 class Auditor;
+template <class Kinetic, class Traits>
+class Hidden_points;
+
+/// CGAL's triangulation of moving points: regular where they have weights, else Delaunay.
+template <class Traits>
+struct Triangulation_of {
+  using type = CGAL::Delaunay_triangulation_2<
+      typename Traits::Instantaneous_traits,
+      Kinetic_triangulation_data_structure_2<typename Traits::Instantaneous_traits>>;
+};
+template <WeightedKineticTraits_2 Traits>
+struct Triangulation_of<Traits> {
+  using type = Regular_triangulation<typename Traits::Instantaneous_traits>;
+};
 
 }  // namespace detail
 
-/// The Delaunay triangulation of moving points, exact at every time.
+/// The Delaunay triangulation of moving points, exact at every time; or the regular triangulation,
+/// if the traits are WeightedKineticTraits_2: the points have weights, and those whose power cell
+/// is empty are hidden. What is said of Delaunay triangulations below is then said of regular ones,
+/// with power circles in place of circles.
+///
+/// A hidden point is there, has an id and a motion, and has no edges. Its vertex is `is_hidden()`,
+/// as CGAL has it, and the vertex's `face()` is the triangle that hides it.
 ///
 /// A flip costs five certificates and as many changes of the queue, whatever the number of points;
 /// memory is O(points), with one entry of the queue for each edge. Several threads may call const
@@ -63,9 +85,7 @@ class Kinetic_triangulation_2 {
   using Time = Algebraic_number;                                       ///< of events
   using Instantaneous_traits = typename Traits::Instantaneous_traits;  ///< of the traits
   /// CGAL's triangulation, whose points move.
-  using Triangulation =
-      CGAL::Delaunay_triangulation_2<Instantaneous_traits,
-                                     Kinetic_triangulation_data_structure_2<Instantaneous_traits>>;
+  using Triangulation = typename detail::Triangulation_of<Traits>::type;
   using Vertex_handle = typename Triangulation::Vertex_handle;  ///< good while its point is there
   using Face_handle = typename Triangulation::Face_handle;      ///< good until the next event
   using Edge = typename Triangulation::Edge;                    ///< a face and an index, as CGAL's
@@ -134,6 +154,13 @@ class Kinetic_triangulation_2 {
   bool contains(Point_id id) const noexcept {
     return id < vertices_.size() && vertices_[id] != Vertex_handle();
   }
+
+  /// Whether the point `id` has no power cell, and so no edges. Never without weights.
+  /// Precondition: contains(id).
+  bool is_hidden(Point_id id) const;
+
+  /// The number of hidden points. O(1).
+  std::size_t number_of_hidden_points() const;
 
   /// The vertex of the point `id`, the same as long as the point is there.
   /// Precondition: contains(id).
@@ -287,23 +314,38 @@ class Kinetic_triangulation_2 {
 
  private:
   friend class detail::Auditor<Kinetic_triangulation_2>;
+  friend class detail::Hidden_points<Kinetic_triangulation_2, Traits>;
+  friend class detail::Hidden_points<const Kinetic_triangulation_2, Traits>;
 
-  /// What the queue holds an entry for, in the order of entries at one time.
+  static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
+
+  /// What the queue holds an entry for, in the order of entries at one time. Hidden points come
+  /// last: where they are is looked for in a triangulation whose edges are right.
   enum class Entry_kind : std::uint8_t {
     recheck,      ///< the certificate certainly holds until then
     coincidence,  ///< the ends of the edge coincide
     hull_insert,
     hull_remove,
     flip,
+    hidden,  ///< a hidden point reaches the side or the plane of the triangle that hides it
   };
 
-  /// An edge and the failure of its certificate. The exact time is made from the corners of the
-  /// edge's two faces: these must stay what they were when the entry was made.
+  struct Nothing {};
+  using Hidden_vertex = std::conditional_t<is_weighted, Vertex_handle, Nothing>;
+
+  /// An edge and the failure of its certificate; or a hidden point. The exact time is made from the
+  /// corners of the edge's two faces, or of the face that hides the point: these must stay what
+  /// they were when the entry was made.
   struct Entry : detail::Scheduled {
     std::uint8_t index = 0;  // the edge is the one opposite this vertex of the face
     Entry_kind kind = Entry_kind::recheck;
     bool changes_sign = false;  // the polynomial does, certainly, when the certificate fails
     Face_handle face;
+    [[no_unique_address]] Hidden_vertex hidden = {};
+
+    /// As the index of a hidden point: it reaches the plane of the lifted face. A lesser index says
+    /// that it reaches the side of the face that is opposite that vertex.
+    static constexpr std::uint8_t plane = 3;
 
     Entry() = default;
     /// The failure of an edge's certificate, which is of the given kind, or the time to check it
@@ -316,6 +358,10 @@ class Kinetic_triangulation_2 {
           face(edge.first) {}
 
     Edge edge() const { return Edge(face, index); }
+    bool is_hidden() const {
+      if constexpr (is_weighted) return hidden != Vertex_handle();
+      return false;
+    }
   };
 
   /// What the scheduler asks; see Event_scheduler.
@@ -359,6 +405,8 @@ class Kinetic_triangulation_2 {
   static Triangulation build(std::span<const Point_2> points, const Time& time,
                              const Instantaneous_traits& traits);
   Rounded_places places_now() const;
+  static Triangulation build_regular(std::span<const Point_2> points,
+                                     const Instantaneous_traits& traits);
   static bool build_from_places(std::span<const Point_2> points, const Rounded_places& places,
                                 Triangulation& result);
   static bool is_embedded(const Triangulation& triangulation, const Rounded_places& places);
@@ -374,6 +422,7 @@ class Kinetic_triangulation_2 {
   void make_faces(const Snapshot& snapshot);
   void check_restored() const;
   void check_restored_chain() const;
+  void check_restored_hidden_points() const;
 
   // Certificates.
   std::vector<Face_handle> faces() const;
@@ -385,6 +434,7 @@ class Kinetic_triangulation_2 {
   static Edge_ids ids_of(const Edge& edge);
   std::array<Vertex_handle, 3> hull_turn(const Two_sided_edge& infinite_edge) const;
   Certificate_points certificate_points(const Two_sided_edge& edge) const;
+  Certificate_points certificate_points(const Entry& entry) const;
   static Certificate certificate(const Certificate_points& points, const Time& after,
                                  Certificate_state state, const Traits& traits);
   template <class Put>
@@ -392,6 +442,8 @@ class Kinetic_triangulation_2 {
                const Traits& traits, Certificate_counters& counters, const Put& put) const;
   std::pair<Entry_kind, Certificate> certificate_of(const Two_sided_edge& edge, const Time& after,
                                                     const Traits& traits) const;
+  std::pair<Certificate_points, Certificate> certificate_of(const Entry& entry, const Time& after,
+                                                            const Traits& traits) const;
   template <class After>
   Entry_kind first_failure(const Two_sided_edge& edge, Entry_kind kind, Certificate& certificate,
                            const After& after, const Traits& traits,
@@ -419,7 +471,7 @@ class Kinetic_triangulation_2 {
   // Events.
   Double_interval current_bounds() const;
   void set_current_time(Time time);
-  void set_current_time(const Two_sided_edge& edge, const Entry& entry);
+  void set_current_time(const Entry& entry);
   bool settle(const Time* until);
   bool settle_now();
   template <class Is_due>
@@ -430,7 +482,7 @@ class Kinetic_triangulation_2 {
   std::size_t step_until(const Time* until);
   std::size_t run_instant();
   void show_current_time();
-  void execute(const Two_sided_edge& edge, const Entry& event);
+  void execute(const Entry& event);
   void count_event(Event_kind kind);
   const Edge& hull_triangle(const Two_sided_edge& hull_edge) const;
   bool is_touch(Face_handle face) const;
@@ -439,6 +491,26 @@ class Kinetic_triangulation_2 {
   bool can_insert_into_hull(const Two_sided_edge& hull_edge) const;
   void flip_edge(const Two_sided_edge& edge, Event_kind kind);
   static Event flip_event(const Two_sided_edge& edge, Event_kind kind);
+
+  struct Location {
+    Face_handle face;  // infinite beyond the hull
+    typename Triangulation::Locate_type locus = Triangulation::FACE;
+    int index = 0;  // of the edge or vertex where the place is on one
+  };
+
+  // Where points have weights.
+  detail::Hidden_points<Kinetic_triangulation_2, Traits> hidden_points() {
+    return detail::Hidden_points<Kinetic_triangulation_2, Traits>(*this);
+  }
+  detail::Hidden_points<const Kinetic_triangulation_2, Traits> hidden_points() const {
+    return detail::Hidden_points<const Kinetic_triangulation_2, Traits>(*this);
+  }
+  std::vector<Vertex_handle> take_hidden_at(const Edge& edge);
+  static bool have_equal_weights(std::span<const Point_2> points);
+  void check_turns_are_new(std::span<const Change> changes, std::span<const Change> turns) const;
+  void note_weights(std::span<const Change> changes);
+  bool retry_postponed();
+  void flip_or_hide(const Two_sided_edge& edge);
 
   // Instants that flips alone do not pass.
   void set_coincident_points_aside();
@@ -450,15 +522,11 @@ class Kinetic_triangulation_2 {
   bool has_flat_triangle() const;
   void adopt(Triangulation rebuilt);
   void report_rebuild();
+  void report_rebuilt_points();
   template <class Change_edges>
   void report(Event event, Change_edges change_edges);
 
   // Changes of single points.
-  struct Location {
-    Face_handle face;  // infinite beyond the hull
-    typename Triangulation::Locate_type locus = Triangulation::FACE;
-    int index = 0;  // of the edge or vertex where the place is on one
-  };
   /// A point that leaves its triangles, comes or goes.
   struct Jump {
     Change change;
@@ -516,17 +584,26 @@ class Kinetic_triangulation_2 {
   Certificate_counters certificate_counters_;
   std::vector<Observer*> observers_;
   std::vector<Point_set_aside> points_set_aside_;
+  /// Whether all weights are equal at all times, as without weights: then the triangulation is the
+  /// Delaunay triangulation, and no point is hidden.
+  bool weights_are_equal_ = true;
+  std::vector<Edge_ids> postponed_;  // edges whose certificates fail now, but cannot be flipped yet
+  std::uint64_t changes_ = 0;        // of the triangulation, to see that something has happened
+  std::uint64_t changes_before_retry_ = 0;
   /// Present while changes of edges are noted, not reported.
   std::optional<detail::Edge_changes> rebuilt_edges_;
-  std::uint64_t events_in_instant_ = 0;  // of the last run_instant
-  bool hull_is_flat_ = false;            // at the present time
-  bool is_in_event_ = false;             // observers are being called
+  std::vector<std::pair<Point_id, bool>> rebuilt_points_;  // meanwhile hidden (true) and revealed
+  std::uint64_t events_in_instant_ = 0;                    // of the last run_instant
+  bool hull_is_flat_ = false;                              // at the present time
+  bool is_in_event_ = false;                               // observers are being called
   Triangulation_counters counters_;
   Construction_seconds construction_seconds_;
 };
 
 extern template class Kinetic_triangulation_2<Linear_kinetic_traits_2>;
 extern template class Kinetic_triangulation_2<Polynomial_kinetic_traits_2>;
+extern template class Kinetic_triangulation_2<Disc_kinetic_traits_2>;
+extern template class Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 

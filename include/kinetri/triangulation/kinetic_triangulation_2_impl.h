@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/hidden_points.h"
 #include "kinetri/triangulation/detail/point_problems.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
@@ -32,6 +33,7 @@ Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(const std::vector<Motio
   vertices_.resize(points.size());
   number_of_points_ = points.size();
   const auto started = std::chrono::steady_clock::now();
+  if constexpr (is_weighted) weights_are_equal_ = have_equal_weights(points);
   triangulation_ = build(points, start, traits_.instantaneous_traits(clock_));
   index_vertices();
   const auto built = std::chrono::steady_clock::now();
@@ -43,9 +45,21 @@ Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(const std::vector<Motio
 
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::index_vertices() {
-  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
-    vertices_[v->point().id()] = v;
+  auto& vertices = triangulation_.tds().vertices();
+  for (Vertex_handle v = vertices.begin(); v != vertices.end(); ++v) {
+    if (!triangulation_.is_infinite(v)) vertices_[v->point().id()] = v;
   }
+}
+
+// Whether the weights of all points are equal at all times.
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::have_equal_weights(std::span<const Point_2> points) {
+  if constexpr (is_weighted) {
+    return std::ranges::all_of(points, [&](const Point_2& point) {
+      return kinetri::have_equal_weights(points.front().motion(), point.motion());
+    });
+  }
+  return true;
 }
 
 // ---- the present ----
@@ -54,6 +68,19 @@ template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::vertex(Point_id id) const -> Vertex_handle {
   KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
   return vertices_[id];
+}
+
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::is_hidden(Point_id id) const {
+  const Vertex_handle v = vertex(id);
+  if constexpr (is_weighted) return v->is_hidden();
+  return false;
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::number_of_hidden_points() const {
+  if constexpr (is_weighted) return triangulation_.number_of_hidden_vertices();
+  return 0;
 }
 
 template <KineticTraits_2 Traits>

@@ -5,6 +5,8 @@
 #ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_DATA_STRUCTURE_2_H
 #define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_DATA_STRUCTURE_2_H
 
+#include <CGAL/Regular_triangulation_face_base_2.h>
+#include <CGAL/Regular_triangulation_vertex_base_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_ds_face_base_2.h>
 #include <CGAL/Triangulation_face_base_2.h>
@@ -63,11 +65,43 @@ class alignas(64) Kinetic_vertex_base_2 : public VertexBase {
   using VertexBase::VertexBase;
 };
 
+/// A vertex of a regular triangulation, with the queue's entry for it while it is hidden.
+template <class InstantaneousTraits,
+          class VertexBase = CGAL::Regular_triangulation_vertex_base_2<InstantaneousTraits>>
+class alignas(64) Kinetic_regular_vertex_base_2 : public VertexBase {
+ public:
+  /// CGAL's way to tell a base class of its data structure.
+  template <class Tds2>
+  struct Rebind_TDS {
+    /// The vertex of the data structure Tds2.
+    using Other =
+        Kinetic_regular_vertex_base_2<InstantaneousTraits,
+                                      typename VertexBase::template Rebind_TDS<Tds2>::Other>;
+  };
+
+  using VertexBase::VertexBase;
+
+  /// The queue's entry for the hidden point; no_event if there is none.
+  Queue_handle event() const { return event_; }
+  /// Remembers the queue's entry for the hidden point.
+  void set_event(Queue_handle event) { event_ = event; }
+
+ private:
+  Queue_handle event_ = no_event;
+};
+
 /// CGAL's data structure with such faces.
 template <class InstantaneousTraits>
 using Kinetic_triangulation_data_structure_2 =
     CGAL::Triangulation_data_structure_2<Kinetic_vertex_base_2<InstantaneousTraits>,
                                          Kinetic_face_base_2<InstantaneousTraits>>;
+
+/// The same for a regular triangulation: faces hold the vertices that they hide.
+template <class InstantaneousTraits>
+using Kinetic_regular_data_structure_2 = CGAL::Triangulation_data_structure_2<
+    Kinetic_regular_vertex_base_2<InstantaneousTraits>,
+    Kinetic_face_base_2<InstantaneousTraits,
+                        CGAL::Regular_triangulation_face_base_2<InstantaneousTraits>>>;
 
 }  // namespace kinetri
 

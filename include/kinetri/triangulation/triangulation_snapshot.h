@@ -39,6 +39,7 @@ struct Triangulation_snapshot {
   std::vector<Face> faces;                     ///< infinite ones too, in CGAL's order
   std::vector<std::size_t> vertex_faces;  ///< by point id: the face at which CGAL begins; 0 of a
                                           ///< point that is not there
+  std::vector<Point_id> hidden_points;    ///< sorted; the face of one is the one that hides it
   std::size_t infinite_vertex_face = 0;   ///< the one at which CGAL begins at the infinite vertex
   Triangulation_counters counters;        ///< so far
   Certificate_counters certificates;      ///< so far

@@ -71,6 +71,15 @@ auto Kinetic_triangulation_2<Traits>::certificate_points(const Two_sided_edge& e
 }
 
 template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::certificate_points(const Entry& entry) const
+    -> Certificate_points {
+  if constexpr (is_weighted) {
+    if (entry.is_hidden()) return hidden_points().points(entry.hidden, entry.index);
+  }
+  return certificate_points(two_sided(entry.edge()));
+}
+
+template <KineticTraits_2 Traits>
 inline Certificate Kinetic_triangulation_2<Traits>::certificate(const Certificate_points& points,
                                                                 const Time& after,
                                                                 Certificate_state state,
@@ -108,9 +117,17 @@ void Kinetic_triangulation_2<Traits>::certify(std::span<const Two_sided_edge> ed
     for (const Two_sided_edge& edge : edges) {
       if (triangulation_.is_infinite(edge.here)) {
         put(edge, Entry_kind::coincidence, Certificate());
-      } else {
-        put(edge, Entry_kind::coincidence, coincidence(edge, after, among, traits, counters));
+        continue;
       }
+      if constexpr (is_weighted) {
+        if (!weights_are_equal_) {
+          Certificate chain = hidden_points().chain_certificate(edge.here, after, traits);
+          counters.count(chain);
+          put(edge, Entry_kind::coincidence, std::move(chain));
+          continue;
+        }
+      }
+      put(edge, Entry_kind::coincidence, coincidence(edge, after, among, traits, counters));
     }
     return;
   }
@@ -155,6 +172,25 @@ auto Kinetic_triangulation_2<Traits>::certificate_of(const Two_sided_edge& edge,
             result = {kind, std::move(certificate)};
           });
   return result;
+}
+
+// The same of what an entry is about, with the points of the certificate that fails.
+template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::certificate_of(const Entry& entry, const Time& after,
+                                                     const Traits& traits) const
+    -> std::pair<Certificate_points, Certificate> {
+  if constexpr (is_weighted) {
+    if (entry.is_hidden()) {
+      Certificate_counters unused;
+      auto [index, certificate] = hidden_points().certificate(entry.hidden, after, traits, unused);
+      if (triangulation_.dimension() < 2) return {Certificate_points(), std::move(certificate)};
+      return {hidden_points().points(entry.hidden, index), std::move(certificate)};
+    }
+  }
+  const Two_sided_edge edge = two_sided(entry.edge());
+  Certificate certificate = certificate_of(edge, after, traits).second;
+  if (triangulation_.dimension() < 2) return {Certificate_points(), std::move(certificate)};
+  return {certificate_points(edge), std::move(certificate)};
 }
 
 // Turns the certificate that an edge belongs to the triangulation, whose failure is of the given

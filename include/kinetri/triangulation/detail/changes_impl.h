@@ -143,6 +143,7 @@ template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::perform(std::span<const Event> events,
                                               std::span<const Change> changes) {
   Change_plan planned = plan(changes);
+  if constexpr (is_weighted) note_weights(changes);
   report(events.front(), [&] {
     rebuilt_edges_.emplace();
     make_changes(changes, planned);
@@ -159,6 +160,7 @@ template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::plan(std::span<const Change> changes) -> Change_plan {
   Change_plan result;
   find_turns(changes, result);
+  if constexpr (is_weighted) check_turns_are_new(changes, result.turns);
   if (result.jumps.empty()) return result;
   constexpr std::size_t few = 8;
   if (triangulation_.dimension() < 2 ||
@@ -169,6 +171,26 @@ auto Kinetic_triangulation_2<Traits>::plan(std::span<const Change> changes) -> C
     locate_jumps(changes, result.jumps);
   }
   return result;
+}
+
+// Throws if a point that turns would have the trajectory and the weight of a hidden point, or is
+// hidden itself and would have those of any point. Two points that have edges are in two places.
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::check_turns_are_new(std::span<const Change> changes,
+                                                          std::span<const Change> turns) const {
+  if constexpr (is_weighted) {
+    if (triangulation_.number_of_hidden_vertices() == 0 || turns.empty()) return;
+    std::vector<Point_id> changed;
+    for (const Change& change : changes) changed.push_back(change.point);
+    std::ranges::sort(changed);
+    for (const Change& change : turns) {
+      const Point_2 point(*change.motion, change.point);
+      const Location location = locate(point, vertices_[change.point]->face());
+      hidden_points().check_is_new(point, location, changed);
+    }
+    std::vector<Jump> none;
+    check_are_distinct(changes, none);
+  }
 }
 
 // Whether so many points turn that everything is looked at anew.
@@ -210,7 +232,7 @@ void Kinetic_triangulation_2<Traits>::find_turns(std::span<const Change> changes
     for (const Change& change : changes) {
       if (may_turn(change)) {
         turn(change);
-        if (is_embedded_around(vertices_[change.point])) continue;
+        if (is_hidden(change.point) || is_embedded_around(vertices_[change.point])) continue;
         undo_last();
       }
       plan.jumps.push_back({change});
@@ -265,7 +287,9 @@ void Kinetic_triangulation_2<Traits>::locate_jumps(std::span<const Change> chang
     jump.location = locate(point, near == Face_handle() ? vertex_near(point)->face() : near);
     near = jump.location.face;
     const auto& [face, locus, i] = jump.location;
-    if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
+    if constexpr (is_weighted) {
+      hidden_points().check_is_new(point, jump.location, changed);
+    } else if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
       const Point_id other = face->vertex(i)->point().id();
       throw Coincident_trajectories_error(std::min(id, other), std::max(id, other));
     }
@@ -281,8 +305,8 @@ template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::points_after(std::span<const Change> changes) const
     -> std::vector<Point_2> {
   std::vector<std::optional<Motion>> motions(vertices_.size());
-  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
-    motions[v->point().id()] = v->point().motion();
+  for (const Vertex_handle v : vertices_) {
+    if (v != Vertex_handle()) motions[v->point().id()] = v->point().motion();
   }
   for (const Change& change : changes) motions[change.point] = change.motion;
   std::vector<Point_2> result;
@@ -320,9 +344,51 @@ void Kinetic_triangulation_2<Traits>::make_turns(std::span<const Change> turns) 
   // Each edge once, also one that is around several of the points.
   std::vector<Two_sided_edge> edges;
   edges.reserve(16 * turns.size());
-  for (const Change& change : turns) unschedule_around(vertices_[change.point], edges);
+  std::vector<Vertex_handle> hidden;
+  for (const Change& change : turns) {
+    const Vertex_handle v = vertices_[change.point];
+    if constexpr (is_weighted) {
+      const auto add = [&](Vertex_handle h) {
+        hidden_points().unschedule(h);
+        hidden.push_back(h);
+      };
+      if (v->is_hidden()) {
+        add(v);
+        continue;
+      }
+      detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
+        for (const Vertex_handle h : face->vertex_list()) add(h);
+      });
+    }
+    unschedule_around(v, edges);
+  }
   for (const Change& change : turns) set_point(change);
   schedule(edges, current_time());
+  if constexpr (is_weighted) {
+    for (const Vertex_handle h : hidden) {
+      if (h->event() == no_event) hidden_points().schedule(h, current_time());
+    }
+  }
+}
+
+// Notes whether all weights are still equal after the changes.
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::note_weights(std::span<const Change> changes) {
+  if constexpr (is_weighted) {
+    if (!weights_are_equal_) return;
+    std::vector<Point_2> points;
+    for (const Change& change : changes) {
+      if (change.motion) points.emplace_back(*change.motion, change.point);
+    }
+    // One that stays, if there is one.
+    const auto stays = [&](Vertex_handle v) {
+      return v != Vertex_handle() &&
+             std::ranges::find(changes, v->point().id(), &Change::point) == changes.end();
+    };
+    const auto stayer = std::ranges::find_if(vertices_, stays);
+    if (stayer != vertices_.end()) points.push_back((*stayer)->point());
+    weights_are_equal_ = have_equal_weights(points);
+  }
 }
 
 // Takes out the points that jump or go, then puts in those that jump or come. Returns false where
@@ -333,7 +399,7 @@ bool Kinetic_triangulation_2<Traits>::make_jumps(std::span<const Jump> jumps, bo
   for (const auto& [change, location, near] : jumps) {
     const Vertex_handle v = vertices_[change.point];
     if (v == Vertex_handle()) continue;
-    if (triangulation_.test_dim_down(v)) return false;
+    if (!is_hidden(change.point) && triangulation_.test_dim_down(v)) return false;
     take_out(v);
     are_located = false;
     if (!change.motion) set_point(change);
@@ -343,7 +409,12 @@ bool Kinetic_triangulation_2<Traits>::make_jumps(std::span<const Jump> jumps, bo
     set_point(change);
     const Vertex_handle v = vertices_[change.point];
     const Face_handle start = near == Vertex_handle() ? Face_handle() : near->face();
-    put_in(v, are_located ? location : locate(v->point(), start));
+    const Location there = are_located ? location : locate(v->point(), start);
+    if constexpr (is_weighted) {
+      hidden_points().place(v, there);
+    } else {
+      put_in(v, there);
+    }
     execute_due_events();
     are_located = false;
   }

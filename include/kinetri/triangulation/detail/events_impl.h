@@ -47,8 +47,18 @@ template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::recheck(std::span<const Entry> entries) {
   counters_.rechecks += entries.size();
   std::array<Two_sided_edge, 2> edges;
-  for (std::size_t k = 0; k < entries.size(); ++k) edges[k] = two_sided(entries[k].edge());
-  schedule(std::span(edges).first(entries.size()), Time(entries.front().bounds.lower));
+  std::size_t number = 0;
+  const Time after(entries.front().bounds.lower);
+  for (const Entry& entry : entries) {
+    if constexpr (is_weighted) {
+      if (entry.is_hidden()) {
+        hidden_points().schedule(entry.hidden, after);
+        continue;
+      }
+    }
+    edges[number++] = two_sided(entry.edge());
+  }
+  schedule(std::span(edges).first(number), after);
 }
 
 template <KineticTraits_2 Traits>
@@ -61,10 +71,9 @@ template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::has_event_before(const Time& time) const {
   if (queue_.empty() || queue_.time_of(queue_.top()) >= time) return false;
   if (queue_.top().kind != Entry_kind::recheck) return true;
-  return std::ranges::any_of(edges(), [&](const Edge& edge) {
-    const Queue_handle handle = edge.first->event(edge.second);
-    return handle != no_event && fails_before(queue_[handle], time);
-  });
+  bool result = false;
+  queue_.for_each([&](const Entry& entry) { result = result || fails_before(entry, time); });
+  return result;
 }
 
 // Whether the failure of the entry's certificate is before `time`. Checks certificates again, as
@@ -73,13 +82,12 @@ template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::fails_before(const Entry& entry, const Time& time) const {
   if (entry.bounds.lower > time.interval().upper) return false;
   if (entry.kind != Entry_kind::recheck) return queue_.time_of(entry) < time;
-  const Two_sided_edge edge = two_sided(entry.edge());
   Time checked(entry.bounds.lower);
   while (checked < time) {
-    const auto [kind, next] = certificate_of(edge, checked, traits_);
+    const auto [points, next] = certificate_of(entry, checked, traits_);
     if (next.kind == Certificate::Kind::never_fails) return false;
     if (next.kind == Certificate::Kind::fails) {
-      return (next.failure ? *next.failure : failure_time(edge, kind, next.bounds)) < time;
+      return (next.failure ? *next.failure : failure_time(points, next.bounds)) < time;
     }
     checked = Time(next.bounds.lower);
   }
@@ -140,10 +148,9 @@ std::size_t Kinetic_triangulation_2<Traits>::run_instant() {
     show_current_time();
     set_coincident_points_aside();
   } else {
-    const Two_sided_edge edge = two_sided(queue_.top().edge());
-    set_current_time(edge, queue_.top());
+    set_current_time(queue_.top());
     if (!observers_.empty()) show_current_time();
-    execute(edge, queue_.pop());
+    execute(queue_.pop());
   }
   execute_due_events();
   put_points_back();
@@ -159,25 +166,77 @@ std::size_t Kinetic_triangulation_2<Traits>::run_instant() {
 
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::execute_due_events() {
-  while (settle_now()) {
-    const Entry event = queue_.pop();
-    execute(two_sided(event.edge()), event);
-  }
+  do {
+    while (settle_now()) execute(queue_.pop());
+  } while (retry_postponed());
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::execute(const Two_sided_edge& edge, const Entry& event) {
+void Kinetic_triangulation_2<Traits>::execute(const Entry& event) {
   KINETRI_ASSERT(event.kind >= Entry_kind::hull_insert,
                  "an event is a failure, and coincident points have been set aside");
+  if constexpr (is_weighted) {
+    if (event.is_hidden()) return hidden_points().execute(event.hidden);
+  }
+  const Two_sided_edge edge = two_sided(event.edge());
   if (event.kind == Entry_kind::hull_insert) {
     if (may_hide_a_turn(edge)) return rebuild();
     if (!event.changes_sign && is_touch(hull_triangle(edge).first)) {
       return schedule({&edge, 1}, current_time());
     }
     hull_is_flat_ = true;
+    if constexpr (is_weighted) {
+      const Vertex_handle hidden =
+          weights_are_equal_ ? Vertex_handle() : hidden_points().hidden_hull_vertex(edge);
+      if (hidden != Vertex_handle()) {
+        set_event(edge, no_event);
+        return hidden_points().hide(hidden);
+      }
+    }
     if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
   }
+  if constexpr (is_weighted) {
+    if (event.kind == Entry_kind::flip && !weights_are_equal_) return flip_or_hide(edge);
+  }
   flip_edge(edge, event_kind(event.kind));
+}
+
+// Flips an edge if that leaves the triangulation embedded, or hides a vertex of degree 3. Otherwise
+// another event of the present time has to come first.
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::flip_or_hide(const Two_sided_edge& edge) {
+  if constexpr (is_weighted) {
+    bool can_be_flipped = false;
+    const Vertex_handle hidden = hidden_points().hidden_end(edge, can_be_flipped);
+    if (can_be_flipped) return flip_edge(edge, Event_kind::flip);
+    set_event(edge, no_event);
+    if (hidden != Vertex_handle()) return hidden_points().hide(hidden);
+    postponed_.push_back(ids_of(edge.here));
+  }
+}
+
+// When no event is due: schedules the postponed edges again if something has happened since, and
+// reconstructs the triangulation otherwise. Returns whether there were any.
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::retry_postponed() {
+  if (postponed_.empty()) return false;
+  const bool is_stuck = changes_ == changes_before_retry_;
+  changes_before_retry_ = changes_;
+  if (is_stuck) {
+    rebuild();
+    return true;
+  }
+  for (const auto& [a, b] : std::exchange(postponed_, {})) {
+    Edge edge;
+    if (!contains(a) || !contains(b) || is_hidden(a) || is_hidden(b) ||
+        !triangulation_.is_edge(vertices_[a], vertices_[b], edge.first, edge.second) ||
+        edge.first->event(edge.second) != no_event) {
+      continue;
+    }
+    const Two_sided_edge both = two_sided(edge);
+    schedule({&both, 1}, current_time());
+  }
+  return true;
 }
 
 // The finite triangle at a hull edge, seen from that edge.
@@ -284,14 +343,20 @@ void Kinetic_triangulation_2<Traits>::flip_edge(const Two_sided_edge& edge, Even
     detail::prefetch(there.first->vertex(there.second));
     queue_.prefetch(there.first->event(there.second));
   }
+  ++changes_;
   const auto flip = [&] {
     for (const Two_sided_edge& outer : before) unschedule(outer);
+    const std::vector<Vertex_handle> hidden = take_hidden_at(edge.here);
     triangulation_.tds().flip(face, i);
     schedule_after_flip({Edge(face, Triangulation::ccw(i)), Edge(neighbor, Triangulation::ccw(j))},
                         {{{before[0].there, Edge(face, Triangulation::cw(i))},
                           {before[1].there, Edge(face, i)},
                           {before[2].there, Edge(neighbor, Triangulation::cw(j))},
                           {before[3].there, Edge(neighbor, j)}}});
+    if constexpr (is_weighted) {
+      const std::array<Face_handle, 2> faces = {face, neighbor};
+      hidden_points().put(hidden, faces);
+    }
   };
   if (rebuilt_edges_ || !observers_.empty()) {
     report(flip_event(edge, kind), flip);
@@ -299,6 +364,17 @@ void Kinetic_triangulation_2<Traits>::flip_edge(const Two_sided_edge& edge, Even
     flip();
     count_event(kind);
   }
+}
+
+// Takes the points out that the faces at an edge hide.
+template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::take_hidden_at(const Edge& edge)
+    -> std::vector<Vertex_handle> {
+  if constexpr (is_weighted) {
+    const std::array<Face_handle, 2> faces = {edge.first, edge.first->neighbor(edge.second)};
+    return hidden_points().take(faces);
+  }
+  return {};
 }
 
 template <KineticTraits_2 Traits>

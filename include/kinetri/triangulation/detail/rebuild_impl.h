@@ -38,7 +38,7 @@ void Kinetic_triangulation_2<Traits>::set_coincident_points_aside() {
     const std::array<Point_id, 2> merged = edge_ids(least(a), least(b));
     parents[merged[1]] = merged[0];
   }
-  if (triangulation_.dimension() < 2) return rebuild();
+  if (triangulation_.dimension() < 2 || !weights_are_equal_) return rebuild();
   clock_.set({current_time(), Time_side::before});
   for (const auto& [id, parent] : parents) {
     if (id == parent) continue;
@@ -71,10 +71,12 @@ void Kinetic_triangulation_2<Traits>::rebuild(Change_vertices change_vertices,
   if (!rebuilt_edges_) rebuilt_edges_.emplace();
   for (const Edge_ids& edge : finite_edge_ids()) rebuilt_edges_->note(edge, -1);
   points_set_aside_.clear();
+  postponed_.clear();
   show_current_time();
   queue_.clear();
   change_vertices();
   adopt(rebuilt ? std::move(*rebuilt) : build_now(points_after({})));
+  if constexpr (is_weighted) weights_are_equal_ = have_equal_weights(points_after({}));
   schedule_all();
   for (const Edge_ids& edge : finite_edge_ids()) rebuilt_edges_->note(edge, 1);
 }
@@ -136,8 +138,42 @@ void Kinetic_triangulation_2<Traits>::adopt(Triangulation rebuilt) {
   for (Face_handle face = tds.faces().begin(); face != tds.faces().end(); ++face) {
     for (int i = 0; i < corners; ++i) face->set_vertex(i, vertex_here(face->vertex(i)));
   }
-  for (const Vertex_handle there : rebuilt.all_vertex_handles()) {
+  auto& vertices = rebuilt.tds().vertices();
+  for (Vertex_handle there = vertices.begin(); there != vertices.end(); ++there) {
     vertex_here(there)->set_face(there->face());
+  }
+  if constexpr (is_weighted) {
+    for (Face_handle face = tds.faces().begin(); face != tds.faces().end(); ++face) {
+      face->vertex_list().clear();
+    }
+    for (Vertex_handle there = vertices.begin(); there != vertices.end(); ++there) {
+      if (rebuilt.is_infinite(there)) continue;
+      const Vertex_handle here = vertex_here(there);
+      if (here->is_hidden() != there->is_hidden()) {
+        rebuilt_points_.push_back({here->point().id(), there->is_hidden()});
+      }
+      here->set_hidden(there->is_hidden());
+      here->set_event(no_event);
+      if (there->is_hidden()) there->face()->vertex_list().push_back(here);
+    }
+    triangulation_.count_hidden_vertices();
+  }
+}
+
+// Reports the points that a rebuild has hidden or revealed in the end.
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::report_rebuilt_points() {
+  auto points = std::exchange(rebuilt_points_, {});
+  std::ranges::stable_sort(points, {}, &std::pair<Point_id, bool>::first);
+  for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+    const auto [id, is_first_hidden] = points[first];
+    while (last < points.size() && points[last].first == id) ++last;
+    // Each change is to the other state.
+    if ((last - first) % 2 == 0 || !contains(id)) continue;
+    Event event;
+    event.kind = is_first_hidden ? Event_kind::hide : Event_kind::reveal;
+    event.point_a = id;
+    report(event, [] {});
   }
 }
 
@@ -147,6 +183,7 @@ void Kinetic_triangulation_2<Traits>::report_rebuild() {
   if (!rebuilt_edges_) return;
   const auto edges = rebuilt_edges_->take();
   rebuilt_edges_.reset();
+  report_rebuilt_points();
   Event event;
   event.kind = Event_kind::rebuild;
   for (const int change : {-1, 1}) {

@@ -21,13 +21,18 @@ namespace kinetri {
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::Queue_policy::entry_time(const Entry& entry) const -> Time {
   if (entry.kind == Entry_kind::recheck) return Time(entry.bounds.lower);
-  return triangulation.failure_time(triangulation.two_sided(entry.edge()), entry.kind,
-                                    entry.bounds);
+  KINETRI_ASSERT(entry.kind != Entry_kind::coincidence, "the time of a coincidence is kept");
+  return triangulation.failure_time(triangulation.certificate_points(entry), entry.bounds);
 }
 
 template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::Queue_policy::precedes(const Entry& a, const Entry& b) const {
   if (a.kind != b.kind) return a.kind < b.kind;
+  if constexpr (is_weighted) {
+    // Entries of one kind are about the same, but for those to check again.
+    if (a.is_hidden() != b.is_hidden()) return b.is_hidden();
+    if (a.is_hidden()) return a.hidden->point().id() < b.hidden->point().id();
+  }
   return ids_of(a.edge()) < ids_of(b.edge());
 }
 
@@ -35,7 +40,7 @@ bool Kinetic_triangulation_2<Traits>::Queue_policy::precedes(const Entry& a, con
 template <KineticTraits_2 Traits>
 inline void Kinetic_triangulation_2<Traits>::Queue_policy::prefetch_first(
     const Entry& entry) const {
-  if (triangulation.triangulation_.dimension() < 2) return;
+  if (triangulation.triangulation_.dimension() < 2 || entry.is_hidden()) return;
   detail::prefetch_around(entry.face->neighbor(entry.index));
 }
 
@@ -179,6 +184,11 @@ void Kinetic_triangulation_2<Traits>::schedule_all() {
     detail::for_each_in_parallel(blocks, [&](Block& block) { schedule_block(block, put); });
     for (const Block& block : blocks) certificate_counters_ += block.counters;
   });
+  if constexpr (is_weighted) {
+    for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
+      hidden_points().schedule(v, current_time());
+    }
+  }
 }
 
 // Puts the entries of the block's edges into the queue.
@@ -232,6 +242,8 @@ Event_kind Kinetic_triangulation_2<Traits>::event_kind(Entry_kind failure) {
       return Event_kind::hull_insert;
     case Entry_kind::hull_remove:
       return Event_kind::hull_remove;
+    case Entry_kind::hidden:
+      return Event_kind::reveal;
     default:
       return Event_kind::rebuild;
   }
@@ -242,10 +254,9 @@ Event_kind Kinetic_triangulation_2<Traits>::event_kind(Entry_kind failure) {
 // Makes the time of a failure the present one. It need not be made: mostly its bounds are enough,
 // until the next event comes.
 template <KineticTraits_2 Traits>
-inline void Kinetic_triangulation_2<Traits>::set_current_time(const Two_sided_edge& edge,
-                                                              const Entry& entry) {
+inline void Kinetic_triangulation_2<Traits>::set_current_time(const Entry& entry) {
   if (entry.time != detail::Time_pool::none) return set_current_time(queue_.time_of(entry));
-  pending_time_ = {certificate_points(edge), entry.bounds};
+  pending_time_ = {certificate_points(entry), entry.bounds};
 }
 
 template <KineticTraits_2 Traits>

@@ -44,6 +44,7 @@ auto Kinetic_triangulation_2<Traits>::snapshot() const -> Snapshot {
     const bool is_there = v != Vertex_handle();
     result.motions.push_back(is_there ? std::optional(v->point().motion()) : std::nullopt);
     result.vertex_faces.push_back(is_there ? numbers.at(v->face()) : 0);
+    if (is_there && is_hidden(v->point().id())) result.hidden_points.push_back(v->point().id());
   }
   return result;
 }
@@ -86,6 +87,18 @@ void Kinetic_triangulation_2<Traits>::make_faces(const Snapshot& snapshot) {
     vertices_[id]->set_face(faces[snapshot.vertex_faces[id]]);
     ++number_of_points_;
   }
+  if constexpr (is_weighted) {
+    for (const Point_id id : snapshot.hidden_points) {
+      triangulation_.hide(vertices_[id], vertices_[id]->face());
+    }
+    std::vector<Point_2> points;
+    for (const Vertex_handle v : vertices_) {
+      if (v != Vertex_handle()) points.push_back(v->point());
+    }
+    weights_are_equal_ = have_equal_weights(points);
+  } else if (!snapshot.hidden_points.empty()) {
+    throw Snapshot_error("the snapshot hides points, which have no weights");
+  }
   triangulation_.infinite_vertex()->set_face(faces[snapshot.infinite_vertex_face]);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto& [vertices, neighbors] = snapshot.faces[f];
@@ -109,6 +122,7 @@ void Kinetic_triangulation_2<Traits>::make_faces(const Snapshot& snapshot) {
 // vertex add up to no more than one turn (Gauss and Bonnet): no place is covered twice.
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::check_restored() const {
+  check_restored_hidden_points();
   if (triangulation_.dimension() < 2) return check_restored_chain();
   const Instantaneous_traits& now = triangulation_.geom_traits();
   const auto orientation = now.orientation_2_object();
@@ -154,6 +168,42 @@ void Kinetic_triangulation_2<Traits>::check_restored() const {
     }
   }
   if (least_vertices != 1) throw Snapshot_error("the snapshot's hull goes around more than once");
+}
+
+// Throws unless each hidden point is where its face is, and not below it.
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::check_restored_hidden_points() const {
+  if constexpr (is_weighted) {
+    const Instantaneous_traits& now = triangulation_.geom_traits();
+    const auto side = now.power_side_of_oriented_power_circle_2_object();
+    const auto are_hidden_by = [&](Face_handle f, const Point_2& point) {
+      const auto corner = [&](int i) -> const Point_2& { return f->vertex(i)->point(); };
+      if (triangulation_.dimension() < 1) {
+        return now.equal_2_object()(corner(0), point) &&
+               side(corner(0), point) != CGAL::ON_POSITIVE_SIDE;
+      }
+      if (triangulation_.dimension() == 1) {
+        return now.orientation_2_object()(corner(0), corner(1), point) == CGAL::COLLINEAR &&
+               (now.equal_2_object()(corner(0), point) || now.equal_2_object()(corner(1), point) ||
+                now.collinear_are_strictly_ordered_along_line_2_object()(corner(0), point,
+                                                                         corner(1))) &&
+               side(corner(0), corner(1), point) != CGAL::ON_POSITIVE_SIDE;
+      }
+      for (int i = 0; i < 3; ++i) {
+        if (now.orientation_2_object()(corner(Triangulation::ccw(i)), corner(Triangulation::cw(i)),
+                                       point) == CGAL::RIGHT_TURN) {
+          return false;
+        }
+      }
+      return side(corner(0), corner(1), corner(2), point) != CGAL::ON_POSITIVE_SIDE;
+    };
+    for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
+      if (!are_hidden_by(v->face(), v->point())) {
+        throw Snapshot_error("the snapshot's face of the hidden point " +
+                             std::to_string(v->point().id()) + " does not hide it");
+      }
+    }
+  }
 }
 
 // The same of points on a line, or fewer than three.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,13 @@ class Snapshot_links {
 
   void check() {
     check_points();
+    check_hidden_points();
     check_numbers();
     for (std::size_t f = 0; f < snapshot_.faces.size(); ++f) check_vertices(f);
     for (std::size_t f = 0; f < snapshot_.faces.size(); ++f) check_neighbors(f);
     check_face_of(no_point, snapshot_.infinite_vertex_face);
     for (std::size_t id = 0; id < snapshot_.motions.size(); ++id) {
-      if (!snapshot_.motions[id]) continue;
+      if (!snapshot_.motions[id] || is_hidden(static_cast<Point_id>(id))) continue;
       check_face_of(static_cast<Point_id>(id), snapshot_.vertex_faces[id]);
     }
   }
@@ -64,6 +66,29 @@ class Snapshot_links {
     int i = 0;
     while (i < corners() && vertex(face, i) != id) ++i;
     return i;
+  }
+
+  bool is_hidden(Point_id id) const {
+    return std::ranges::binary_search(snapshot_.hidden_points, id);
+  }
+
+  // Each is there, and has a face without the infinite vertex.
+  void check_hidden_points() {
+    const auto& hidden = snapshot_.hidden_points;
+    if (std::ranges::adjacent_find(hidden, std::ranges::greater_equal()) != hidden.end()) {
+      fail("the snapshot's hidden points are not in order");
+    }
+    for (const Point_id id : hidden) {
+      if (id >= snapshot_.motions.size() || !snapshot_.motions[id]) {
+        fail("the snapshot hides " + vertex_name(id) + ", which is not there");
+      }
+      const std::size_t f = snapshot_.vertex_faces[id];
+      if (f >= snapshot_.faces.size() || index(snapshot_.faces[f], no_point) < corners()) {
+        fail("the snapshot hides " + vertex_name(id) + " in the face " + std::to_string(f) +
+             ", which is no finite one");
+      }
+    }
+    points_ -= hidden.size();
   }
 
   void check_points() {
@@ -105,6 +130,7 @@ class Snapshot_links {
       if (id != no_point && (id >= snapshot_.motions.size() || !snapshot_.motions[id])) {
         fail_at(f, "has " + vertex_name(id) + ", which is not there");
       }
+      if (id != no_point && is_hidden(id)) fail_at(f, "has " + vertex_name(id) + ", a hidden one");
       if (index(face, id) != i) fail_at(f, "has " + vertex_name(id) + " twice");
     }
   }

@@ -42,6 +42,9 @@ Rounded_places Kinetic_triangulation_2<Traits>::places_now() const {
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, const Time& time,
                                             const Instantaneous_traits& traits) -> Triangulation {
+  if constexpr (is_weighted) {
+    if (!have_equal_weights(points)) return build_regular(points, traits);
+  }
   Triangulation result(traits);
   if constexpr (HasRoundedPlace<Motion>) {
     constexpr std::size_t few = 16;  // are inserted as fast
@@ -51,17 +54,59 @@ auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, con
       result.clear();
     }
   }
-  result.insert(points.begin(), points.end());
-  if (result.number_of_vertices() == points.size()) return result;
-  // CGAL keeps one vertex for points in one place. Points in one place just after a time are in one
-  // place at all times.
-  for (const Point_2& point : points) {
-    const Point_id kept = result.nearest_vertex(point)->point().id();
-    if (kept != point.id()) {
-      throw Coincident_trajectories_error(std::min(kept, point.id()), std::max(kept, point.id()));
+  const auto insert_all = [points](auto& triangulation) {
+    triangulation.insert(points.begin(), points.end());
+    if (triangulation.number_of_vertices() == points.size()) return;
+    // CGAL keeps one vertex for points in one place. Points in one place just after a time are in
+    // one place at all times.
+    for (const Point_2& point : points) {
+      const Point_id kept = triangulation.nearest_vertex(point)->point().id();
+      if (kept != point.id()) {
+        throw Coincident_trajectories_error(std::min(kept, point.id()), std::max(kept, point.id()));
+      }
     }
+    KINETRI_ASSERT(false, "every point has a vertex");
+  };
+  if constexpr (is_weighted) {
+    result.as_delaunay(insert_all);
+  } else {
+    insert_all(result);
   }
-  KINETRI_ASSERT(false, "every point has a vertex");
+  return result;
+}
+
+// The regular triangulation at the instant of the traits. Throws if two points have the same
+// trajectory and the same weight: CGAL keeps one vertex for these if one of them is not hidden.
+template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::build_regular(std::span<const Point_2> points,
+                                                    const Instantaneous_traits& traits)
+    -> Triangulation {
+  Triangulation result(traits);
+  if constexpr (is_weighted) {
+    result.insert(points.begin(), points.end());
+    // Those that are in one place just after a time are so at all times, and so are next to one
+    // another in this order. Those in the place of a vertex are there when two are alike.
+    std::vector<const Point_2*> in_order;
+    for (const Point_2& point : points) in_order.push_back(&point);
+    const bool are_all_there = result.tds().number_of_vertices() - 1 == points.size();
+    if (are_all_there) {
+      in_order.clear();
+      for (const Vertex_handle v : result.hidden_vertex_handles()) in_order.push_back(&v->point());
+    }
+    const auto compare = traits.compare_xy_2_object();
+    std::ranges::sort(in_order, [&](const Point_2* p, const Point_2* q) {
+      const auto order = compare(*p, *q);
+      return order == CGAL::SMALLER || (order == CGAL::EQUAL && p->id() < q->id());
+    });
+    for (auto first = in_order.begin(); first != in_order.end(); ++first) {
+      for (auto other = first + 1; other != in_order.end(); ++other) {
+        if (compare(**first, **other) != CGAL::EQUAL) break;
+        if (!same_trajectory((*first)->motion(), (*other)->motion())) continue;
+        throw Coincident_trajectories_error((*first)->id(), (*other)->id());
+      }
+    }
+    KINETRI_ASSERT(are_all_there, "every point has a vertex");
+  }
   return result;
 }
 

@@ -45,9 +45,24 @@ auto Kinetic_triangulation_2<Traits>::vertex_near(const Point_2& point) const ->
 }
 
 // Takes the vertex out of the triangulation, which stays Delaunay at the instant of its traits. The
-// vertex itself stays, without faces: CGAL removes another one in its place.
+// vertex itself stays, without faces: CGAL removes another one in its place. What it has hidden is
+// hidden by others then, or revealed.
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::take_out(Vertex_handle v) {
+  ++changes_;
+  std::vector<Vertex_handle> hidden;
+  if constexpr (is_weighted) {
+    if (v->is_hidden()) {
+      hidden_points().unschedule(v);
+      triangulation_.take_from_face(v);
+      rebuilt_points_.push_back({v->point().id(), false});
+      return triangulation_.show(v);
+    }
+    detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
+      hidden_points().unschedule_in(face);
+      hidden.insert(hidden.end(), face->vertex_list().begin(), face->vertex_list().end());
+    });
+  }
   std::vector<Edge> link;  // as the faces beyond it see it, which stay
   detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
     link.push_back(two_sided(Edge(face, face->index(v))).there);
@@ -57,30 +72,47 @@ void Kinetic_triangulation_2<Traits>::take_out(Vertex_handle v) {
   const Vertex_handle stand_in = triangulation_.tds().create_vertex();
   stand_in->set_point(v->point());
   replace_in_faces(v, stand_in);
-  triangulation_.remove(stand_in);
+  if constexpr (is_weighted) {
+    if (weights_are_equal_) {
+      triangulation_.as_delaunay([&](auto& delaunay) { delaunay.remove(stand_in); });
+    } else {
+      triangulation_.remove(stand_in);
+    }
+    for (const Vertex_handle h : hidden) {
+      if (!h->is_hidden()) rebuilt_points_.push_back({h->point().id(), false});
+    }
+  } else {
+    triangulation_.remove(stand_in);
+  }
   schedule_inside(link);
 }
 
-// Schedules the edges of a polygon and those inside it, which are new. The polygon has no vertex
-// inside, so that its faces are the nodes of a tree.
+// Schedules the edges of a polygon and those inside it, which are new, and the points that the
+// faces inside it hide. An edge that has been found is marked by the handle `listed` until it is
+// scheduled.
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::schedule_inside(std::span<const Edge> polygon) {
+  constexpr Queue_handle listed = no_event - 1;
   std::vector<Face_handle> beyond;
   for (const Edge& edge : polygon) beyond.push_back(edge.first);
   std::ranges::sort(beyond);
-  std::vector<Two_sided_edge> edges = {two_sided(polygon.front())};
-  std::vector<Edge> entries = {edges.front().there};  // faces, and the edges that lead to them
-  while (!entries.empty()) {
-    const auto [face, entry] = entries.back();
-    entries.pop_back();
-    for (const int i : {Triangulation::ccw(entry), Triangulation::cw(entry)}) {
+  std::vector<Two_sided_edge> edges;
+  std::vector<Face_handle> faces = {two_sided(polygon.front()).there.first};
+  for (std::size_t next = 0; next < faces.size(); ++next) {
+    const Face_handle face = faces[next];
+    for (int i = 0; i < 3; ++i) {
+      if (face->event(i) == listed) continue;
       const Two_sided_edge edge = edges.emplace_back(two_sided(Edge(face, i)));
+      set_event(edge, listed);
       if (std::ranges::binary_search(beyond, edge.there.first)) continue;
-      entries.push_back(edge.there);
+      faces.push_back(edge.there.first);
       if (!triangulation_.is_infinite(edge.here)) rebuilt_edges_->note(ids_of(edge.here), 1);
     }
   }
   schedule(edges, current_time());
+  if constexpr (is_weighted) {
+    for (const Face_handle face : faces) hidden_points().schedule_in(face);
+  }
 }
 
 // Puts a vertex without faces in at its place: it splits the triangle or edge that it is in. Inside
@@ -93,8 +125,13 @@ void Kinetic_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& lo
   const bool is_on_edge = locus == Triangulation::EDGE;
   const bool is_inside = !triangulation_.is_infinite(face) &&
                          !(is_on_edge && triangulation_.is_infinite(face->neighbor(i)));
+  ++changes_;
+  std::vector<Vertex_handle> hidden;
+  if constexpr (is_weighted) hidden = hidden_points().take({&face, 1});
   unschedule_face(face);
   if (is_on_edge) {
+    const std::vector<Vertex_handle> more = take_hidden_at(Edge(face, i));
+    hidden.insert(hidden.end(), more.begin(), more.end());
     unschedule_face(face->neighbor(i));
     rebuilt_edges_->note(ids_of(Edge(face, i)), -1);
   }
@@ -103,8 +140,13 @@ void Kinetic_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& lo
   replace_in_faces(created, v);
   triangulation_.tds().delete_vertex(created);
   note_edges_at(v, 1);
-  if (is_inside) flip_link(v);
+  if (is_inside && weights_are_equal_) flip_link(v);
   schedule_around(v);
+  if constexpr (is_weighted) {
+    std::vector<Face_handle> around;
+    detail::for_each_face_at(triangulation_, v, [&](Face_handle f) { around.push_back(f); });
+    hidden_points().put(hidden, around);
+  }
 }
 
 // Flips the edges opposite `v`, which is new and whose edges have no events, until the

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/triangulation/kinetic_regular_triangulation_2.h"
+
+#include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+
+namespace kinetri {
+
+template class Kinetic_triangulation_2<Disc_kinetic_traits_2>;
+template class Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>;
+
+}  // namespace kinetri
