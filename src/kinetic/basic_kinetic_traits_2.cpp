@@ -65,7 +65,7 @@ struct Contact_root : Root_source {
     return precise_contact(p, q, diameter, high, low);
   }
   std::optional<double> rounded(const Double_interval& bracket) const override {
-    if constexpr (std::same_as<Motion, Linear_motion_2>) {
+    if constexpr (is_linear<Motion>) {
       return rounded_contact(p, q, diameter, bracket);
     } else {
       return std::nullopt;

@@ -67,14 +67,20 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::scalar_product(const Point
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::weight_order(const Point_2& p,
                                                                    const Point_2& q) const {
-  return sign_at(weight_difference(p, q), *instant_);
+  if constexpr (HasWeight<Motion>) {
+    return sign(certain_weight_order<Motion>, weight_difference<Point_2>, p, q);
+  }
+  return CGAL::ZERO;
 }
 
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::power_distance_order(const Point_2& p,
                                                                            const Point_2& q,
                                                                            const Point_2& r) const {
-  return sign_at(power_distance_difference(p, q, r), *instant_);
+  if constexpr (HasWeight<Motion>) {
+    return sign(certain_power_distance_order<Motion>, power_distance_difference<Point_2>, p, q, r);
+  }
+  return distance_order(p, q, r);
 }
 
 template <class Motion>

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <random>
 #include <string>
 
 #include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
 
 namespace kinetri::test {
 
@@ -109,6 +111,25 @@ class Certificates {
   std::uniform_real_distribution<double> real_{-10, 10};
   std::uniform_int_distribution<int> integer_{-3, 3};
 };
+
+/// The linear motions with higher derivatives of the size of their velocities, in every mixture of
+/// degrees.
+inline std::array<Polynomial_motion_2, 4> bent(const std::array<Linear_motion_2, 4>& lines,
+                                               std::mt19937_64& random) {
+  std::uniform_real_distribution<double> share(-1, 1);
+  std::array<Polynomial_motion_2, 4> result;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    result[i] = polynomial_motion(lines[i]);
+    const Vector_2 v = lines[(i + 1) % 4].velocity;
+    const auto times = [&](double factor) { return Vector_2{v.x * factor, v.y * factor}; };
+    // Integers stay integers.
+    const bool is_coarse = v.x == std::round(v.x) && v.y == std::round(v.y);
+    const auto factor = [&] { return is_coarse ? std::round(2 * share(random)) : share(random); };
+    if (random() % 3 > 0) result[i].acceleration = times(factor());
+    if (random() % 3 == 0) result[i].jerk = times(factor());
+  }
+  return result;
+}
 
 /// The flavor of an instance of a test, as a name.
 inline std::string flavor_name(const testing::TestParamInfo<int>& instance) {

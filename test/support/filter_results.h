@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "kinetic/filter/disc_filter.h"
 #include "kinetic/filter/filter.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"

@@ -6,16 +6,20 @@
 #define KINETRI_KINETIC_ROUNDED_PLACES_H
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/base/double_interval.h"
 #include "kinetri/base/ids.h"
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri {
@@ -72,6 +76,33 @@ inline Sign certain_side_of_oriented_circle(const Vector_2& p, const Vector_2& q
 }
 /// @}
 
+// The weights of four points, each with at most the given error.
+struct Weights_of_four {
+  std::array<double, 4> weights;
+  double error;
+};
+
+// The same for the power circle.
+inline Sign certain_side_of_oriented_circle(const Vector_2& p, const Vector_2& q, const Vector_2& r,
+                                            const Vector_2& s, double error,
+                                            const Weights_of_four& of) {
+  const Vector_2 a = difference(p, s);
+  const Vector_2 b = difference(q, s);
+  const Vector_2 c = difference(r, s);
+  const double of_a = of.weights[0] - of.weights[3];
+  const double of_b = of.weights[1] - of.weights[3];
+  const double of_c = of.weights[2] - of.weights[3];
+  const double size = std::max(std::max(size_of(a), size_of(b)), size_of(c));
+  const double weight = std::abs(of_a) + std::abs(of_b) + std::abs(of_c);
+  const double determinant = (square(a) - of_a) * cross(b, c) - (square(b) - of_b) * cross(a, c) +
+                             (square(c) - of_c) * cross(a, b);
+  return certain_sign(determinant,
+                      400 * (size * size * size) * (error + 0x1p-52 * size) +
+                          64 * (weight * size) * (error + 0x1p-50 * size) +
+                          128 * (size * size) * of.error,
+                      size);
+}
+
 }  // namespace detail
 
 /// The places, by point id, each of which is exact up to one error in each coordinate. The signs
@@ -101,10 +132,10 @@ class Rounded_places {
     for (const auto& element : range) {
       const auto& point = point_of(element);
       places_[point.id() - first_] = rounded_place(point.motion(), rounded_time);
-      const double error = place_error(point.motion(), rounded_time, times);
-      error_ =
-          std::isfinite(error) ? std::max(error_, error) : std::numeric_limits<double>::infinity();
+      error_ = greater_or_infinite(error_, place_error(point.motion(), rounded_time, times));
     }
+    using Motion = std::remove_cvref_t<decltype(point_of(*std::begin(range)).motion())>;
+    if constexpr (HasWeight<Motion>) set_weights(range, rounded_time, times, point_of);
   }
 
   /// The place. Precondition: the point is one of those given.
@@ -127,17 +158,48 @@ class Rounded_places {
   }
 
   /// Positive where s is certainly on the left of the oriented circle through p, q, r, negative
-  /// where it is certainly on the right of it.
+  /// where it is certainly on the right of it; of points with weights it is the power circle.
   Sign side_of_oriented_circle(Point_id p, Point_id q, Point_id r, Point_id s) const {
     if (places_.empty()) return CGAL::ZERO;
+    if (!weights_.empty()) {
+      return detail::certain_side_of_oriented_circle(
+          (*this)[p], (*this)[q], (*this)[r], (*this)[s], error_,
+          {{weights_[p - first_], weights_[q - first_], weights_[r - first_], weights_[s - first_]},
+           weight_error_});
+    }
     return detail::certain_side_of_oriented_circle((*this)[p], (*this)[q], (*this)[r], (*this)[s],
                                                    error_);
   }
 
  private:
+  static double greater_or_infinite(double a, double b) {
+    return std::isfinite(b) ? std::max(a, b) : std::numeric_limits<double>::infinity();
+  }
+
+  // Equal weights that never change make no difference.
+  template <class Range, class Projection>
+  void set_weights(const Range& range, double rounded_time, const Double_interval& times,
+                   const Projection& point_of) {
+    const auto& first = point_of(*std::begin(range)).motion();
+    const bool are_equal = std::ranges::all_of(range, [&](const auto& element) {
+      const auto& motion = point_of(element).motion();
+      return motion.growth == 0 && motion.radius == first.radius && motion.weight == first.weight;
+    });
+    if (are_equal && first.growth == 0) return;
+    weights_.resize(places_.size());
+    for (const auto& element : range) {
+      const auto& point = point_of(element);
+      weights_[point.id() - first_] = rounded_weight(point.motion(), rounded_time);
+      weight_error_ =
+          greater_or_infinite(weight_error_, weight_error(point.motion(), rounded_time, times));
+    }
+  }
+
   Point_id first_ = 0;
   std::vector<Vector_2> places_;  // from the point first_ on
-  double error_ = 0;
+  std::vector<double> weights_;   // the same; none where all are equal
+  double error_ = 0;              // of each coordinate
+  double weight_error_ = 0;       // of each weight
 };
 
 }  // namespace kinetri

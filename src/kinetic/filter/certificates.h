@@ -32,9 +32,9 @@ struct In_circle {
   auto operator()(const auto& d) const { return in_circle(d); }
   double error(const auto& d) const {
     if (!d.is_in_range()) return infinite_error;
-    return d.in_circle_units * unit_roundoff * (d.size() * d.size()) * (d.size() * d.total());
+    return d.in_circle_units * unit_roundoff * d.lift_size() * (d.size() * d.total());
   }
-  double norm(const auto& d) const { return 12 * (d.size() * d.size()) * (d.size() * d.size()); }
+  double norm(const auto& d) const { return 12 * d.lift_size() * (d.size() * d.size()); }
 };
 
 // Of differences to one point.
@@ -48,8 +48,10 @@ struct Scalar_product {
   double error(const auto& d) const { return product_error(d); }
 };
 struct Distance_order {
-  auto operator()(const auto& d) const { return dot(d[0], d[0]) - dot(d[1], d[1]); }
-  double error(const auto& d) const { return 2 * product_error(d); }
+  auto operator()(const auto& d) const { return lifted(d, 0).lift - lifted(d, 1).lift; }
+  double error(const auto& d) const {
+    return 2 * (product_error(d) + d.product_units * unit_roundoff * d.weight_size());
+  }
 };
 
 // Of one difference.

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "bernstein.h"
 #include "certificates.h"
@@ -20,17 +21,18 @@ namespace {
 
 using Kind = Filter_result::Kind;
 
-// Of the difference of two points: how much their squared distance is more than another.
+// Of the difference of two points: how much their squared distance is more than that of the reach.
 struct Distance {
-  double squared_diameter;
-
   auto operator()(const auto& d) const {
+    const Linear_function& reach = d.reach();
     auto c = dot(d[0], d[0]);
-    c[0] -= squared_diameter;
+    c[0] -= reach.constant * reach.constant;
+    c[1] -= 2 * (reach.constant * reach.slope);
+    c[2] -= reach.slope * reach.slope;
     return c;
   }
   double error(const auto& d) const {
-    return product_error(d) + d.product_units * unit_roundoff * squared_diameter;
+    return product_error(d) + d.product_units * unit_roundoff * (d.reach_size() * d.reach_size());
   }
 };
 
@@ -41,11 +43,12 @@ struct Inside {
   auto operator()(const auto& d) const {
     auto c = coordinate(d[0], wall.is_vertical() ? 0 : 1);
     if (wall.is_upper()) c = negated(c);
-    c[0] -= wall.clearance;
+    c[0] -= d.reach().constant;
+    c[1] -= d.reach().slope;
     return c;
   }
   double error(const auto& d) const {
-    return coordinate_error(d) + d.coordinate_units * unit_roundoff * wall.clearance;
+    return coordinate_error(d) + d.coordinate_units * unit_roundoff * d.reach_size();
   }
 };
 
@@ -65,65 +68,85 @@ Motion foot_at(const Motion& p, const Wall_2& wall) {
 
 // ---- linear motion ----
 
+using Linear_contact = Differences_and_reach<Linear_differences<1>>;
+
 // Whether the discs are certainly apart throughout the interval, from the origin on, before the
 // differences are scaled.
-bool are_apart(const Linear_differences<1>& d, double diameter, const Double_interval& interval) {
-  const double squared_diameter = diameter * diameter;
+bool are_apart(const Linear_contact& d, const Double_interval& interval) {
+  // The length of the interval is rounded.
+  const double grown = 2 * std::abs(d.reach().slope) * (interval.upper - interval.lower);
+  const double reach = std::abs(d.reach().constant) + grown;
+  const double terms = d.reach().terms + grown;
   const double error =
-      error_throughout(d, interval) + d.product_units * unit_roundoff * squared_diameter;
+      error_throughout(d, interval) + d.product_units * unit_roundoff * (terms * terms);
   const Pair& place = d[0].place;
-  return sum(place * place) - squared_diameter > error;
+  return sum(place * place) - reach * reach > error;
 }
 
-// The squared distance of two points in linear motion is a convex quadratic in time. So the discs
-// approach up to one time and part from then on, and where its value falls through the squared
-// diameter it does so once.
-Filter_result contact(Linear_differences<1>& d, double diameter, const Double_interval& after) {
+// How far apart two points in linear motion are is convex in time, and remains so less a reach that
+// is linear in time. So the discs approach up to one time and part from then on. The squared
+// distance less the square of the reach is a quadratic; where its value falls through zero from a
+// positive one it does so once.
+Filter_result contact(Linear_contact& d, const Double_interval& after) {
   const auto never = [&] {
-    return Filter_result{Kind::never_fails, {}, false, !are_apart(d, diameter, after)};
+    return Filter_result{Kind::never_fails, {}, false, !are_apart(d, after)};
   };
-  if (d.speed() == 0) return never();
-  if (!is_unscaled_in_range(d)) return {};
+  const auto& [reach, growth, terms] = d.reach();
+  if (d.speed() == 0 && growth == 0) return never();
+  const double speed = d.speed() + std::abs(growth);
+  if (!is_in_range(d.terms()) || !is_in_range(speed) || !(terms < greatest_size)) return {};
   const auto& [place, slope] = d[0];
-  // Half the slope of the squared distance; it grows with time.
-  const double half_slope = sum(place * slope);
-  if (half_slope > unscaled_error(d)) return never();
   const double squared_speed = sum(slope * slope);
-  // The distance at which they pass, times their relative speed.
+  const bool is_convex = growth == 0 || squared_speed > (1 + 0x1p-40) * (growth * growth);
+  // Of products of a place or a reach with a speed.
+  const double error = unscaled_error(d) + 64 * unit_roundoff * (terms * std::abs(growth));
+  // Half the slope of the quadratic; where that is convex it grows with time.
+  const double half_slope = sum(place * slope) - reach * growth;
+  if (is_convex && half_slope > error) return never();
+  // The discriminant is the difference of two squares: for constant radii, of the reach and of the
+  // distance at which the points pass, both times their relative speed.
   const double cross = std::abs(place[0] * slope[1] - place[1] * slope[0]);
-  const double reach = diameter * std::sqrt(squared_speed);
-  if (cross - unscaled_error(d) > reach * (1 + 0x1p-40)) return never();
+  const Pair reaching = reach * slope - growth * place;
+  const double across = std::sqrt(sum(reaching * reaching));
+  const double error_of_across =
+      64 * unit_roundoff * (terms * speed + d.terms() * std::abs(growth));
+  if (is_convex && cross - unscaled_error(d) > across * (1 + 0x1p-40) + error_of_across) {
+    return never();
+  }
 
-  const double squared_diameter = diameter * diameter;
-  const double gap = sum(place * place) - squared_diameter;
-  const double discriminant = (reach - cross) * (reach + cross);
+  const double gap = sum(place * place) - reach * reach;
+  const double discriminant = (across - cross) * (across + cross);
   if (!(discriminant > 0) || !(gap > 0)) return {};
   // The root is at half of the window. Its distance is computed without cancellation.
   const double window = 2 * gap / (std::sqrt(discriminant) - half_slope);
+  if (!(window > 0)) return {};
   d.scale(window);
   if (!d.is_in_range()) return {};
-  const Distance distance = {squared_diameter};
-  const Coefficients<2> c = distance(d);
-  const double error = distance.error(d);
-  // Positive at the lower end of the bracket and negative at the upper one, the convex polynomial
-  // falls up to there.
+  const Coefficients<2> c = Distance()(d);
+  const double error_of_c = Distance().error(d);
+  // Positive at the origin and at the lower end of the bracket, and negative at the upper one, a
+  // quadratic, be it convex or concave, has its only root up to there between the two.
   double lower = 0;
   double upper = 1;
-  if (!(c[0] > error) || !bracket_root(c, error, 0.5, lower, upper)) return {};
+  if (!(c[0] > error_of_c) || !bracket_root(c, error_of_c, 0.5, lower, upper)) return {};
   return in_time({Kind::fails, {lower, upper}}, window, after);
 }
 
-Filter_result wall_contact(const Linear_motion_2& p, const Wall_2& wall,
-                           const Double_interval& after) {
+// `radius` is what the point keeps from the bound in addition, and grows.
+Filter_result wall_contact(const Linear_motion_2& p, double radius, double growth,
+                           const Wall_2& wall, const Double_interval& after) {
   const double place = wall.is_vertical() ? p.position.x : p.position.y;
   const double velocity = wall.is_vertical() ? p.velocity.x : p.velocity.y;
-  if (wall.is_upper() ? velocity <= 0 : velocity >= 0) return {Kind::never_fails};
-  const double terms = std::abs(wall.position) + wall.clearance + std::abs(place);
-  if (!is_in_range(std::abs(velocity)) || !is_in_range(terms)) return {};
-  const double bound = wall.position + (wall.is_upper() ? -wall.clearance : wall.clearance);
-  const double elapsed = (bound - place) / velocity;
+  const double speed = wall.is_upper() ? velocity + growth : velocity - growth;
+  if (wall.is_upper() ? speed <= 0 : speed >= 0) return {Kind::never_fails};
+  const double clearance = wall.clearance + radius;
+  const double terms =
+      std::abs(wall.position) + (wall.clearance + std::abs(radius)) + std::abs(place);
+  if (!is_in_range(std::abs(speed)) || !is_in_range(terms)) return {};
+  const double bound = wall.position + (wall.is_upper() ? -clearance : clearance);
+  const double elapsed = (bound - place) / speed;
   const double time = p.epoch + elapsed;
-  const double error = 16 * unit_roundoff * (terms / std::abs(velocity) + std::abs(time)) +
+  const double error = 16 * unit_roundoff * (terms / std::abs(speed) + std::abs(time)) +
                        std::numeric_limits<double>::min();
   const Double_interval bounds = {time - error, time + error};
   if (!(bounds.lower > after.upper) || !std::isfinite(bounds.upper)) return {};
@@ -143,8 +166,8 @@ constexpr double slope_errors(const std::array<double, M>& /*slope*/) {
 }
 
 // The first time at which a distance is not positive and falls.
-template <std::size_t K, class Certificate>
-Filter_result first_contact(Polynomial_differences<1, K>& d, const Certificate& distance,
+template <class Differences, class Certificate>
+Filter_result first_contact(Differences_and_reach<Differences>& d, const Certificate& distance,
                             double share, const Double_interval& after) {
   const std::optional<double> window = d.window_ahead(share);
   if (!window) return {Kind::never_fails, {}, false, true};
@@ -163,17 +186,19 @@ Filter_result first_contact(Polynomial_differences<1, K>& d, const Certificate& 
 }
 
 template <std::size_t K>
-Filter_result contact(Polynomial_differences<1, K>& d, double diameter,
+Filter_result contact(Differences_and_reach<Polynomial_differences<1, K>>& d,
                       const Double_interval& after) {
-  return first_contact(d, Distance{diameter * diameter}, window_share, after);
+  return first_contact(d, Distance(), window_share, after);
 }
 
-Filter_result wall_contact(const Polynomial_motion_2& p, const Wall_2& wall,
-                           const Double_interval& after) {
-  if (is_linear(p)) return wall_contact(linear(p), wall, after);
-  if (!(wall.clearance < greatest_size)) return {};
-  Polynomial_differences<1> d({&p}, foot_at(p, wall), after.lower);
-  return first_contact(d, Inside{wall}, window_share_of_walls, after);
+// What `function` makes of the difference of two centres and of the reach.
+template <class Centre, class Function>
+auto with_reach(const Centre& p, const Centre& q, const Linear_function& reach, double origin,
+                const Function& function) {
+  return with_differences(std::array{&p}, q, origin, [&](const auto& of_centres) {
+    Differences_and_reach<std::remove_cvref_t<decltype(of_centres)>> d(of_centres, reach);
+    return function(d);
+  });
 }
 
 }  // namespace
@@ -182,25 +207,43 @@ template <class Motion>
 Filter_result filter_contact(const Motion& p, const Motion& q, double diameter,
                              const Double_interval& after) {
   if (!(diameter < greatest_size)) return {};
-  return with_differences(std::array{&p}, q, after.lower,
-                          [&](auto& d) { return contact(d, diameter, after); });
+  return with_reach(centre(p), centre(q), reach_of(p, q, diameter, after.lower), after.lower,
+                    [&](auto& d) { return contact(d, after); });
 }
 
 template <class Motion>
 Filter_result filter_wall_contact(const Motion& p, const Wall_2& wall,
                                   const Double_interval& after) {
-  return wall_contact(p, wall, after);
+  if constexpr (std::same_as<Centre_motion_of<Motion>, Polynomial_motion_2>) {
+    if (!is_linear(centre(p))) {
+      const Linear_function reach = reach_of(p, wall, after.lower);
+      if (!(reach.terms < greatest_size)) return {};
+      Differences_and_reach d(
+          Polynomial_differences<1>({&centre(p)}, foot_at(centre(p), wall), after.lower), reach);
+      return first_contact(d, Inside{wall}, window_share_of_walls, after);
+    }
+  }
+  double radius = 0;
+  double growth = 0;
+  if constexpr (HasWeight<Motion>) {
+    if (wall.rim) {
+      radius = p.radius;
+      growth = p.growth;
+    }
+  }
+  return wall_contact(linear(centre(p)), radius, growth, wall, after);
 }
 
 template <class Motion>
 Sign certain_distance_slope(const Motion& p, const Motion& q, const Double_interval& interval) {
-  return with_differences(std::array{&p}, q, interval.lower, [&](auto& d) {
+  const Linear_function reach = reach_of(p, q, 0, interval.lower);
+  return with_reach(centre(p), centre(q), reach, interval.lower, [&](auto& d) {
     // The interval may be one time, at which the slope by w vanishes: hence not over the interval.
     const std::optional<double> window = d.window_ahead(window_share);
     if (!window) return CGAL::ZERO;
     d.scale(*window);
-    const auto slope = slope_of(dot(d[0], d[0]));
-    const double error = slope_errors(slope) * product_error(d);
+    const auto slope = slope_of(Distance()(d));
+    const double error = slope_errors(slope) * Distance().error(d);
     const auto is_positive = [&](const auto& c) {
       return positive_share(bernstein(c), error) * *window > 2 * (interval.upper - interval.lower);
     };
@@ -212,19 +255,20 @@ Sign certain_distance_slope(const Motion& p, const Motion& q, const Double_inter
 template <class Motion>
 Sign certain_gap(const Motion& p, const Motion& q, double diameter,
                  const Double_interval& interval) {
-  return with_differences(std::array{&p}, q, interval.lower, [&](auto& d) {
+  const Linear_function reach = reach_of(p, q, diameter, interval.lower);
+  return with_reach(centre(p), centre(q), reach, interval.lower, [&](auto& d) {
     // Mostly they are far from one another.
-    if constexpr (std::same_as<decltype(d), Linear_differences<1>&>) {
-      if (are_apart(d, diameter, interval)) return CGAL::POSITIVE;
+    if constexpr (std::same_as<decltype(d), Linear_contact&>) {
+      if (are_apart(d, interval)) return CGAL::POSITIVE;
     }
-    return sign_throughout(d, Distance{diameter * diameter}, interval);
+    return sign_throughout(d, Distance(), interval);
   });
 }
 
 template <class Motion>
 bool certainly_inside(const Motion& p, const Wall_2& wall, const Double_interval& interval) {
-  const Motion foot = foot_at(p, wall);
-  return with_differences(std::array{&p}, foot, interval.lower, [&](auto& d) {
+  const Linear_function reach = reach_of(p, wall, interval.lower);
+  return with_reach(centre(p), foot_at(centre(p), wall), reach, interval.lower, [&](auto& d) {
     return sign_throughout(d, Inside{wall}, interval) == CGAL::POSITIVE;
   });
 }
@@ -237,6 +281,8 @@ bool certainly_inside(const Motion& p, const Wall_2& wall, const Double_interval
   template bool certainly_inside(const M&, const Wall_2&, const Double_interval&)
 KINETRI_INSTANTIATE(Linear_motion_2);
 KINETRI_INSTANTIATE(Polynomial_motion_2);
+KINETRI_INSTANTIATE(Disc_motion_2);
+KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
 #undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The differences that a filter computes with, for either motion.
+// The differences that a filter computes with, for all motions.
 #ifndef KINETRI_SRC_KINETIC_FILTER_DIFFERENCES_H
 #define KINETRI_SRC_KINETIC_FILTER_DIFFERENCES_H
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 #include "linear_differences.h"
 #include "polynomial_differences.h"
+#include "weighted_differences.h"
 
 namespace kinetri {
 
@@ -20,6 +22,9 @@ inline bool is_linear(const Polynomial_motion_2& m) {
 }
 inline Linear_motion_2 linear(const Polynomial_motion_2& m) {
   return {m.position, m.velocity, m.epoch};
+}
+inline const Linear_motion_2& linear(const Linear_motion_2& m) {
+  return m;
 }
 
 // The same motions, of which each is linear, at `lines`.
@@ -65,6 +70,20 @@ inline auto with_differences(const std::array<const Polynomial_motion_2*, N>& fr
   }
   Polynomial_differences<N, 3> d(from, to, origin);
   return function(d);
+}
+// Of discs with equal weights, those of points.
+template <std::size_t N, class Centre, class Function>
+inline auto with_differences(const std::array<const Basic_disc_motion_2<Centre>*, N>& from,
+                             const Basic_disc_motion_2<Centre>& to, double origin,
+                             const Function& function) {
+  if (have_equal_weights(from, to)) {
+    return with_differences(centres(from), centre(to), origin, function);
+  }
+  return with_differences(centres(from), centre(to), origin, [&](const auto& of_centres) {
+    using Differences = std::remove_cvref_t<decltype(of_centres)>;
+    Weighted_differences<Differences, N> d(of_centres, from, to, origin);
+    return function(d);
+  });
 }
 
 }  // namespace kinetri

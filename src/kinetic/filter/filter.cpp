@@ -40,6 +40,27 @@ Sign sign_of_places(const Predicate& predicate, const Double_interval& interval,
   return predicate(rounded_place(motions, interval.lower)..., error);
 }
 
+template <class Motion>
+Sign in_circle_of_places(const Double_interval& interval, const Motion& p, const Motion& q,
+                         const Motion& r, const Motion& s) {
+  const auto side = [](const auto&... arguments) {
+    return detail::certain_side_of_oriented_circle(arguments...);
+  };
+  if constexpr (HasWeight<Motion>) {
+    if (!have_equal_weights(std::array{&p, &q, &r}, s)) {
+      const double t = interval.lower;
+      const double error = weight_error(p, t, interval) + weight_error(q, t, interval) +
+                           weight_error(r, t, interval) + weight_error(s, t, interval);
+      const detail::Weights_of_four weights = {
+          {rounded_weight(p, t), rounded_weight(q, t), rounded_weight(r, t), rounded_weight(s, t)},
+          error};
+      return sign_of_places([&](const auto&... arguments) { return side(arguments..., weights); },
+                            interval, p, q, r, s);
+    }
+  }
+  return sign_of_places(side, interval, p, q, r, s);
+}
+
 }  // namespace
 
 template <class Motion>
@@ -83,9 +104,7 @@ Sign certain_orientation(const Motion& p, const Motion& q, const Motion& r,
 template <class Motion>
 Sign certain_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                        const Double_interval& interval) {
-  const Sign sign = sign_of_places(
-      [](auto&&... arguments) { return detail::certain_side_of_oriented_circle(arguments...); },
-      interval, p, q, r, s);
+  const Sign sign = in_circle_of_places(interval, p, q, r, s);
   if (sign != CGAL::ZERO) return sign;
   return with_differences(std::array{&p, &q, &r}, s, interval.lower,
                           [&](auto& d) { return -sign_throughout(d, In_circle(), interval); });
@@ -103,6 +122,23 @@ Sign certain_distance_order(const Motion& p, const Motion& q, const Motion& r,
                             const Double_interval& interval) {
   return with_differences(std::array{&q, &r}, p, interval.lower,
                           [&](auto& d) { return sign_throughout(d, Distance_order(), interval); });
+}
+
+// The weight of p is in both powers.
+template <class Disc>
+Sign certain_power_distance_order(const Disc& p, const Disc& q, const Disc& r,
+                                  const Double_interval& interval) {
+  return certain_distance_order<Disc>(p, q, r, interval);
+}
+
+template <class Disc>
+Sign certain_weight_order(const Disc& p, const Disc& q, const Double_interval& interval) {
+  const double t = interval.lower;
+  const double difference = rounded_weight(p, t) - rounded_weight(q, t);
+  // The difference is rounded, by less than what the errors have to spare.
+  const double error = weight_error(p, t, interval) + weight_error(q, t, interval);
+  if (difference > error) return CGAL::POSITIVE;
+  return difference < -error ? CGAL::NEGATIVE : CGAL::ZERO;
 }
 
 // One error bound for all of the triangles, which mostly are far from flat.
@@ -147,6 +183,18 @@ bool certainly_apart(const Motion& p, const Motion& q, const Double_interval& in
   template bool certainly_apart(const M&, const M&, const Double_interval&)
 KINETRI_INSTANTIATE(Linear_motion_2);
 KINETRI_INSTANTIATE(Polynomial_motion_2);
+#undef KINETRI_INSTANTIATE
+
+// Of discs, what depends on their weights; for the rest there is disc_filter.h.
+#define KINETRI_INSTANTIATE(M)                                                                     \
+  template Filter_result filter_in_circle(const M&, const M&, const M&, const M&,                  \
+                                          const Double_interval&, bool);                           \
+  template Sign certain_in_circle(const M&, const M&, const M&, const M&, const Double_interval&); \
+  template Sign certain_power_distance_order(const M&, const M&, const M&,                         \
+                                             const Double_interval&);                              \
+  template Sign certain_weight_order(const M&, const M&, const Double_interval&)
+KINETRI_INSTANTIATE(Disc_motion_2);
+KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
 #undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

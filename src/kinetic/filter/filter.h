@@ -3,7 +3,9 @@
 // The floating-point stage of all certificates and predicates: says what is certain, or that it
 // does not know. It never guesses: every statement is covered by an error bound. `Motion` is
 // Linear_motion_2 (docs/MATH.md, sections 7 and 8) or Polynomial_motion_2 (section 9); points of
-// polynomial motion that are all linear are left to the filter of linear motion.
+// polynomial motion that are all linear are left to the filter of linear motion. Where weights or
+// radii matter it may also be Disc_motion_2 or Polynomial_disc_motion_2; what is about centres
+// alone is in disc_filter.h.
 #ifndef KINETRI_SRC_KINETIC_FILTER_FILTER_H
 #define KINETRI_SRC_KINETIC_FILTER_FILTER_H
 
@@ -36,26 +38,19 @@ template <class Motion>
 Filter_result filter_orientation(const Motion& p, const Motion& q, const Motion& r,
                                  const Double_interval& after, bool vanishes_at);
 
-/// @{
 /// Two in-circle certificates, each as filter_in_circle does it where nothing is known of its value
 /// at the time, at less cost than two calls; but both results may be unknown where that
 /// of one alone is.
-std::array<Filter_result, 2> filter_in_circles(
-    const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after);
-std::array<Filter_result, 2> filter_in_circles(
-    const std::array<Quadruple<Polynomial_motion_2>, 2>& certificates,
-    const Double_interval& after);
-/// @}
+template <class Motion>
+std::array<Filter_result, 2> filter_in_circles(const std::array<Quadruple<Motion>, 2>& certificates,
+                                               const Double_interval& after);
 
-/// @{
 /// The five certificates after a flip at a time in `after`, at which that of the edge itself, the
 /// last one, vanishes. As five calls of filter_in_circle, at less than half of their cost; but
 /// where the points are of very different sizes more of the results are unknown.
-std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
+template <class Motion>
+std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Motion>& around,
                                                const Double_interval& after);
-std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Polynomial_motion_2>& around,
-                                               const Double_interval& after);
-/// @}
 
 /// @{
 /// The sign of a polynomial of certificate_polynomials.h (x_difference, y_difference,
@@ -79,6 +74,15 @@ Sign certain_distance_order(const Motion& p, const Motion& q, const Motion& r,
                             const Double_interval& interval);
 /// @}
 
+/// @{
+/// The same for power_distance_difference and weight_difference of discs.
+template <class Disc>
+Sign certain_power_distance_order(const Disc& p, const Disc& q, const Disc& r,
+                                  const Double_interval& interval);
+template <class Disc>
+Sign certain_weight_order(const Disc& p, const Disc& q, const Double_interval& interval);
+/// @}
+
 /// The most points that certainly_surrounded takes.
 inline constexpr std::size_t most_around = 16;
 
@@ -92,10 +96,11 @@ bool certainly_surrounded(const Linear_motion_2& p, std::span<const Linear_motio
 template <class Motion>
 bool certainly_apart(const Motion& p, const Motion& q, const Double_interval& interval);
 
-/// Whether and when p and q, after a time in `after`, come as near as `diameter` while they
-/// approach: a result in the form of filter_in_circle's. The end of `after` itself is never in the
-/// bounds of a failure. Cost for linear motion: some fifty floating-point operations, and as many
-/// again for a bracket. Precondition: the diameter is finite and not negative.
+/// Whether and when p and q, after a time in `after`, come as near as `diameter` (discs: and their
+/// radii) while they approach: a result in the form of filter_in_circle's. The end of `after`
+/// itself is never in the bounds of a failure. Cost for linear motion: some fifty floating-point
+/// operations, and as many again for a bracket. Precondition: the diameter is finite and not
+/// negative.
 template <class Motion>
 Filter_result filter_contact(const Motion& p, const Motion& q, double diameter,
                              const Double_interval& after);
@@ -106,13 +111,13 @@ template <class Motion>
 Filter_result filter_wall_contact(const Motion& p, const Wall_2& wall,
                                   const Double_interval& after);
 
-/// The sign of the derivative of the squared distance of p and q throughout `interval`, where it is
-/// certain; zero says that nothing is known.
+/// The sign of the derivative of contact_polynomial of p and q with the diameter 0 throughout
+/// `interval`, where it is certain; zero says that nothing is known.
 template <class Motion>
 Sign certain_distance_slope(const Motion& p, const Motion& q, const Double_interval& interval);
 
-/// The sign of the squared distance of p and q minus the square of `diameter` throughout
-/// `interval`, where it is certain; zero says that nothing is known.
+/// The sign of contact_polynomial throughout `interval`, where it is certain; zero says that
+/// nothing is known.
 template <class Motion>
 Sign certain_gap(const Motion& p, const Motion& q, double diameter,
                  const Double_interval& interval);

@@ -30,6 +30,10 @@ class Frame {
   // Bounds the sum of the magnitudes of the coefficients of any difference in either coordinate,
   // and with it the difference throughout the window.
   double size() const { return size_; }
+  // Bounds a squared length, but for a factor of two, and the weight that is taken from it.
+  double lift_size() const { return size_ * size_; }
+  // Bounds the weights: points have none.
+  static constexpr double weight_size() { return 0; }
   // The sum of the magnitudes of all numbers that the differences were made from.
   double total() const { return total_; }
   // Whether products over the window can be computed without under- or overflow.

@@ -16,13 +16,14 @@ using Quadratic = std::array<Number, 3>;
 template <class Number>
 using Quartic = std::array<Number, 5>;
 
-// The difference of a point to the corner in w, with its squared length.
+// The difference of a point to the corner in w, with its height when it is lifted: the squared
+// length, from which the weight is taken where points have weights.
 template <class Number>
 struct Lifted {
   Number x, y;
   Number slope_x, slope_y;
-  Quadratic<Number> squared_length = {x * x + y * y, 2 * (x * slope_x + y * slope_y),
-                                      slope_x* slope_x + slope_y* slope_y};
+  Quadratic<Number> lift = {x * x + y * y, 2 * (x * slope_x + y * slope_y),
+                            slope_x* slope_x + slope_y* slope_y};
 };
 
 inline Lifted<double> lifted(const Difference& d) {
@@ -58,9 +59,9 @@ Quartic<Number> in_circle_coefficients(const Triangle<Lifted<Corner>>& t, const 
   const Quadratic<Number> vs = vector_product(t.v, s);
   const Quadratic<Number> us = vector_product(t.u, s);
   const Quadratic<Corner>& uv = t.uv;
-  const Quadratic<Corner>& u = t.u.squared_length;
-  const Quadratic<Corner>& v = t.v.squared_length;
-  const Quadratic<Number>& l = s.squared_length;
+  const Quadratic<Corner>& u = t.u.lift;
+  const Quadratic<Corner>& v = t.v.lift;
+  const Quadratic<Number>& l = s.lift;
   return {
       u[0] * vs[0] - v[0] * us[0] + uv[0] * l[0],
       (u[0] * vs[1] + u[1] * vs[0]) - (v[0] * us[1] + v[1] * us[0]) + (uv[1] * l[0] + uv[0] * l[1]),

@@ -140,11 +140,6 @@ inline Coefficients<2> dot(const Difference& a, const Difference& b) {
           sum(a.slope * b.slope)};
 }
 
-// Minus the in-circle determinant of differences to the fourth point.
-inline Coefficients<4> in_circle(const Linear_differences<3>& d) {
-  return in_circle_coefficients(Triangle<Lifted<double>>{lifted(d[1]), lifted(d[0])}, lifted(d[2]));
-}
-
 }  // namespace kinetri
 
 #endif  // KINETRI_SRC_KINETIC_FILTER_LINEAR_DIFFERENCES_H

@@ -62,8 +62,8 @@ std::array<Filter_result, 2> in_circles(std::array<Differences, 2> d,
     if (!d[k].is_in_range()) return {};
     windows[k] = *window;
   }
-  const Triangle triangles = {lifted(d[0][1], d[1][1]), lifted(d[0][0], d[1][0])};
-  const Two_certificates both(in_circle_coefficients(triangles, lifted(d[0][2], d[1][2])));
+  const Triangle triangles = {lifted(d[0], 1, d[1], 1), lifted(d[0], 0, d[1], 0)};
+  const Two_certificates both(in_circle_coefficients(triangles, lifted(d[0], 2, d[1], 2)));
   return {in_time(both.result(0, In_circle().error(d[0])), windows[0], after),
           in_time(both.result(1, In_circle().error(d[1])), windows[1], after)};
 }
@@ -76,12 +76,12 @@ std::array<Filter_result, 5> after_flip(Differences d, const Double_interval& af
   if (!window) return {};
   d.scale(*window);
   if (!d.is_in_range()) return {};
-  const auto far = lifted(d[1]);
-  const auto left = lifted(d[2]);
-  const Triangle first = {lifted(d[0]), far};
+  const auto far = lifted(d, 1);
+  const auto left = lifted(d, 2);
+  const Triangle first = {lifted(d, 0), far};
   const Triangle second = {far, left};
-  const Two_certificates of_first(in_circle_coefficients(first, lifted(d[3], d[4])));
-  const Two_certificates of_second(in_circle_coefficients(second, lifted(d[5], d[6])));
+  const Two_certificates of_first(in_circle_coefficients(first, lifted(d, 3, d, 4)));
+  const Two_certificates of_second(in_circle_coefficients(second, lifted(d, 5, d, 6)));
   const double error = In_circle().error(d);
   const auto result = [&](const Filter_result& in_w) { return in_time(in_w, *window, after); };
   return {result(of_first.result(0, error)), result(of_first.result(1, error)),
@@ -90,61 +90,138 @@ std::array<Filter_result, 5> after_flip(Differences d, const Double_interval& af
                                         In_circle().norm(d), greatest_root(after, *window)))};
 }
 
-template <class Differences, class Motion>
-std::array<Filter_result, 2> in_circles(const std::array<Quadruple<Motion>, 2>& certificates,
-                                        const Double_interval& after) {
-  const auto differences = [&](const Quadruple<Motion>& points) {
-    const auto& [p, q, r, s] = points;
-    return Differences({p, q, r}, *s, after.lower);
-  };
-  return in_circles(std::array{differences(certificates[0]), differences(certificates[1])}, after);
+template <class Motion>
+std::array<const Motion*, 3> all_but_last(const Quadruple<Motion>& points) {
+  return {points[0], points[1], points[2]};
 }
-
-template <class Differences, class Motion>
-std::array<Filter_result, 5> after_flip(const Flip_neighborhood<Motion>& around,
-                                        const Double_interval& after) {
+template <class Motion>
+std::array<const Motion*, 7> all_but_first(const Flip_neighborhood<Motion>& around) {
   const auto& [corner, to_right, to_far, to_left] = around.corners;
   const auto& beyond = around.beyond;
-  return after_flip(
-      Differences({to_right, to_far, to_left, beyond[0], beyond[1], beyond[2], beyond[3]}, *corner,
-                  after.lower),
-      after);
+  return {to_right, to_far, to_left, beyond[0], beyond[1], beyond[2], beyond[3]};
 }
+
+// In what follows `with_weights` makes of the differences of centres, of the certificate k if there
+// are two, those that are computed with.
+
+template <class Differences, class Motion, class With_weights>
+std::array<Filter_result, 2> in_circles_of(const std::array<Quadruple<Motion>, 2>& certificates,
+                                           const Double_interval& after,
+                                           const With_weights& with_weights) {
+  const auto differences = [&](std::size_t k) {
+    const Quadruple<Motion>& points = certificates[k];
+    return with_weights(Differences(all_but_last(points), *points[3], after.lower), k);
+  };
+  return in_circles(std::array{differences(0), differences(1)}, after);
+}
+
+template <class With_weights>
+std::array<Filter_result, 2> in_circles(
+    const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after,
+    const With_weights& with_weights) {
+  return in_circles_of<Linear_differences<3>>(certificates, after, with_weights);
+}
+
+template <class With_weights>
+std::array<Filter_result, 2> in_circles(
+    const std::array<Quadruple<Polynomial_motion_2>, 2>& certificates, const Double_interval& after,
+    const With_weights& with_weights) {
+  const std::size_t k = degree(certificates[0]);
+  if (degree(certificates[1]) != k) return {};  // which go together makes no difference
+  if (k == 3) {
+    return in_circles_of<Polynomial_differences<3, 3>>(certificates, after, with_weights);
+  }
+  if (k == 2) {
+    return in_circles_of<Polynomial_differences<3, 2>>(certificates, after, with_weights);
+  }
+  std::array<std::array<Linear_motion_2, 4>, 2> lines;
+  return in_circles(
+      std::array{linear(certificates[0], lines[0]), linear(certificates[1], lines[1])}, after,
+      with_weights);
+}
+
+template <class Differences, class Motion, class With_weights>
+std::array<Filter_result, 5> after_flip_of(const Flip_neighborhood<Motion>& around,
+                                           const Double_interval& after,
+                                           const With_weights& with_weights) {
+  return after_flip(
+      with_weights(Differences(all_but_first(around), *around.corners[0], after.lower)), after);
+}
+
+template <class With_weights>
+std::array<Filter_result, 5> after_flip(const Flip_neighborhood<Linear_motion_2>& around,
+                                        const Double_interval& after,
+                                        const With_weights& with_weights) {
+  return after_flip_of<Linear_differences<7>>(around, after, with_weights);
+}
+
+template <class With_weights>
+std::array<Filter_result, 5> after_flip(const Flip_neighborhood<Polynomial_motion_2>& around,
+                                        const Double_interval& after,
+                                        const With_weights& with_weights) {
+  const std::size_t k = std::max(degree(around.corners), degree(around.beyond));
+  if (k == 3) return after_flip_of<Polynomial_differences<7, 3>>(around, after, with_weights);
+  if (k == 2) return after_flip_of<Polynomial_differences<7, 2>>(around, after, with_weights);
+  std::array<std::array<Linear_motion_2, 4>, 2> lines;
+  return after_flip(Flip_neighborhood<Linear_motion_2>{linear(around.corners, lines[0]),
+                                                       linear(around.beyond, lines[1])},
+                    after, with_weights);
+}
+
+struct Without_weights {
+  template <class Differences>
+  const Differences& operator()(const Differences& d, std::size_t /*k*/ = 0) const {
+    return d;
+  }
+};
 
 }  // namespace
 
-std::array<Filter_result, 2> filter_in_circles(
-    const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after) {
-  return in_circles<Linear_differences<3>>(certificates, after);
-}
-
-std::array<Filter_result, 2> filter_in_circles(
-    const std::array<Quadruple<Polynomial_motion_2>, 2>& certificates,
-    const Double_interval& after) {
-  const std::size_t k = degree(certificates[0]);
-  if (degree(certificates[1]) != k) return {};  // which go together makes no difference
-  if (k == 3) return in_circles<Polynomial_differences<3, 3>>(certificates, after);
-  if (k == 2) return in_circles<Polynomial_differences<3, 2>>(certificates, after);
-  std::array<std::array<Linear_motion_2, 4>, 2> lines;
-  return in_circles<Linear_differences<3>>(
-      std::array{linear(certificates[0], lines[0]), linear(certificates[1], lines[1])}, after);
-}
-
-std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Linear_motion_2>& around,
+template <class Motion>
+std::array<Filter_result, 2> filter_in_circles(const std::array<Quadruple<Motion>, 2>& certificates,
                                                const Double_interval& after) {
-  return after_flip<Linear_differences<7>>(around, after);
+  if constexpr (HasWeight<Motion>) {
+    const std::array of_centres = {centres(certificates[0]), centres(certificates[1])};
+    const std::array from = {all_but_last(certificates[0]), all_but_last(certificates[1])};
+    if (have_equal_weights(from[0], *certificates[0][3]) &&
+        have_equal_weights(from[1], *certificates[1][3])) {
+      return in_circles(of_centres, after, Without_weights());
+    }
+    return in_circles(
+        of_centres, after, [&]<class Differences>(const Differences& d, std::size_t k) {
+          return Weighted_differences<Differences, 3>(d, from[k], *certificates[k][3], after.lower);
+        });
+  } else {
+    return in_circles(certificates, after, Without_weights());
+  }
 }
 
-std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Polynomial_motion_2>& around,
+template <class Motion>
+std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Motion>& around,
                                                const Double_interval& after) {
-  const std::size_t k = std::max(degree(around.corners), degree(around.beyond));
-  if (k == 3) return after_flip<Polynomial_differences<7, 3>>(around, after);
-  if (k == 2) return after_flip<Polynomial_differences<7, 2>>(around, after);
-  std::array<std::array<Linear_motion_2, 4>, 2> lines;
-  return after_flip<Linear_differences<7>>(
-      Flip_neighborhood<Linear_motion_2>{linear(around.corners, lines[0]),
-                                         linear(around.beyond, lines[1])},
-      after);
+  if constexpr (HasWeight<Motion>) {
+    const Flip_neighborhood<typename Motion::Centre_motion> of_centres = {centres(around.corners),
+                                                                          centres(around.beyond)};
+    const Motion& corner = *around.corners[0];
+    const auto from = all_but_first(around);
+    if (have_equal_weights(from, corner)) return after_flip(of_centres, after, Without_weights());
+    return after_flip(of_centres, after, [&]<class Differences>(const Differences& d) {
+      return Weighted_differences<Differences, 7>(d, from, corner, after.lower);
+    });
+  } else {
+    return after_flip(around, after, Without_weights());
+  }
 }
+
+#define KINETRI_INSTANTIATE(M)                                                                \
+  template std::array<Filter_result, 2> filter_in_circles(const std::array<Quadruple<M>, 2>&, \
+                                                          const Double_interval&);            \
+  template std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<M>&,        \
+                                                          const Double_interval&)
+KINETRI_INSTANTIATE(Linear_motion_2);
+KINETRI_INSTANTIATE(Polynomial_motion_2);
+KINETRI_INSTANTIATE(Disc_motion_2);
+KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
+#undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

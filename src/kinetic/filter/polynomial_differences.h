@@ -159,11 +159,11 @@ auto dot(const std::array<Pair, M>& a, const std::array<Pair, M>& b) {
   return coordinate(a, 0) * coordinate(b, 0) + coordinate(a, 1) * coordinate(b, 1);
 }
 
-// A difference, or two in the lanes of a Pair, with its squared length.
+// A difference, or two in the lanes of a Pair, with its height when it is lifted, as Lifted has it.
 template <std::size_t M, class Number>
 struct Lifted_polynomial {
   std::array<Number, M> x, y;
-  std::array<Number, 2 * M - 1> squared_length = x * x + y * y;
+  std::array<Number, 2 * M - 1> lift = x * x + y * y;
 };
 
 template <std::size_t M>
@@ -190,15 +190,7 @@ auto vector_product(const Lifted_polynomial<M, A>& a, const Lifted_polynomial<M,
 template <std::size_t M, class Corner, class Number>
 auto in_circle_coefficients(const Triangle<Lifted_polynomial<M, Corner>>& t,
                             const Lifted_polynomial<M, Number>& s) {
-  return t.u.squared_length * vector_product(t.v, s) - t.v.squared_length * vector_product(t.u, s) +
-         t.uv * s.squared_length;
-}
-
-// Minus the in-circle determinant of differences to the fourth point.
-template <std::size_t K>
-Coefficients<4 * K> in_circle(const Polynomial_differences<3, K>& d) {
-  return in_circle_coefficients(
-      Triangle<Lifted_polynomial<K + 1, double>>{lifted(d[1]), lifted(d[0])}, lifted(d[2]));
+  return t.u.lift * vector_product(t.v, s) - t.v.lift * vector_product(t.u, s) + t.uv * s.lift;
 }
 
 }  // namespace kinetri

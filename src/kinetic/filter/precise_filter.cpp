@@ -5,10 +5,12 @@
 #include <array>
 #include <cfenv>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "double_double.h"
 #include "frame.h"
+#include "weighted_differences.h"
 
 namespace kinetri {
 namespace {
@@ -101,6 +103,48 @@ class Places {
   double terms_ = 0;  // the sum of all numbers that the places were made from
 };
 
+// The radius at one time, or another number that grows, times the scale of the motion; adds the
+// magnitudes of all numbers that it is made from to `terms`.
+template <class Disc>
+Double_double scaled_radius(const Disc& disc, const Double_double& time, double& terms) {
+  constexpr double scale = Scaled<typename Disc::Centre_motion>::scale;
+  const Double_double radius = exact_product(scale, disc.radius);
+  const Double_double grown =
+      (time - Double_double{disc.epoch}) * exact_product(scale, disc.growth);
+  terms += std::abs(radius.high) + std::abs(grown.high);
+  return radius + grown;
+}
+
+// By how much the weights of discs are greater than that of the last of them at one time, times the
+// square of the scale of the motion.
+template <std::size_t N, class Disc>
+class Weights {
+ public:
+  Weights(const std::array<const Disc*, N>& discs, const Double_double& time) {
+    constexpr double scale = Scaled<typename Disc::Centre_motion>::scale;
+    std::array<Double_double, N> radii;
+    double terms = 0;
+    for (std::size_t i = 0; i < N; ++i) radii[i] = scaled_radius(*discs[i], time, terms);
+    double rest = 0;
+    for (std::size_t i = 0; i + 1 < N; ++i) {
+      const Double_double difference =
+          Double_double{scale * scale} * exact_sum(discs[i]->weight, -discs[N - 1]->weight);
+      rest += std::abs(difference.high);
+      relative_[i] = (radii[i] - radii[N - 1]) * (radii[i] + radii[N - 1]) + difference;
+    }
+    size_ = terms * terms + rest;
+  }
+
+  const Double_double& relative(std::size_t i) const { return relative_[i]; }
+  // Bounds the weights, and what their errors are relative to.
+  double size() const { return size_; }
+  bool is_in_range() const { return size_ < greatest_size * greatest_size; }
+
+ private:
+  std::array<Double_double, N - 1> relative_;
+  double size_ = 0;
+};
+
 // What is proved of the arithmetic holds with rounding to nearest.
 bool is_precise() {
   return std::fegetround() == FE_TONEAREST;
@@ -115,14 +159,25 @@ double certain(const Double_double& value, double error) {
 template <class Motion>
 double precise_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                          double high, double low) {
-  const Places<4, Motion> places({&p, &q, &r, &s}, {high, low});
+  using Centre = Centre_motion_of<Motion>;
+  const Places<4, Centre> places({&p, &q, &r, &s}, {high, low});
   if (!places.is_in_range() || !is_precise()) return 0;
-  const Double_double value = places.squared_length(0) * places.cross(1, 2) +
-                              places.squared_length(1) * places.cross(2, 0) +
-                              places.squared_length(2) * places.cross(0, 1);
+  std::array<Double_double, 3> lifts = {places.squared_length(0), places.squared_length(1),
+                                        places.squared_length(2)};
   const double size = places.size();
-  constexpr double units = 4096 * Scaled<Motion>::error_factor * unit;
-  return certain(value, units * (size * size) * (size * places.terms()));
+  double lift_size = size * size;
+  if constexpr (HasWeight<Motion>) {
+    if (!have_equal_weights(std::array{&p, &q, &r}, s)) {
+      const Weights<4, Motion> weights({&p, &q, &r, &s}, {high, low});
+      if (!weights.is_in_range()) return 0;
+      for (std::size_t i = 0; i < 3; ++i) lifts[i] = lifts[i] - weights.relative(i);
+      lift_size += weights.size();
+    }
+  }
+  const Double_double value =
+      lifts[0] * places.cross(1, 2) + lifts[1] * places.cross(2, 0) + lifts[2] * places.cross(0, 1);
+  constexpr double units = 4096 * Scaled<Centre>::error_factor * unit;
+  return certain(value, units * lift_size * (size * places.terms()));
 }
 
 template <class Motion>
@@ -135,36 +190,56 @@ double precise_orientation(const Motion& p, const Motion& q, const Motion& r, do
   return certain(places.cross(0, 1), units * (places.size() * places.terms()));
 }
 
+// The reach of two at one time, times the scale of the motion.
+template <class Motion>
+Double_double scaled_reach(const Motion& p, const Motion& q, double diameter,
+                           const Double_double& time, double& terms) {
+  const Double_double scaled = exact_product(diameter, Scaled<Centre_motion_of<Motion>>::scale);
+  terms += std::abs(scaled.high);
+  if constexpr (HasWeight<Motion>) {
+    return scaled + (scaled_radius(p, time, terms) + scaled_radius(q, time, terms));
+  } else {
+    return scaled;
+  }
+}
+
 template <class Motion>
 double precise_contact(const Motion& p, const Motion& q, double diameter, double high, double low) {
-  const Places<2, Motion> places({&p, &q}, {high, low});
-  if (!places.is_in_range() || !is_precise() || !is_in_range(diameter)) return 0;
-  const Double_double scaled = exact_product(diameter, Scaled<Motion>::scale);
-  const Double_double square = scaled * scaled;
-  constexpr double units = 256 * Scaled<Motion>::error_factor * unit;
-  return certain(places.squared_length(0) - square,
-                 units * (places.size() * places.terms() + square.high));
+  using Centre = Centre_motion_of<Motion>;
+  const Places<2, Centre> places({&p, &q}, {high, low});
+  double terms = 0;
+  const Double_double reach = scaled_reach(p, q, diameter, {high, low}, terms);
+  if (!places.is_in_range() || !is_precise() || !is_in_range(terms)) return 0;
+  constexpr double units = 256 * Scaled<Centre>::error_factor * unit;
+  return certain(places.squared_length(0) - reach * reach,
+                 units * (places.size() * places.terms() + terms * terms));
 }
 
 // One step of Newton's method from within the bracket, which is so small that the step errs by far
 // less than half a unit in the last place; docs/MATH.md, section 8, has the bounds.
-std::optional<double> rounded_contact(const Linear_motion_2& p, const Linear_motion_2& q,
-                                      double diameter, const Double_interval& bracket) {
+template <class Motion>
+std::optional<double> rounded_contact(const Motion& p, const Motion& q, double diameter,
+                                      const Double_interval& bracket) {
   const double width = bracket.upper - bracket.lower;
   const double origin = bracket.lower + 0.5 * width;
   const Places<2, Linear_motion_2> places({&p, &q}, {origin});
   const double slope_x = p.velocity.x - q.velocity.x;
   const double slope_y = p.velocity.y - q.velocity.y;
-  const double speed = std::abs(slope_x) + std::abs(slope_y);
-  if (!places.is_in_range() || !is_precise() || !is_in_range(diameter) || !is_in_range(speed)) {
+  double terms = 0;
+  const Double_double reach = scaled_reach(p, q, diameter, {origin}, terms);
+  double growth = 0;
+  if constexpr (HasWeight<Motion>) growth = p.growth + q.growth;
+  const double speed = std::abs(slope_x) + std::abs(slope_y) + std::abs(growth);
+  if (!places.is_in_range() || !is_precise() || !is_in_range(terms) || !is_in_range(speed)) {
     return std::nullopt;
   }
-  const Double_double value = places.squared_length(0) - exact_product(diameter, diameter);
+  const Double_double value = places.squared_length(0) - reach * reach;
   const auto& [x, y] = places.relative(0);
-  const double slope = 2 * (x.high * slope_x + y.high * slope_y);
-  const double error = 256 * unit * (places.size() * places.terms() + diameter * diameter);
+  const double slope = 2 * (x.high * slope_x + y.high * slope_y - reach.high * growth);
+  const double error = 256 * unit * (places.size() * places.terms() + terms * terms);
   const double slope_error =
-      32 * unit_roundoff * (places.size() + unit_roundoff * places.terms()) * speed +
+      32 * unit_roundoff *
+          ((places.size() + unit_roundoff * places.terms()) * speed + terms * std::abs(growth)) +
       width * speed * speed;
   const double least_slope = std::abs(slope) - slope_error;
   if (!(least_slope > 0x1p-20 * std::abs(slope))) return std::nullopt;
@@ -178,14 +253,22 @@ std::optional<double> rounded_contact(const Linear_motion_2& p, const Linear_mot
   return nearest;
 }
 
+template double precise_orientation(const Linear_motion_2&, const Linear_motion_2&,
+                                    const Linear_motion_2&, double, double);
+template double precise_orientation(const Polynomial_motion_2&, const Polynomial_motion_2&,
+                                    const Polynomial_motion_2&, double, double);
 #define KINETRI_INSTANTIATE(Motion)                                                             \
   template double precise_in_circle(const Motion&, const Motion&, const Motion&, const Motion&, \
                                     double, double);                                            \
-  template double precise_orientation(const Motion&, const Motion&, const Motion&, double,      \
-                                      double);                                                  \
   template double precise_contact(const Motion&, const Motion&, double, double, double)
 KINETRI_INSTANTIATE(Linear_motion_2);
 KINETRI_INSTANTIATE(Polynomial_motion_2);
+KINETRI_INSTANTIATE(Disc_motion_2);
+KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
 #undef KINETRI_INSTANTIATE
+template std::optional<double> rounded_contact(const Linear_motion_2&, const Linear_motion_2&,
+                                               double, const Double_interval&);
+template std::optional<double> rounded_contact(const Disc_motion_2&, const Disc_motion_2&, double,
+                                               const Double_interval&);
 
 }  // namespace kinetri

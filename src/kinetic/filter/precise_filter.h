@@ -3,7 +3,7 @@
 // The values of certificates at one time, in twice the precision of binary64: for
 // rounding a failure time to the nearest binary64 number without making its polynomial. The sign is
 // right; zero says that it is not certain (docs/MATH.md, sections 7 and 9). `Motion` is
-// Linear_motion_2 or Polynomial_motion_2.
+// Linear_motion_2 or Polynomial_motion_2 or, but for orientations, a disc with such a centre.
 #ifndef KINETRI_SRC_KINETIC_FILTER_PRECISE_FILTER_H
 #define KINETRI_SRC_KINETIC_FILTER_PRECISE_FILTER_H
 
@@ -29,8 +29,10 @@ double precise_contact(const Motion& p, const Motion& q, double diameter, double
 
 /// The binary64 number nearest to the only root of contact_polynomial between the bounds of
 /// `bracket`, where it is certain. Cost: about that of one value.
-std::optional<double> rounded_contact(const Linear_motion_2& p, const Linear_motion_2& q,
-                                      double diameter, const Double_interval& bracket);
+/// `Motion` is Linear_motion_2 or Disc_motion_2.
+template <class Motion>
+std::optional<double> rounded_contact(const Motion& p, const Motion& q, double diameter,
+                                      const Double_interval& bracket);
 
 }  // namespace kinetri
 

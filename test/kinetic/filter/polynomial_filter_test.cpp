@@ -29,23 +29,7 @@ namespace {
 using Point = Basic_moving_point_2<Polynomial_motion_2>;
 using Motions = std::array<Polynomial_motion_2, 4>;
 
-// The linear motions with higher derivatives of the size of their velocities, in every mixture of
-// degrees.
-Motions bent(const std::array<Linear_motion_2, 4>& lines, std::mt19937_64& random) {
-  std::uniform_real_distribution<double> share(-1, 1);
-  Motions result;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    result[i] = polynomial_motion(lines[i]);
-    const Vector_2 v = lines[(i + 1) % 4].velocity;
-    const auto times = [&](double factor) { return Vector_2{v.x * factor, v.y * factor}; };
-    // Integers stay integers.
-    const bool is_coarse = v.x == std::round(v.x) && v.y == std::round(v.y);
-    const auto factor = [&] { return is_coarse ? std::round(2 * share(random)) : share(random); };
-    if (random() % 3 > 0) result[i].acceleration = times(factor());
-    if (random() % 3 == 0) result[i].jerk = times(factor());
-  }
-  return result;
-}
+using test::bent;
 
 class Polynomial_filter : public testing::TestWithParam<int> {
  protected:

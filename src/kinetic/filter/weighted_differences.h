@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the filter adds to the differences of centres where points have weights or radii: a
+// quadratic in time for the difference of two weights, and a linear function for the sum of two
+// radii. docs/MATH.md, section 7, "Weights", has the errors.
+#ifndef KINETRI_SRC_KINETIC_FILTER_WEIGHTED_DIFFERENCES_H
+#define KINETRI_SRC_KINETIC_FILTER_WEIGHTED_DIFFERENCES_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "coordinate_pair.h"
+#include "frame.h"
+#include "kinetri/kinetic/disc_motion_2.h"
+#include "linear_differences.h"
+#include "polynomial_differences.h"
+
+namespace kinetri {
+
+// Whether the two have the same weight at every time, as is seen at once.
+template <class Centre>
+inline bool have_equal_weights(const Basic_disc_motion_2<Centre>& p,
+                               const Basic_disc_motion_2<Centre>& q) {
+  return p.radius == q.radius && p.growth == q.growth && p.weight == q.weight &&
+         (p.growth == 0 || p.epoch == q.epoch);
+}
+template <class Centre, std::size_t N>
+inline bool have_equal_weights(const std::array<const Basic_disc_motion_2<Centre>*, N>& from,
+                               const Basic_disc_motion_2<Centre>& to) {
+  return std::ranges::all_of(from, [&](const auto* p) { return have_equal_weights(*p, to); });
+}
+
+template <class Centre, std::size_t N>
+inline std::array<const Centre*, N> centres(
+    const std::array<const Basic_disc_motion_2<Centre>*, N>& discs) {
+  std::array<const Centre*, N> result;
+  std::ranges::copy(discs, result.begin());
+  return result;
+}
+
+// Constant + slope * (time - origin), and the sum of the magnitudes of what the constant was made
+// from.
+struct Linear_function {
+  double constant = 0;
+  double slope = 0;
+  double terms = 0;
+};
+
+// The radius of p at the origin and from there on.
+template <class Disc>
+inline Linear_function radius_from(const Disc& p, double origin) {
+  const double grown = p.growth * (origin - p.epoch);
+  return {p.radius + grown, p.growth, std::abs(p.radius) + std::abs(grown)};
+}
+
+inline Linear_function operator+(const Linear_function& a, const Linear_function& b) {
+  return {a.constant + b.constant, a.slope + b.slope, a.terms + b.terms};
+}
+
+// The difference of two radii; what they have in common is in no error where the epochs are equal
+// or the radii constant.
+template <class Disc>
+inline Linear_function difference_of_radii(const Disc& p, const Disc& q, double origin) {
+  const double slope = p.growth - q.growth;
+  const double constant = p.radius - q.radius;
+  if (p.epoch == q.epoch) {
+    const double grown = slope * (origin - q.epoch);
+    return {constant + grown, slope, std::abs(constant) + std::abs(grown)};
+  }
+  const double grown_p = p.growth * (origin - p.epoch);
+  const double grown_q = q.growth * (origin - q.epoch);
+  return {constant + (grown_p - grown_q), slope,
+          std::abs(constant) + std::abs(grown_p) + std::abs(grown_q)};
+}
+
+// The place of a difference at the origin.
+inline const Pair& place(const Difference& d) {
+  return d.place;
+}
+template <std::size_t M>
+inline const Pair& place(const std::array<Pair, M>& powers) {
+  return powers[0];
+}
+
+// The window in which both what takes `one` and what takes `other` has happened; nothing takes for
+// ever.
+inline std::optional<double> shorter(const std::optional<double>& one,
+                                     const std::optional<double>& other) {
+  if (!one) return other;
+  if (!other) return one;
+  return 1 / (1 / *one + 1 / *other);
+}
+
+// The differences of N discs to one more, and of their weights; in powers of w once they are
+// scaled.
+template <class Differences, std::size_t N>
+class Weighted_differences : public Differences {
+ public:
+  template <class Disc>
+  Weighted_differences(const Differences& centres, const std::array<const Disc*, N>& from,
+                       const Disc& to, double origin)
+      : Differences(centres) {
+    const Linear_function radius = radius_from(to, origin);
+    for (std::size_t i = 0; i < N; ++i) {
+      factors_[i] = {difference_of_radii(*from[i], to, origin),
+                     radius_from(*from[i], origin) + radius, from[i]->weight - to.weight};
+    }
+  }
+
+  // As for the centres alone. The lengths that are squared change with them or with the weights.
+  std::optional<double> window_ahead(double share) const {
+    double extent = 0;
+    double slope = 0;
+    double curvature = 0;
+    for (std::size_t i = 0; i < N; ++i) {
+      const auto& [difference, sum, rest] = factors_[i];
+      extent = std::max(extent, greatest(absolute(place((*this)[i]))));
+      slope = std::max(slope,
+                       std::abs(difference.constant * sum.slope + difference.slope * sum.constant));
+      curvature = std::max(curvature, std::abs(difference.slope * sum.slope));
+    }
+    std::optional<double> until;
+    if (slope != 0 || curvature != 0) {
+      until = share * extent / (0.5 * slope / extent + std::sqrt(curvature));
+    }
+    return shorter(Differences::window_ahead(share), until);
+  }
+
+  void scale(double window) {
+    Differences::scale(window);
+    double reach = 0;  // a sum, in which what is not finite remains
+    for (std::size_t i = 0; i < N; ++i) {
+      auto& [difference, sum, rest] = factors_[i];
+      difference.slope *= window;
+      sum.slope *= window;
+      weights_[i] = {difference.constant * sum.constant + rest,
+                     difference.constant * sum.slope + difference.slope * sum.constant,
+                     difference.slope * sum.slope};
+      const double greatest_difference = difference.terms + std::abs(difference.slope);
+      const double greatest_sum = sum.terms + std::abs(sum.slope);
+      weight_size_ = std::max(weight_size_, greatest_difference * greatest_sum + std::abs(rest));
+      reach += greatest_difference + greatest_sum;
+    }
+    is_in_range_ = reach < greatest_size && weight_size_ < greatest_size * greatest_size;
+  }
+
+  // By how much the weight of point i is greater than that of the last point.
+  const std::array<double, 3>& weight(std::size_t i) const { return weights_[i]; }
+
+  // Bounds the sum of the magnitudes of the coefficients of any such weight.
+  double weight_size() const { return weight_size_; }
+  double lift_size() const { return Differences::lift_size() + weight_size_; }
+  bool is_in_range() const { return is_in_range_ && Differences::is_in_range(); }
+
+ private:
+  // The weight is the difference of the radii times their sum, and the rest.
+  struct Factors {
+    Linear_function difference;
+    Linear_function sum;
+    double rest;
+  };
+  std::array<Factors, N> factors_;
+  std::array<std::array<double, 3>, N> weights_;
+  double weight_size_ = 0;
+  bool is_in_range_ = false;
+};
+
+// The height of a point i above the corner, lifted by the squared length less the weight.
+template <class Differences>
+inline auto lifted(const Differences& d, std::size_t i) {
+  auto result = lifted(d[i]);
+  if constexpr (requires { d.weight(i); }) {
+    for (std::size_t k = 0; k < 3; ++k) result.lift[k] -= d.weight(i)[k];
+  }
+  return result;
+}
+// The same of two points, in the lanes of a Pair.
+template <class Differences>
+inline auto lifted(const Differences& d, std::size_t i, const Differences& e, std::size_t j) {
+  auto result = lifted(d[i], e[j]);
+  if constexpr (requires { d.weight(i); }) {
+    for (std::size_t k = 0; k < 3; ++k) result.lift[k] -= Pair{d.weight(i)[k], e.weight(j)[k]};
+  }
+  return result;
+}
+
+// Minus the in-circle determinant of differences to the fourth point.
+template <class Differences>
+inline auto in_circle(const Differences& d) {
+  return in_circle_coefficients(Triangle{lifted(d, 1), lifted(d, 0)}, lifted(d, 2));
+}
+
+// ---- contacts ----
+
+// How far apart two are at a contact, from the origin on: of points a constant.
+inline Linear_function reach_of(double diameter) {
+  return {diameter, 0, diameter};
+}
+template <class Motion>
+inline Linear_function reach_of(const Motion& p, const Motion& q, double diameter, double origin) {
+  if constexpr (HasWeight<Motion>) {
+    return reach_of(diameter) + (radius_from(p, origin) + radius_from(q, origin));
+  } else {
+    return reach_of(diameter);
+  }
+}
+template <class Motion>
+inline Linear_function reach_of(const Motion& p, const Wall_2& wall, double origin) {
+  if constexpr (HasWeight<Motion>) {
+    if (wall.rim) return reach_of(wall.clearance) + radius_from(p, origin);
+  }
+  return reach_of(wall.clearance);
+}
+
+// The difference of two centres, and their reach; in powers of w once they are scaled.
+template <class Differences>
+class Differences_and_reach : public Differences {
+ public:
+  Differences_and_reach(const Differences& centres, const Linear_function& reach)
+      : Differences(centres), reach_(reach) {}
+
+  std::optional<double> window_ahead(double share) const {
+    std::optional<double> until;
+    if (reach_.slope != 0) {
+      until = share * greatest(absolute(place((*this)[0]))) / std::abs(reach_.slope);
+    }
+    return shorter(Differences::window_ahead(share), until);
+  }
+
+  void scale(double window) {
+    Differences::scale(window);
+    reach_.slope *= window;
+  }
+
+  const Linear_function& reach() const { return reach_; }
+  // Bounds the reach, once it is scaled.
+  double reach_size() const { return reach_.terms + std::abs(reach_.slope); }
+  bool is_in_range() const { return reach_size() < greatest_size && Differences::is_in_range(); }
+
+ private:
+  Linear_function reach_;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_KINETIC_FILTER_WEIGHTED_DIFFERENCES_H

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The filters of discs never contradict exact arithmetic: centres of every flavor, with radii and
+// weights of every kind.
+#include "kinetic/filter/disc_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <random>
+#include <type_traits>
+
+#include "kinetic/filter/filter.h"
+#include "kinetic/filter/precise_filter.h"
+#include "kinetri/algebra/real_roots.h"
+#include "kinetri/kinetic/basic_kinetic_traits_2.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
+#include "kinetri/kinetic/rounded_places.h"
+#include "support/certificates.h"
+#include "support/discs.h"
+#include "support/filter_results.h"
+
+namespace kinetri {
+namespace {
+
+// Kinds of radii and weights, for centres of one flavor.
+enum Kind_of_radii { equal, different, ratios, growing, weights, wild, kinds };
+
+template <class Disc>
+class Source {
+ public:
+  Source(int flavor, unsigned seed) : flavor_(flavor), centres_(seed), random_(seed) {}
+
+  std::array<Disc, 4> next(int kind) {
+    const auto lines = centres_.next(flavor_);
+    std::array<Disc, 4> m;
+    if constexpr (std::same_as<Disc, Disc_motion_2>) {
+      for (std::size_t i = 0; i < 4; ++i) static_cast<Linear_motion_2&>(m[i]) = lines[i];
+    } else {
+      const auto curves = test::bent(lines, random_);
+      for (std::size_t i = 0; i < 4; ++i) static_cast<Polynomial_motion_2&>(m[i]) = curves[i];
+    }
+    const auto size_of = [](const Vector_2& a, const Vector_2& b) {
+      return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
+    };
+    const double size = size_of(lines[0].position, lines[1].position);
+    const double speed = size_of(lines[0].velocity, lines[1].velocity);
+    const double common = std::abs(share_(random_));
+    for (Disc& disc : m) {
+      const double share = share_(random_);
+      disc.radius = size * std::abs(kind == equal ? common : share);
+      switch (kind) {
+        case ratios:
+          disc.radius *= std::exp2(20 * share_(random_));
+          break;
+        case growing:
+          disc.growth = speed * share_(random_);
+          break;
+        case weights:
+          disc.weight = 4 * size * size * share_(random_);
+          disc.radius = random_() % 2 == 0 ? 0 : disc.radius;
+          break;
+        case wild:
+          disc.radius = std::ldexp(disc.radius, static_cast<int>(200 * share_(random_)));
+          disc.growth = std::ldexp(speed * share, static_cast<int>(100 * share_(random_)));
+          disc.weight = std::ldexp(size * share, static_cast<int>(200 * share_(random_)));
+          break;
+        default:
+          break;
+      }
+      if (flavor_ == 1) {  // tiny integers
+        disc.radius = std::round(disc.radius);
+        disc.growth = std::round(disc.growth);
+        disc.weight = std::round(disc.weight);
+      }
+    }
+    return m;
+  }
+  double time() { return centres_.time(flavor_); }
+
+ private:
+  int flavor_;
+  test::Certificates centres_;
+  std::mt19937_64 random_;
+  std::uniform_real_distribution<double> share_{-1, 1};
+};
+
+class Disc_filter : public testing::TestWithParam<int> {};
+
+template <class Disc>
+void expect_true_circles(int flavor, int cases) {
+  for (int kind = 0; kind < kinds; ++kind) {
+    Source<Disc> source(flavor, 100 + static_cast<unsigned>(kind));
+    test::Decided decided;
+    int pairs = 0;
+    test::Decided_after_flips counts;
+    for (int i = 0; i < cases; ++i) {
+      const auto m = source.next(kind);
+      const auto n = source.next(kind);
+      SCOPED_TRACE(test::describe_discs(m) + test::describe_discs(n));
+      const double t = source.time();
+      const int mode = test::rounding_mode(i);
+      test::expect_true_certificates(m, t, mode, decided);
+      if (testing::Test::HasFatalFailure()) return;
+      test::expect_true_pair(m, n, t, mode, pairs);
+      if (testing::Test::HasFatalFailure()) return;
+      test::expect_true_after_flip(m, n, t, mode, counts);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+    if (flavor == 0 && kind < wild) {
+      EXPECT_GT(decided.all, cases * 98 / 100) << "of the certificates, half hold at the start";
+      EXPECT_GT(decided.failures, 0);
+      EXPECT_GT(pairs, cases * (std::same_as<Disc, Disc_motion_2> ? 90 : 40) / 100);
+      EXPECT_GT(counts.flips, 0);
+      // Where the sizes differ much, one bound for all of the five is too large for some.
+      EXPECT_GE(counts.decided, counts.positive * (kind == ratios ? 50 : 90) / 100);
+    }
+  }
+}
+
+TEST_P(Disc_filter, of_power_circles_never_contradicts_exact_arithmetic) {
+  expect_true_circles<Disc_motion_2>(GetParam(), 250 * test::multiplier());
+}
+TEST_P(Disc_filter, of_power_circles_of_curves_never_contradicts_exact_arithmetic) {
+  expect_true_circles<Polynomial_disc_motion_2>(GetParam(), 100 * test::multiplier());
+}
+
+// Each sign that is certain, at both ends of an interval and between them.
+template <class Disc>
+void expect_true_signs(int flavor, int cases) {
+  using Point = Basic_moving_point_2<Disc>;
+  int decided = 0;
+  int all = 0;
+  for (int i = 0; i < cases; ++i) {
+    const int kind = i % kinds;
+    Source<Disc> source(flavor, 1000 + static_cast<unsigned>(i));
+    const auto m = source.next(kind);
+    SCOPED_TRACE(test::describe_discs(m));
+    const double t = source.time();
+    const double width = i % 3 == 0 ? 0 : i % 3 == 1 ? 0x1p-40 : 1;
+    const Double_interval interval = {t, t + width};
+    const int mode = test::rounding_mode(i);
+    const Point p(m[0], 0);
+    const Point q(m[1], 1);
+    const Point r(m[2], 2);
+    const Point s(m[3], 3);
+    const auto expect_sign = [&](const auto& filter, const Polynomial& polynomial) {
+      const Sign sign = test::in_mode(mode, filter);
+      if (width < 1 && kind != wild) ++all;
+      if (sign == CGAL::ZERO) return;
+      if (width < 1 && kind != wild) ++decided;
+      for (const double time : {interval.lower, interval.lower + width / 2, interval.upper}) {
+        ASSERT_EQ(sign, polynomial.sign_at(to_rational(time)));
+      }
+    };
+    expect_sign([&] { return certain_in_circle(m[0], m[1], m[2], m[3], interval); },
+                in_circle_polynomial(p, q, r, s));
+    expect_sign([&] { return certain_power_distance_order(m[0], m[1], m[2], interval); },
+                power_distance_difference(p, q, r));
+    if (kind != equal) {
+      expect_sign([&] { return certain_weight_order(m[0], m[1], interval); },
+                  weight_difference(p, q));
+    }
+    const double diameter = i % 2 == 0 ? 0 : m[0].radius / 2;
+    const Polynomial gap = contact_polynomial(p, q, diameter);
+    expect_sign([&] { return certain_gap(m[0], m[1], diameter, interval); }, gap);
+    expect_sign([&] { return certain_distance_slope(m[0], m[1], interval); },
+                derivative(contact_polynomial(p, q, 0)));
+    // At one time, in twice the precision.
+    const auto expect_precise = [&](double value, const Polynomial& polynomial) {
+      if (value == 0) return;
+      ASSERT_EQ(CGAL::sign(value), polynomial.sign_at(to_rational(t) + to_rational(t * 0x1p-54)));
+    };
+    expect_precise(precise_in_circle(m[0], m[1], m[2], m[3], t, t * 0x1p-54),
+                   in_circle_polynomial(p, q, r, s));
+    expect_precise(precise_contact(m[0], m[1], diameter, t, t * 0x1p-54), gap);
+    // All places at once.
+    const std::array points = {p, q, r, s};
+    const Rounded_places places(points, Algebraic_number(t));
+    const Sign side = places.side_of_oriented_circle(0, 1, 2, 3);
+    if (side != CGAL::ZERO) {
+      ASSERT_EQ(side, in_circle_polynomial(p, q, r, s).sign_at(to_rational(t)));
+    }
+    if (testing::Test::HasFatalFailure()) return;
+  }
+  if (flavor == 0) {
+    EXPECT_GT(decided, all * 97 / 100);
+  }
+}
+
+TEST_P(Disc_filter, of_signs_never_contradicts_exact_arithmetic) {
+  expect_true_signs<Disc_motion_2>(GetParam(), 1500 * test::multiplier());
+}
+TEST_P(Disc_filter, of_signs_of_curves_never_contradicts_exact_arithmetic) {
+  expect_true_signs<Polynomial_disc_motion_2>(GetParam(), 600 * test::multiplier());
+}
+
+// Whether what the filter says is true of the certificate whose exact failure is given. Returns
+// whether it says anything.
+bool expect_true_contact(const Filter_result& result, const Certificate& exact,
+                         const Double_interval& after) {
+  using Kind = Filter_result::Kind;
+  const bool fails = exact.kind == Certificate::Kind::fails;
+  if (result.kind == Kind::unknown) return false;
+  if (result.kind == Kind::never_fails) {
+    EXPECT_FALSE(fails) << "a contact, but none was found";
+  } else if (result.kind == Kind::fails) {
+    EXPECT_TRUE(fails) << "no contact, but one was found";
+    EXPECT_GT(result.bounds.lower, after.upper);
+    if (fails) {
+      EXPECT_LE(Algebraic_number(result.bounds.lower), *exact.failure);
+      EXPECT_GE(Algebraic_number(result.bounds.upper), *exact.failure);
+    }
+  } else if (fails) {
+    EXPECT_GT(*exact.failure, Algebraic_number(result.bounds.upper));
+  }
+  return true;
+}
+
+template <class Disc>
+void expect_true_contacts(int flavor, int cases) {
+  using Point = Basic_moving_point_2<Disc>;
+  using Traits = Basic_kinetic_traits_2<Disc>;
+  const Traits exact = Traits::exact();
+  int decided = 0;
+  int contacts = 0;
+  int rounded = 0;
+  for (int i = 0; i < cases; ++i) {
+    const int kind = i % kinds;
+    Source<Disc> source(flavor, 5000 + static_cast<unsigned>(i));
+    const auto m = source.next(kind);
+    SCOPED_TRACE(test::describe_discs(std::array{m[0], m[1]}));
+    const double t = source.time();
+    const double diameter = i % 2 == 0 ? 0 : m[2].radius / 2;
+    const int mode = test::rounding_mode(i);
+    const Point p(m[0]);
+    const Point q(m[1]);
+    const Double_interval now = {t, t};
+    const Filter_result result =
+        test::in_mode(mode, [&] { return filter_contact(m[0], m[1], diameter, now); });
+    const Polynomial gap = contact_polynomial(p, q, diameter);
+    decided += expect_true_contact(result, exact.contact_certificate(p, q, diameter, t), now);
+    if (result.kind != Filter_result::Kind::unknown && !result.may_vanish) {
+      EXPECT_EQ(gap.sign_at(to_rational(t)), CGAL::POSITIVE);
+    }
+    if (result.kind == Filter_result::Kind::fails) {
+      ++contacts;
+      if constexpr (std::same_as<Disc, Disc_motion_2>) {
+        const auto root = first_root_after(gap, t);
+        const auto nearest = rounded_contact(m[0], m[1], diameter, result.bounds);
+        rounded += nearest.has_value();
+        if (nearest && root) {
+          EXPECT_EQ(*nearest, root->value.to_double());
+        }
+      }
+    }
+    for (const auto side :
+         {Wall_2::Side::left, Wall_2::Side::right, Wall_2::Side::bottom, Wall_2::Side::top}) {
+      const Vector_2 there = rounded_place(m[0], t + 1);
+      const Wall_2 wall = {side, side < Wall_2::Side::bottom ? there.x : there.y,
+                           i % 3 == 0 ? 0 : diameter, i % 5 != 0};
+      const Polynomial inside = wall_polynomial(p, wall);
+      const Filter_result at_wall =
+          test::in_mode(mode, [&] { return filter_wall_contact(m[0], wall, now); });
+      expect_true_contact(at_wall, exact.wall_certificate(p, wall, t), now);
+      const Double_interval interval = {t, t + 0x1p-20};
+      if (test::in_mode(mode, [&] { return certainly_inside(m[0], wall, interval); })) {
+        EXPECT_EQ(inside.sign_at(to_rational(t)), CGAL::POSITIVE);
+        EXPECT_EQ(inside.sign_at(to_rational(interval.upper)), CGAL::POSITIVE);
+      }
+    }
+    if (testing::Test::HasFailure()) return;
+  }
+  if (flavor == 0) {
+    EXPECT_GT(decided, cases * 65 / 100) << "all but the discs that overlap and approach";
+    EXPECT_GT(contacts, cases / (std::same_as<Disc, Disc_motion_2> ? 30 : 100));
+    if constexpr (std::same_as<Disc, Disc_motion_2>) {
+      EXPECT_GT(rounded, contacts * 95 / 100);
+    }
+  }
+}
+
+TEST_P(Disc_filter, of_contacts_never_contradicts_exact_arithmetic) {
+  expect_true_contacts<Disc_motion_2>(GetParam(), 2000 * test::multiplier());
+}
+TEST_P(Disc_filter, of_contacts_of_curves_never_contradicts_exact_arithmetic) {
+  expect_true_contacts<Polynomial_disc_motion_2>(GetParam(), 600 * test::multiplier());
+}
+
+INSTANTIATE_TEST_SUITE_P(Flavors, Disc_filter, testing::Range(0, test::Certificates::flavors),
+                         test::flavor_name);
+
+// What equal constant radii make of a filter's result is what it is without them, bit for bit.
+TEST(Disc_filter, of_equal_radii_gives_what_that_of_points_gives) {
+  test::Certificates source(77);
+  for (int i = 0; i < 1000 * test::multiplier(); ++i) {
+    const auto lines = source.next(i % test::Certificates::flavors);
+    const double t = source.time(i % test::Certificates::flavors);
+    std::array<Disc_motion_2, 4> m;
+    for (std::size_t k = 0; k < 4; ++k) m[k] = {lines[k], 0.75, 0, 0.1};
+    const auto expect_same = [](const Filter_result& a, const Filter_result& b) {
+      EXPECT_EQ(a.kind, b.kind);
+      EXPECT_EQ(a.bounds, b.bounds);
+      EXPECT_EQ(a.may_vanish, b.may_vanish);
+      EXPECT_EQ(a.is_refined, b.is_refined);
+    };
+    expect_same(filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false),
+                filter_in_circle(lines[0], lines[1], lines[2], lines[3], {t, t}, false));
+    expect_same(filter_contact(m[0], m[1], 0, {t, t}),
+                filter_contact(lines[0], lines[1], 1.5, {t, t}));
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Disc_filter, knows_that_discs_at_rest_that_grow_change) {
+  std::array<Disc_motion_2, 4> m;
+  m[0].position = {1, 0};
+  m[1].position = {0, 1};
+  m[2].position = {-1, 0};
+  m[3].position = {0, -1.5};
+  for (Disc_motion_2& disc : m) disc.radius = 0.25;
+  const auto kind = [&] { return filter_in_circle(m[0], m[1], m[2], m[3], {0, 0}, false).kind; };
+  EXPECT_EQ(kind(), Filter_result::Kind::never_fails);
+  m[3].growth = 0.5;
+  EXPECT_NE(kind(), Filter_result::Kind::never_fails);
+  EXPECT_NE(kind(), Filter_result::Kind::unknown);
+  EXPECT_NE(filter_contact(m[0], m[3], 0, {0, 0}).kind, Filter_result::Kind::never_fails);
+  EXPECT_EQ(filter_contact(m[0], m[1], 0, {0, 0}).kind, Filter_result::Kind::never_fails);
+}
+
+TEST(Disc_filter, knows_nothing_where_numbers_overflow) {
+  std::array<Disc_motion_2, 4> m;
+  m[0].position = {1, 0};
+  m[1].position = {0, 1};
+  m[2].position = {-1, 0};
+  m[3].position = {0, -1.5};
+  m[2].radius = 1e300;
+  for (const double growth : {0.0, 1e300}) {
+    m[3].growth = growth;
+    for (const double radius : {0.0, 1e300, -1e300}) {
+      m[0].radius = radius;
+      EXPECT_EQ(filter_in_circle(m[0], m[1], m[2], m[3], {0, 0}, false).kind,
+                Filter_result::Kind::unknown);
+      EXPECT_EQ(certain_in_circle(m[0], m[1], m[2], m[3], {0, 0}), CGAL::ZERO);
+      EXPECT_EQ(precise_in_circle(m[0], m[1], m[2], m[3], 0, 0), 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinetri
