@@ -151,7 +151,8 @@ class Search {
   }
 
   std::vector<Algebraic_number> roots(std::size_t most) {
-    if (variations_ == 0) return {};
+    // Bounds that contradict one another leave no room for a root.
+    if (variations_ == 0 || least_exponent_ > greatest_exponent_) return {};
     if (q_.degree() == 1) return {linear_root(q_)};
     // Two neighbours are the ends of an open interval that is to be searched, those at the back
     // first.

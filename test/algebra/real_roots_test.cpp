@@ -472,5 +472,14 @@ TEST(Real_roots, of_squares_of_quadratics_are_irrational_or_none) {
   EXPECT_EQ(triple[1].multiplicity, 3);
 }
 
+// Without real roots. From here the two least coefficients bound the distance of a positive root
+// from below by more than all three bound it from above.
+TEST(First_root_after, of_a_polynomial_whose_bounds_leave_no_room_is_none) {
+  const Polynomial p{Integer("2992678467142049159753394402503356108514749585614803627953466632192"),
+                     Integer("2391823319658990923777299229518100981239141166499198492999529005056"),
+                     Integer("503178294214298907662325845051828803811504768542346502778904379392")};
+  EXPECT_FALSE(first_root_after(p, Algebraic_number(-2.3791792580324331)));
+}
+
 }  // namespace
 }  // namespace kinetri

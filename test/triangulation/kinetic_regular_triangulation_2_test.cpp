@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "support/kinetic_runs.h"
 #include "support/multiplier.h"
 
 namespace kinetri {
@@ -106,6 +108,269 @@ TEST(Kinetic_regular_triangulation, of_discs_on_a_lattice_is_that_of_CGAL) {
     run_audited(kinetic, 10, 100, Audit_level::certificates);
     if (HasFatalFailure()) return;
   }
+}
+
+// ---- equal weights ----
+
+std::vector<Disc_motion_2> discs_of(const std::vector<Linear_motion_2>& motions, double radius) {
+  std::vector<Disc_motion_2> result;
+  for (const Linear_motion_2& motion : motions) result.push_back({motion, radius, 0, 0});
+  return result;
+}
+
+// The Delaunay triangulation and the regular one of discs of one size, changed in the same way.
+TEST(Kinetic_regular_triangulation, of_equal_discs_has_the_events_of_the_Delaunay_triangulation) {
+  std::mt19937_64 random(4);
+  for (int run = 0; run < 40 * multiplier(); ++run) {
+    SCOPED_TRACE("run " + std::to_string(run));
+    // Mostly degenerate: points on a lattice, which meet.
+    const auto motions = run % 4 == 0 ? test::random_motions(40, 6, 1, static_cast<unsigned>(run))
+                                      : test::grid_motions(static_cast<std::size_t>(5 + run), 6, 2,
+                                                           static_cast<unsigned>(run));
+    test::Kinetic_delaunay delaunay(motions);
+    Kinetic regular(discs_of(motions, 0.25));
+    ASSERT_EQ(regular.finite_edge_ids(), delaunay.finite_edge_ids());
+    test::Event_recorder expected(delaunay);
+    test::Event_recorder events(regular);
+    for (int time = 1; time <= 3; ++time) {
+      delaunay.advance_to(Algebraic_number(time));
+      regular.advance_to(Algebraic_number(time));
+      const auto id = static_cast<Point_id>(random() % motions.size());
+      const Linear_motion_2 motion = {
+          {static_cast<double>(random() % 7) + 0.5, static_cast<double>(random() % 7)},
+          {1, 0.5},
+          0};
+      try {
+        delaunay.set_motion(id, motion);
+        regular.set_motion(id, {motion, 0.25, 0, 0});
+      } catch (const Coincident_trajectories_error&) {
+        EXPECT_THROW(regular.set_motion(id, {motion, 0.25, 0, 0}), Coincident_trajectories_error);
+      }
+      delaunay.reverse();
+      regular.reverse();
+      delaunay.reverse();
+      regular.reverse();
+    }
+    EXPECT_EQ(test::difference(events.events, expected.events), "");
+    EXPECT_EQ(regular.number_of_hidden_points(), 0u);
+  }
+}
+
+// ---- changes ----
+
+// The edges and the hidden points, from the events alone.
+class State_recorder : public Event_observer {
+ public:
+  explicit State_recorder(Kinetic& kinetic) : edges(test::edges_of(kinetic)) {
+    for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+      if (kinetic.contains(id) && kinetic.is_hidden(id)) hidden.insert(id);
+    }
+    kinetic.add_observer(*this);
+  }
+
+  void after_event(const Event& event) override {
+    if (event.removed && edges.erase(*event.removed) == 0) problem = "removes what is not there";
+    if (event.added && !edges.insert(*event.added).second) problem = "adds what is there";
+    if (event.kind == Event_kind::hide && !hidden.insert(*event.point_a).second) {
+      problem = "hides what is hidden";
+    }
+    if (event.kind == Event_kind::reveal && hidden.erase(*event.point_a) == 0) {
+      problem = "reveals what is not hidden";
+    }
+    if (event.kind == Event_kind::erase) hidden.erase(*event.point_a);
+  }
+
+  std::set<Edge_ids> edges;
+  std::set<Point_id> hidden;
+  std::string problem;
+};
+
+std::set<Point_id> hidden_points(const Kinetic& kinetic) {
+  std::set<Point_id> result;
+  for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+    if (kinetic.contains(id) && kinetic.is_hidden(id)) result.insert(id);
+  }
+  return result;
+}
+
+class Changing_discs {
+ public:
+  Changing_discs(std::uint64_t seed, double step)
+      : random_(seed),
+        step_(step),
+        kinetic_(random_discs(random_, random_() % 8, step, 4, 1, 4)),
+        recorder_(kinetic_) {}
+
+  std::string problem(int operations) {
+    for (int i = 0; i < operations; ++i) {
+      const std::string text = operate();
+      std::string found = test::audit_problem(kinetic_, Audit_level::certificates);
+      if (found.empty()) found = recorder_.problem;
+      if (found.empty() && recorder_.edges != test::edges_of(kinetic_)) {
+        found = "the events do not account for the edges";
+      }
+      if (found.empty() && recorder_.hidden != hidden_points(kinetic_)) {
+        found = "the events do not account for the hidden points";
+      }
+      if (!found.empty()) return "operation " + std::to_string(i) + ", " + text + ": " + found;
+    }
+    return {};
+  }
+
+ private:
+  Disc_motion_2 random_disc() {
+    Disc_motion_2 result = random_discs(random_, 1, step_, 4, 1, 4).front();
+    result.epoch = static_cast<double>(random_() % 3);
+    return result;
+  }
+
+  std::vector<Point_id> ids() const {
+    std::vector<Point_id> result;
+    for (Point_id id = 0; id < kinetic_.next_id(); ++id) {
+      if (kinetic_.contains(id)) result.push_back(id);
+    }
+    return result;
+  }
+
+  std::string operate() {
+    const auto all = ids();
+    const auto one = [&] { return all[random_() % all.size()]; };
+    try {
+      switch (random_() % 10) {
+        case 0:
+          if (all.size() > 14) return "nothing";
+          kinetic_.insert(random_disc());
+          return "insert";
+        case 1:
+          if (all.size() > 14) return "nothing";
+          kinetic_.insert(std::vector<Disc_motion_2>{random_disc(), random_disc()});
+          return "insert two";
+        case 2:
+          if (all.empty()) return "nothing";
+          kinetic_.erase(one());
+          return "erase";
+        case 3:
+          if (all.empty()) return "nothing";
+          kinetic_.set_motion(one(), random_disc());
+          return "jump";
+        case 4: {  // another velocity, and growth, from where it is
+          if (all.empty()) return "nothing";
+          const Point_id id = one();
+          Disc_motion_2 motion = with_velocity_at(kinetic_.motion(id), random_disc().velocity,
+                                                  kinetic_.current_time().to_double());
+          motion.growth = random_disc().growth;
+          kinetic_.set_motion(id, motion);
+          return "turn";
+        }
+        case 5: {  // another radius alone
+          if (all.empty()) return "nothing";
+          const Point_id id = one();
+          Disc_motion_2 motion = kinetic_.motion(id);
+          motion.radius = random_disc().radius;
+          kinetic_.set_motion(id, motion);
+          return "another radius";
+        }
+        case 6: {
+          std::vector<Disc_motion_2> motions;
+          for (std::size_t i = 0; i < all.size(); ++i) {
+            motions.push_back(with_velocity_at(kinetic_.motion(all[i]), random_disc().velocity,
+                                               kinetic_.current_time().to_double()));
+          }
+          kinetic_.set_motions(all, motions);
+          return "turn all";
+        }
+        case 7:
+          kinetic_.reverse();
+          return "reverse";
+        default:
+          kinetic_.step(Algebraic_number(kinetic_.current_time().to_double() + 1));
+          return "step";
+      }
+    } catch (const Coincident_trajectories_error&) {
+      return "refused";
+    }
+  }
+
+  std::mt19937_64 random_;
+  double step_;
+  Kinetic kinetic_;
+  State_recorder recorder_;
+};
+
+TEST(Kinetic_regular_triangulation, stays_that_of_CGAL_through_changes_of_all_kinds) {
+  for (int run = 0; run < 60 * multiplier(); ++run) {
+    SCOPED_TRACE("seed " + std::to_string(run));
+    ASSERT_EQ(Changing_discs(static_cast<std::uint64_t>(run), run % 2).problem(60), "");
+  }
+}
+
+// ---- snapshots ----
+
+TEST(Kinetic_regular_triangulation, goes_on_from_a_snapshot_as_it_would_have) {
+  std::mt19937_64 random(5);
+  for (int run = 0; run < 20 * multiplier(); ++run) {
+    SCOPED_TRACE("run " + std::to_string(run));
+    Kinetic kinetic(random_discs(random, 12, run % 2, 4, 1, 4));
+    kinetic.advance_to(Algebraic_number(1));
+    const auto snapshot = kinetic.snapshot();
+    Kinetic restored = Kinetic::restore(snapshot);
+    EXPECT_EQ(hidden_points(restored), hidden_points(kinetic));
+    ASSERT_EQ(test::audit_problem(restored, Audit_level::certificates), "");
+    test::Event_recorder expected(kinetic);
+    test::Event_recorder events(restored);
+    kinetic.advance_to(Algebraic_number(5));
+    restored.advance_to(Algebraic_number(5));
+    EXPECT_EQ(test::difference(events.events, expected.events), "");
+    // A face that does not hide the point is refused.
+    for (const Point_id id : snapshot.hidden_points) {
+      auto wrong = snapshot;
+      std::size_t refused = 0;
+      for (std::size_t face = 0; face < wrong.faces.size(); ++face) {
+        if (face == snapshot.vertex_faces[id]) continue;
+        wrong.vertex_faces[id] = face;
+        try {
+          Kinetic::restore(wrong);
+        } catch (const Snapshot_error&) {
+          ++refused;
+        }
+      }
+      EXPECT_GE(refused, wrong.faces.size() / 2);
+    }
+  }
+}
+
+TEST(Kinetic_regular_triangulation, has_the_same_events_without_filters) {
+  std::mt19937_64 random(6);
+  for (int run = 0; run < 30 * multiplier(); ++run) {
+    SCOPED_TRACE("run " + std::to_string(run));
+    const auto discs = random_discs(random, 12, run % 2, 3, 1, run % 3 == 0 ? 3 : 0);
+    Kinetic filtered(discs);
+    Kinetic exact(discs, Algebraic_number(), Disc_kinetic_traits_2::exact());
+    test::Event_recorder expected(exact);
+    test::Event_recorder events(filtered);
+    filtered.advance_to(Algebraic_number(4));
+    exact.advance_to(Algebraic_number(4));
+    EXPECT_EQ(test::difference(events.events, expected.events), "");
+  }
+}
+
+TEST(Kinetic_regular_triangulation, refuses_two_discs_that_are_alike_also_when_they_are_hidden) {
+  const std::vector<Disc_motion_2> discs = {disc(0, 0, 0, 0, 10), disc(30, 0, 0, 0, 1),
+                                            disc(0, 30, 0, 0, 1), disc(-30, -30, 0, 0, 1),
+                                            disc(1, 1, 0, 0, 1),  disc(2, 1, 0, 0, 1)};
+  std::vector<Disc_motion_2> alike = discs;
+  alike.push_back(discs[4]);
+  EXPECT_THROW(Kinetic{alike}, Coincident_trajectories_error);
+  Kinetic kinetic(discs);
+  EXPECT_TRUE(kinetic.is_hidden(4));
+  EXPECT_THROW(kinetic.insert(discs[5]), Coincident_trajectories_error);
+  EXPECT_THROW(kinetic.set_motion(4, discs[5]), Coincident_trajectories_error);
+  EXPECT_THROW(kinetic.set_motion(4, discs[0]), Coincident_trajectories_error);
+  EXPECT_EQ(kinetic.number_of_points(), 6u);
+  // The same place with another radius is another disc.
+  EXPECT_EQ(kinetic.insert(disc(2, 1, 0, 0, 2)), 6u);
+  EXPECT_TRUE(kinetic.is_hidden(6));
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
 }
 
 }  // namespace
