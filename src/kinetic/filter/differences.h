@@ -76,7 +76,7 @@ template <std::size_t N, class Centre, class Function>
 inline auto with_differences(const std::array<const Basic_disc_motion_2<Centre>*, N>& from,
                              const Basic_disc_motion_2<Centre>& to, double origin,
                              const Function& function) {
-  if (have_equal_weights(from, to)) {
+  if (have_same_weight_numbers(from, to)) {
     return with_differences(centres(from), centre(to), origin, function);
   }
   return with_differences(centres(from), centre(to), origin, [&](const auto& of_centres) {

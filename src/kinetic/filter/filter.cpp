@@ -47,7 +47,7 @@ Sign in_circle_of_places(const Double_interval& interval, const Motion& p, const
     return detail::certain_side_of_oriented_circle(arguments...);
   };
   if constexpr (HasWeight<Motion>) {
-    if (!have_equal_weights(std::array{&p, &q, &r}, s)) {
+    if (!have_same_weight_numbers(std::array{&p, &q, &r}, s)) {
       const double t = interval.lower;
       const double error = weight_error(p, t, interval) + weight_error(q, t, interval) +
                            weight_error(r, t, interval) + weight_error(s, t, interval);

@@ -183,8 +183,8 @@ std::array<Filter_result, 2> filter_in_circles(const std::array<Quadruple<Motion
   if constexpr (HasWeight<Motion>) {
     const std::array of_centres = {centres(certificates[0]), centres(certificates[1])};
     const std::array from = {all_but_last(certificates[0]), all_but_last(certificates[1])};
-    if (have_equal_weights(from[0], *certificates[0][3]) &&
-        have_equal_weights(from[1], *certificates[1][3])) {
+    if (have_same_weight_numbers(from[0], *certificates[0][3]) &&
+        have_same_weight_numbers(from[1], *certificates[1][3])) {
       return in_circles(of_centres, after, Without_weights());
     }
     return in_circles(
@@ -204,7 +204,8 @@ std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Motion>& 
                                                                           centres(around.beyond)};
     const Motion& corner = *around.corners[0];
     const auto from = all_but_first(around);
-    if (have_equal_weights(from, corner)) return after_flip(of_centres, after, Without_weights());
+    if (have_same_weight_numbers(from, corner))
+      return after_flip(of_centres, after, Without_weights());
     return after_flip(of_centres, after, [&]<class Differences>(const Differences& d) {
       return Weighted_differences<Differences, 7>(d, from, corner, after.lower);
     });

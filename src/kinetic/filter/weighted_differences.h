@@ -20,17 +20,18 @@
 
 namespace kinetri {
 
-// Whether the two have the same weight at every time, as is seen at once.
+// Whether the numbers of the two show that they have the same weight at every time.
+// `have_equal_weights` decides it, at more cost.
 template <class Centre>
-inline bool have_equal_weights(const Basic_disc_motion_2<Centre>& p,
-                               const Basic_disc_motion_2<Centre>& q) {
+inline bool have_same_weight_numbers(const Basic_disc_motion_2<Centre>& p,
+                                     const Basic_disc_motion_2<Centre>& q) {
   return p.radius == q.radius && p.growth == q.growth && p.weight == q.weight &&
          (p.growth == 0 || p.epoch == q.epoch);
 }
 template <class Centre, std::size_t N>
-inline bool have_equal_weights(const std::array<const Basic_disc_motion_2<Centre>*, N>& from,
-                               const Basic_disc_motion_2<Centre>& to) {
-  return std::ranges::all_of(from, [&](const auto* p) { return have_equal_weights(*p, to); });
+inline bool have_same_weight_numbers(const std::array<const Basic_disc_motion_2<Centre>*, N>& from,
+                                     const Basic_disc_motion_2<Centre>& to) {
+  return std::ranges::all_of(from, [&](const auto* p) { return have_same_weight_numbers(*p, to); });
 }
 
 template <class Centre, std::size_t N>
