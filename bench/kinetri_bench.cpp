@@ -45,6 +45,8 @@ const std::map<std::string, Mode> modes = {
     {"lattice-row",
      {measure_lattice_row, "time per event of a lattice in which one row moves, against uniform"}},
     {"paper-table", {measure_paper_table, "events scheduled, executed, discarded: eager and lazy"}},
+    {"weights",
+     {measure_weights, "time per event of the regular triangulation, beside the Delaunay one", 1}},
     {discs_mode,
      {measure_discs, "collisions of discs in a box per second, against a cell list in doubles",
       100}},

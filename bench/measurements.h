@@ -100,6 +100,12 @@ nlohmann::json measure_steps(const Setup& setup);
 /// neighbor is not the nearest point.
 nlohmann::json measure_answers(const Setup& setup);
 
+/// Seconds of an event of the regular triangulation of discs, beside those of the Delaunay
+/// triangulation of their centres: of one size; of sizes that differ; and with weights that hide
+/// about half of the points. Throws std::runtime_error if discs of one size have other events than
+/// their centres.
+nlohmann::json measure_weights(const Setup& setup);
+
 /// Elastic collisions of discs in a box: the exact simulation, the part of it that is the
 /// triangulation's, and a cell list in doubles, in turn. Throws std::runtime_error if the two
 /// programs disagree where rounding cannot yet have separated them, or if discs overlap at the end.

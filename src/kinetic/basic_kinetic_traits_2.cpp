@@ -336,6 +336,14 @@ Certificate Basic_kinetic_traits_2<Motion>::weight_certificate(
   return exact_certificate(weight_difference(p, q), t);
 }
 
+template <class Motion>
+Sign Basic_kinetic_traits_2<Motion>::certain_turn(
+    const Point_2& p, const Point_2& q, const Point_2& r,
+    const Double_interval& now) const requires HasWeight<Motion> {
+  if (arithmetic_ != Arithmetic::filtered) return CGAL::ZERO;
+  return certain_orientation(centre(p.motion()), centre(q.motion()), centre(r.motion()), now);
+}
+
 // ---- contacts ----
 
 template <class Motion>

@@ -3,6 +3,7 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
@@ -16,27 +17,22 @@ namespace kinetri::detail {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Triangulation = CGAL::Delaunay_triangulation_2<
+using Face_base = CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel>;
+using Delaunay = CGAL::Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<
-                CGAL::Triangulation_vertex_base_with_info_2<Point_id, Kernel>,
-                CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel>>>;
+                CGAL::Triangulation_vertex_base_with_info_2<Point_id, Kernel>, Face_base>>;
+using Regular = CGAL::Regular_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<
+                CGAL::Triangulation_vertex_base_with_info_2<
+                    Point_id, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>,
+                CGAL::Regular_triangulation_face_base_2<Kernel, Face_base>>>;
 
-}  // namespace
-
-Static_delaunay static_delaunay(std::span<const Vector_2> places) {
-  std::vector<std::pair<Kernel::Point_2, Point_id>> points;
-  points.reserve(places.size());
-  for (const Vector_2& place : places) {
-    points.emplace_back(Kernel::Point_2(place.x, place.y), static_cast<Point_id>(points.size()));
-  }
-  Triangulation triangulation;
-  triangulation.insert(points.begin(), points.end());
-  if (triangulation.number_of_vertices() != places.size() || triangulation.dimension() < 2) {
-    return {};
-  }
+// The faces of the triangulation, and the order of its vertices.
+template <class Triangulation>
+Static_delaunay plain(Triangulation& triangulation, std::size_t points) {
   triangulation.infinite_vertex()->info() = no_point;
   Static_delaunay result;
-  result.order.reserve(places.size());
+  result.order.reserve(points);
   for (const auto vertex : triangulation.finite_vertex_handles()) {
     result.order.push_back(vertex->info());
   }
@@ -51,30 +47,92 @@ Static_delaunay static_delaunay(std::span<const Vector_2> places) {
   return result;
 }
 
-bool is_certainly_delaunay(const Static_delaunay& triangulation, std::span<const Vector_2> places,
-                           double error) {
+Static_delaunay static_regular(const Static_points& points) {
+  std::vector<std::pair<Kernel::Weighted_point_2, Point_id>> weighted;
+  weighted.reserve(points.places.size());
+  for (const Vector_2& place : points.places) {
+    const std::size_t i = weighted.size();
+    weighted.emplace_back(
+        Kernel::Weighted_point_2(Kernel::Point_2(place.x, place.y), points.weights[i]),
+        static_cast<Point_id>(i));
+  }
+  Regular triangulation;
+  triangulation.insert(weighted.begin(), weighted.end());
+  if (triangulation.dimension() < 2 ||
+      triangulation.number_of_vertices() + triangulation.number_of_hidden_vertices() !=
+          weighted.size()) {
+    return {};
+  }
+  Static_delaunay result = plain(triangulation, weighted.size());
+  for (const auto vertex : triangulation.hidden_vertex_handles()) {
+    result.order.push_back(vertex->info());
+    result.hidden.emplace_back(vertex->info(), vertex->face()->info());
+  }
+  return result;
+}
+
+}  // namespace
+
+Static_delaunay static_delaunay(const Static_points& points) {
+  if (!points.weights.empty()) return static_regular(points);
+  std::vector<std::pair<Kernel::Point_2, Point_id>> numbered;
+  numbered.reserve(points.places.size());
+  for (const Vector_2& place : points.places) {
+    numbered.emplace_back(Kernel::Point_2(place.x, place.y),
+                          static_cast<Point_id>(numbered.size()));
+  }
+  Delaunay triangulation;
+  triangulation.insert(numbered.begin(), numbered.end());
+  if (triangulation.number_of_vertices() != numbered.size() || triangulation.dimension() < 2) {
+    return {};
+  }
+  return plain(triangulation, numbered.size());
+}
+
+bool is_certainly_delaunay(const Static_delaunay& triangulation, const Static_points& points) {
   using Face = Static_delaunay::Face;
   const std::vector<Face>& faces = triangulation.faces;
   const auto is_infinite = [](const Face& face) {
     return std::ranges::find(face.vertices, no_point) != face.vertices.end();
   };
+  const auto turn = [&](Point_id p, Point_id q, Point_id r) {
+    return certain_orientation(points.places[p], points.places[q], points.places[r], points.error);
+  };
+  const auto side = [&](const Face& face, Point_id s) {
+    const auto& [p, q, r] = face.vertices;
+    const auto& places = points.places;
+    const auto& weights = points.weights;
+    if (weights.empty()) {
+      return certain_side_of_oriented_circle(places[p], places[q], places[r], places[s],
+                                             points.error);
+    }
+    return certain_side_of_oriented_circle(
+        places[p], places[q], places[r], places[s], points.error,
+        {{weights[p], weights[q], weights[r], weights[s]}, points.weight_error});
+  };
   const auto is_certain = [&](std::uint32_t f) {
     const Face& face = faces[f];
     if (is_infinite(face)) return true;
     const auto& [p, q, r] = face.vertices;
-    if (certain_orientation(places[p], places[q], places[r], error) != CGAL::POSITIVE) return false;
+    if (turn(p, q, r) != CGAL::POSITIVE) return false;
     for (const std::uint32_t g : face.neighbors) {
       const Face& beyond = faces[g];
       if (g < f || is_infinite(beyond)) continue;
       const auto opposite = std::ranges::find(beyond.neighbors, f) - beyond.neighbors.begin();
-      const Point_id s = beyond.vertices[static_cast<std::size_t>(opposite)];
-      if (certain_side_of_oriented_circle(places[p], places[q], places[r], places[s], error) !=
-          CGAL::NEGATIVE) {
+      if (side(face, beyond.vertices[static_cast<std::size_t>(opposite)]) != CGAL::NEGATIVE) {
         return false;
       }
     }
     return true;
   };
+  const auto is_certainly_hidden = [&](const std::pair<Point_id, std::uint32_t>& hidden) {
+    const Face& face = faces[hidden.second];
+    const auto& [p, q, r] = face.vertices;
+    const Point_id s = hidden.first;
+    return turn(p, q, s) == CGAL::POSITIVE && turn(q, r, s) == CGAL::POSITIVE &&
+           turn(r, p, s) == CGAL::POSITIVE && side(face, s) == CGAL::NEGATIVE;
+  };
+  if (!std::ranges::all_of(triangulation.hidden, is_certainly_hidden)) return false;
   struct Block {
     std::uint32_t first, last;
     bool are_certain = true;

@@ -144,6 +144,13 @@ class Rounded_places {
   /// The error of each coordinate, at most.
   double error() const { return error_; }
 
+  /// The weights by point id, from that of the least id on; none where all are equal at all times.
+  const std::vector<double>& weights() const { return weights_; }
+  /// The error of each weight, at most.
+  double error_of_weights() const { return weight_error_; }
+  /// The least id.
+  Point_id first() const { return first_; }
+
   /// Whether all coordinates are finite.
   bool are_finite() const {
     return std::ranges::all_of(

@@ -19,7 +19,7 @@
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/simulation/box_2.h"
 #include "kinetri/simulation/detail/triangle_map.h"
-#include "kinetri/triangulation/kinetic_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
 

@@ -36,7 +36,7 @@
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/simulation_snapshot.h"
-#include "kinetri/triangulation/kinetic_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
 

@@ -554,14 +554,15 @@ class Kinetic_triangulation_2 {
   bool is_embedded_around(Vertex_handle v) const;
   Location locate(const Point_2& point, Face_handle start) const;
   void take_out(Vertex_handle v);
-  void put_in(Vertex_handle v, const Location& location);
+  void put_in(Vertex_handle v, const Location& location,
+              Certificate_state state = Certificate_state::any);
   void schedule_inside(std::span<const Edge> polygon);
   void flip_link(Vertex_handle v);
   void replace_in_faces(Vertex_handle old, Vertex_handle replacement);
   void unschedule_face(Face_handle face);
   void unschedule_around(Vertex_handle v);
   void unschedule_around(Vertex_handle v, std::vector<Two_sided_edge>& edges);
-  void schedule_around(Vertex_handle v);
+  void schedule_around(Vertex_handle v, Certificate_state state = Certificate_state::any);
   void note_edges_at(Vertex_handle v, int change);
 
   struct Point_set_aside {

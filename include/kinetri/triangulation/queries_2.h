@@ -22,7 +22,7 @@
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
 #include "kinetri/triangulation/detail/ball.h"
-#include "kinetri/triangulation/kinetic_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
 

@@ -176,7 +176,7 @@ void Kinetic_triangulation_2<Traits>::execute(const Entry& event) {
   KINETRI_ASSERT(event.kind >= Entry_kind::hull_insert,
                  "an event is a failure, and coincident points have been set aside");
   if constexpr (is_weighted) {
-    if (event.is_hidden()) return hidden_points().execute(event.hidden);
+    if (event.is_hidden()) return hidden_points().execute(event);
   }
   const Two_sided_edge edge = two_sided(event.edge());
   if (event.kind == Entry_kind::hull_insert) {

@@ -47,13 +47,16 @@ class Hidden_points {
   // ---- certificates ----
 
   /// The certificate of a hidden point from `after` on, and what fails first: the index of an
-  /// Entry.
+  /// Entry. The condition `vanishing`, if it is one, vanishes at that time, at which its negation
+  /// has failed.
   std::pair<std::uint8_t, Certificate> certificate(Vertex_handle v, const Time& after,
                                                    const Traits& traits,
-                                                   Certificate_counters& counters) const {
+                                                   Certificate_counters& counters,
+                                                   std::uint8_t vanishing = none) const {
     std::pair<std::uint8_t, Certificate> first = {Entry::plane, Certificate()};
     const auto also = [&](std::uint8_t index) {
-      Certificate next = certificate(v, index, after, traits);
+      const auto state = index == vanishing ? Certificate_state::vanishes : Certificate_state::any;
+      Certificate next = certificate(v, index, after, state, traits);
       counters.count(next);
       if (next.kind == Certificate::Kind::never_fails) return;
       if (is_earlier(v, {index, &next}, {first.first, &first.second})) {
@@ -100,10 +103,11 @@ class Hidden_points {
 
   // ---- scheduling ----
 
-  /// Schedules the failure of a hidden point's certificate. Precondition: it has no entry.
-  void schedule(Vertex_handle v, const Time& after) {
+  /// Schedules the failure of a hidden point's certificate, of which `vanishing` says what
+  /// `certificate` says of it. Precondition: it has no entry.
+  void schedule(Vertex_handle v, const Time& after, std::uint8_t vanishing = none) {
     auto [index, certificate] =
-        this->certificate(v, after, kinetic_.traits_, kinetic_.certificate_counters_);
+        this->certificate(v, after, kinetic_.traits_, kinetic_.certificate_counters_, vanishing);
     if (certificate.kind == Certificate::Kind::never_fails) return v->set_event(no_event);
     Entry entry(Edge(v->face(), index), Entry_kind::hidden, certificate);
     entry.hidden = v;
@@ -149,8 +153,6 @@ class Hidden_points {
   /// Puts them into one of the faces each, and schedules them: into the one where they are, if the
   /// faces are where they should be.
   void put(std::span<const Vertex_handle> hidden, std::span<const Face_handle> faces) {
-    if (hidden.empty()) return;
-    kinetic_.show_current_time();
     for (const Vertex_handle v : hidden) {
       const auto around = std::ranges::find_if(
           faces, [&](Face_handle face) { return is_inside(v->point(), face); });
@@ -172,12 +174,27 @@ class Hidden_points {
   /// Finds out what has become of a hidden point whose certificate has failed, and has been taken
   /// from the queue: it moves to another triangle, or becomes a vertex, or neither. The edges are
   /// right just after the present time.
-  void execute(Vertex_handle v) {
+  void execute(const Entry& failure) {
+    const Vertex_handle v = failure.hidden;
     v->set_event(no_event);
     if (triangulation_.dimension() < 2) return kinetic_.rebuild();
-    kinetic_.show_current_time();
+    const Face_handle face = v->face();
     triangulation_.take_from_face(v);
-    place(v, kinetic_.locate(v->point(), v->face()));
+    if (failure.index != Entry::plane) {
+      // It passes a side of its triangle.
+      const Two_sided_edge side = kinetic_.two_sided(Edge(face, failure.index));
+      const auto& [beyond, i] = side.there;
+      if (!triangulation_.is_infinite(beyond)) {
+        hide_in(v, beyond);
+        return schedule(v, kinetic_.current_time(),
+                        kinetic_.rebuilt_edges_ ? none : static_cast<std::uint8_t>(i));
+      }
+    } else if (is_inside(v->point(), face, true)) {
+      return reveal(v, {face, Triangulation::FACE, 0},
+                    kinetic_.rebuilt_edges_ ? Certificate_state::any : Certificate_state::vanishes);
+    }
+    kinetic_.show_current_time();
+    place(v, kinetic_.locate(v->point(), face));
   }
 
   /// Puts a point where it is just after now: a hidden one that is in no face, or one that comes.
@@ -201,9 +218,16 @@ class Hidden_points {
       return schedule(v, kinetic_.current_time());
     }
     if (!v->is_hidden()) return kinetic_.put_in(v, location);
+    reveal(v, location);
+  }
+
+  /// Makes a hidden point, which is in no face, a vertex: event `reveal`. The certificates of its
+  /// edges are in the given state.
+  void reveal(Vertex_handle v, const Location& location,
+              Certificate_state state = Certificate_state::any) {
     report(Event_kind::reveal, v, [&] {
       triangulation_.show(v);
-      kinetic_.put_in(v, location);
+      kinetic_.put_in(v, location, state);
     });
   }
 
@@ -220,14 +244,12 @@ class Hidden_points {
   Vertex_handle hidden_end(const Two_sided_edge& edge, bool& can_be_flipped) {
     const auto& [face, i] = edge.here;
     const auto& [neighbor, j] = edge.there;
-    kinetic_.show_current_time();
-    const auto orientation = triangulation_.geom_traits().orientation_2_object();
     const Vertex_handle a = face->vertex(Triangulation::cw(i));
     const Vertex_handle b = face->vertex(Triangulation::ccw(i));
     const Vertex_handle c = face->vertex(i);
     const Vertex_handle d = neighbor->vertex(j);
-    const auto turn_at_a = orientation(d->point(), a->point(), c->point());
-    const auto turn_at_b = orientation(c->point(), b->point(), d->point());
+    const auto turn_at_a = turn(d->point(), a->point(), c->point());
+    const auto turn_at_b = turn(c->point(), b->point(), d->point());
     can_be_flipped = turn_at_a == CGAL::LEFT_TURN && turn_at_b == CGAL::LEFT_TURN;
     const auto third = [](Face_handle one, Vertex_handle opposite, Face_handle other) {
       return one->neighbor(one->index(opposite)) == other->neighbor(other->index(opposite));
@@ -267,11 +289,11 @@ class Hidden_points {
 
   /// Hides a vertex of degree 3, of which one neighbor may be the infinite vertex: event `hide`.
   void hide(Vertex_handle v) {
+    const bool was_noted = kinetic_.rebuilt_edges_.has_value();
     report(Event_kind::hide, v, [&] {
       std::vector<Face_handle> faces;
       for_each_face_at(triangulation_, v, [&](Face_handle face) { faces.push_back(face); });
-      std::vector<Vertex_handle> hidden = take(faces);
-      hidden.push_back(v);
+      const std::vector<Vertex_handle> hidden = take(faces);
       for (const Face_handle face : faces) kinetic_.unschedule_face(face);
       kinetic_.note_edges_at(v, -1);
       const Vertex_handle stand_in = triangulation_.tds().create_vertex();
@@ -283,6 +305,10 @@ class Hidden_points {
                                                    kinetic_.two_sided(Edge(face, 2))};
       kinetic_.schedule(edges, kinetic_.current_time());
       put(hidden, {&face, 1});
+      // Beyond the hull the sign of its certificate is another one.
+      const bool is_inner = !triangulation_.is_infinite(face);
+      hide_in(v, face);
+      schedule(v, kinetic_.current_time(), is_inner && !was_noted ? Entry::plane : none);
     });
   }
 
@@ -343,6 +369,9 @@ class Hidden_points {
                 point) != CGAL::ON_POSITIVE_SIDE;
   }
 
+  /// As an index: no condition.
+  static constexpr std::uint8_t none = Entry::plane + 1;
+
  private:
   struct Condition {
     std::uint8_t index;
@@ -352,15 +381,14 @@ class Hidden_points {
   // In dimension 2 the condition of a side or of the plane. Below, of the segment or vertex that
   // hides the point (`plane`), or of an end of the segment.
   Certificate certificate(Vertex_handle v, std::uint8_t index, const Time& after,
-                          const Traits& traits) const {
+                          Certificate_state state, const Traits& traits) const {
     const Face_handle face = v->face();
     const Point_2& point = v->point();
     if (triangulation_.dimension() == 2) {
       const auto [kind, about] = points(v, index);
       const auto& [p, q, r, s] = about;
-      return kind == Entry_kind::flip
-                 ? traits.in_circle_certificate(*p, *q, *r, *s, after, Certificate_state::any)
-                 : traits.orientation_certificate(*p, *q, *r, after, Certificate_state::any);
+      return kind == Entry_kind::flip ? traits.in_circle_certificate(*p, *q, *r, *s, after, state)
+                                      : traits.orientation_certificate(*p, *q, *r, after, state);
     }
     if (triangulation_.dimension() < 1) {
       return traits.weight_certificate(triangulation_.finite_vertex()->point(), point, after);
@@ -385,14 +413,20 @@ class Hidden_points {
     return time(a) < time(b);
   }
 
-  bool is_inside(const Point_2& point, Face_handle face) const {
+  // The turn just after now.
+  Sign turn(const Point_2& p, const Point_2& q, const Point_2& r) const {
+    const Sign certain = kinetic_.traits_.certain_turn(p, q, r, kinetic_.current_bounds());
+    if (certain != CGAL::ZERO) return certain;
+    kinetic_.show_current_time();
+    return triangulation_.geom_traits().orientation_2_object()(p, q, r);
+  }
+
+  bool is_inside(const Point_2& point, Face_handle face, bool strictly = false) const {
     if (triangulation_.is_infinite(face)) return false;
-    const auto orientation = triangulation_.geom_traits().orientation_2_object();
     for (int i = 0; i < 3; ++i) {
-      if (orientation(face->vertex(Triangulation::ccw(i))->point(),
-                      face->vertex(Triangulation::cw(i))->point(), point) == CGAL::RIGHT_TURN) {
-        return false;
-      }
+      const Sign side = turn(face->vertex(Triangulation::ccw(i))->point(),
+                             face->vertex(Triangulation::cw(i))->point(), point);
+      if (side == CGAL::NEGATIVE || (strictly && side == CGAL::ZERO)) return false;
     }
     return true;
   }

@@ -6,6 +6,7 @@
 #define KINETRI_TRIANGULATION_DETAIL_START_IMPL_H
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -42,9 +43,6 @@ Rounded_places Kinetic_triangulation_2<Traits>::places_now() const {
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, const Time& time,
                                             const Instantaneous_traits& traits) -> Triangulation {
-  if constexpr (is_weighted) {
-    if (!have_equal_weights(points)) return build_regular(points, traits);
-  }
   Triangulation result(traits);
   if constexpr (HasRoundedPlace<Motion>) {
     constexpr std::size_t few = 16;  // are inserted as fast
@@ -53,6 +51,9 @@ auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, con
       if (build_from_places(points, places, result)) return result;
       result.clear();
     }
+  }
+  if constexpr (is_weighted) {
+    if (!have_equal_weights(points)) return build_regular(points, traits);
   }
   const auto insert_all = [points](auto& triangulation) {
     triangulation.insert(points.begin(), points.end());
@@ -118,9 +119,17 @@ bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2>
                                                         const Rounded_places& places,
                                                         Triangulation& result) {
   std::vector<Vector_2> in_order;
+  std::vector<double> weights_in_order;
   in_order.reserve(points.size());
-  for (const Point_2& point : points) in_order.push_back(places[point.id()]);
-  const detail::Static_delaunay found = detail::static_delaunay(in_order);
+  for (const Point_2& point : points) {
+    in_order.push_back(places[point.id()]);
+    if (places.weights().empty()) continue;
+    weights_in_order.push_back(places.weights()[point.id() - places.first()]);
+    if (!std::isfinite(weights_in_order.back())) return false;
+  }
+  const detail::Static_points rounded = {in_order, weights_in_order, places.error(),
+                                         places.error_of_weights()};
+  const detail::Static_delaunay found = detail::static_delaunay(rounded);
   if (found.faces.empty()) return false;
   auto& tds = result.tds();
   tds.faces().clear();
@@ -144,10 +153,12 @@ bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2>
     const auto& [a, b, c] = found.faces[f].neighbors;
     faces[f]->set_neighbors(faces[a], faces[b], faces[c]);
   }
-  // Mostly the places are enough.
-  if (detail::is_certainly_delaunay(found, in_order, places.error())) {
-    return is_hull_convex(result, places);
+  if constexpr (is_weighted) {
+    for (const auto& [point, face] : found.hidden) result.hide(vertices[point], faces[face]);
   }
+  // Mostly the places are enough.
+  if (detail::is_certainly_delaunay(found, rounded)) return is_hull_convex(result, places);
+  if (!places.weights().empty()) return false;
   return is_embedded(result, places) && flip_until_delaunay(result, places);
 }
 

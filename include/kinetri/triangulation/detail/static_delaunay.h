@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Delaunay triangulation of static points in doubles, by CGAL's fastest kernel, as plain
-// numbers. A kinetic triangulation begins with that of the rounded places of its points, and checks
-// each triangle and edge for the points as they are.
+// The Delaunay triangulation of static points in doubles, or the regular one of weighted points, by
+// CGAL's fastest kernel, as plain numbers. A kinetic triangulation begins with that of the rounded
+// places of its points, and checks each triangle and edge for the points as they are.
 #ifndef KINETRI_TRIANGULATION_DETAIL_STATIC_DELAUNAY_H
 #define KINETRI_TRIANGULATION_DETAIL_STATIC_DELAUNAY_H
 
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kinetri/base/ids.h"
@@ -27,18 +28,27 @@ struct Static_delaunay {
   std::vector<Face> faces;
   /// The points in an order in which near ones follow one another.
   std::vector<Point_id> order;
+  /// The hidden points, and the position in `faces` of the one that each is above.
+  std::vector<std::pair<Point_id, std::uint32_t>> hidden;
+};
+
+/// Where points are, with their weights, if they differ, and bounds for the errors.
+struct Static_points {
+  std::span<const Vector_2> places;  ///< numbered from 0
+  std::span<const double> weights;   ///< the same; none without weights
+  double error = 0;                  ///< of each coordinate
+  double weight_error = 0;           ///< of each weight
 };
 
 /// The triangulation of the places, which are numbered from 0. Empty if there is none with a vertex
 /// for each place: if two places are equal, or all are on a line. Precondition: all coordinates are
 /// finite. O(n log n), some 0.5 microseconds a point.
-Static_delaunay static_delaunay(std::span<const Vector_2> places);
+Static_delaunay static_delaunay(const Static_points& points);
 
-/// Whether all triangles certainly turn left, and the certificates of all edges between two of them
-/// certainly hold, for points that are as near to the places as the error says. Several threads
-/// look.
-bool is_certainly_delaunay(const Static_delaunay& triangulation, std::span<const Vector_2> places,
-                           double error);
+/// Whether all triangles certainly turn left, the certificates of all edges between two of them
+/// certainly hold, and hidden points are certainly inside of and above their faces, for points that
+/// are as near to the places and weights as the errors say. Several threads look.
+bool is_certainly_delaunay(const Static_delaunay& triangulation, const Static_points& points);
 
 }  // namespace kinetri::detail
 

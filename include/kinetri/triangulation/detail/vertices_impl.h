@@ -119,7 +119,8 @@ void Kinetic_triangulation_2<Traits>::schedule_inside(std::span<const Edge> poly
 // the hull edges are flipped as in a static triangulation, before any certificate is made; what
 // violates its certificate at the hull has its event at the present time.
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& location) {
+void Kinetic_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& location,
+                                             Certificate_state state) {
   const auto& [face, locus, i] = location;
   KINETRI_ASSERT(locus != Triangulation::VERTEX, "the point is in the place of no other");
   const bool is_on_edge = locus == Triangulation::EDGE;
@@ -141,7 +142,7 @@ void Kinetic_triangulation_2<Traits>::put_in(Vertex_handle v, const Location& lo
   triangulation_.tds().delete_vertex(created);
   note_edges_at(v, 1);
   if (is_inside && weights_are_equal_) flip_link(v);
-  schedule_around(v);
+  schedule_around(v, state);
   if constexpr (is_weighted) {
     std::vector<Face_handle> around;
     detail::for_each_face_at(triangulation_, v, [&](Face_handle f) { around.push_back(f); });
@@ -224,17 +225,23 @@ void Kinetic_triangulation_2<Traits>::unschedule_around(Vertex_handle v,
 }
 
 // Schedules those edges of the faces at `v` that have no event. Two neighboring faces share an edge
-// at `v`, which is that of the first of them.
+// at `v`, which is that of the first of them; the certificates of these are in the given state.
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::schedule_around(Vertex_handle v) {
-  std::vector<Two_sided_edge> edges;
+void Kinetic_triangulation_2<Traits>::schedule_around(Vertex_handle v, Certificate_state state) {
+  std::vector<Two_sided_edge> at_vertex;
+  std::vector<Two_sided_edge> opposite;
   detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
     const int at = face->index(v);
-    for (const int i : {at, Triangulation::cw(at)}) {
-      if (face->event(i) == no_event) edges.push_back(two_sided(Edge(face, i)));
-    }
+    const int left = Triangulation::cw(at);
+    if (face->event(at) == no_event) opposite.push_back(two_sided(Edge(face, at)));
+    if (face->event(left) == no_event) at_vertex.push_back(two_sided(Edge(face, left)));
   });
-  schedule(edges, current_time());
+  if (state == Certificate_state::any) {
+    opposite.insert(opposite.end(), at_vertex.begin(), at_vertex.end());
+  } else {
+    schedule(at_vertex, current_time(), state);
+  }
+  schedule(opposite, current_time());
 }
 
 // Notes the finite edges at `v` as added (1) or removed (-1).
