@@ -11,10 +11,12 @@
 #include <map>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kinetri/base/ids.h"
 #include "support/motions.h"
+#include "support/query_oracle.h"
 
 namespace kinetri::test {
 
@@ -24,13 +26,18 @@ struct Region {
   std::vector<std::vector<Vector_2>> convex_parts;
 };
 
-/// The part of a polygon whose points are as near to `p` as to `q`, or nearer.
+/// A place, and the weight there.
+using Weighted_place = std::pair<Static_point, Rational>;
+
+/// The part of a polygon whose points are as near to `p` as to `q`, or nearer: have at most the
+/// power to it.
 inline std::vector<Static_point> nearer_part(const std::vector<Static_point>& polygon,
-                                             const Static_point& p, const Static_point& q) {
-  // Positive where nearer to q.
-  const auto excess = [&](const Static_point& v) {
-    return Rational(CGAL::squared_distance(v, p) - CGAL::squared_distance(v, q));
+                                             const Weighted_place& p, const Weighted_place& q) {
+  const auto power = [](const Static_point& v, const Weighted_place& r) {
+    return Rational(CGAL::squared_distance(v, r.first) - r.second);
   };
+  // Positive where nearer to q.
+  const auto excess = [&](const Static_point& v) { return Rational(power(v, p) - power(v, q)); };
   std::vector<Static_point> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Static_point& v = polygon[i];
@@ -63,11 +70,11 @@ inline Rational exact_area(const Region& region) {
   return sum;
 }
 
-/// The areas by id. Of points in one place the first has that of the cell.
-inline std::map<Point_id, Rational> exact_areas(const std::map<Point_id, Static_point>& places,
+/// The areas by id. Of points that are alike the first has that of the cell.
+inline std::map<Point_id, Rational> exact_areas(const std::map<Point_id, Weighted_place>& places,
                                                 const Region& region) {
   std::map<Point_id, Rational> result;
-  std::set<Static_point> seen;
+  std::set<Weighted_place> seen;
   for (const auto& [id, p] : places) {
     Rational& area = result[id];
     if (!seen.insert(p).second) continue;
@@ -85,9 +92,11 @@ inline std::map<Point_id, Rational> exact_areas(const std::map<Point_id, Static_
 
 /// The areas must be those of the exact cells, but for rounding: of a few units in the last place
 /// of `largest`, the largest coordinate of the region and the points, on each side.
-inline void expect_areas(std::span<const double> areas,
-                         const std::map<Point_id, Static_point>& places, const Region& region,
-                         double largest) {
+inline void expect_areas(std::span<const double> areas, const Query_oracle& oracle,
+                         const Region& region, double largest) {
+  std::map<Point_id, Weighted_place> places;
+  for (const auto& [id, p] : oracle.places())
+    places.emplace(id, Weighted_place(p, oracle.weight(id)));
   double perimeter = 0;
   for (std::size_t i = 0; i < region.polygon.size(); ++i) {
     const Vector_2& v = region.polygon[i];
@@ -97,7 +106,7 @@ inline void expect_areas(std::span<const double> areas,
   const double error = 0x1p-49 * largest * perimeter;
   const auto expected = exact_areas(places, region);
   double sum = 0;
-  std::set<Static_point> seen;
+  std::set<Weighted_place> seen;
   for (Point_id id = 0; id < areas.size(); ++id) {
     SCOPED_TRACE(testing::Message() << "area of " << id);
     sum += areas[id];

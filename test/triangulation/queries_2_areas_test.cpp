@@ -46,7 +46,7 @@ void expect_areas_in_all_regions(const Kinetic_delaunay& kinetic, const Algebrai
   for (const Region& region : regions()) {
     const auto areas = queries.rounded_voronoi_areas(region.polygon);
     ASSERT_EQ(areas.size(), kinetic.next_id());
-    ASSERT_NO_FATAL_FAILURE(expect_areas(areas, oracle.places(), region, 40));
+    ASSERT_NO_FATAL_FAILURE(expect_areas(areas, oracle, region, 40));
   }
 }
 

@@ -66,8 +66,8 @@ TEST(Queries, at_an_irrational_time_are_answered_as_right_beside_it) {
           // At the time of a flip there is a side less than beside it, whose ends round alike; at
           // that of a hull event, where three points are collinear, a vertex less, which is far.
           std::vector<Vector_2> vertices;
-          const auto sides = oracle.cell(id);
-          for (const auto& [other, side] : sides) {
+          const auto expected = oracle.cell(id);
+          for (const auto& [other, side] : expected.sides) {
             if (!side.target || CGAL::abs(side.target->x()) + CGAL::abs(side.target->y()) > far) {
               continue;
             }

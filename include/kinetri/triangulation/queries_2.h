@@ -8,6 +8,9 @@
 // (just after the current time, just before a later one), where it is properly embedded. What it
 // finds there is, at the time itself, an answer or connected with an answer by edges; the decision
 // is made for the time itself (docs/MATH.md, section 10).
+//
+// Of points with weights, such as discs, the power takes the place of the distance: the power of a
+// position to a point is the squared distance minus the weight of the point at the time.
 #ifndef KINETRI_TRIANGULATION_QUERIES_2_H
 #define KINETRI_TRIANGULATION_QUERIES_2_H
 
@@ -50,26 +53,42 @@ struct Location_2 {
 };
 
 /// A Voronoi cell: the convex region of all positions that are at least as near to a point as to
-/// any other point. `Position` is Exact_position_2, or Vector_2 for rounded coordinates. Coinciding
-/// points have the same cell.
+/// any other point; of points with weights the power cell, of all positions whose power to the
+/// point is at most that to any other point. `Position` is Exact_position_2, or Vector_2 for
+/// rounded coordinates. Coinciding points have the same cell, if their weights are equal.
+///
+/// A power cell may be empty, and at some times it has no area. A cell that is a segment, a ray or
+/// a line has two sides: the same one, seen from its left and from its right. A cell that is a
+/// single position has no side, and one vertex.
 template <class Position>
 struct Voronoi_cell_2 {
   /// The neighbor across each side, counterclockwise; for coinciding points the smallest id. All
-  /// sides have positive length. A bounded cell begins with a nearest point, an unbounded cell with
-  /// the side that comes from infinity.
+  /// sides have positive length. A bounded cell begins with a nearest one of these neighbors, of
+  /// equally near ones the smallest id; an unbounded cell with the side that comes from infinity.
+  /// With weights several points may have one radical axis with the point: named is that one whose
+  /// cell has an area beside the side, which is the farthest.
   std::vector<Point_id> neighbors = {};
   /// vertices[i] is the end of side i and the start of the next side. Before rounding no two are
   /// equal. A bounded cell has as many vertices as sides, an unbounded cell has one fewer. Without
-  /// vertices each side is a whole bisector, and the cell is a half plane (one side), a strip (two
-  /// sides), or the plane (no side).
+  /// vertices each side is a whole bisector, and the cell is a half plane (one side), a strip or a
+  /// line (two sides), the plane (no side), or empty.
   std::vector<Position> vertices = {};
   /// For an unbounded cell with sides: the directions in which the first and the last side go to
   /// infinity, each as long as the vector from the point to the neighbor across that side.
   std::optional<std::array<Position, 2>> rays = std::nullopt;
+  /// Whether there is no such position, as for a hidden point: only with weights. All else is empty
+  /// then.
+  bool is_empty = false;
 
-  /// Whether the cell is bounded. Cells of points on the boundary of the convex hull are unbounded.
-  bool is_bounded() const { return !rays && !neighbors.empty(); }
+  /// Whether the cell is bounded, or empty. Cells of points on the boundary of the convex hull are
+  /// unbounded.
+  bool is_bounded() const { return !rays && (is_empty || !vertices.empty()); }
 };
+
+/// Traits of points without weights: the edges of their triangulation know the nearest neighbor of
+/// each point, and the closest pair. Those of a regular triangulation do not.
+template <class Traits>
+concept HasNearestNeighbors = !WeightedKineticTraits_2<Traits>;
 
 /// Queries at one time. A small object: it holds a reference to the triangulation and a time. Use
 /// it only while the triangulation does not change, and not in an observer. Several threads may ask
@@ -77,7 +96,11 @@ struct Voronoi_cell_2 {
 ///
 /// A query position is two binary64 numbers, taken exactly. The functions throw Precondition_error
 /// if a position is not finite, if no point has a given id, or if an event has happened since this
-/// object was constructed.
+/// object was constructed. (With weights also if a hidden point has come to another triangle since:
+/// next_event_time() is a time of that, too.)
+///
+/// A point that is hidden beside the time has no edges: `locate` does not find it. Whether its cell
+/// is empty at the time itself is decided for that time.
 ///
 /// A walk through the triangulation takes expected O(sqrt(n)) predicates, O(n) in the worst case;
 /// it does not start near the query position.
@@ -101,36 +124,45 @@ class Kinetic_queries_2 {
   /// The time of the queries.
   const Time& time() const { return time_; }
 
-  /// The point nearest to the position; of equally near points the smallest id; none if there are
-  /// no points. Cost: a walk, and the degrees of the equally near points.
+  /// The point nearest to the position, or with weights of the least power there; of several such
+  /// points the smallest id, be it hidden beside the time or not; none if there are no points.
+  /// Cost: a walk, and the degrees of those points.
   std::optional<Point_id> nearest_vertex(const Vector_2& place) const;
 
   /// The triangle, edge or point at the position. If flat triangles overlap there, an edge without
   /// points between its ends. Cost: a walk, and the number of faces that contain the position; for
-  /// a position outside the hull on the line of a hull edge also the number of hull edges.
+  /// a position outside the hull on the line of a hull edge also the number of hull edges. O(n) if
+  /// all points are collinear at all times.
   Location_2 locate(const Vector_2& place) const;
 
   /// The points with an edge to `point`, counterclockwise: for an inner point the smallest id
   /// first, for a hull point from one hull neighbor to the other. If all points are collinear at
-  /// all times, in ascending order. At a degenerate time other Delaunay triangulations exist, with
-  /// other edges; voronoi_cell gives the neighbors that all of them have. Cost: O(degree).
+  /// all times, in ascending order. None of a hidden point. At a degenerate time other Delaunay
+  /// triangulations exist, with other edges; voronoi_cell gives the neighbors that all of them
+  /// have. Cost: O(degree).
   std::vector<Point_id> neighbors(Point_id point) const;
 
   /// The exact Voronoi cell of the point `id`. Precondition: the time is known to be rational
   /// (Algebraic_number::is_known_rational); a binary64 number is. Cost: for degree d, O(d log d)
-  /// predicates, and one exact evaluation per vertex.
+  /// predicates, and one exact evaluation per vertex; with weights O(d^2) predicates where the
+  /// point is not inside its own cell, and d counts the edges of all points that bound a cell
+  /// without area. A hidden point costs O(1) predicates, but at the times at which it appears or
+  /// vanishes.
   Voronoi_cell_2<Exact_position_2> voronoi_cell(Point_id id) const;
 
   /// The Voronoi cell at any time. Its sides are decided exactly; each coordinate is rounded to the
   /// nearest binary64 number, ties to even. Cost: O(d) floating-point operations, a microsecond or
   /// two. Exact arithmetic, as in voronoi_cell, decides where triangles are flat or points
-  /// coincide, and rounds coordinates that are too near to the middle of two binary64 numbers.
+  /// coincide, and rounds coordinates that are too near to the middle of two binary64 numbers; with
+  /// weights always.
   Voronoi_cell_2<Vector_2> rounded_voronoi_cell(Point_id id) const;
 
-  /// The area of each point's Voronoi cell within a polygon, by id: of the region of the polygon in
-  /// which nearest_vertex is that point. So of coinciding points the smallest id has the area of
-  /// the common cell, and the others have 0; and so has an id without a point. The areas sum to
-  /// that of the polygon, if there is a point. next_id() numbers.
+  /// The area of each point's Voronoi cell (with weights: power cell) within a polygon, by id: of
+  /// the region of the polygon in which nearest_vertex is that point. So of coinciding points, of
+  /// equal weights, the smallest id has the area of the common cell, and the others have 0; and so
+  /// has a point whose cell is empty, or an id without a point. The areas sum to that of the
+  /// polygon, if there is a point. next_id() numbers.
+  ///
   ///
   /// `polygon` has its vertices in either order, the last not being the first again; it need not
   /// be convex, and points may be outside of it. Of a box: Box_2::corners. The sides of the cells
@@ -144,18 +176,21 @@ class Kinetic_queries_2 {
   /// for each of its first sides, and some hundred altogether where m is small.
   std::vector<double> rounded_voronoi_areas(std::span<const Vector_2> polygon) const;
 
+  // Distances between points: not with weights. An edge of a regular triangulation tells neither
+  // which centers nor which rims are the nearest to each other (docs/MATH.md, section 10).
+
   /// The point nearest to the point `id`, that one excepted; of equally near points the smallest
   /// id; none if there is no other point. Cost: O(degree) floating-point operations, and exact
   /// comparisons where these do not decide.
-  std::optional<Point_id> nearest_neighbor(Point_id id) const;
+  std::optional<Point_id> nearest_neighbor(Point_id id) const requires HasNearestNeighbors<Traits>;
 
   /// The nearest_neighbor of each point, by id; no_point where there is none. next_id() ids.
-  std::vector<Point_id> nearest_neighbors() const;
+  std::vector<Point_id> nearest_neighbors() const requires HasNearestNeighbors<Traits>;
 
   /// The pair of points nearest to each other; of several such pairs the first in the order of
   /// Edge_ids; none for fewer than two points. Cost: O(n) floating-point operations, and exact
   /// comparisons of the edges that these cannot distinguish from the shortest.
-  std::optional<Edge_ids> closest_pair() const;
+  std::optional<Edge_ids> closest_pair() const requires HasNearestNeighbors<Traits>;
 
   /// The positions of all points: x and y of the point `id` at 2 * id and 2 * id + 1, each rounded
   /// to the nearest binary64 number, ties to even; NaN at an id without a point. 2 * next_id()
@@ -170,10 +205,23 @@ class Kinetic_queries_2 {
   using Face_handle = typename Kinetic::Face_handle;
   using Instantaneous_traits = typename Kinetic::Instantaneous_traits;
 
-  /// The points across the sides of a Voronoi cell, counterclockwise.
+  static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
+
+  /// A cell, of a point v: the points across its sides, counterclockwise, and its corners, each as
+  /// two points that have the same distance from it, or power, as v.
   struct Sides {
-    std::vector<Vertex_handle> across;
+    std::vector<Vertex_handle> across = {};
+    std::vector<std::array<Vertex_handle, 2>> corners = {};
     bool is_bounded = false;
+    bool is_empty = false;
+  };
+  /// The part of the boundary of a half plane that is in others: a segment, or one position. The
+  /// points whose half planes end it at its right and its left end, seen from the point that it is
+  /// about; none at infinity.
+  struct Part_of_line {
+    Vertex_handle right;
+    Vertex_handle left;
+    bool is_one_position = false;
   };
   /// A neighbor of a point, as ball arithmetic knows it.
   struct Neighbor {
@@ -192,6 +240,7 @@ class Kinetic_queries_2 {
   };
 
   const Topology& topology() const { return kinetic_.triangulation(); }
+  std::uint64_t number_of_changes() const;
   void check_is_current() const;
   Vertex_handle vertex(Point_id id) const;
   static Point_2 resting_point(const Vector_2& place);
@@ -201,13 +250,22 @@ class Kinetic_queries_2 {
   void for_each_neighbor(Vertex_handle v, Function function) const;
   template <class Belongs>
   std::vector<Vertex_handle> connected(Vertex_handle v, Belongs belongs) const;
+  template <class Belongs>
+  std::vector<Vertex_handle> connected_or_hidden(Vertex_handle v, Belongs belongs) const;
+  template <class Function>
+  void for_each_hidden_near(Vertex_handle v, Function function) const;
+  Vertex_handle visible_near(const Point_2& place) const;
   std::vector<Point_id> all_at(Vertex_handle v) const;
   std::vector<Vertex_handle> all_nearest(const Point_2& query) const;
 
   // At the time itself.
   bool coincide(const Point_2& p, const Point_2& q) const;
+  bool are_alike(const Point_2& p, const Point_2& q) const;
+  bool is_lighter(const Point_2& p, const Point_2& q) const;
   bool is_strictly_between(const Point_2& p, const Point_2& q, const Point_2& r) const;
   Comparison_result compare_distance(const Point_2& p, const Point_2& q, const Point_2& r) const;
+  static Comparison_result compare_power(const Instantaneous_traits& instant, const Point_2& p,
+                                         const Point_2& q, const Point_2& r);
 
   // In ball arithmetic at the time, where that decides.
   detail::Ball_2 ball_place(Vertex_handle v, const detail::Ball& t) const;
@@ -231,12 +289,27 @@ class Kinetic_queries_2 {
   bool is_shorter(const std::array<Vertex_handle, 2>& e, const std::array<Vertex_handle, 2>& f,
                   const Point_2& query) const;
 
-  // Voronoi cells.
+  // Sides of Voronoi cells.
   Sides sides(Vertex_handle v) const;
-  std::vector<Vertex_handle> by_direction(Vertex_handle v) const;
+  std::vector<Vertex_handle> first_candidates(Vertex_handle v) const;
+  Sides intersection(Vertex_handle v, const std::vector<Vertex_handle>& candidates) const;
+  std::vector<Vertex_handle> by_direction(Vertex_handle v,
+                                          const std::vector<Vertex_handle>& candidates) const;
+  Sides sides_around(Vertex_handle v, std::vector<Vertex_handle> candidates) const;
+  Sides sides_of_lines(Vertex_handle v, const std::vector<Vertex_handle>& candidates) const;
+  std::optional<Part_of_line> part_of_line(Vertex_handle v, Vertex_handle u,
+                                           const std::vector<Vertex_handle>& others) const;
+  bool is_inside_own_cell(Vertex_handle v, const std::vector<Vertex_handle>& candidates) const;
   bool is_left_turn(Vertex_handle p, Vertex_handle q, Vertex_handle r) const;
+  Sign beyond_line(Vertex_handle v, Vertex_handle u, Vertex_handle w) const;
+  bool is_on_all_of(const Sides& sides, Vertex_handle v, Vertex_handle u) const;
+  bool is_on_line(Vertex_handle v, Vertex_handle u, Vertex_handle w) const;
+  Vertex_handle named_across(Vertex_handle v, Vertex_handle u) const;
+
+  // Voronoi cells.
+  Trajectory_2 center(Vertex_handle v, Vertex_handle a, Vertex_handle b) const;
   template <class Position, class Center, class Evaluate>
-  Voronoi_cell_2<Position> cell(Vertex_handle v, Center center, Evaluate position) const;
+  Voronoi_cell_2<Position> cell(Vertex_handle v, Center center_at, Evaluate position) const;
   Trajectory_2 ray(Vertex_handle v, Vertex_handle u, bool to_left) const;
   bool find_ring(Vertex_handle v, std::vector<Ring_entry>& ring) const;
   bool are_alone(std::vector<Ring_entry>& ring, const detail::Ball& t) const;
@@ -251,17 +324,24 @@ class Kinetic_queries_2 {
                                                       const std::vector<detail::Ball_2>& places,
                                                       const Vector_2& origin) const;
   std::vector<detail::Ball_2> ball_places() const;
-  Vector_2 scaled_vector(Vertex_handle v, Vertex_handle u) const;
+  struct Scaled_vector {
+    Vector_2 vector;
+    int exponent = 0;
+  };
+  Scaled_vector scaled_vector(Vertex_handle v, Vertex_handle u) const;
+  double weight_difference(Vertex_handle v, Vertex_handle u) const;
 
   const Kinetic& kinetic_;
   Time time_;
-  std::uint64_t number_of_events_;  // of the triangulation, when this object was made
-  Instantaneous_traits at_;         // the time
-  Instantaneous_traits beside_;     // the side of it at which the triangulation is Delaunay
+  std::uint64_t changes_;        // of the triangulation, when this object was made
+  Instantaneous_traits at_;      // the time
+  Instantaneous_traits beside_;  // the side of it at which the triangulation is Delaunay
 };
 
 extern template class Kinetic_queries_2<Linear_kinetic_traits_2>;
 extern template class Kinetic_queries_2<Polynomial_kinetic_traits_2>;
+extern template class Kinetic_queries_2<Disc_kinetic_traits_2>;
+extern template class Kinetic_queries_2<Polynomial_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/queries_2.h"
 
 namespace kinetri {
@@ -20,7 +21,7 @@ Kinetic_queries_2<Traits>::Kinetic_queries_2(const Kinetic_triangulation_2<Trait
                                              const Time& time)
     : kinetic_(triangulation),
       time_(time),
-      number_of_events_(triangulation.counters().number_of_events()),
+      changes_(number_of_changes()),
       at_(triangulation.traits().instantaneous_traits({time, Time_side::at})),
       beside_(triangulation.traits().instantaneous_traits(
           {time, time == triangulation.current_time() ? Time_side::after : Time_side::before})) {
@@ -34,9 +35,16 @@ Kinetic_queries_2<Traits>::Kinetic_queries_2(const Kinetic_triangulation_2<Trait
 
 // ---- helpers ----
 
+// Hidden points go from triangle to triangle without events.
+template <KineticTraits_2 Traits>
+std::uint64_t Kinetic_queries_2<Traits>::number_of_changes() const {
+  const Triangulation_counters& counters = kinetic_.counters();
+  return counters.number_of_events() + (is_weighted ? counters.instants : 0);
+}
+
 template <KineticTraits_2 Traits>
 void Kinetic_queries_2<Traits>::check_is_current() const {
-  KINETRI_PRECONDITION(kinetic_.counters().number_of_events() == number_of_events_,
+  KINETRI_PRECONDITION(number_of_changes() == changes_,
                        "the triangulation has changed since these queries were made; make new ones "
                        "after an event");
 }
@@ -81,10 +89,74 @@ auto Kinetic_queries_2<Traits>::connected(Vertex_handle v, Belongs belongs) cons
   return result;
 }
 
+// Calls `function` with each hidden vertex of the faces at `v`; below dimension 2 with all.
+template <KineticTraits_2 Traits>
+template <class Function>
+void Kinetic_queries_2<Traits>::for_each_hidden_near(Vertex_handle v, Function function) const {
+  if constexpr (is_weighted) {
+    if (topology().number_of_hidden_vertices() == 0) return;
+    if (topology().dimension() == 2) {
+      return detail::for_each_face_at(topology(), v, [&](Face_handle face) {
+        for (const Vertex_handle h : face->vertex_list()) function(h);
+      });
+    }
+    for (auto h = topology().hidden_vertices_begin(); h != topology().hidden_vertices_end(); ++h) {
+      function(Vertex_handle(h));
+    }
+  }
+}
+
+// The same as `connected`, and the hidden vertices of the set that belong to a face at one of
+// those. A vertex may come several times.
+template <KineticTraits_2 Traits>
+template <class Belongs>
+auto Kinetic_queries_2<Traits>::connected_or_hidden(Vertex_handle v, Belongs belongs) const
+    -> std::vector<Vertex_handle> {
+  std::vector<Vertex_handle> result = connected(v, belongs);
+  const std::size_t visible = result.size();
+  for (std::size_t i = 0; i < visible; ++i) {
+    for_each_hidden_near(result[i], [&](Vertex_handle h) {
+      if (belongs(h)) result.push_back(h);
+    });
+  }
+  return result;
+}
+
+// A vertex that is not hidden, and probably near the place. Precondition: there is a point.
+template <KineticTraits_2 Traits>
+auto Kinetic_queries_2<Traits>::visible_near(const Point_2& place) const -> Vertex_handle {
+  const Vertex_handle v = kinetic_.vertex_near(place);
+  if constexpr (is_weighted) {
+    if (v->is_hidden()) {
+      return topology().dimension() < 1 ? topology().finite_vertex() : v->face()->vertex(0);
+    }
+  }
+  return v;
+}
+
 template <KineticTraits_2 Traits>
 bool Kinetic_queries_2<Traits>::coincide(const Point_2& p, const Point_2& q) const {
   return at_.compare_x_2_object()(p, q) == CGAL::EQUAL &&
          at_.compare_y_2_object()(p, q) == CGAL::EQUAL;
+}
+
+// Whether the two have one place and, with weights, one weight.
+template <KineticTraits_2 Traits>
+bool Kinetic_queries_2<Traits>::are_alike(const Point_2& p, const Point_2& q) const {
+  if (!coincide(p, q)) return false;
+  if constexpr (is_weighted) {
+    return at_.power_side_of_oriented_power_circle_2_object()(p, q) == CGAL::ON_ORIENTED_BOUNDARY;
+  }
+  return true;
+}
+
+// Whether p has less weight than q. Precondition: the two coincide.
+template <KineticTraits_2 Traits>
+bool Kinetic_queries_2<Traits>::is_lighter(const Point_2& p, const Point_2& q) const {
+  if constexpr (is_weighted) {
+    return at_.power_side_of_oriented_power_circle_2_object()(p, q) == CGAL::ON_POSITIVE_SIDE;
+  }
+  return false;
 }
 
 template <KineticTraits_2 Traits>
@@ -100,39 +172,53 @@ Comparison_result Kinetic_queries_2<Traits>::compare_distance(const Point_2& p, 
   return at_.compare_distance_2_object()(p, q, r);
 }
 
-// The ids of all points that coincide with that of `v` at the time, which is one of them, in
-// ascending order. Beside the time they are connected by edges.
+// How the distance from p to q compares with that from p to r; with weights of these the power of
+// the place of p to them.
+template <KineticTraits_2 Traits>
+Comparison_result Kinetic_queries_2<Traits>::compare_power(const Instantaneous_traits& instant,
+                                                           const Point_2& p, const Point_2& q,
+                                                           const Point_2& r) {
+  if constexpr (is_weighted) {
+    return instant.compare_power_distance_2_object()(p, q, r);
+  } else {
+    return instant.compare_distance_2_object()(p, q, r);
+  }
+}
+
+// The ids of all points that are alike that of `v` at the time, which is one of them, in ascending
+// order. Beside the time those with a cell are connected by edges, if the common cell has an area.
 template <KineticTraits_2 Traits>
 std::vector<Point_id> Kinetic_queries_2<Traits>::all_at(Vertex_handle v) const {
   std::vector<Point_id> result;
   for (const Vertex_handle u :
-       connected(v, [&](Vertex_handle w) { return coincide(w->point(), v->point()); })) {
+       connected_or_hidden(v, [&](Vertex_handle w) { return are_alike(w->point(), v->point()); })) {
     result.push_back(id(u));
   }
   std::ranges::sort(result);
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
 // ---- the nearest point ----
 
-// The points that are nearest to the query at the time. A vertex that is not nearest has a neighbor
-// that is nearer, so going to nearer ones ends at the nearest one beside the time; by continuity
-// that is a nearest one at the time. The others are in the same circle about the query, and the
-// vertices in a circle are connected by edges.
+// The points that are nearest to the query at the time, or of the least power. A vertex that is not
+// nearest has a neighbor that is nearer, so going to nearer ones ends at the nearest one beside the
+// time; by continuity that is a nearest one at the time. The others are in the same circle about
+// the query, and the vertices in a circle are connected by edges. A hidden point that is nearest is
+// in a face at one of them.
 template <KineticTraits_2 Traits>
 auto Kinetic_queries_2<Traits>::all_nearest(const Point_2& query) const
     -> std::vector<Vertex_handle> {
   if (kinetic_.number_of_points() == 0) return {};
-  const auto compare_beside = beside_.compare_distance_2_object();
-  Vertex_handle nearest = kinetic_.vertex_near(query);
+  Vertex_handle nearest = visible_near(query);
   for (Vertex_handle before; nearest != before;) {
     before = nearest;
     for_each_neighbor(before, [&](Vertex_handle u) {
-      if (compare_beside(query, u->point(), nearest->point()) == CGAL::SMALLER) nearest = u;
+      if (compare_power(beside_, query, u->point(), nearest->point()) == CGAL::SMALLER) nearest = u;
     });
   }
-  return connected(nearest, [&](Vertex_handle u) {
-    return compare_distance(query, u->point(), nearest->point()) == CGAL::EQUAL;
+  return connected_or_hidden(nearest, [&](Vertex_handle u) {
+    return compare_power(at_, query, u->point(), nearest->point()) == CGAL::EQUAL;
   });
 }
 
@@ -163,7 +249,7 @@ Location_2 Kinetic_queries_2<Traits>::locate(const Vector_2& place) const {
 template <KineticTraits_2 Traits>
 auto Kinetic_queries_2<Traits>::find_face(const Point_2& query) const -> Face_handle {
   const auto orientation = beside_.orientation_2_object();
-  Face_handle face = kinetic_.vertex_near(query)->face();
+  Face_handle face = visible_near(query)->face();
   if (topology().is_infinite(face))
     face = face->neighbor(face->index(topology().infinite_vertex()));
   Face_handle previous;
@@ -278,14 +364,13 @@ bool Kinetic_queries_2<Traits>::is_shorter(const std::array<Vertex_handle, 2>& e
          edge_ids(id(e[0]), id(e[1])) < edge_ids(id(f[0]), id(f[1]));
 }
 
-// Without faces. The point next to the query on the line of all points is nearest to it, or the one
-// on its other side is; of either, the edges at all points that coincide there are looked at. One
-// of them, in a chain, leads to the other side.
+// Without faces: all points are on a line, and the edges are between successive ones. Only one of
+// them, or none, has the query strictly between its ends.
 template <KineticTraits_2 Traits>
 Location_2 Kinetic_queries_2<Traits>::location_on_line(const Point_2& query) const {
   std::optional<Point_id> point;
   std::optional<Edge_ids> edge;
-  for (const Vertex_handle v : all_nearest(query)) {
+  for (const Vertex_handle v : topology().finite_vertex_handles()) {
     if (coincide(v->point(), query)) point = std::min(point.value_or(no_point), id(v));
     for_each_neighbor(v, [&](Vertex_handle u) {
       if (!is_strictly_between(v->point(), query, u->point())) return;
@@ -304,6 +389,7 @@ template <KineticTraits_2 Traits>
 std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const {
   const Vertex_handle v = vertex(point);
   std::vector<Point_id> result;
+  if (kinetic_.is_hidden(point)) return result;
   if (topology().dimension() < 2) {
     for_each_neighbor(v, [&](Vertex_handle u) { result.push_back(id(u)); });
     std::ranges::sort(result);
@@ -331,5 +417,6 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const
 #include "kinetri/triangulation/detail/nearest_neighbor_impl.h"
 #include "kinetri/triangulation/detail/voronoi_areas_impl.h"
 #include "kinetri/triangulation/detail/voronoi_cell_impl.h"
+#include "kinetri/triangulation/detail/voronoi_sides_impl.h"
 
 #endif  // KINETRI_TRIANGULATION_QUERIES_2_IMPL_H

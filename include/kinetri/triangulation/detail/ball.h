@@ -16,6 +16,7 @@
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/base/compiler.h"
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
@@ -198,6 +199,20 @@ inline Ball_2 ball_place(const Polynomial_motion_2& motion, const Ball& t) {
 template <class Motion>
 Ball_2 ball_place(const Motion& /*motion*/, const Ball& /*t*/) {
   return {Ball::unknown(), Ball::unknown()};
+}
+
+/// Contains the weight of a disc at the time that `t` contains.
+template <class CentreMotion>
+Ball ball_weight(const Basic_disc_motion_2<CentreMotion>& disc, const Ball& t) {
+  const Ball radius = disc.growth == 0
+                          ? Ball(disc.radius)
+                          : Ball(disc.radius) + Ball(disc.growth) * (t - Ball(disc.epoch));
+  return radius * radius + Ball(disc.weight);
+}
+/// Of another motion nothing is known.
+template <class Motion>
+Ball ball_weight(const Motion& /*motion*/, const Ball& /*t*/) {
+  return Ball::unknown();
 }
 
 /// A place whose coordinates are off by at most `error` each.

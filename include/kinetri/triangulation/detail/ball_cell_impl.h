@@ -73,9 +73,7 @@ Vector_2 Kinetic_queries_2<Traits>::rounded_center(
   if (center) {
     if (const auto known = detail::rounded({here.x + center->x, here.y + center->y})) return *known;
   }
-  return rounded_position(
-      at_.construct_circumcenter_2_object()(v->point(), a.vertex->point(), b.vertex->point())
-          .trajectory());
+  return rounded_position(this->center(v, a.vertex, b.vertex));
 }
 
 // The finite neighbors of `v` counterclockwise, from infinity to infinity where `v` is on the hull.
@@ -157,7 +155,7 @@ bool Kinetic_queries_2<Traits>::has_no_length(Vertex_handle v, const Ring_entry&
 template <KineticTraits_2 Traits>
 std::optional<Voronoi_cell_2<Vector_2>> Kinetic_queries_2<Traits>::ball_cell(
     Vertex_handle v) const {
-  if (topology().dimension() < 2) return std::nullopt;
+  if (is_weighted || topology().dimension() < 2) return std::nullopt;
   const detail::Ball t = detail::ball_of(time_);
   std::vector<Ring_entry> ring;
   ring.reserve(10);
@@ -216,12 +214,14 @@ Voronoi_cell_2<Vector_2> Kinetic_queries_2<Traits>::rounded_voronoi_cell(Point_i
   if (auto result = ball_cell(v)) return *std::move(result);
   const detail::Ball t = detail::ball_of(time_);
   const detail::Ball_2 here = ball_place(v, t);
-  const auto center = [&](Vertex_handle u, Vertex_handle w) {
+  const auto center_at = [&](Vertex_handle u, Vertex_handle w) {
+    if constexpr (is_weighted) return rounded_position(center(v, u, w));
     const Neighbor a = neighbor_at(here, u, t);
     const Neighbor b = neighbor_at(here, w, t);
     return rounded_center(v, here, a, b, detail::circumcenter(a, b));
   };
-  return cell<Vector_2>(v, center, [&](const Trajectory_2& ray) { return rounded_position(ray); });
+  return cell<Vector_2>(v, center_at,
+                        [&](const Trajectory_2& ray) { return rounded_position(ray); });
 }
 
 template <KineticTraits_2 Traits>
@@ -230,11 +230,13 @@ std::vector<double> Kinetic_queries_2<Traits>::rounded_positions() const {
   const detail::Ball t = detail::ball_of(time_);
   std::vector<double> result(2 * std::size_t{kinetic_.next_id()},
                              std::numeric_limits<double>::quiet_NaN());
-  for (const Vertex_handle v : topology().finite_vertex_handles()) {
+  for (Point_id id = 0; id < kinetic_.next_id(); ++id) {
+    if (!kinetic_.contains(id)) continue;
+    const Vertex_handle v = kinetic_.vertex(id);
     const auto known = detail::rounded(ball_place(v, t));
     const Vector_2 place = known ? *known : rounded_position(v->point().trajectory());
-    result[2 * std::size_t{id(v)}] = place.x;
-    result[2 * std::size_t{id(v)} + 1] = place.y;
+    result[2 * std::size_t{id}] = place.x;
+    result[2 * std::size_t{id} + 1] = place.y;
   }
   return result;
 }

@@ -30,7 +30,7 @@ inline std::optional<Comparison_result> compare(const Ball& a, const Ball& b) {
 
 template <KineticTraits_2 Traits>
 detail::Ball_2 Kinetic_queries_2<Traits>::ball_place(Vertex_handle v, const detail::Ball& t) const {
-  return detail::ball_place(v->point().motion(), t);
+  return detail::ball_place(centre(v->point().motion()), t);
 }
 
 // ---- nearest neighbors ----
@@ -39,7 +39,7 @@ template <KineticTraits_2 Traits>
 detail::Approximate_place Kinetic_queries_2<Traits>::approximate_place(
     Vertex_handle v, const detail::Ball& t) const {
   if (!is_known_well(t)) return {};
-  return detail::approximate_place(v->point().motion(), t.high);
+  return detail::approximate_place(centre(v->point().motion()), t.high);
 }
 
 // The first of all_at(v). Where no neighbor of `v` coincides with it, no other point does.
@@ -92,12 +92,14 @@ std::optional<Point_id> Kinetic_queries_2<Traits>::nearest_neighbor(Vertex_handl
 }
 
 template <KineticTraits_2 Traits>
-std::optional<Point_id> Kinetic_queries_2<Traits>::nearest_neighbor(Point_id id) const {
+std::optional<Point_id> Kinetic_queries_2<Traits>::nearest_neighbor(Point_id id) const requires
+    HasNearestNeighbors<Traits> {
   return nearest_neighbor(vertex(id), detail::ball_of(time_));
 }
 
 template <KineticTraits_2 Traits>
-std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors() const {
+std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors() const requires
+    HasNearestNeighbors<Traits> {
   check_is_current();
   const detail::Ball t = detail::ball_of(time_);
   std::vector<Point_id> result(kinetic_.next_id(), no_point);
@@ -134,7 +136,8 @@ Comparison_result Kinetic_queries_2<Traits>::compare_lengths(const Edge_ids& a,
 // Two points as near as any others are alone in the circle about them, so that they have an edge;
 // but of points that coincide not every two have one.
 template <KineticTraits_2 Traits>
-std::optional<Edge_ids> Kinetic_queries_2<Traits>::closest_pair() const {
+std::optional<Edge_ids> Kinetic_queries_2<Traits>::closest_pair() const requires
+    HasNearestNeighbors<Traits> {
   check_is_current();
   const detail::Ball t = detail::ball_of(time_);
   std::optional<Edge_ids> closest;
