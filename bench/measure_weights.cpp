@@ -63,10 +63,10 @@ json measure_weights(const Setup& setup) {
     equal.push_back({motion, neighbor_distance / 4, 0, 0});
   const auto seed = static_cast<unsigned>(setup.options.seed);
   // Squares of radii up to a tenth of the distance of neighbors hide few points; a spread of
-  // weights of the square of 1.5 distances hides about half.
+  // weights of up to six such squares hides about half.
   const double square = neighbor_distance * neighbor_distance;
   const auto unequal = weighted(motions, seed, [&](double u) { return 0.01 * square * u; });
-  const auto hiding = weighted(motions, seed, [&](double u) { return 2.25 * square * u; });
+  const auto hiding = weighted(motions, seed, [&](double u) { return 6 * square * u; });
   return median_round([&]() -> json {
     const Run delaunay = run<Delaunay>(motions, setup.until);
     const Run same = run<Regular>(equal, setup.until);

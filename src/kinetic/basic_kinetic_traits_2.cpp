@@ -325,7 +325,12 @@ Certificate Basic_kinetic_traits_2<Motion>::hiding_certificate(
 
 template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::meeting_certificate(
-    const Point_2& p, const Point_2& q, const Time& t) const requires HasWeight<Motion> {
+    const Point_2& p, const Point_2& q, const Time& t,
+    const Double_interval& among) const requires HasWeight<Motion> {
+  if (arithmetic_ == Arithmetic::filtered &&
+      certainly_apart(centre(p.motion()), centre(q.motion()), among)) {
+    return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::filter};
+  }
   return exact_certificate(
       coincidence_time(x_difference(p, q), y_difference(p, q), Polynomial(), t), true);
 }

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "kinetri/io/points_file.h"
+#include "kinetri/triangulation/kinetic_regular_triangulation_2.h"
 #include "support/kinetic_runs.h"
 #include "support/same_run.h"
 #include "support/triangles.h"
@@ -54,7 +55,8 @@ struct Degenerate_case {
   std::optional<std::size_t> events;
 };
 
-void run(Kinetic_delaunay& kinetic, const std::optional<Algebraic_number>& until) {
+template <class Kinetic>
+void run(Kinetic& kinetic, const std::optional<Algebraic_number>& until) {
   if (until) {
     kinetic.advance_to(*until);
   } else {
@@ -180,6 +182,19 @@ TEST_P(Degenerate_corpus, has_the_same_events_without_filters) {
   run(exact, input.until);
   EXPECT_EQ(test::difference(one.events, other.events), "");
   EXPECT_EQ(exact.certificate_counters().filter_decided, 0u);
+}
+
+TEST_P(Degenerate_corpus, has_the_same_events_for_discs_of_one_size) {
+  Kinetic_delaunay delaunay(input.motions);
+  std::vector<Disc_motion_2> discs;
+  for (const Linear_motion_2& motion : input.motions) discs.push_back({motion, 0.5, 0, 0});
+  Kinetic_regular_triangulation_2<> regular(discs);
+  Event_recorder one(delaunay);
+  Event_recorder other(regular);
+  EXPECT_EQ(one.edges, other.edges) << "at the start";
+  run(delaunay, input.until);
+  run(regular, input.until);
+  EXPECT_EQ(test::difference(one.events, other.events), "");
 }
 
 TEST_P(Degenerate_corpus_to_an_end, has_the_same_events_in_one_go_as_in_steps) {

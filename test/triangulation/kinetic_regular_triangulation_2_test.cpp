@@ -110,6 +110,25 @@ TEST(Kinetic_regular_triangulation, of_discs_on_a_lattice_is_that_of_CGAL) {
   }
 }
 
+// Centers that accelerate, and some that do not.
+TEST(Kinetic_regular_triangulation, of_accelerated_discs_is_that_of_CGAL) {
+  std::mt19937_64 random(7);
+  for (int run = 0; run < 40 * multiplier(); ++run) {
+    SCOPED_TRACE("run " + std::to_string(run));
+    const auto straight =
+        random_discs(random, static_cast<std::size_t>(3 + run % 8), run % 2, 3, 1, 2);
+    std::vector<Polynomial_disc_motion_2> discs;
+    for (const Disc_motion_2& d : straight) {
+      Polynomial_disc_motion_2& accelerated = discs.emplace_back(polynomial_motion(d));
+      if (random() % 2 == 0) accelerated.acceleration = {static_cast<double>(random() % 3) - 1, 1};
+      if (random() % 4 == 0) accelerated.jerk = {1, static_cast<double>(random() % 3) - 1};
+    }
+    Kinetic_regular_triangulation_2<Polynomial_disc_kinetic_traits_2> kinetic(discs);
+    run_audited(kinetic, 5, 60, Audit_level::certificates);
+    if (HasFatalFailure()) return;
+  }
+}
+
 // ---- equal weights ----
 
 std::vector<Disc_motion_2> discs_of(const std::vector<Linear_motion_2>& motions, double radius) {

@@ -96,8 +96,8 @@ class Basic_kinetic_traits_2 {
                                  const Time& t) const requires HasWeight<Motion>;
   Certificate weight_certificate(const Point_2& p, const Point_2& q,
                                  const Time& t) const requires HasWeight<Motion>;
-  Certificate meeting_certificate(const Point_2& p, const Point_2& q,
-                                  const Time& t) const requires HasWeight<Motion>;
+  Certificate meeting_certificate(const Point_2& p, const Point_2& q, const Time& t,
+                                  const Double_interval& among) const requires HasWeight<Motion>;
   Sign certain_turn(const Point_2& p, const Point_2& q, const Point_2& r,
                     const Double_interval& now) const requires HasWeight<Motion>;
   /// @}

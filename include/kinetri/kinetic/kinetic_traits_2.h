@@ -122,14 +122,15 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// | `segment_certificate(p, q, r, t)` | q is not hidden by p and r |
 /// | `hiding_certificate(p, q, r, t)` | q is hidden by p and r |
 /// | `weight_certificate(p, q, t)` | the weight of p is not less than that of q |
-/// | `meeting_certificate(p, q, t)` | p and q have different places strictly after t |
+/// | `meeting_certificate(p, q, t, among)` | p and q have different places strictly after t |
 ///
 /// `certain_turn(p, q, r, now)` is the turn of the points throughout the interval `now` and
 /// just after it, or COLLINEAR where that is not certain: fast.
 ///
 /// The points p, q, r of a segment or hiding certificate are collinear at all times, and q is
-/// between p and r. The first holds as long as q is not above the segment from p to r, each lifted
-/// by x^2 + y^2 - weight, the second as long as it is not below.
+/// between p and r; `among` is that of a coincidence certificate. The first holds as long as q is
+/// not above the segment from p to r, each lifted by x^2 + y^2 - weight, the second as long as it
+/// is not below.
 template <class Traits>
 concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
     requires(const Traits traits, const typename Traits::Point_2 p, const Algebraic_number t,
@@ -137,7 +138,7 @@ concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.segment_certificate(p, p, p, t) } -> std::same_as<Certificate>;
   { traits.hiding_certificate(p, p, p, t) } -> std::same_as<Certificate>;
   { traits.weight_certificate(p, p, t) } -> std::same_as<Certificate>;
-  { traits.meeting_certificate(p, p, t) } -> std::same_as<Certificate>;
+  { traits.meeting_certificate(p, p, t, t.interval()) } -> std::same_as<Certificate>;
   { have_equal_weights(p.motion(), p.motion()) } -> std::same_as<bool>;
   { traits.certain_turn(p, p, p, t.interval()) } -> std::same_as<Sign>;
   requires std::same_as<typename Traits::Instantaneous_traits::Weighted_point_2,

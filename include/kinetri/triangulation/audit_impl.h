@@ -74,7 +74,7 @@ class Auditor {
 
   void place_points();
   bool has_touch(const Time& time) const;
-  bool are_hidden_points_alike() const;
+  bool are_points_alike() const;
   void check_links();
   bool are_links_right() const;
   void check_embedding();
@@ -145,8 +145,8 @@ Audit_report Auditor<KineticTriangulation>::run(Audit_level level) {
 
 // Places the points at a rational time strictly between now and the next event. Between events a
 // triangle may touch: be flat at one time without turning over, which is no event and no fault. And
-// two hidden points may be alike, of which the static triangulation keeps one. Such a time is no
-// place to look, so another one is taken, nearer to now.
+// a hidden point may be like another one, and the static triangulation keeps one of the two. Such a
+// time is no place to look, so another one is taken, nearer to now.
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::place_points() {
   const Time& now = audited_.current_time();
@@ -166,19 +166,22 @@ void Auditor<KineticTriangulation>::place_points() {
       if constexpr (is_weighted) weights_.emplace_back(v->point().weight(time));
     }
     end = Time(time);
-  } while (has_touch(end) || are_hidden_points_alike());
+  } while (has_touch(end) || are_points_alike());
 }
 
-// Whether two hidden points have the same place and the same weight where they have been placed.
+// Whether two points, of which one is hidden, have the same place and the same weight where they
+// have been placed.
 template <class KineticTriangulation>
-bool Auditor<KineticTriangulation>::are_hidden_points_alike() const {
+bool Auditor<KineticTriangulation>::are_points_alike() const {
   if constexpr (is_weighted) {
-    std::vector<std::tuple<Exact_number, Exact_number, Exact_number>> hidden;
-    for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
-      hidden.emplace_back(place(v).x(), place(v).y(), weights_[v->point().id()]);
+    if (audited_.number_of_hidden_points() == 0) return false;
+    std::vector<std::tuple<Exact_number, Exact_number, Exact_number>> points;
+    for (const Vertex_handle v : audited_.vertices_) {
+      if (v == Vertex_handle()) continue;
+      points.emplace_back(place(v).x(), place(v).y(), weights_[v->point().id()]);
     }
-    std::ranges::sort(hidden, [](const auto& a, const auto& b) { return a < b; });
-    return std::adjacent_find(hidden.begin(), hidden.end()) != hidden.end();
+    std::ranges::sort(points, [](const auto& a, const auto& b) { return a < b; });
+    return std::adjacent_find(points.begin(), points.end()) != points.end();
   }
   return false;
 }

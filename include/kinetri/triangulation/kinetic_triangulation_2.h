@@ -486,6 +486,7 @@ class Kinetic_triangulation_2 {
   void count_event(Event_kind kind);
   const Edge& hull_triangle(const Two_sided_edge& hull_edge) const;
   bool is_touch(Face_handle face) const;
+  bool do_corners_meet(Face_handle face) const;
   bool may_hide_a_turn(const Two_sided_edge& hull_edge) const;
   bool are_all_collinear(const Two_sided_edge& hull_edge) const;
   bool can_insert_into_hull(const Two_sided_edge& hull_edge) const;

@@ -28,14 +28,25 @@ namespace kinetri {
 namespace {
 
 // Kinds of radii and weights, for centres of one flavor.
-enum Kind_of_radii { equal, different, ratios, growing, weights, wild, kinds };
+enum Kind_of_radii {
+  equal,
+  different,
+  ratios,
+  growing,
+  weights,
+  touching,    // the first two, at the time, but for a few units in the last place
+  cancelling,  // small differences of large numbers at the time
+  wild,
+  kinds
+};
 
 template <class Disc>
 class Source {
  public:
   Source(int flavor, unsigned seed) : flavor_(flavor), centres_(seed), random_(seed) {}
 
-  std::array<Disc, 4> next(int kind) {
+  // For certificates from the time t on.
+  std::array<Disc, 4> next(int kind, double t) {
     const auto lines = centres_.next(flavor_);
     std::array<Disc, 4> m;
     if constexpr (std::same_as<Disc, Disc_motion_2>) {
@@ -64,6 +75,12 @@ class Source {
           disc.weight = 4 * size * size * share_(random_);
           disc.radius = random_() % 2 == 0 ? 0 : disc.radius;
           break;
+        case cancelling: {
+          const double elapsed = t - disc.epoch;
+          disc.growth = std::ldexp(size * share_(random_) / (1 + std::abs(elapsed)), 24);
+          disc.radius -= disc.growth * elapsed;
+          break;
+        }
         case wild:
           disc.radius = std::ldexp(disc.radius, static_cast<int>(200 * share_(random_)));
           disc.growth = std::ldexp(speed * share, static_cast<int>(100 * share_(random_)));
@@ -77,6 +94,11 @@ class Source {
         disc.growth = std::round(disc.growth);
         disc.weight = std::round(disc.weight);
       }
+    }
+    if (kind == touching) {
+      const Vector_2 a = rounded_place(m[0], t);
+      const Vector_2 b = rounded_place(m[1], t);
+      m[0].radius = std::abs(std::hypot(a.x - b.x, a.y - b.y) - m[1].radius);
     }
     return m;
   }
@@ -99,10 +121,10 @@ void expect_true_circles(int flavor, int cases) {
     int pairs = 0;
     test::Decided_after_flips counts;
     for (int i = 0; i < cases; ++i) {
-      const auto m = source.next(kind);
-      const auto n = source.next(kind);
-      SCOPED_TRACE(test::describe_discs(m) + test::describe_discs(n));
       const double t = source.time();
+      const auto m = source.next(kind, t);
+      const auto n = source.next(kind, t);
+      SCOPED_TRACE(test::describe_discs(m) + test::describe_discs(n));
       const int mode = test::rounding_mode(i);
       test::expect_true_certificates(m, t, mode, decided);
       if (testing::Test::HasFatalFailure()) return;
@@ -111,10 +133,10 @@ void expect_true_circles(int flavor, int cases) {
       test::expect_true_after_flip(m, n, t, mode, counts);
       if (testing::Test::HasFatalFailure()) return;
     }
-    if (flavor == 0 && kind < wild) {
+    if (flavor == 0 && kind < touching) {
       EXPECT_GT(decided.all, cases * 98 / 100) << "of the certificates, half hold at the start";
       EXPECT_GT(decided.failures, 0);
-      EXPECT_GT(pairs, cases * (std::same_as<Disc, Disc_motion_2> ? 90 : 40) / 100);
+      EXPECT_GT(pairs, cases * (std::same_as<Disc, Disc_motion_2> ? 80 : 40) / 100);
       EXPECT_GT(counts.flips, 0);
       // Where the sizes differ much, one bound for all of the five is too large for some.
       EXPECT_GE(counts.decided, counts.positive * (kind == ratios ? 50 : 90) / 100);
@@ -129,6 +151,35 @@ TEST_P(Disc_filter, of_power_circles_of_curves_never_contradicts_exact_arithmeti
   expect_true_circles<Polynomial_disc_motion_2>(GetParam(), 100 * test::multiplier());
 }
 
+// As near to a root of `p` in the bracket, at whose ends the signs differ, as two numbers are.
+struct Near_root {
+  double high;
+  double low;
+};
+Near_root near_root(const Polynomial& p, const Double_interval& bracket) {
+  Rational lower = to_rational(bracket.lower);
+  Rational upper = to_rational(bracket.upper);
+  const Sign sign = p.sign_at(lower);
+  for (int i = 0; i < 130; ++i) {
+    const Rational middle = (lower + upper) / 2;
+    (p.sign_at(middle) == sign ? lower : upper) = middle;
+  }
+  const double high = to_double(lower);
+  return {high, to_double(lower - to_rational(high))};
+}
+
+// What is computed in twice the precision, where it is nearly zero.
+template <class Value>
+void expect_true_near_root(const Polynomial& p, const Filter_result& failure, const Value& value) {
+  if (failure.kind != Filter_result::Kind::fails) return;
+  const auto [high, low] = near_root(p, failure.bounds);
+  for (const double factor : {1.0, 1 - 0x1p-52, 1 + 0x1p-50, 1 - 0x1p-46}) {
+    const double result = value(high, low * factor);
+    if (result == 0) continue;
+    ASSERT_EQ(CGAL::sign(result), p.sign_at(to_rational(high) + to_rational(low * factor)));
+  }
+}
+
 // Each sign that is certain, at both ends of an interval and between them.
 template <class Disc>
 void expect_true_signs(int flavor, int cases) {
@@ -138,9 +189,9 @@ void expect_true_signs(int flavor, int cases) {
   for (int i = 0; i < cases; ++i) {
     const int kind = i % kinds;
     Source<Disc> source(flavor, 1000 + static_cast<unsigned>(i));
-    const auto m = source.next(kind);
-    SCOPED_TRACE(test::describe_discs(m));
     const double t = source.time();
+    const auto m = source.next(kind, t);
+    SCOPED_TRACE(test::describe_discs(m));
     const double width = i % 3 == 0 ? 0 : i % 3 == 1 ? 0x1p-40 : 1;
     const Double_interval interval = {t, t + width};
     const int mode = test::rounding_mode(i);
@@ -150,9 +201,9 @@ void expect_true_signs(int flavor, int cases) {
     const Point s(m[3], 3);
     const auto expect_sign = [&](const auto& filter, const Polynomial& polynomial) {
       const Sign sign = test::in_mode(mode, filter);
-      if (width < 1 && kind != wild) ++all;
+      if (width < 1 && kind < touching) ++all;
       if (sign == CGAL::ZERO) return;
-      if (width < 1 && kind != wild) ++decided;
+      if (width < 1 && kind < touching) ++decided;
       for (const double time : {interval.lower, interval.lower + width / 2, interval.upper}) {
         ASSERT_EQ(sign, polynomial.sign_at(to_rational(time)));
       }
@@ -165,7 +216,7 @@ void expect_true_signs(int flavor, int cases) {
       expect_sign([&] { return certain_weight_order(m[0], m[1], interval); },
                   weight_difference(p, q));
     }
-    const double diameter = i % 2 == 0 ? 0 : m[0].radius / 2;
+    const double diameter = kind == touching || i % 2 == 0 ? 0 : std::abs(m[0].radius) / 2;
     const Polynomial gap = contact_polynomial(p, q, diameter);
     expect_sign([&] { return certain_gap(m[0], m[1], diameter, interval); }, gap);
     expect_sign([&] { return certain_distance_slope(m[0], m[1], interval); },
@@ -178,6 +229,15 @@ void expect_true_signs(int flavor, int cases) {
     expect_precise(precise_in_circle(m[0], m[1], m[2], m[3], t, t * 0x1p-54),
                    in_circle_polynomial(p, q, r, s));
     expect_precise(precise_contact(m[0], m[1], diameter, t, t * 0x1p-54), gap);
+    expect_true_near_root(in_circle_polynomial(p, q, r, s),
+                          filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false),
+                          [&](double high, double low) {
+                            return precise_in_circle(m[0], m[1], m[2], m[3], high, low);
+                          });
+    expect_true_near_root(
+        gap, filter_contact(m[0], m[1], diameter, {t, t}),
+        [&](double high, double low) { return precise_contact(m[0], m[1], diameter, high, low); });
+    if (testing::Test::HasFatalFailure()) return;
     // All places at once.
     const std::array points = {p, q, r, s};
     const Rounded_places places(points, Algebraic_number(t));
@@ -232,10 +292,10 @@ void expect_true_contacts(int flavor, int cases) {
   for (int i = 0; i < cases; ++i) {
     const int kind = i % kinds;
     Source<Disc> source(flavor, 5000 + static_cast<unsigned>(i));
-    const auto m = source.next(kind);
-    SCOPED_TRACE(test::describe_discs(std::array{m[0], m[1]}));
     const double t = source.time();
-    const double diameter = i % 2 == 0 ? 0 : m[2].radius / 2;
+    const auto m = source.next(kind, t);
+    SCOPED_TRACE(test::describe_discs(std::array{m[0], m[1]}));
+    const double diameter = kind == touching || i % 2 == 0 ? 0 : std::abs(m[2].radius) / 2;
     const int mode = test::rounding_mode(i);
     const Point p(m[0]);
     const Point q(m[1]);
@@ -276,10 +336,10 @@ void expect_true_contacts(int flavor, int cases) {
     if (testing::Test::HasFailure()) return;
   }
   if (flavor == 0) {
-    EXPECT_GT(decided, cases * 65 / 100) << "all but the discs that overlap and approach";
+    EXPECT_GT(decided, cases * 60 / 100) << "all but the discs that overlap and approach";
     EXPECT_GT(contacts, cases / (std::same_as<Disc, Disc_motion_2> ? 30 : 100));
     if constexpr (std::same_as<Disc, Disc_motion_2>) {
-      EXPECT_GT(rounded, contacts * 95 / 100);
+      EXPECT_GT(rounded, contacts * 75 / 100);
     }
   }
 }
@@ -349,6 +409,56 @@ TEST(Disc_filter, knows_nothing_where_numbers_overflow) {
       EXPECT_EQ(precise_in_circle(m[0], m[1], m[2], m[3], 0, 0), 0);
     }
   }
+}
+
+// A point passes a growing disc, of which the radius is a small difference of large numbers, just
+// so that it touches the rim or does not.
+TEST(Disc_filter, of_discs_that_pass_at_a_touch_never_contradicts_exact_arithmetic) {
+  const Disc_kinetic_traits_2 exact = Disc_kinetic_traits_2::exact();
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> share(0.1, 0.5);
+  int decided = 0;
+  for (int i = 0; i < 3000 * test::multiplier(); ++i) {
+    Disc_motion_2 p;
+    p.epoch = -std::ldexp(1 + share(random), 24);
+    p.growth = share(random);
+    p.radius = 1 + share(random) + p.growth * p.epoch;
+    const double growth = p.growth;
+    const double radius = to_double(test::radius_at(p, 0));
+    const double off = std::ldexp(share(random), -14 - i % 32) * (i % 2 == 0 ? 1 : -1);
+    const double y = (radius + 10 * growth) / std::sqrt(1 - growth * growth) * (1 + off);
+    const Disc_motion_2 q = {{{-10, y}, {1, 0}, 0}, 0, 0, 0};
+    SCOPED_TRACE(test::describe_discs(std::array{p, q}));
+    const Filter_result result = filter_contact(p, q, 0, {0, 0});
+    decided += expect_true_contact(
+        result, exact.contact_certificate(Moving_disc_2(p), Moving_disc_2(q), 0, 0.0), {0, 0});
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(decided, 100);
+}
+
+// As Rounded_contact of points, with a disc that grows.
+TEST(Disc_filter, rounds_a_contact_beside_the_middle_of_two_numbers_to_the_nearest_or_not_at_all) {
+  int decided = 0;
+  int cases = 0;
+  for (int exponent = -40; exponent <= 0; exponent += 4) {
+    const double diameter = std::ldexp(1.0, exponent);
+    for (int k = 1; k <= 52; ++k) {
+      for (const double sign : {-1.0, 0.0, 1.0}) {
+        // They touch at 1 + late.
+        const double late = 0x1p-53 * (1 + sign * std::ldexp(1.0, -k));
+        const Disc_motion_2 p = {{{-diameter, 0}, {0, 0}, 0}, 0.25 * diameter, 0, 0};
+        const Disc_motion_2 q = {{{late, 0}, {-0.5, 0}, 1}, 0.75 * diameter, 0.5, 0};
+        const auto rounded = rounded_contact(p, q, 0, {1 - 0x1p-50, 1 + 0x1p-50});
+        ++cases;
+        decided += rounded.has_value();
+        if (rounded) {
+          ASSERT_EQ(*rounded, to_double(1 + to_rational(late))) << late << ", " << diameter;
+        }
+      }
+    }
+  }
+  EXPECT_GT(decided, cases / 5);
 }
 
 }  // namespace

@@ -182,6 +182,7 @@ void Kinetic_triangulation_2<Traits>::execute(const Entry& event) {
   if (event.kind == Entry_kind::hull_insert) {
     if (may_hide_a_turn(edge)) return rebuild();
     if (!event.changes_sign && is_touch(hull_triangle(edge).first)) {
+      if (do_corners_meet(hull_triangle(edge).first)) return rebuild();
       return schedule({&edge, 1}, current_time());
     }
     hull_is_flat_ = true;
@@ -252,6 +253,22 @@ bool Kinetic_triangulation_2<Traits>::is_touch(Face_handle face) const {
   const auto after = traits_.instantaneous_traits({current_time(), Time_side::after});
   return after.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
                                       face->vertex(2)->point()) == CGAL::LEFT_TURN;
+}
+
+// Whether two corners of a triangle, whose weights may differ, are in one place at this time. They
+// may exchange their order along a side of the hull on which all their neighbors are, so that no
+// orientation changes its sign.
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::do_corners_meet(Face_handle face) const {
+  if (weights_are_equal_) return false;  // they have been set aside
+  const auto now = traits_.instantaneous_traits({current_time(), Time_side::at});
+  const auto meet = [&](int i, int j) {
+    const Point_2& p = face->vertex(i)->point();
+    const Point_2& q = face->vertex(j)->point();
+    return now.compare_x_2_object()(p, q) == CGAL::EQUAL &&
+           now.compare_y_2_object()(p, q) == CGAL::EQUAL;
+  };
+  return meet(0, 1) || meet(1, 2) || meet(2, 0);
 }
 
 // Whether the triangle at a hull edge and one beside it are flat at this time and one of the two

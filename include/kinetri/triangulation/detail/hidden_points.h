@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -89,7 +90,7 @@ class Hidden_points {
     const Face_handle face = edge.first;
     const Point_2& here = face->vertex(0)->point();
     const Point_2& next = face->vertex(1)->point();
-    Certificate apart = traits.meeting_certificate(here, next, after);
+    Certificate apart = traits.meeting_certificate(here, next, after, from(after));
     const Face_handle beside = face->neighbor(1);
     const Vertex_handle previous = beside->vertex(1 - beside->index(face->vertex(0)));
     if (triangulation_.is_infinite(previous)) return apart;
@@ -373,6 +374,10 @@ class Hidden_points {
   static constexpr std::uint8_t none = Entry::plane + 1;
 
  private:
+  static Double_interval from(const Time& time) {
+    return {time.interval().lower, std::numeric_limits<double>::infinity()};
+  }
+
   struct Condition {
     std::uint8_t index;
     const Certificate* certificate;
@@ -396,7 +401,7 @@ class Hidden_points {
     const Point_2& first = face->vertex(0)->point();
     const Point_2& second = face->vertex(1)->point();
     if (index == Entry::plane) return traits.hiding_certificate(first, point, second, after);
-    return traits.meeting_certificate(index == 0 ? first : second, point, after);
+    return traits.meeting_certificate(index == 0 ? first : second, point, after, from(after));
   }
 
   // Whether the first fails, or is to be checked again, before the second.
