@@ -85,6 +85,12 @@ void Kinetic_triangulation_2<Traits>::take_out(Vertex_handle v) {
     triangulation_.remove(stand_in);
   }
   schedule_inside(link);
+  if constexpr (is_weighted) {
+    // At a vertex, a point may be in any face of the vertex, also beyond the link.
+    for (const Vertex_handle h : hidden) {
+      if (h->is_hidden() && h->event() == no_event) hidden_points().schedule(h, current_time());
+    }
+  }
 }
 
 // Schedules the edges of a polygon and those inside it, which are new, and the points that the
