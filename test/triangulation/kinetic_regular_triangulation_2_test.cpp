@@ -129,6 +129,31 @@ TEST(Kinetic_regular_triangulation, of_accelerated_discs_is_that_of_CGAL) {
   }
 }
 
+// The disc that grows for ever hides the one in its place for ever.
+TEST(Kinetic_regular_triangulation, of_a_disc_that_grows_for_ever_comes_to_an_end_of_its_events) {
+  Kinetic kinetic(std::vector<Disc_motion_2>{disc(2, 2, 0, 0, 1, -1), disc(0, 0, 0, 0, 3, 1),
+                                             disc(0, 0, 0, 0, 1), disc(0, 1, 0, 0, 1)});
+  EXPECT_TRUE(kinetic.is_hidden(2));
+  while (kinetic.step() > 0) {
+  }
+  EXPECT_FALSE(kinetic.next_event_time());
+  EXPECT_TRUE(kinetic.is_hidden(2));
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+}
+
+TEST(Kinetic_regular_triangulation, of_any_discs_comes_to_an_end_of_its_events) {
+  std::mt19937_64 random(8);
+  for (int run = 0; run < 200 * multiplier(); ++run) {
+    const auto discs =
+        random_discs(random, static_cast<std::size_t>(2 + run % 6), run % 3, 3, 1, 3);
+    SCOPED_TRACE("run " + std::to_string(run) + "\n" + text(discs));
+    Kinetic kinetic(discs);
+    while (kinetic.step() > 0 || kinetic.next_event_time()) {
+    }
+    EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  }
+}
+
 // ---- equal weights ----
 
 std::vector<Disc_motion_2> discs_of(const std::vector<Linear_motion_2>& motions, double radius) {

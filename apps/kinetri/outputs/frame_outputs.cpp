@@ -19,8 +19,7 @@ constexpr std::size_t most_frames = 1'000'000;
 
 // The bounding box of the points where they are at `from` and, as they go now, at `until`.
 template <class Traits>
-Box_2 extent_of(const Kinetic_triangulation_2<Traits>& kinetic, double from,
-                double until) {
+Box_2 extent_of(const Kinetic_triangulation_2<Traits>& kinetic, double from, double until) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Box_2 extent = {infinity, infinity, -infinity, -infinity};
   for (const auto v : kinetic.triangulation().finite_vertex_handles()) {

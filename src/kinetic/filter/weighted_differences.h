@@ -112,13 +112,16 @@ class Weighted_differences : public Differences {
   }
 
   // As for the centres alone. The lengths that are squared change with them or with the weights.
+  // The extent is that of the lifted points: with a weight that grows for ever, windows grow as
+  // well.
   std::optional<double> window_ahead(double share) const {
     double extent = 0;
     double slope = 0;
     double curvature = 0;
     for (std::size_t i = 0; i < N; ++i) {
       const auto& [difference, sum, rest] = factors_[i];
-      extent = std::max(extent, greatest(absolute(place((*this)[i]))));
+      const double weight = std::abs(difference.constant * sum.constant + rest);
+      extent = std::max({extent, greatest(absolute(place((*this)[i]))), std::sqrt(weight)});
       slope = std::max(slope,
                        std::abs(difference.constant * sum.slope + difference.slope * sum.constant));
       curvature = std::max(curvature, std::abs(difference.slope * sum.slope));
