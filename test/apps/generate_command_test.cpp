@@ -7,6 +7,7 @@
 
 #include "apps/program_test.h"
 #include "kinetri/io/points_file.h"
+#include "kinetri/simulation/packing.h"
 #include "kinetri/simulation/scenarios.h"
 
 namespace kinetri {
@@ -53,6 +54,28 @@ TEST_F(Generate, options_reach_the_scenario) {
 TEST_F(Generate, seed_defaults_to_one) {
   EXPECT_EQ(motions({"uniform", "--points", "5"}),
             motions({"uniform", "--points", "5", "--seed", "1"}));
+}
+
+TEST_F(Generate, a_packing_is_the_librarys_exactly) {
+  const Outcome outcome =
+      generate({"packing", "--points", "12", "--share", "0.5", "--sizes", "2", "--seed", "7"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream in(outcome.out);
+  const Points_file found = read_points(in, "generated");
+  const Packing expected = make_packing({.points = 12, .share = 0.5, .size_ratio = 2, .seed = 7});
+  ASSERT_EQ(found.motions.size(), 12u);
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(found.motions[i], static_cast<const Linear_motion_2&>(expected.discs[i]));
+    EXPECT_EQ(found.radii[i], expected.discs[i].radius);
+  }
+}
+
+TEST_F(Generate, a_packing_that_cannot_be_is_an_error) {
+  const Outcome jammed = generate({"packing", "--points", "1", "--share", "0.8"});
+  EXPECT_EQ(jammed.exit_code, 2);
+  EXPECT_NE(jammed.err.find("jammed"), std::string::npos) << jammed.err;
+  EXPECT_EQ(generate({"packing", "--points", "0"}).exit_code, 2);
+  EXPECT_EQ(generate({"packing", "--points", "2", "--share", "1"}).exit_code, 2);
 }
 
 TEST_F(Generate, no_points_is_a_header) {

@@ -171,6 +171,8 @@ def run_cases():
                "--quiet", files={"d.csv": "x,y,vx,vy\n2,1,0,-2\n"}, most=2, time="9.5",
                until=12, writes=True)
 
+    yield case("generate packing --points 1 --share 0.8")
+
     def fault(name, until=1, **options):
         return case(f"simulate p.csv --until {until} --audit events --edges old.csv", faulty=True,
                     environment={"KINETRI_TEST_FAULT": name}, **options)

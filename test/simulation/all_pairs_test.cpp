@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Contacts against an oracle that looks at all pairs: every response, linear and accelerated
-// motion, with and without a box, discs apart, and discs that overlap, come, turn and go.
+// motion, equal discs and discs of sizes from 0 to a million times the smallest that grow and
+// shrink, with and without a box, discs apart, and discs that overlap, come, turn and go.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <random>
 #include <string>
@@ -32,13 +34,28 @@ class Numbers {
     return {x, between(-size, size)};
   }
 
+  /// 0 or, of binary64, down to a millionth of the largest.
+  double radius(double largest) {
+    if (are_whole_) return largest * between(0, 4) / 4;
+    if (random_() % 8 == 0) return 0;
+    return std::ldexp(largest * between(1, 2) / 2,
+                      random_() % 2 == 0 ? 0 : static_cast<int>(between(-19, 0)));
+  }
+  /// Such that the radius is not negative after the duration.
+  double growth(double radius, double duration) {
+    if (random_() % 3 == 0) return 0;
+    const double result = between(-1, 1) / 8;
+    // A radius that changes is rounded down at every contact.
+    return radius + result * duration <= radius / 64 ? 0 : result;
+  }
+
  private:
   bool are_whole_;
   std::mt19937_64 random_;
 };
 
 template <class Motion>
-Motion random_motion(Numbers& numbers, int size) {
+Motion random_centre(Numbers& numbers, int size) {
   const Vector_2 place = numbers.vector(size);
   const Vector_2 velocity = numbers.vector(3);
   if constexpr (std::same_as<Motion, Linear_motion_2>) {
@@ -54,11 +71,28 @@ Motion random_motion(Numbers& numbers, int size) {
   }
 }
 
+/// Sizes of random motions: of the square, of the largest disc; and how long they last.
+struct Sizes {
+  int side;
+  double radius;
+  double duration;
+};
+
+template <class Motion>
+Motion random_motion(Numbers& numbers, const Sizes& sizes) {
+  if constexpr (HasWeight<Motion>) {
+    const auto centre = random_motion<typename Motion::Centre_motion>(numbers, sizes);
+    const double radius = numbers.radius(sizes.radius);
+    return {centre, radius, numbers.growth(radius, sizes.duration), 0};
+  } else {
+    return random_centre<Motion>(numbers, sizes.side);
+  }
+}
 /// At `time` a point comes, turns, or goes, in turn: the motion begins there at that time.
 template <class Motion>
-test::All_pairs_change<Motion> random_change(Numbers& numbers, int size, double time,
+test::All_pairs_change<Motion> random_change(Numbers& numbers, const Sizes& sizes, double time,
                                              std::size_t points, std::size_t number) {
-  Motion motion = random_motion<Motion>(numbers, size);
+  Motion motion = random_motion<Motion>(numbers, sizes);
   motion.epoch = time;
   // Every third change is an insertion.
   const auto inserted = static_cast<Point_id>(points + number / 3);
@@ -76,34 +110,46 @@ class All_pairs : public testing::TestWithParam<Case> {
  protected:
   template <class Traits>
   void run(std::size_t points, double until, int seeds) {
+    using Motion = typename Traits::Motion;
     const auto& [response, has_box, are_whole, may_overlap] = GetParam();
     test::All_pairs_totals totals;
     std::size_t overlaps = 0;  // pairs at the start
     for (int seed = 1; seed <= seeds * test::multiplier(); ++seed) {
       constexpr int size = 8;
+      const Sizes sizes = {size, may_overlap ? 4.0 : 1.5, until};
       Simulation_options options;
-      options.radius = may_overlap ? 1.5 : 0.75;
+      if (!HasWeight<Motion>) options.radius = may_overlap ? 1.5 : 0.75;
       for (const Named_response& named : named_responses) {
         if (named.name == response) options.response = named.response;
       }
       if (has_box) options.box = Box_2{-size, -size, size, size};
+      if (has_box && HasWeight<Motion> && seed % 2 == 0) {  // wide enough for every rim
+        options.box = Box_2{-size - 4, -size - 4, size + 4, size + 4};
+        options.rim_touches = true;
+      }
       Numbers numbers(are_whole, static_cast<unsigned>(seed));
-      std::vector<typename Traits::Motion> motions;
+      std::vector<Motion> motions;
       while (motions.size() < points) {
-        const auto motion = random_motion<typename Traits::Motion>(numbers, size);
+        const auto motion = random_motion<Motion>(numbers, sizes);
         const auto is_refused = [&](const auto& other) {
-          const double x = other.position.x - motion.position.x;
-          const double y = other.position.y - motion.position.y;
-          const bool overlap = x * x + y * y < 4 * options.radius * options.radius;
+          const Rational contact =
+              test::radius_at(motion, 0, options) + test::radius_at(other, 0, options);
+          const bool overlap = CGAL::squared_distance(test::place_at(motion, 0),
+                                                      test::place_at(other, 0)) < contact * contact;
           if (overlap && may_overlap) ++overlaps;
           return same_trajectory(other, motion) || (overlap && !may_overlap);
         };
         if (std::ranges::none_of(motions, is_refused)) motions.push_back(motion);
       }
-      std::vector<test::All_pairs_change<typename Traits::Motion>> changes;
+      if (HasWeight<Motion>) {
+        for (std::size_t i = 0; i < points; ++i) {
+          options.masses.push_back(1 + static_cast<double>(i % 3));
+        }
+      }
+      std::vector<test::All_pairs_change<Motion>> changes;
       for (double time = until / 8; may_overlap && time < until; time += until / 8) {
-        changes.push_back(random_change<typename Traits::Motion>(numbers, size, time,
-                                                                 motions.size(), changes.size()));
+        changes.push_back(
+            random_change<Motion>(numbers, sizes, time, motions.size(), changes.size()));
       }
       const std::string problem =
           test::difference_from_all_pairs<Traits>(motions, options, changes, until, totals);
@@ -121,6 +167,14 @@ TEST_P(All_pairs, of_linear_points_have_the_same_contacts) {
 
 TEST_P(All_pairs, of_accelerated_points_have_the_same_contacts) {
   run<Polynomial_kinetic_traits_2>(9, 3, 3);
+}
+
+TEST_P(All_pairs, of_discs_of_any_size_have_the_same_contacts) {
+  run<Disc_kinetic_traits_2>(14, 5, 3);
+}
+
+TEST_P(All_pairs, of_accelerated_discs_of_any_size_have_the_same_contacts) {
+  run<Polynomial_disc_kinetic_traits_2>(9, 3, 2);
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& info) {

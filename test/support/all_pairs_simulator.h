@@ -183,6 +183,7 @@ class All_pairs_simulator {
     if (!options_.box) return motion;
     for (Wall_2 wall : walls_) {
       wall.clearance = options_.rim_touches ? options_.radius : 0;
+      wall.rim = HasWeight<Motion> && options_.rim_touches;
       motion = clamped_inside(motion, wall, time_.tight_interval());
     }
     return motion;
@@ -192,7 +193,7 @@ class All_pairs_simulator {
     if constexpr (HasWeight<Motion>) return motion.growth;
     return 0;
   }
-  double mass(Point_id id) const { return options_.masses.empty() ? 1 : options_.masses.at(id); }
+  double mass(Point_id id) const { return id < options_.masses.size() ? options_.masses[id] : 1; }
 
   bool do_approach(const Motion& p, const Motion& q) const {
     return sign_just_after(derivative(gap(p, q)), time_) == CGAL::NEGATIVE;

@@ -11,12 +11,14 @@
 #include "io/output_file.h"
 #include "io/text.h"
 #include "kinetri/io/points_file.h"
+#include "kinetri/simulation/packing.h"
 #include "kinetri/simulation/scenarios.h"
 
 namespace kinetri::app {
 namespace {
 
 constexpr std::uint64_t most_generated_points = 100'000'000;
+constexpr std::uint64_t most_packed_points = 1'000'000;
 constexpr double fastest_lattice = 0x1p53;
 
 // The options' values as they stand on the command line.
@@ -28,6 +30,16 @@ struct Generate_options {
   std::string spacing = "10";
   std::string jitter = "0.1";
   std::string movers = "all";
+  std::string output = "-";
+};
+
+struct Packing_arguments {
+  std::string points;
+  std::string seed = "1";
+  std::optional<std::string> side;
+  std::string speed = "5";
+  std::string share = "0.8";
+  std::string sizes = "1";
   std::string output = "-";
 };
 
@@ -114,6 +126,60 @@ Command scenario_command(Scenario scenario) {
   return result;
 }
 
+Exit_code generate_packing(const Packing_arguments& given) {
+  Packing_options options;
+  options.points = count_argument("--points", given.points, most_packed_points);
+  if (options.points == 0) size_argument("--points", given.points, 1, most_packed_points, false);
+  options.seed = seed_argument(given.seed);
+  if (given.side) options.side = scenario_size_argument("--side", *given.side);
+  options.speed = scenario_size_argument("--speed", given.speed, true);
+  options.share = size_argument("--share", given.share, 1e-9, 0.9, false);
+  options.size_ratio = size_argument("--sizes", given.sizes, 1, 1000, false);
+
+  Output_file output(given.output);
+  std::vector<Linear_motion_2> centres;
+  std::vector<double> radii;
+  try {
+    for (const Disc_motion_2& disc : make_packing(options).discs) {
+      centres.push_back(disc);
+      radii.push_back(disc.radius);
+    }
+  } catch (const Packing_error& error) {
+    throw Run_error(error.what());
+  }
+  write_points(output.stream(), centres, radii);
+  output.commit();
+  return Exit_code::done;
+}
+
+Command packing_command() {
+  const auto options = std::make_shared<Packing_arguments>();
+  Command result;
+  result.name = "packing";
+  result.summary = "Discs that grow in a square box until they cover a share of it";
+  result.description = {
+      "No two discs overlap, and none is partly outside of the box, exactly. Discs that are jammed "
+      "before they cover the share are an error: thousand discs reach 0.82 if they are equal, and "
+      "0.8 "
+      "with the ratio 1.4."};
+  result.add_required("--points", &options->points, "N",
+                      joined("Number of discs, from 1 to ", most_packed_points));
+  result.add("--share", &options->share, "S",
+             "Share of the box that the discs cover, up to 0.9 (default 0.8)");
+  result.add("--sizes", &options->sizes, "RATIO",
+             "Radius of every second disc over that of the others, from 1 to 1000 (default 1)");
+  result.add("--seed", &options->seed, "S",
+             "Seed of the random numbers, from 0 to 2^64 - 1 (default 1)");
+  result.add("--side", &options->side, "L", "Side of the square (default 10 sqrt(N))");
+  result.add("--speed", &options->speed, "V", "Largest component of a velocity (default 5)");
+  result.add("-o,--output", &options->output, "FILE",
+             "Write the points here; - (default) is standard output");
+  result.examples = {
+      "kinetri generate packing --points 1000 --share 0.8 --sizes 1.4 --seed 1 > points.csv"};
+  result.run = [options](const Command& /*program*/) { return generate_packing(*options); };
+  return result;
+}
+
 }  // namespace
 
 Command generate_command() {
@@ -126,6 +192,7 @@ Command generate_command() {
   for (const Scenario scenario : all_scenarios) {
     result.commands.push_back(scenario_command(scenario));
   }
+  result.commands.push_back(packing_command());
   return result;
 }
 

@@ -9,8 +9,9 @@
 //
 // Which pairs these are follows from the triangulation. The points in a disc are connected by edges
 // inside of it. So two discs of equal diameter that come into contact are neighbors, or there is a
-// disc that overlaps both and is a neighbor of one (docs/MATH.md, section 8). The pairs that
-// overlap are kept. The simulation follows the edges as an observer of the triangulation.
+// disc that overlaps both and is a neighbor of one (docs/MATH.md, section 8). Of discs of any radii
+// that is true of the regular triangulation, but for the last condition. The pairs that overlap are
+// kept. The simulation follows the edges as an observer of the triangulation.
 //
 // One contact's way through the code: `step` lets the triangulation execute what is before it, in
 // exact order; `execute_due_entries` takes it out of the queue; `hit_wall` or `collide` finds the
@@ -34,6 +35,7 @@
 #include "kinetri/events/event.h"
 #include "kinetri/events/event_scheduler.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/simulation_snapshot.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
@@ -65,6 +67,36 @@ class Contact_overflow_error : public Contact_error {
   using Contact_error::Contact_error;
 };
 
+/// Discs overlap at the start, or where one is inserted, and the options refuse that.
+class Overlapping_discs_error : public Error {
+ public:
+  /// About the pairs, with the message that what() gives.
+  Overlapping_discs_error(std::vector<Edge_ids> pairs, const std::string& message)
+      : Error(message), pairs_(std::move(pairs)) {}
+  /// All pairs that overlap, sorted. The id of an inserted point is the one that it would have got.
+  const std::vector<Edge_ids>& pairs() const noexcept { return pairs_; }
+
+ private:
+  std::vector<Edge_ids> pairs_;
+};
+
+/// The radius of a disc is negative at the start, or where it is inserted or gets another motion;
+/// or it shrinks, and would be negative after a time that the simulation was to pass.
+class Negative_radius_error : public Error {
+ public:
+  /// About the radius of the point after the time, with the message that what() gives.
+  Negative_radius_error(Point_id point, Algebraic_number time, const std::string& message)
+      : Error(message), point_(point), time_(std::move(time)) {}
+  /// The id that the point has, or would have got.
+  Point_id point() const noexcept { return point_; }
+  /// The time, exactly: at or just after it the radius is negative.
+  const Algebraic_number& time() const noexcept { return time_; }
+
+ private:
+  Point_id point_;
+  Algebraic_number time_;
+};
+
 /// A point is outside of the box at the start, or when it is inserted or given another motion.
 class Outside_box_error : public Error {
  public:
@@ -77,7 +109,9 @@ class Outside_box_error : public Error {
   Point_id point_;
 };
 
-/// The simulation. At each time first the triangulation's own events are executed, then contacts
+/// The simulation. Points have the common radius of the options; motions that have a radius
+/// (HasWeight) are discs of that radius, which may differ and grow, and the triangulation is the
+/// regular one. At each time first the triangulation's own events are executed, then contacts
 /// with walls, by point id, then those of discs, by ids, then changes that were scheduled.
 ///
 /// A reflection or response gives a point a new motion whose place is that of the old one at the
@@ -140,7 +174,8 @@ class Simulation_2 : private Event_observer {
 
   /// Goes to the time of the next event and executes all events of that time, contacts included.
   /// Returns their number; 0 if there is no next event. Throws Contact_error; the simulation is
-  /// then left within the instant.
+  /// then left within the instant. Throws Negative_radius_error instead of passing the time at
+  /// which a radius that shrinks is 0; change that motion then, or erase the point, to go on.
   std::size_t step() { return step(nullptr); }
 
   /// As step(), but only if the next event is at or before `until`; else nothing happens.
@@ -216,9 +251,16 @@ class Simulation_2 : private Event_observer {
 
  private:
   /// In the order in which they are executed at one time.
-  enum class Entry_kind : std::uint8_t { wall, collision, erase, trajectory, insert };
+  enum class Entry_kind : std::uint8_t { wall, collision, erase, trajectory, insert, vanish };
 
-  /// A contact, or a time up to which there certainly is none; or a change that was scheduled.
+  /// Whether discs have radii of their own.
+  static constexpr bool has_radii = HasWeight<Motion>;
+
+  static bool is_contact(Entry_kind kind) { return kind <= Entry_kind::collision; }
+  static bool is_change(Entry_kind kind) { return !is_contact(kind) && kind != Entry_kind::vanish; }
+
+  /// A contact, or a time up to which there certainly is none; or a change that was scheduled; or
+  /// the time at which the radius of a disc is 0.
   struct Entry : detail::Scheduled {
     Entry_kind kind = Entry_kind::wall;
     bool is_event = false;
@@ -259,13 +301,17 @@ class Simulation_2 : private Event_observer {
   /// The entries of a point in the queue, and its overlaps. Of each pair both points have a record.
   struct Contacts {
     Queue_handle wall_event = no_event;
+    Queue_handle vanish_event = no_event;
     std::vector<Partner> partners;
     std::vector<Overlap> overlaps;  // all those of the present time, and perhaps others
   };
 
   const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
   std::string options_problem() const;
+  void make_walls();
   void keep_mass(Point_id id, double mass);
+  template <class Insert>
+  void insert_checked(const Motion& motion, Point_id id, Insert insert);
   struct Restoration {};
   Simulation_2(Restoration, const Snapshot& snapshot, Collision_response response,
                const Traits& traits);
@@ -274,6 +320,9 @@ class Simulation_2 : private Event_observer {
 
   // Scheduling.
   Queue_handle push(Entry entry, Certificate certificate);
+  void schedule_single(Point_id id, const Time& after);
+  template <HasWeight M = Motion>
+  void schedule_vanishing(Point_id id);
   void schedule_wall(Point_id id, const Time& after);
   void unschedule_wall(Point_id id);
   void schedule_pair(const Edge_ids& pair, const Time& after);
@@ -310,15 +359,38 @@ class Simulation_2 : private Event_observer {
   template <class Function>
   void for_each_pair_beside(Point_id a, Point_id b, Function function) const;
   template <class Function>
+  void for_each_pair_of(Point_id first, Function function) const;
+  template <class Function>
   void for_each_pair_over(const Edge_ids& edge, Function function) const;
+  bool is_hidden(Point_id id) const;
+  bool may_touch(Point_id a, Point_id b, const Traits& traits) const;
   void find_all_overlaps();
+  bool do_overlap(const Point_2& p, const Point_2& q) const;
+  void refuse_overlaps() const;
+  void refuse_overlaps_of(const Point_2& p) const;
+  void refuse(std::vector<Edge_ids> pairs) const;
+  void drop_overlaps(Point_id id);
   void start_overlap(Point_id a, Point_id b);
   void end_overlap(Point_id a, Point_id b);
   void mark_passing(Point_id a, Point_id b, bool passes);
   void let_pass(Point_id a, Point_id b);
   void end_passes(Point_id id);
   bool is_passing(Point_id a, Point_id b);
-  void update_overlaps(Point_id id);
+  void update_overlaps(std::span<const Point_id> points);
+  void find_new_overlaps_of(Point_id id);
+  template <HasWeight M = Motion>
+  void find_new_overlaps(std::span<const Point_id> points);
+  template <HasWeight M = Motion>
+  std::vector<Point_id> discs_about(std::span<const Point_id> points) const;
+  template <HasWeight M = Motion>
+  std::vector<Point_id> owners_in(Point_id id) const;
+  template <HasWeight M = Motion>
+  Point_id owner_of_centre(Point_id id) const;
+  template <class Function>
+  void for_each_close_pair(std::span<const Point_id> ids, Function function) const;
+  std::vector<Point_id> present_points() const;
+  template <class Function>
+  void for_each_exact_overlap(Function function) const;
 
   // Events.
   std::size_t step(const Time* until);
@@ -338,7 +410,10 @@ class Simulation_2 : private Event_observer {
   bool try_change(const Due_change& change);
   std::vector<Due_change> pop_turns(const Entry& first);
   bool try_turns(std::span<const Due_change> turns);
-  void check_inside(const Point_2& point) const;
+  void check_place(const Point_2& point) const;
+  template <HasWeight M = Motion>
+  void check_radius(const Point_2& point) const;
+  [[noreturn]] void refuse_vanishing(Point_id id, const Time& time) const;
   template <class Make_changes>
   void change(std::span<const Point_id> points, Make_changes make_changes);
   Motion with_velocity(Point_id id, const Vector_2& velocity, double time) const;
@@ -365,6 +440,8 @@ class Simulation_2 : private Event_observer {
 
 extern template class Simulation_2<Linear_kinetic_traits_2>;
 extern template class Simulation_2<Polynomial_kinetic_traits_2>;
+extern template class Simulation_2<Disc_kinetic_traits_2>;
+extern template class Simulation_2<Polynomial_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -31,10 +31,11 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
   KINETRI_PRECONDITION(options_problem().empty(), options_problem());
   KINETRI_PRECONDITION(options_.masses.empty() || options_.masses.size() == motions.size(),
                        "masses, but not one for each point");
-  if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
-  for (Point_id id = 0; id < motions.size(); ++id) check_inside(point(id));
+  make_walls();
+  for (Point_id id = 0; id < motions.size(); ++id) check_place(point(id));
   triangulation_.add_observer(*this);
   find_all_overlaps();
+  if (options_.refuses_overlaps) refuse_overlaps();
   schedule_all();
 }
 
@@ -44,7 +45,10 @@ std::string Simulation_2<Traits>::options_problem() const {
   if (!std::isfinite(diameter_) || !(options_.radius >= 0)) {
     return "the radius is negative, or the diameter is not finite";
   }
-  if (options_.response && options_.radius == 0)
+  if (has_radii && options_.radius != 0) {
+    return "a radius for all discs, which have their own; leave it 0";
+  }
+  if (!has_radii && options_.response && options_.radius == 0)
     return "the radius is 0, and discs without one never touch";
   for (Point_id id = 0; id < options_.masses.size(); ++id) {
     const std::string problem = detail::mass_problem(id, options_.masses[id]);
@@ -65,7 +69,16 @@ std::string Simulation_2<Traits>::options_problem() const {
 }
 
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::check_inside(const Point_2& p) const {
+void Simulation_2<Traits>::make_walls() {
+  if (!options_.box) return;
+  walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
+  for (Wall_2& wall : walls_) wall.rim = has_radii && options_.rim_touches;
+}
+
+// Checks a motion from the present time on.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::check_place(const Point_2& p) const {
+  if constexpr (has_radii) check_radius(p);
   if (!options_.box) return;
   for (const Wall_2& wall : walls_) {
     if (traits_.is_inside(p, wall, current_time())) continue;
@@ -74,10 +87,40 @@ void Simulation_2<Traits>::check_inside(const Point_2& p) const {
     throw Outside_box_error(
         p.id(), "the point is outside of the box at t = " + detail::text(time) + ": at " +
                     detail::text(place.x) + ", " + detail::text(place.y) +
-                    (wall.clearance > 0 ? ", its rim" : "") + " beyond the " +
+                    (wall.clearance > 0 || wall.rim ? ", its rim" : "") + " beyond the " +
                     std::string(name(wall.side)) + " side at " + detail::text(wall.position) +
                     "; expected every point inside of the box or on its sides");
   }
+}
+
+template <ContactKineticTraits_2 Traits>
+template <HasWeight M>
+void Simulation_2<Traits>::check_radius(const Point_2& p) const {
+  const Motion& disc = p.motion();
+  KINETRI_PRECONDITION(!options_.response || disc.weight == 0,
+                       "disc " + std::to_string(p.id()) +
+                           " has a weight besides its radius; discs that collide have none");
+  const auto is_negative = [&] {
+    if (disc.growth == 0) return disc.radius < 0;
+    const Time zero = detail::zero_of_radius(disc);
+    return disc.growth > 0 ? current_time() < zero : current_time() > zero;
+  };
+  if (!is_negative()) return;
+  throw Negative_radius_error(p.id(), current_time().detached(),
+                              "the radius of disc " + std::to_string(p.id()) +
+                                  " is negative at t = " + detail::text(current_time()) + ": " +
+                                  detail::text(disc.radius) +
+                                  " at t = " + detail::text(disc.epoch) + ", with the growth " +
+                                  detail::text(disc.growth) + "; expected a radius of 0 or more");
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::refuse_vanishing(Point_id id, const Time& time) const {
+  throw Negative_radius_error(
+      id, time.detached(),
+      "the radius of disc " + std::to_string(id) + " shrinks to 0 at t = " + detail::text(time) +
+          " and would be negative after that; expected an end at that time or before, or another "
+          "motion of the disc by then");
 }
 
 // ---- time ----
@@ -98,10 +141,13 @@ std::size_t Simulation_2<Traits>::step(const Time* until) {
   settle();
   if (queue_.empty()) return until != nullptr ? triangulation_.step(*until) : triangulation_.step();
   const Time first = queue_.time(queue_.top());
-  const bool is_due = until == nullptr || first <= *until;
+  // A radius may become 0, but not less.
+  const bool is_end = queue_.top().kind == Entry_kind::vanish;
+  const bool is_due = until == nullptr || (is_end ? first < *until : first <= *until);
   const std::size_t events = triangulation_.step(is_due ? first : *until);
   if (events == 0) {
     if (!is_due) return 0;
+    if (is_end) refuse_vanishing(queue_.top().point_a, first);
     triangulation_.advance_to(first);
   }
   const std::size_t due_events = execute_due_entries();
@@ -157,7 +203,12 @@ void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postpone
   std::uint64_t contacts = 0;
   bool may_turn_together = true;
   const auto execute_due = [&] {
-    for (settle(); !queue_.empty() && queue_.time(queue_.top()) <= current_time(); settle()) {
+    const auto is_due = [&] {
+      settle();
+      return !queue_.empty() && queue_.top().kind != Entry_kind::vanish &&
+             queue_.time(queue_.top()) <= current_time();
+    };
+    while (is_due()) {
       const Entry entry = pop();
       if (entry.kind == Entry_kind::trajectory && may_turn_together) {
         std::vector<Due_change> turns = pop_turns(entry);
@@ -169,7 +220,7 @@ void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postpone
         }
         continue;
       }
-      if (entry.kind > Entry_kind::collision) {
+      if (is_change(entry.kind)) {
         const Due_change change = {entry, take_scheduled_motion(entry)};
         if (!try_change(change)) postponed.push_back(change);
         continue;
@@ -219,6 +270,7 @@ void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t contact
 #include "kinetri/simulation/detail/audit_impl.h"
 #include "kinetri/simulation/detail/changes_impl.h"
 #include "kinetri/simulation/detail/contacts_impl.h"
+#include "kinetri/simulation/detail/disc_overlaps_impl.h"
 #include "kinetri/simulation/detail/overlaps_impl.h"
 #include "kinetri/simulation/detail/scheduling_impl.h"
 #include "kinetri/simulation/detail/snapshot_impl.h"

@@ -21,12 +21,14 @@ struct Simulation_options {
   std::optional<Box_2> box = std::nullopt;
   /// Whether the rim of a disc touches the box, instead of its centre.
   bool rim_touches = false;
-  /// The radius of every disc, in the unit of the coordinates. Different radii are not supported:
-  /// such discs may touch without being neighbors in the Delaunay triangulation; they would need a
-  /// weighted (regular) triangulation.
+  /// The radius of every disc, in the unit of the coordinates. Discs of different radii, or that
+  /// grow, have motions with a radius, such as Disc_motion_2; then this is 0.
   double radius = 0;
   /// The response to contacts of discs. If empty, no contacts are computed.
   Collision_response response = nullptr;
+  /// Whether discs that overlap at the start, or where one is inserted, are refused: touching is
+  /// allowed. For responses that cannot deal with discs that overlap, such as elastic collisions.
+  bool refuses_overlaps = false;
   /// The masses by point id, each positive and finite; points beyond the end, such as those that
   /// are inserted without one, have the mass 1. Empty, or one for each point at the start.
   std::vector<double> masses = {};

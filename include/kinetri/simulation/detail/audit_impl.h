@@ -49,7 +49,9 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
       if (find_contacts(a) != nullptr) fail("a point that is not there has contacts");
       continue;
     }
-    if (contacts(a).wall_event != no_event) ++entries;
+    for (const Queue_handle event : {contacts(a).wall_event, contacts(a).vanish_event}) {
+      if (event != no_event) ++entries;
+    }
     for (const auto& [b, event] : contacts(a).partners) {
       if (b < a) continue;
       ++entries;
@@ -101,25 +103,19 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   }
   if (!options_.response) return report;
   // Every overlap is known; and discs that overlap separate, or a response has let them pass.
-  for (Point_id a = 0; a < triangulation_.next_id(); ++a) {
-    if (!triangulation_.contains(a)) continue;
-    for (const Point_id b : overlapping_points(a, exact)) {
-      const Overlap* const overlap = find_overlap({a, b});
-      if (overlap == nullptr) {
-        fail(pair_name(a, b) + " overlap, of which the simulation does not know");
-      } else if (a < b && !overlap->passes && !is_contact_due({a, b}) &&
-                 exact.do_approach(point(a), point(b), current_time())) {
-        fail(pair_name(a, b) + " overlap and approach each other");
-      }
+  for_each_exact_overlap([&](Point_id a, Point_id b) {
+    const Overlap* const overlap = find_overlap({a, b});
+    if (overlap == nullptr) {
+      fail(pair_name(a, b) + " overlap, of which the simulation does not know");
+    } else if (!overlap->passes && !is_contact_due({a, b}) &&
+               exact.do_approach(point(a), point(b), current_time())) {
+      fail(pair_name(a, b) + " overlap and approach each other");
     }
-  }
+  });
   if (level < Audit_level::certificates) return report;
   std::vector<Edge_ids> watched = triangulation_.finite_edge_ids();
   for (Point_id a = 0; a < triangulation_.next_id(); ++a) {
-    for (const Overlap& overlap : overlaps(a)) {
-      if (overlap.id < a) continue;
-      for_each_pair_beside(a, overlap.id, [&](const Edge_ids& pair) { watched.push_back(pair); });
-    }
+    for_each_pair_of(a, [&](Point_id b) { watched.push_back({a, b}); });
   }
   std::ranges::sort(watched);
   watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
@@ -131,6 +127,25 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
             certificate.failure ? std::optional(*certificate.failure) : std::nullopt);
   }
   return report;
+}
+
+// Calls `function` with all pairs, the smaller id first, whose discs overlap just after the present
+// time: exactly, and without what the simulation knows of overlaps.
+template <ContactKineticTraits_2 Traits>
+template <class Function>
+void Simulation_2<Traits>::for_each_exact_overlap(Function function) const {
+  const Traits exact = traits_.exact();
+  if constexpr (has_radii) {
+    for_each_close_pair(present_points(), [&](Point_id a, Point_id b) {
+      if (exact.may_overlap(point(a), point(b), diameter_, current_time())) function(a, b);
+    });
+  } else {
+    for (const Point_id a : present_points()) {
+      for (const Point_id b : overlapping_points(a, exact)) {
+        if (a < b) function(a, b);
+      }
+    }
+  }
 }
 
 }  // namespace kinetri

@@ -77,11 +77,20 @@ void Simulation_2<Traits>::execute_change(const Due_change& change) {
   if (change.entry.kind == Entry_kind::erase) {
     erase(id);
   } else if (change.entry.kind == Entry_kind::insert) {
-    check_inside(Point_2(*change.motion, id));
-    this->change({&id, 1}, [&] { triangulation_.insert(*change.motion, id); });
+    insert_checked(*change.motion, id, [&] { triangulation_.insert(*change.motion, id); });
   } else if (triangulation_.contains(id)) {  // else it has left while the change was postponed
     set_motion(id, *change.motion);
   }
+}
+
+// Inserts a point, unless the options do not allow it.
+template <ContactKineticTraits_2 Traits>
+template <class Insert>
+void Simulation_2<Traits>::insert_checked(const Motion& motion, Point_id id, Insert insert) {
+  const Point_2 p(motion, id);
+  check_place(p);
+  if (options_.refuses_overlaps) refuse_overlaps_of(p);
+  change({&id, 1}, insert);
 }
 
 // Makes a change. Returns false if another point has the trajectory that the change leads to.
@@ -99,8 +108,7 @@ template <ContactKineticTraits_2 Traits>
 Point_id Simulation_2<Traits>::insert(const Motion& motion, double mass) {
   const Point_id id = triangulation_.next_id();
   KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
-  check_inside(Point_2(motion, id));
-  change({&id, 1}, [&] { triangulation_.insert(motion); });
+  insert_checked(motion, id, [&] { triangulation_.insert(motion); });
   keep_mass(id, mass);
   return id;
 }
@@ -114,7 +122,7 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_motions(std::span<const Point_id> ids,
                                        std::span<const Motion> motions) {
   for (std::size_t i = 0; i < std::min(ids.size(), motions.size()); ++i) {
-    check_inside(Point_2(motions[i], ids[i]));
+    check_place(Point_2(motions[i], ids[i]));
   }
   std::vector<Point_id> points;
   for (const Point_id id : ids) {
@@ -176,6 +184,8 @@ bool Simulation_2<Traits>::try_turns(std::span<const Due_change> turns) {
     set_motions(ids, motions);
     return true;
   } catch (const Outside_box_error&) {
+    return false;
+  } catch (const Negative_radius_error&) {
     return false;
   } catch (const Coincident_trajectories_error&) {
     return false;

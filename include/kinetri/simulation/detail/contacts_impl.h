@@ -30,6 +30,9 @@ void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
   Vector_2 velocity = rounded_velocity(motion, time);
   double& component = walls_[wall].is_vertical() ? velocity.x : velocity.y;
   component = -component;
+  if (walls_[wall].rim) {  // the rim parts from the wall as fast as it came
+    component += (walls_[wall].is_upper() ? -2 : 2) * detail::growth_of(motion);
+  }
   const typename Triangulation::Change reflected = {id, with_velocity(id, velocity, time)};
   change({&id, 1}, [&] {
     triangulation_.apply(Event_kind::wall, id, std::nullopt, {&reflected, 1});
@@ -122,7 +125,7 @@ void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes
     for (const Point_id id : points) {
       if (triangulation_.contains(id)) schedule_contacts(id, points);
     }
-    for (const Point_id id : points) update_overlaps(id);
+    update_overlaps(points);
     for (const Point_id id : points) {
       if (triangulation_.contains(id)) {
         schedule_pairs_beside(id);
@@ -184,7 +187,7 @@ void Simulation_2<Traits>::after_event(const Event& event) {
   if (event.removed) {
     const Edge_ids& edge = *event.removed;
     if (!is_overlapped(edge)) unschedule_pair(edge);
-    if (find_overlap(edge) != nullptr) {
+    if (!has_radii && find_overlap(edge) != nullptr) {
       for_each_pair_over(edge, [this](const Edge_ids& pair) { unwatch(pair); });
     }
   }
@@ -195,7 +198,8 @@ void Simulation_2<Traits>::after_event(const Event& event) {
     if (!is_scheduled_later) watch(pair, event.time);
   };
   watch_now(*event.added);
-  if (find_overlap(*event.added) != nullptr) for_each_pair_over(*event.added, watch_now);
+  if (!has_radii && find_overlap(*event.added) != nullptr)
+    for_each_pair_over(*event.added, watch_now);
 }
 
 }  // namespace kinetri

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/algebra/number_types.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 
@@ -20,6 +22,13 @@ double growth_of([[maybe_unused]] const Motion& motion) {
   } else {
     return 0;
   }
+}
+
+/// The time at which the radius is 0, exactly. Precondition: the growth is not 0.
+template <HasWeight Motion>
+Algebraic_number zero_of_radius(const Motion& disc) {
+  return Algebraic_number(
+      Rational(to_rational(disc.epoch) - to_rational(disc.radius) / to_rational(disc.growth)));
 }
 
 /// What is wrong with a mass; empty if nothing is.

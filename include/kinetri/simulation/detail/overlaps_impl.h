@@ -6,13 +6,24 @@
 // disc overlaps those of p and q. Let p and q come into contact. The points in the closed disc with
 // diameter pq are connected by edges inside of it, so there is a path from p to q; if that is not
 // the edge pq, then the last point before q is such a point w.
+//
+// Discs of any radii: pq is an edge of the regular triangulation, or there is a disc that overlaps
+// both, whether it has edges or not (docs/MATH.md, section 8; disc_overlaps_impl.h). Two that
+// overlap each other are watched too, as no other one need overlap them, and they need have no
+// edge.
 #ifndef KINETRI_SIMULATION_DETAIL_OVERLAPS_IMPL_H
 #define KINETRI_SIMULATION_DETAIL_OVERLAPS_IMPL_H
 
 #include <algorithm>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/base/check.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
+#include "kinetri/simulation/detail/shortest_text.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
@@ -27,9 +38,24 @@ auto Simulation_2<Traits>::overlaps(Point_id id) const -> const std::vector<Over
 // The record of a pair that overlaps; null if there is none.
 template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::find_overlap(const Edge_ids& pair) const -> const Overlap* {
-  const std::vector<Overlap>& of_first = overlaps(pair[0]);
-  const auto overlap = std::ranges::find(of_first, pair[1], &Overlap::id);
-  return overlap == of_first.end() ? nullptr : &*overlap;
+  // Both have a record; a large disc may overlap many.
+  const bool is_second_shorter = overlaps(pair[1]).size() < overlaps(pair[0]).size();
+  const std::vector<Overlap>& shorter = overlaps(pair[is_second_shorter ? 1 : 0]);
+  const auto overlap = std::ranges::find(shorter, pair[is_second_shorter ? 0 : 1], &Overlap::id);
+  return overlap == shorter.end() ? nullptr : &*overlap;
+}
+
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::is_hidden(Point_id id) const {
+  return triangulation_.is_hidden(id);
+}
+
+// Whether the discs overlap just after the present time; or touch, if they have radii of their own.
+// Or true if unsure.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::may_touch(Point_id a, Point_id b, const Traits& traits) const {
+  return traits.may_overlap(point(a), point(b), diameter_, current_time()) ||
+         (has_radii && traits.do_touch(point(a), point(b), diameter_, current_time()));
 }
 
 // The points whose discs overlap that of a point just after the present time, and perhaps some
@@ -41,7 +67,7 @@ std::vector<Point_id> Simulation_2<Traits>::overlapping_points(Point_id id,
   const auto add_neighbors = [&](Point_id of) {
     for_each_neighbor(of, [&](Point_id other) {
       if (other != id && std::ranges::find(result, other) == result.end() &&
-          traits.may_overlap(point(id), point(other), diameter_, current_time())) {
+          may_touch(id, other, traits)) {
         result.push_back(other);
       }
     });
@@ -65,9 +91,19 @@ bool Simulation_2<Traits>::is_watched(const Edge_ids& pair) const {
   return is_edge(pair[0], pair[1]) || is_overlapped(pair);
 }
 
-// Whether the pair is watched because of a disc that overlaps both.
+// Whether the pair is watched because of a disc that overlaps both; or, of discs that have radii of
+// their own, because they overlap each other.
 template <ContactKineticTraits_2 Traits>
 bool Simulation_2<Traits>::is_overlapped(const Edge_ids& pair) const {
+  if constexpr (has_radii) {
+    if (find_overlap(pair) != nullptr) return true;
+    const bool is_second_shorter = overlaps(pair[1]).size() < overlaps(pair[0]).size();
+    const Point_id few = pair[is_second_shorter ? 1 : 0];
+    const Point_id many = pair[is_second_shorter ? 0 : 1];
+    return std::ranges::any_of(overlaps(few), [&](const Overlap& overlap) {
+      return find_overlap({overlap.id, many}) != nullptr;
+    });
+  }
   return std::ranges::any_of(overlaps(pair[0]), [&](const Overlap& overlap) {
     return find_overlap({overlap.id, pair[1]}) != nullptr && is_edge(overlap.id, pair[1]);
   });
@@ -94,6 +130,7 @@ void Simulation_2<Traits>::unwatch(const Edge_ids& pair) {
 template <ContactKineticTraits_2 Traits>
 template <class Function>
 void Simulation_2<Traits>::for_each_pair_beside(Point_id a, Point_id b, Function function) const {
+  if constexpr (has_radii) function(edge_ids(a, b));
   // Mostly the two overlap no others.
   const auto has_others = [&](Point_id p, Point_id w) {
     return std::ranges::any_of(overlaps(p), [w](const Overlap& other) { return other.id != w; });
@@ -101,12 +138,29 @@ void Simulation_2<Traits>::for_each_pair_beside(Point_id a, Point_id b, Function
   if (!has_others(a, b) && !has_others(b, a)) return;
   const auto as_first = [&](Point_id p, Point_id w) {
     for (const Overlap& overlap : overlaps(w)) {
-      if (p < overlap.id && is_edge(w, overlap.id)) function(Edge_ids{p, overlap.id});
+      if (has_radii ? p != overlap.id : p < overlap.id && is_edge(w, overlap.id)) {
+        function(edge_ids(p, overlap.id));
+      }
     }
   };
   as_first(a, b);
   as_first(b, a);
-  if (is_edge(a, b)) for_each_pair_over({a, b}, function);
+  if (!has_radii && is_edge(a, b)) for_each_pair_over({a, b}, function);
+}
+
+// Calls `function` with the greater point of each pair that is watched because of a disc that
+// overlaps both, and of which `first` is the smaller one; perhaps more than once.
+template <ContactKineticTraits_2 Traits>
+template <class Function>
+void Simulation_2<Traits>::for_each_pair_of(Point_id first, Function function) const {
+  for (const Overlap& between : overlaps(first)) {
+    if (has_radii && first < between.id) function(between.id);
+    for (const Overlap& overlap : overlaps(between.id)) {
+      if (first < overlap.id && (has_radii || is_edge(between.id, overlap.id))) {
+        function(overlap.id);
+      }
+    }
+  }
 }
 
 // Calls `function` with the pairs that are watched because of an edge, but for its own ends.
@@ -125,11 +179,68 @@ void Simulation_2<Traits>::for_each_pair_over(const Edge_ids& edge, Function fun
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::find_all_overlaps() {
-  if (!options_.response) return;
-  for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
-    if (!triangulation_.contains(id)) continue;
-    for (const Point_id other : overlapping_points(id, traits_)) start_overlap(id, other);
+  if (!options_.response && !options_.refuses_overlaps) return;
+  if constexpr (has_radii) {
+    for_each_close_pair(present_points(), [&](Point_id a, Point_id b) {
+      if (may_touch(a, b, traits_)) start_overlap(a, b);
+    });
+  } else {
+    for (const Point_id id : present_points()) {
+      for (const Point_id other : overlapping_points(id, traits_)) start_overlap(id, other);
+    }
   }
+}
+
+template <ContactKineticTraits_2 Traits>
+std::vector<Point_id> Simulation_2<Traits>::present_points() const {
+  std::vector<Point_id> result;
+  for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
+    if (triangulation_.contains(id)) result.push_back(id);
+  }
+  return result;
+}
+
+// Whether the discs overlap at the present time, exactly; touching is not enough.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::do_overlap(const Point_2& p, const Point_2& q) const {
+  return traits_.do_touch(p, q, diameter_, current_time()) &&
+         sign_at(contact_polynomial(p, q, diameter_), current_time()) == CGAL::NEGATIVE;
+}
+
+// Precondition: all overlaps are known.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::refuse_overlaps() const {
+  std::vector<Edge_ids> pairs;
+  for (const Point_id id : present_points()) {
+    for (const auto& [other, passes] : overlaps(id)) {
+      if (id < other && do_overlap(point(id), point(other))) pairs.push_back({id, other});
+    }
+  }
+  refuse(std::move(pairs));
+}
+
+// For a point that is to be inserted. O(n).
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::refuse_overlaps_of(const Point_2& p) const {
+  std::vector<Edge_ids> pairs;
+  for (const Point_id id : present_points()) {
+    if (do_overlap(point(id), p)) pairs.push_back(edge_ids(id, p.id()));
+  }
+  refuse(std::move(pairs));
+}
+
+// Throws if there are such pairs.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::refuse(std::vector<Edge_ids> pairs) const {
+  if (pairs.empty()) return;
+  std::ranges::sort(pairs);
+  const auto [a, b] = pairs.front();
+  const std::string message =
+      "discs " + std::to_string(a) + " and " + std::to_string(b) +
+      " overlap at t = " + detail::text(current_time()) +
+      (pairs.size() > 1 ? ", and " + std::to_string(pairs.size() - 1) + " more pairs" : "") +
+      "; expected discs that are apart or touch";
+  throw Overlapping_discs_error(std::move(pairs), message);
 }
 
 // Does nothing for a pair that has a record.
@@ -163,7 +274,8 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::let_pass(Point_id a, Point_id b) {
   for (const Point_id id : {a, b}) {
     end_passes(id);
-    update_overlaps(id);
+    drop_overlaps(id);
+    if constexpr (!has_radii) find_new_overlaps_of(id);
   }
   start_overlap(a, b);
   mark_passing(a, b, true);
@@ -195,29 +307,44 @@ bool Simulation_2<Traits>::is_passing(Point_id a, Point_id b) {
          queue_.time(queue_[partner->event]) > current_time();
 }
 
-// Brings the overlaps of a point up to date, where those at edges are known, of all points. The
-// others are among the overlaps of the discs that it overlaps: all points of a path of edges from p
-// to q, within the closed disc with diameter pq, overlap one another. Does nothing but forget them
-// if the point is not there any more.
+// Brings the overlaps of points that have got other motions, come or gone up to date, where those
+// at edges are known.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::update_overlaps(Point_id id) {
-  const auto does_overlap = [&](Point_id other) {
-    return triangulation_.contains(id) && triangulation_.contains(other) &&
-           traits_.may_overlap(point(id), point(other), diameter_, current_time());
-  };
+void Simulation_2<Traits>::update_overlaps(std::span<const Point_id> points) {
+  if (!options_.response) return;
+  for (const Point_id id : points) drop_overlaps(id);
+  if constexpr (has_radii) {
+    find_new_overlaps(points);
+  } else {
+    for (const Point_id id : points) find_new_overlaps_of(id);
+  }
+}
+
+// Forgets the overlaps that are over: all of them if the point is not there any more.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::drop_overlaps(Point_id id) {
   for (std::size_t i = 0; i < overlaps(id).size();) {
     const auto [other, passes] = overlaps(id)[i];
-    if (passes || does_overlap(other)) {
+    if (passes || (triangulation_.contains(id) && triangulation_.contains(other) &&
+                   may_touch(id, other, traits_))) {
       ++i;
     } else {
       end_overlap(id, other);
     }
   }
+}
+
+// The overlaps of a point that are not at its edges are among those of the discs that it overlaps:
+// all points of a path of edges from p to q, within the closed disc with diameter pq, overlap one
+// another.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::find_new_overlaps_of(Point_id id) {
   for (std::size_t i = 0; i < overlaps(id).size(); ++i) {
     const Point_id between = overlaps(id)[i].id;
     for (std::size_t k = 0; k < overlaps(between).size(); ++k) {
       const Point_id other = overlaps(between)[k].id;
-      if (other != id && find_overlap({id, other}) == nullptr && does_overlap(other)) {
+      if (other != id && find_overlap({id, other}) == nullptr && triangulation_.contains(other) &&
+          may_touch(id, other, traits_)) {
         start_overlap(id, other);
       }
     }

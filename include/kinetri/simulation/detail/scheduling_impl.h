@@ -19,7 +19,7 @@ namespace kinetri {
 
 template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::Queue_policy::entry_time(const Entry& entry) const -> Time {
-  KINETRI_ASSERT(entry.kind <= Entry_kind::collision, "a scheduled change has its time");
+  KINETRI_ASSERT(is_contact(entry.kind), "a scheduled change has its time");
   if (!entry.is_event) return Time(entry.bounds.lower);
   const Traits& traits = simulation.traits_;
   const Point_2& p = simulation.point(entry.point_a);
@@ -59,7 +59,7 @@ Queue_handle Simulation_2<Traits>::push(Entry entry, Certificate certificate) {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::discard(Queue_handle handle) {
   const Entry entry = queue_.erase(handle);
-  if (entry.is_event && entry.kind <= Entry_kind::collision) {
+  if (entry.is_event && is_contact(entry.kind)) {
     ++(entry.kind == Entry_kind::wall ? counters_.discarded_walls : counters_.discarded_collisions);
   }
 }
@@ -79,6 +79,8 @@ void Simulation_2<Traits>::forget(const Entry& entry) {
     contacts_of(entry.point_a).wall_event = no_event;
   } else if (entry.kind == Entry_kind::collision) {
     forget_pair({entry.point_a, entry.point_b});
+  } else if (entry.kind == Entry_kind::vanish) {
+    contacts_of(entry.point_a).vanish_event = no_event;
   } else {
     --scheduled_entries_;
   }
@@ -111,6 +113,28 @@ auto Simulation_2<Traits>::contacts_of(Point_id id) -> Contacts& {
   if (id >= contacts_.size()) contacts_.resize(triangulation_.next_id());
   if (contacts_[id] == nullptr) contacts_[id] = std::make_unique<Contacts>();
   return *contacts_[id];
+}
+
+// Schedules what the point does by itself: it has come or got another motion.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_single(Point_id id, const Time& after) {
+  schedule_wall(id, after);
+  if constexpr (has_radii) {
+    if (triangulation_.motion(id).growth < 0) schedule_vanishing(id);
+  }
+}
+
+// Precondition: the radius shrinks, and nothing is scheduled yet.
+template <ContactKineticTraits_2 Traits>
+template <HasWeight M>
+void Simulation_2<Traits>::schedule_vanishing(Point_id id) {
+  const Time time = detail::zero_of_radius(triangulation_.motion(id));
+  Entry entry;
+  entry.kind = Entry_kind::vanish;
+  entry.is_event = true;
+  entry.point_a = id;
+  entry.bounds = time.interval();
+  contacts_of(id).vanish_event = queue_.push(entry, time);
 }
 
 // Only the first of the walls that the point reaches has an entry.
@@ -201,6 +225,7 @@ void Simulation_2<Traits>::unschedule_pair(const Edge_ids& pair) {
 template <ContactKineticTraits_2 Traits>
 template <class Function>
 void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) const {
+  if (is_hidden(id)) return;
   detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
                             [&](auto neighbor) { function(neighbor->point().id()); });
 }
@@ -210,14 +235,12 @@ void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) con
 // those of smaller ids have been done.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_contacts(Point_id id, std::span<const Point_id> points) {
-  schedule_wall(id, current_time());
+  schedule_single(id, current_time());
   if (!options_.response) return;
   for_each_neighbor(id, [&](Point_id other) {
     const bool is_done = other < id && std::ranges::binary_search(points, other);
     if (is_done || !schedule_new_pair(edge_ids(id, other), current_time())) return;
-    if (traits_.may_overlap(point(id), point(other), diameter_, current_time())) {
-      start_overlap(id, other);
-    }
+    if (may_touch(id, other, traits_)) start_overlap(id, other);
   });
 }
 
@@ -235,16 +258,16 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_all() {
   const Point_id ids = triangulation_.next_id();
   for (Point_id id = 0; id < ids; ++id) {
-    if (triangulation_.contains(id)) schedule_wall(id, current_time());
+    if (triangulation_.contains(id)) schedule_single(id, current_time());
   }
   if (!options_.response) return;
   for (const Edge_ids& edge : triangulation_.finite_edge_ids()) watch(edge, current_time());
+  // Of each pair only once, however many discs overlap both.
+  std::vector<Point_id> last_first(ids, no_point);
   for (Point_id id = 0; id < ids; ++id) {
-    for (const Overlap& overlap : overlaps(id)) {
-      if (overlap.id < id) continue;
-      for_each_pair_beside(id, overlap.id,
-                           [this](const Edge_ids& pair) { watch(pair, current_time()); });
-    }
+    for_each_pair_of(id, [&](Point_id other) {
+      if (std::exchange(last_first[other], id) != id) watch({id, other}, current_time());
+    });
   }
 }
 
@@ -253,6 +276,10 @@ void Simulation_2<Traits>::unschedule_contacts(Point_id id) {
   unschedule_wall(id);
   Contacts* const contacts = find_contacts(id);
   if (contacts == nullptr) return;
+  if (const Queue_handle event = std::exchange(contacts->vanish_event, no_event);
+      event != no_event) {
+    discard(event);
+  }
   for (const auto& [other, event] : contacts->partners) {
     forget_partner(other, id);
     discard(event);

@@ -34,7 +34,7 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   std::ranges::sort(result.in_contact);
   std::vector<Entry> changes;
   queue_.for_each([&](const Entry& entry) {
-    if (entry.kind > Entry_kind::collision) changes.push_back(entry);
+    if (is_change(entry.kind)) changes.push_back(entry);
   });
   std::ranges::sort(changes, {}, &Entry::point_b);
   for (const Entry& change : changes) {
@@ -71,7 +71,7 @@ Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& sna
     throw Snapshot_error("the snapshot has more masses than point ids");
   }
   counters_.queue = {};
-  if (options_.box) walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
+  make_walls();
   triangulation_.add_observer(*this);
   restore_contacts(snapshot);
   restore_changes(snapshot);
@@ -93,10 +93,15 @@ void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
   }
   for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
     if (!triangulation_.contains(id)) continue;
-    try {
-      check_inside(point(id));
-    } catch (const Outside_box_error& error) {
+    const auto refuse = [&](const Error& error) {
       throw Snapshot_error("point " + std::to_string(id) + " of the snapshot: " + error.what());
+    };
+    try {
+      check_place(point(id));
+    } catch (const Outside_box_error& error) {
+      refuse(error);
+    } catch (const Negative_radius_error& error) {
+      refuse(error);
     }
   }
   schedule_all();

@@ -258,12 +258,19 @@ void Kinetic_triangulation_2<Traits>::check_are_distinct(std::span<const Change>
   std::ranges::sort(jumps, {}, id);
   std::vector<Jump> in_order;
   in_order.reserve(jumps.size());
+  std::vector<bool> is_in_order;
   for (const Jump& jump : jumps) {
     if (!jump.change.motion) in_order.push_back(jump);
+    is_in_order.push_back(!jump.change.motion);
   }
   for (const Vertex_handle v : of_changed.finite_vertex_handles()) {
     const auto jump = std::ranges::lower_bound(jumps, v->point().id(), {}, id);
-    if (jump != jumps.end() && id(*jump) == v->point().id()) in_order.push_back(*jump);
+    if (jump == jumps.end() || id(*jump) != v->point().id()) continue;
+    in_order.push_back(*jump);
+    is_in_order[static_cast<std::size_t>(jump - jumps.begin())] = true;
+  }
+  for (std::size_t i = 0; i < jumps.size(); ++i) {  // hidden among those that change
+    if (!is_in_order[i]) in_order.push_back(jumps[i]);
   }
   jumps = std::move(in_order);
 }
