@@ -5,6 +5,7 @@
 #include <kinetri/kinetic/basic_kinetic_traits_2.h>
 // The definitions of the templates: the library has them compiled for its own traits only.
 #include <kinetri/triangulation/audit_impl.h>
+#include <kinetri/triangulation/kinetic_delaunay_triangulation_2.h>
 #include <kinetri/triangulation/kinetic_triangulation_2_impl.h>
 
 #include <iostream>
