@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kinetri/base/check.h"
+#include "kinetri/simulation/detail/disc_numbers.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/detail/incident.h"
 
