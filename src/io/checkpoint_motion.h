@@ -7,8 +7,10 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
@@ -48,6 +50,32 @@ struct Checkpoint_motion<Polynomial_motion_2> {
   static std::optional<Polynomial_motion_2> from_numbers(std::span<const double> n) {
     if (n.size() != 9) return std::nullopt;
     return Polynomial_motion_2{{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}, {n[6], n[7]}, n[8]};
+  }
+};
+
+template <class CentreMotion>
+struct Checkpoint_motion<Basic_disc_motion_2<CentreMotion>> {
+  using Centre = Checkpoint_motion<CentreMotion>;
+  using Disc = Basic_disc_motion_2<CentreMotion>;
+
+  static constexpr bool is_linear = std::is_same_v<CentreMotion, Linear_motion_2>;
+  static constexpr std::string_view name = is_linear ? "disc" : "polynomial disc";
+  static constexpr std::string_view expected =
+      is_linear ? "x, y, vx, vy, epoch, radius, growth and weight"
+                : "x, y, vx, vy, ax, ay, jx, jy, epoch, radius, growth and weight";
+
+  static std::vector<double> numbers(const Disc& disc) {
+    std::vector<double> result = Centre::numbers(disc);
+    result.insert(result.end(), {disc.radius, disc.growth, disc.weight});
+    return result;
+  }
+
+  static std::optional<Disc> from_numbers(std::span<const double> n) {
+    if (n.size() < 3) return std::nullopt;
+    const std::size_t of_centre = n.size() - 3;
+    const auto centre = Centre::from_numbers(n.first(of_centre));
+    if (!centre) return std::nullopt;
+    return Disc{*centre, n[of_centre], n[of_centre + 1], n[of_centre + 2]};
   }
 };
 

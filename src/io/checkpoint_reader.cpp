@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "checkpoint_format.h"
@@ -115,6 +116,9 @@ Simulation_options options(const Json_value& state) {
   }
   result.rim_touches = state.member("rim_touches").truth();
   result.radius = state.member("radius").number();
+  result.refuses_overlaps = state.member("refuses_overlaps").truth();
+  state.member("masses").for_each(
+      [&](const Json_value& mass) { result.masses.push_back(mass.number()); });
   result.max_contacts_per_instant = count(state.member("max_contacts_per_instant"));
   return result;
 }
@@ -144,6 +148,9 @@ void read_faces(const Json_value& state, Triangulation_snapshot<Traits>& topolog
   });
   state.member("vertex_faces").for_each([&](const Json_value& face) {
     topology.vertex_faces.push_back(face_number(face));
+  });
+  state.member("hidden_points").for_each([&](const Json_value& point) {
+    topology.hidden_points.push_back(point_id(point));
   });
   topology.infinite_vertex_face = face_number(state.member("infinite_vertex_face"));
 }
@@ -208,6 +215,29 @@ std::vector<Checkpoint_log> logs(const Json_value& list) {
   return result;
 }
 
+// Reads the snapshot of the kind of motion with the name. Whether there is such a kind.
+template <class... Snapshots>
+bool read_snapshot(const Json_value& state, std::string_view name,
+                   std::variant<Snapshots...>& result) {
+  const auto read_one = [&]<class Traits>(const Simulation_snapshot<Traits>& /*kind*/) {
+    if (name != Checkpoint_motion<typename Traits::Motion>::name) return false;
+    result = simulation_snapshot<Traits>(state);
+    return true;
+  };
+  return (read_one(Snapshots()) || ...);
+}
+
+// "'linear', 'polynomial', ...".
+template <class... Snapshots>
+std::string names_of_motions(const std::variant<Snapshots...>& /*kinds*/) {
+  std::string result;
+  const auto add = [&](std::string_view name) {
+    append(result, result.empty() ? "'" : ", '", name, "'");
+  };
+  (add(Checkpoint_motion<typename Snapshots::Motion>::name), ...);
+  return result;
+}
+
 }  // namespace
 
 Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
@@ -218,18 +248,14 @@ Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
   }
   const Json_value state = document.value(name);
   const Json_value motion = state.member("motion");
-  const std::string response = state.member("response").text();
-  if (motion.text() == Checkpoint_motion<Linear_motion_2>::name) {
-    return {simulation_snapshot<Linear_kinetic_traits_2>(state), response,
-            logs(state.member("logs"))};
+  Checkpoint result;
+  result.response = state.member("response").text();
+  if (!read_snapshot(state, motion.text(), result.simulation)) {
+    motion.fail(joined("is ", kinetri::quoted(motion.text()), "; expected one of ",
+                       names_of_motions(result.simulation)));
   }
-  if (motion.text() == Checkpoint_motion<Polynomial_motion_2>::name) {
-    return {simulation_snapshot<Polynomial_kinetic_traits_2>(state), response,
-            logs(state.member("logs"))};
-  }
-  motion.fail(joined("is ", kinetri::quoted(motion.text()), "; expected '",
-                     Checkpoint_motion<Linear_motion_2>::name, "' or '",
-                     Checkpoint_motion<Polynomial_motion_2>::name, "'"));
+  result.logs = logs(state.member("logs"));
+  return result;
 }
 
 Checkpoint read_checkpoint_file(const std::string& path) {

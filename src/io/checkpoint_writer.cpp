@@ -84,6 +84,8 @@ class Checkpoint_writer {
       json.end_object();
     });
     write_options(snapshot);
+    add_list("masses", snapshot.options.masses,
+             [](Json_writer& json, double mass) { json.value(mass); });
     add_written("counters", topology.counters);
     add_written("certificates", topology.certificates, certificate_counters);
     add_written("contact_counters", snapshot.counters, contact_counters);
@@ -119,6 +121,7 @@ class Checkpoint_writer {
     }
     add("rim_touches", options.rim_touches);
     add("radius", options.radius);
+    add("refuses_overlaps", options.refuses_overlaps);
     add("has_response", snapshot.has_response);
     add("max_contacts_per_instant", options.max_contacts_per_instant);
   }
@@ -143,6 +146,8 @@ class Checkpoint_writer {
     });
     add_list("vertex_faces", topology.vertex_faces,
              [](Json_writer& json, std::size_t face) { json.value(face); });
+    add_list("hidden_points", topology.hidden_points,
+             [](Json_writer& json, Point_id id) { json.value(id); });
     add("infinite_vertex_face", topology.infinite_vertex_face);
   }
 

@@ -97,9 +97,12 @@ class Picture {
   void write(std::ostream& out) {
     begin();
     if (view_.box) add_box(*view_.box);
-    if (view_.radius > 0) {
-      add_circles("discs", "fill=\"#56b4e9\" fill-opacity=\"0.35\" stroke=\"#0072b2\"",
-                  canvas_.length(view_.radius));
+    const auto disc = [&](std::size_t i) { return canvas_.length((*frame_.discs)[i].radius); };
+    if (frame_.discs) {
+      add_circles("discs", "fill=\"#56b4e9\" fill-opacity=\"0.35\" stroke=\"#0072b2\"", false,
+                  disc);
+      add_circles("hidden-discs", "fill=\"none\" stroke=\"#808080\" stroke-dasharray=\"4 3\"", true,
+                  disc);
     }
     std::vector<std::array<std::size_t, 2>> inner;
     std::ranges::set_difference(frame_.edges, frame_.hull, std::back_inserter(inner));
@@ -107,7 +110,9 @@ class Picture {
     const double line = std::clamp(0.03 * spacing, 0.25, 1.2);
     add_lines("edges", "#6f8fa8", line, inner);
     add_lines("hull", "#0072b2", std::max(2 * line, 0.8), frame_.hull);
-    add_circles("points", "fill=\"#d55e00\"", std::clamp(0.08 * spacing, 0.5, 3.4));
+    const auto dot = [&](std::size_t) { return std::clamp(0.08 * spacing, 0.5, 3.4); };
+    add_circles("points", "fill=\"#d55e00\"", false, dot);
+    add_circles("hidden-points", "fill=\"#fdfdfb\" stroke=\"#808080\"", true, dot);
     add_caption();
     add("</svg>\n");
     out << text_;
@@ -149,13 +154,27 @@ class Picture {
     add("\"/>\n");
   }
 
-  void add_circles(std::string_view name, std::string_view style, double radius) {
-    add("<g class=\"", name, "\" ", style, ">\n");
-    for (const Pixel& place : places_) {
-      if (!place.is_finite()) continue;
-      add("<circle cx=\"", place.x, "\" cy=\"", place.y, "\" r=\"", pixels(radius), "\"/>\n");
+  bool is_hidden(std::size_t i) const { return frame_.discs && (*frame_.discs)[i].is_hidden; }
+
+  // Of the points that are hidden, or of the others: radius(i) for the i-th one. A group without
+  // hidden points is left out.
+  template <class Radius>
+  void add_circles(std::string_view name, std::string_view style, bool are_hidden,
+                   const Radius& radius) {
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Pixel& place = places_[i];
+      if (is_hidden(i) != are_hidden || !place.is_finite()) continue;
+      if (number++ == 0) begin_group(name, style);
+      add("<circle cx=\"", place.x, "\" cy=\"", place.y, "\" r=\"", pixels(radius(i)), "\"/>\n");
     }
+    if (number == 0 && are_hidden) return;
+    if (number == 0) begin_group(name, style);
     add("</g>\n");
+  }
+
+  void begin_group(std::string_view name, std::string_view style) {
+    add("<g class=\"", name, "\" ", style, ">\n");
   }
 
   void add_caption() {

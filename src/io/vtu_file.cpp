@@ -47,6 +47,17 @@ void write_vectors(std::ostream& out, std::string_view name, const std::vector<V
   write_array<double>(out, name, " NumberOfComponents=\"3\"", numbers);
 }
 
+void write_discs(std::ostream& out, const std::vector<Frame_2::Disc>& discs) {
+  std::vector<double> radii;
+  std::vector<std::uint8_t> hidden;
+  for (const Frame_2::Disc& disc : discs) {
+    radii.push_back(disc.radius);
+    hidden.push_back(disc.is_hidden ? 1 : 0);
+  }
+  write_array<double>(out, "radius", "", radii);
+  write_array<std::uint8_t>(out, "hidden", "", hidden);
+}
+
 // A field has one tuple, whatever the points.
 template <class Number>
 void write_field(std::ostream& out, const std::string& field, Number value) {
@@ -81,7 +92,7 @@ void write_cells(std::ostream& out, const Frame_2& frame) {
 
 }  // namespace
 
-void write_vtu(std::ostream& out, const Frame_2& frame, double radius) {
+void write_vtu(std::ostream& out, const Frame_2& frame) {
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n"
@@ -92,10 +103,7 @@ void write_vtu(std::ostream& out, const Frame_2& frame, double radius) {
   out << "      <PointData Scalars=\"id\" Vectors=\"velocity\">\n";
   write_array<std::uint32_t>(out, "id", "", frame.ids);
   write_vectors(out, "velocity", frame.velocities);
-  if (radius != 0) {
-    const std::vector<double> radii(frame.ids.size(), radius);
-    write_array<double>(out, "radius", "", radii);
-  }
+  if (frame.discs) write_discs(out, *frame.discs);
   out << "      </PointData>\n      <CellData/>\n      <Points>\n";
   write_vectors(out, "Points", frame.places);
   out << "      </Points>\n";

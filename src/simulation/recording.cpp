@@ -18,6 +18,12 @@ Polynomial_disc_motion_2 as_disc(const Linear_motion_2& motion) {
 Polynomial_disc_motion_2 as_disc(const Polynomial_motion_2& motion) {
   return {motion};
 }
+Polynomial_disc_motion_2 as_disc(const Disc_motion_2& motion) {
+  return polynomial_motion(motion);
+}
+const Polynomial_disc_motion_2& as_disc(const Polynomial_disc_motion_2& motion) {
+  return motion;
+}
 
 // Whether the points of such an event keep their motions.
 bool is_of_topology(Event_kind kind) {
@@ -214,6 +220,7 @@ template <class Traits>
 Point_id Recorder<Traits>::apex_now(Point_id p, Point_id q) const {
   const auto& triangulation = triangulation_.triangulation();
   if (triangulation.dimension() < 2 || !triangulation_.contains(p)) return no_point;
+  if (triangulation_.is_hidden(p)) return no_point;
   const auto vertex = triangulation_.vertex(p);
   auto face = triangulation.incident_faces(vertex);
   const auto first = face;
@@ -301,5 +308,7 @@ Recording Recorder<Traits>::recording() const {
 
 template class Recorder<Linear_kinetic_traits_2>;
 template class Recorder<Polynomial_kinetic_traits_2>;
+template class Recorder<Disc_kinetic_traits_2>;
+template class Recorder<Polynomial_disc_kinetic_traits_2>;
 
 }  // namespace kinetri

@@ -42,20 +42,24 @@ Linear_motion_2 motion_after(const std::vector<Observation_2>& track, std::size_
   return {place, {(next_place.x - place.x) / elapsed, (next_place.y - place.y) / elapsed}, time};
 }
 
-std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Observation_2>> tracks,
-                                                std::span<const Stay> stays, double start,
-                                                const Simulation_options& options,
-                                                const Linear_kinetic_traits_2& traits) {
+namespace {
+
+// The simulation of the tracks, whose motions motion_of(stay, i) gives, from observation i on.
+template <class Traits, class Motion_of>
+std::unique_ptr<Simulation_2<Traits>> simulate(std::span<const std::vector<Observation_2>> tracks,
+                                               std::span<const Stay> stays, double start,
+                                               const Simulation_options& options,
+                                               const Traits& traits, const Motion_of& motion_of) {
   // The first stays are those that are there at the start.
-  std::vector<Linear_motion_2> motions;
+  std::vector<typename Traits::Motion> motions;
   for (const Stay& stay : stays) {
     const std::vector<Observation_2>& track = tracks[stay.track];
     if (track[stay.first].time > start) break;
     std::size_t i = stay.first;
     while (track[i + 1].time <= start) ++i;
-    motions.push_back(motion_after(track, i));
+    motions.push_back(motion_of(stay, i));
   }
-  auto simulation = std::make_unique<Simulation_2<>>(motions, options, start, traits);
+  auto simulation = std::make_unique<Simulation_2<Traits>>(motions, options, start, traits);
   for (Point_id id = 0; id < stays.size(); ++id) {
     const Stay& stay = stays[id];
     const std::vector<Observation_2>& track = tracks[stay.track];
@@ -65,14 +69,36 @@ std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Obse
       if (i == stay.last) {
         simulation->schedule_erase(time, id);
       } else if (i == stay.first) {
-        const Point_id given = simulation->schedule_insert(time, motion_after(track, i));
+        const Point_id given = simulation->schedule_insert(time, motion_of(stay, i));
         KINETRI_ASSERT(given == id, "ids are given in the order of the stays");
       } else {
-        simulation->schedule_motion(time, id, motion_after(track, i));
+        simulation->schedule_motion(time, id, motion_of(stay, i));
       }
     }
   }
   return simulation;
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Observation_2>> tracks,
+                                                std::span<const Stay> stays, double start,
+                                                const Simulation_options& options,
+                                                const Linear_kinetic_traits_2& traits) {
+  return simulate(tracks, stays, start, options, traits, [&](const Stay& stay, std::size_t i) {
+    return motion_after(tracks[stay.track], i);
+  });
+}
+
+std::unique_ptr<Simulation_2<Disc_kinetic_traits_2>> simulate_tracks(
+    std::span<const std::vector<Observation_2>> tracks, std::span<const double> radii,
+    std::span<const Stay> stays, double start, const Simulation_options& options,
+    const Disc_kinetic_traits_2& traits) {
+  KINETRI_PRECONDITION(radii.size() == tracks.size(),
+                       "there are not as many radii as tracks; expected one for each");
+  return simulate(tracks, stays, start, options, traits, [&](const Stay& stay, std::size_t i) {
+    return Disc_motion_2{motion_after(tracks[stay.track], i), radii[stay.track]};
+  });
 }
 
 }  // namespace kinetri

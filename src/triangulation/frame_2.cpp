@@ -52,11 +52,17 @@ Frame_2 frame_of(const Kinetic_triangulation_2<Traits>& kinetic) {
   frame.time = kinetic.current_time().to_double();
   frame.events = kinetic.counters().events;
   const auto& triangulation = kinetic.triangulation();
-  for (const auto v : triangulation.finite_vertex_handles()) frame.ids.push_back(v->point().id());
-  std::ranges::sort(frame.ids);
-  for (const Point_id id : frame.ids) {
-    frame.places.push_back(rounded_place(kinetic.motion(id), frame.time));
-    frame.velocities.push_back(rounded_velocity(kinetic.motion(id), frame.time));
+  if constexpr (HasWeight<typename Traits::Motion>) frame.discs.emplace();
+  for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+    if (!kinetic.contains(id)) continue;
+    const auto& motion = kinetic.motion(id);
+    frame.ids.push_back(id);
+    frame.places.push_back(rounded_place(motion, frame.time));
+    frame.velocities.push_back(rounded_velocity(motion, frame.time));
+    if constexpr (HasWeight<typename Traits::Motion>) {
+      const double radius = std::max(rounded_radius(motion, frame.time), 0.0);
+      frame.discs->push_back({radius, kinetic.is_hidden(id)});
+    }
   }
   const Positions positions(frame.ids);
   for (const Edge_ids& edge : kinetic.finite_edge_ids()) {
@@ -72,5 +78,7 @@ Frame_2 frame_of(const Kinetic_triangulation_2<Traits>& kinetic) {
 
 template Frame_2 frame_of(const Kinetic_triangulation_2<Linear_kinetic_traits_2>&);
 template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&);
+template Frame_2 frame_of(const Kinetic_triangulation_2<Disc_kinetic_traits_2>&);
+template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>&);
 
 }  // namespace kinetri

@@ -3,7 +3,7 @@
 from message_case import DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, simulate, tracks
 
 COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion, manual or help"
-SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice or lattice-jitter"
+SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice, lattice-jitter or packing"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
 TRACKS_COLUMNS = "t,id,x,y and optionally radius, in any order"
 
@@ -92,15 +92,23 @@ def meaning_cases():
     yield simulate("--box 0,0,1,2,", text="0,0,1,2,", n=5)
     yield simulate("--box 5,0,5,9", text="5,0,5,9")
     yield simulate("--rim")
-    yield simulate("--rim --box -5,-5,15,5 --radius 5", radius=5)
     yield simulate("--radius 1")
+    yield simulate("--growth 1")
+    yield simulate("--mass area")
+    yield simulate("--mass area --collisions swap --radius 1")
+    yield simulate("--mass weight", option="--mass", text="weight", choices="column or area")
     yield simulate("--collisions log --radius 1e308", radius="1e308")
     yield case("tracks t.csv --radius 1")
     yield case("simulate d.csv --until 1 --collisions log --radius 1", file="d.csv")
-    for option in ("--collisions", "--rim"):
-        yield simulate("--collisions swap" if option == "--collisions" else "--rim --box -5,-5,5,5",
-                       option=option, file="p.csv")
-    yield case("tracks t.csv --collisions log")
+    yield case("simulate g.csv --until 1 --collisions log --growth 1", file="g.csv",
+               files={"g.csv": "x,y,vx,vy,growth\n0,0,0,0,1\n"})
+    for option in ("--collisions swap", "--rim --box -5,-5,5,5", "--regular"):
+        yield simulate(option, option=option.split()[0], file="p.csv")
+    yield case("tracks t.csv --collisions log", option="--collisions", file="t.csv")
+    discs = "t,id,x,y,radius\n0,a,0,0,1\n1,a,1,0,1\n"
+    yield case("tracks r.csv --collisions log --radius 1", files={"r.csv": discs}, file="r.csv")
+    yield case("tracks r.csv --collisions log --closest 1",
+               files={"r.csv": discs + "0,b,5,0,2\n1,b,6,0,2\n"})
     yield case("tracks t.csv --fps 25")
     yield simulate("--fps 5", option="--fps,--frames-per-time")
     yield simulate("--frames-per-time 5", option="--fps,--frames-per-time")
@@ -189,7 +197,24 @@ def table_cases():
     discs = "--until 1 --collisions elastic"
     yield points("x,y,vx,vy,radius\n1,1,1,0,0\n", discs, line=2)
     yield points("x,y,vx,vy,radius\n1,1,1,0,1e308\n", discs, line=2, radius="1e+308")
-    yield points("x,y,vx,vy,radius\n1,1,1,0,1\n5,5,0,0,2\n", discs, line=3, radius=2, other=1, first=2)
+    yield points("x,y,vx,vy,radius,growth\n1,1,1,0,1,0\n5,5,0,0,1,-0.5\n",
+                 "--until 3 --collisions elastic", line=3, time=2, until=3)
+    yield points("x,y,vx,vy,radius,growth\n1,1,1,0,1,-0.25\n", "--until 5 --from 4.5 --collisions stop",
+                 line=2, time=4.5)
+    yield points("x,y,vx,vy\n1,1,1,0\n", "--until 5 --from -1 --regular --growth 2", line=2, time=-1)
+    for response in ("swap", "elastic", "stop", "remove"):
+        yield points("x,y,vx,vy,radius\n9,9,0,0,1\n1,1,1,0,1\n2,1,0,0,2\n",
+                     f"--until 1 --collisions {response}", line=4, first=3, time=0, response=response)
+    row = "x,y,vx,vy,radius\n0,0,0,0,1\n1,0,0,0,1\n2,0,0,0,1\n3,0,0,0,1\n4,0,0,0,2\n"
+    yield points(row, "--until 1 --from 0.5 --collisions stop", line=3, first=2, time=0.5, response="stop",
+                 others="3 and 4, 4 and 5, and 2 more pairs")
+    yield points("x,y,vx,vy\n1,1,1,0\n", discs + " --growth 2 --mass area", line=2, radius=0)
+    yield points("x,y,vx,vy,radius\n1,1,1,0,1e200\n", discs + " --mass area", line=2, radius="1e+200")
+    yield points("x,y,vx,vy\n1,1,1,0\n", "--until 1 --rim --box -5,-5,15,5 --radius 5", line=2, radius=5,
+                 time=0)
+    yield points("x,y,vx,vy,radius\n1,1,1,0,1\n1,5,1,0,2\n", "--until 4 --rim --box -5,-5,15,5 --growth 1",
+                 line=2, radius=5, time=4)
+    yield points("x,y,vx,vy,radius\n1,1,1,0,1\n1,1,1,0,2\n", line=3, first=2, numbers="place and velocity")
     yield points(ONE_FLIP + "4,0,0,0\n", line=6, first=3, numbers="place and velocity")
     yield points("x,y,vx,vy,jx,jy\n1,2,3,4,5,6\n1,2,3,4,5,6\n", line=3, first=2,
                  numbers="place and derivatives")
@@ -205,6 +230,8 @@ def table_cases():
                  y2=0, first=2)
     yield tracks("t,id,x,y,radius\n0,a,0,0,1\n1,a,1,0,2\n", line=3, id="a", radius=2, other=1, first=2)
     yield tracks("t,id,x,y,radius\n0,a,0,0,-1\n", line=2, radius=-1)
+    yield tracks("t,id,x,y,radius\n0,a,0,0,0\n1,a,1,0,0\n", "--collisions log", line=2)
+    yield tracks("t,id,x,y,radius\n0,a,0,0,1e308\n", "--collisions log", line=2, radius="1e+308")
     yield tracks("1e300 a 0 0\n", "--format frames --fps 1e-300", line=1, frame="1e+300", fps="1e-300")
     yield tracks("t,id,x,y\n0,a,-1e308,0\n1,a,1e308,0\n", line=3, id="a", first=2)
     yield tracks("t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n", line=6, time=1,

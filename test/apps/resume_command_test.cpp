@@ -33,6 +33,18 @@ class Resume : public test::Program_test {
   }
 };
 
+// On a lattice, apart from each other, in a box of side 40.
+std::string discs_of_many_sizes() {
+  std::string result = "x,y,vx,vy,radius\n";
+  for (int i = 0; i < 36; ++i) {
+    for (const int number : {5 + 6 * (i % 6), 5 + 6 * (i / 6), (i * 7) % 9 - 4, (i * 5) % 9 - 4}) {
+      result += std::to_string(number) + ',';
+    }
+    result += (i % 5 == 0 ? "2" : i % 3 == 0 ? "0.125" : "1") + std::string("\n");
+  }
+  return result;
+}
+
 Arguments operator+(Arguments one, const Arguments& more) {
   one.insert(one.end(), more.begin(), more.end());
   return one;
@@ -44,11 +56,15 @@ TEST_F(Resume, a_run_in_two_parts_is_the_run_in_one) {
   write("free.csv", run({"generate", "uniform", "--points", "60", "--seed", "3"}).out);
   write("grid.csv", run({"generate", "lattice", "--points", "25", "--seed", "4"}).out);
   write("falling.csv", falling_balls);
+  write("sizes.csv", discs_of_many_sizes());
   const std::vector<Arguments> runs = {
       {"simulate", "falling.csv", "--box", "0,0,9,9", "--collisions", "elastic", "--radius", "0.5"},
       {"simulate", "discs.csv", "--box", "-5,-5,65,65", "--collisions", "elastic", "--radius", "3"},
       {"simulate", "discs.csv", "--box", "-5,-5,65,65", "--collisions", "log", "--radius", "3",
        "--rim"},
+      {"simulate", "sizes.csv", "--box", "0,0,40,40", "--collisions", "elastic", "--rim", "--mass",
+       "area", "--growth", "0.0625"},
+      {"simulate", "sizes.csv", "--regular", "--growth", "1.5"},
       {"simulate", "free.csv"},
       {"simulate", "grid.csv", "--from", "-2"}};
   for (const Arguments& command : runs) {

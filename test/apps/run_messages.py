@@ -44,8 +44,8 @@ def checkpoint_cases():
     root = {"root_of": ["1", "0", "1"], "between": ["0", "1"]}
     yield resume(forged(setter("time", root)), member="state.time")
     yield resume(forged(setter("points", 2, [1.0])), member="state.points[2]", n=1)
-    polynomial = setter("motion", "polynomial")
-    yield resume(forged(polynomial), member="state.points[0]", n=5)
+    for motion in ("polynomial", "disc", "polynomial disc"):
+        yield resume(forged(setter("motion", motion)), member="state.points[0]", n=5)
     change = [{"time": "3", "kind": "flip", "point": 0, "motion": None}]
     yield resume(forged(setter("scheduled", change)), member="state.scheduled[0].kind")
     yield resume(forged(setter("motion", "circular")), member="state.motion", text="circular")
@@ -167,6 +167,11 @@ def run_cases():
     fast = "x,y,vx,vy\n0,0,1.7e308,-1.7e308\n1,1,-1.7e308,-1.7e308\n"
     yield case("simulate d.csv --until 2 --collisions elastic --radius 1 --edges old.csv",
                files={"d.csv": fast}, file="d.csv", line=2, a=0, time=0)
+    shrinking = "x,y,vx,vy,radius,growth\n9,0,0,0,1,0\n0,0,1,0,1,-0.25\n"
+    yield case("simulate d.csv --until 10 --collisions stop --edges old.csv", files={"d.csv": shrinking},
+               file="d.csv", line=3, a=1, time=4)
+    yield case("resume c --until 10 --edges old.csv", a=1, time=4,
+               files={"c": checkpoint(shrinking, "--until 3 --collisions log")})
     yield case("simulate d.csv --until 12 --box 0,0,9,9 --max-events 2 --edges e.csv "
                "--quiet", files={"d.csv": "x,y,vx,vy\n2,1,0,-2\n"}, most=2, time="9.5",
                until=12, writes=True)

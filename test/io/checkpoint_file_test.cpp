@@ -286,6 +286,39 @@ TEST(Checkpoint, of_few_points_is_read_back) {
   }
 }
 
+// A snapshot as such: that it is no state of a simulation makes no difference here.
+TEST(Checkpoint, holds_discs) {
+  Simulation_snapshot<Disc_kinetic_traits_2> snapshot;
+  snapshot.triangulation.motions = {Disc_motion_2{{{1, 2}, {3, -0.0}, 0.1}, 0.3, -0.0, 0},
+                                    std::nullopt, Disc_motion_2{{}, 0, 0, -5e-324}};
+  snapshot.triangulation.hidden_points = {0, 2};
+  snapshot.options.masses = {0.1, 1, 1e300};
+  snapshot.options.refuses_overlaps = true;
+  snapshot.scheduled.push_back({Algebraic_number(7.0), Event_kind::insert, 3,
+                                Disc_motion_2{{{4, 5}, {6, 7}, 8}, 9, 10, 11}});
+  const std::string text = text_of({snapshot, "elastic"});
+  const Checkpoint checkpoint = checkpoint_of(text);
+  const auto& read = std::get<Simulation_snapshot<Disc_kinetic_traits_2>>(checkpoint.simulation);
+  EXPECT_EQ(read.triangulation.motions, snapshot.triangulation.motions);
+  EXPECT_TRUE(std::signbit(read.triangulation.motions[0]->growth));
+  EXPECT_EQ(read.triangulation.hidden_points, snapshot.triangulation.hidden_points);
+  EXPECT_EQ(read.options.masses, snapshot.options.masses);
+  EXPECT_TRUE(read.options.refuses_overlaps);
+  ASSERT_EQ(read.scheduled.size(), 1u);
+  EXPECT_EQ(read.scheduled[0].motion, snapshot.scheduled[0].motion);
+  EXPECT_EQ(text_of(checkpoint), text);
+}
+
+TEST(Checkpoint, holds_discs_that_accelerate) {
+  using Traits = Polynomial_disc_kinetic_traits_2;
+  Simulation_snapshot<Traits> snapshot;
+  snapshot.triangulation.motions = {
+      Polynomial_disc_motion_2{{{1, 2}, {3, 4}, {5, 6}, {7, 8}, 9}, 10, 11, 12}};
+  const Checkpoint checkpoint = checkpoint_of(text_of({snapshot, "none"}));
+  const auto& read = std::get<Simulation_snapshot<Traits>>(checkpoint.simulation);
+  EXPECT_EQ(read.triangulation.motions, snapshot.triangulation.motions);
+}
+
 // ---- damage ----
 
 std::string refusal(const std::string& text) {
@@ -380,7 +413,14 @@ TEST_F(Forged_checkpoint, names_the_place_that_is_wrong) {
   };
   EXPECT_EQ(signed_anew(text), text);
   expect_refusal(forged("\"motion\":\"linear\"", "\"motion\":\"wild\""),
-                 "state.motion is 'wild'; expected 'linear'");
+                 "state.motion is 'wild'; expected one of 'linear', 'polynomial', 'disc', "
+                 "'polynomial disc'");
+  expect_refusal(forged("\"motion\":\"linear\"", "\"motion\":\"disc\""),
+                 "state.points[0] has 5 numbers; expected x, y, vx, vy, epoch, radius, growth and "
+                 "weight");
+  expect_refusal(forged("\"masses\":[", "\"masses\":[true"), "state.masses[0] is no number;");
+  expect_refusal(forged("\"refuses_overlaps\":false", "\"refuses_overlaps\":0"),
+                 "state.refuses_overlaps is neither true nor false;");
   expect_refusal(forged("\"radius\":1.5", "\"radius\":\"1.5\""), "state.radius is no number;");
   expect_refusal(forged("\"radius\":1.5", "\"radius\":1e999"), "is no JSON");
   expect_refusal(forged("\"radius\":1.5", "\"Radius\":1.5"),

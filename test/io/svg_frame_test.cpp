@@ -59,8 +59,10 @@ TEST(Svg_frame, draws_each_edge_and_point_where_it_is) {
 }
 
 TEST(Svg_frame, draws_discs_and_box) {
+  Frame_2 frame = square();
+  frame.discs.emplace(5, Frame_2::Disc{2});
   const std::string svg =
-      picture(square(), {.extent = {0, 0, 10, 10}, .box = Box_2{0, 0, 10, 10}, .radius = 2});
+      picture(frame, {.extent = {0, 0, 10, 10}, .box = Box_2{0, 0, 10, 10}, .radius = 2});
   // 14 units are 672 pixels now: discs at the sides are seen as a whole.
   const std::string discs = between(svg, "<g class=\"discs\"", "</g>");
   EXPECT_EQ(count(discs, "r=\"96\""), 5U);
@@ -69,6 +71,28 @@ TEST(Svg_frame, draws_discs_and_box) {
             std::string::npos)
       << svg;
   EXPECT_EQ(count(svg, "<circle "), 10U);
+  EXPECT_EQ(count(svg, "class=\"hidden"), 0U);
+}
+
+TEST(Svg_frame, draws_discs_of_any_size_and_hidden_points) {
+  Frame_2 frame = square();
+  frame.ids.push_back(9);
+  frame.places.push_back({5, 6});
+  frame.velocities.emplace_back();
+  frame.discs = {{1}, {0.5}, {0}, {0.25}, {4}, {1.5, true}};
+  const std::string svg = picture(frame, {.extent = {0, 0, 10, 10}, .radius = 4});
+  const std::string discs = between(svg, "<g class=\"discs\"", "</g>");
+  EXPECT_EQ(count(discs, "<circle "), 5U);
+  // 18 units are 672 pixels.
+  EXPECT_NE(discs.find("cx=\"360\" cy=\"360\" r=\"149.33\""), std::string::npos) << discs;
+  EXPECT_NE(discs.find("r=\"0\""), std::string::npos) << discs;
+  const std::string hidden_discs = between(svg, "<g class=\"hidden-discs\"", "</g>");
+  EXPECT_NE(hidden_discs.find("fill=\"none\""), std::string::npos) << hidden_discs;
+  EXPECT_EQ(count(hidden_discs, "<circle "), 1U);
+  EXPECT_NE(hidden_discs.find("cx=\"360\" cy=\"322.67\" r=\"56\""), std::string::npos)
+      << hidden_discs;
+  EXPECT_EQ(count(between(svg, "<g class=\"points\"", "</g>"), "<circle "), 5U);
+  EXPECT_EQ(count(between(svg, "<g class=\"hidden-points\"", "</g>"), "<circle "), 1U);
 }
 
 TEST(Svg_frame, has_one_size_for_one_view_in_even_pixels) {

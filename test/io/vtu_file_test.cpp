@@ -15,9 +15,9 @@
 namespace kinetri {
 namespace {
 
-std::string vtu(const Frame_2& frame, double radius = 0) {
+std::string vtu(const Frame_2& frame) {
   std::ostringstream out;
-  write_vtu(out, frame, radius);
+  write_vtu(out, frame);
   return out.str();
 }
 
@@ -95,14 +95,21 @@ TEST(Vtu_file, holds_every_number_exactly) {
 }
 
 TEST(Vtu_file, has_radii_of_discs_only) {
-  EXPECT_EQ(vtu(two_triangles()).find("radius"), std::string::npos);
-  EXPECT_EQ(array(vtu(two_triangles(), 1.5), "radius", 8), bits({1.5, 1.5, 1.5, 1.5}));
+  Frame_2 frame = two_triangles();
+  EXPECT_EQ(vtu(frame).find("radius"), std::string::npos);
+  EXPECT_EQ(vtu(frame).find("hidden"), std::string::npos);
+  frame.discs = {{1.5, false}, {0, false}, {1e-300, true}, {7, false}};
+  EXPECT_EQ(array(vtu(frame), "radius", 8), bits({1.5, 0, 1e-300, 7}));
+  EXPECT_EQ(array(vtu(frame), "hidden", 1), (std::vector<std::uint64_t>{0, 0, 1, 0}));
 }
 
 TEST(Vtu_file, of_nothing_is_a_file_of_nothing) {
-  const std::string text = vtu(Frame_2(), 2);
+  Frame_2 frame;
+  frame.discs.emplace();
+  const std::string text = vtu(frame);
   EXPECT_NE(text.find("<Piece NumberOfPoints=\"0\" NumberOfCells=\"0\">"), std::string::npos);
-  for (const char* name : {"id", "velocity", "radius", "Points", "connectivity", "offsets"}) {
+  for (const char* name :
+       {"id", "velocity", "radius", "hidden", "Points", "connectivity", "offsets"}) {
     EXPECT_EQ(array(text, name, 8), std::vector<std::uint64_t>{}) << name;
   }
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -24,7 +25,7 @@
 namespace kinetri {
 namespace {
 
-using Motions = std::map<Point_id, Polynomial_motion_2>;
+using Motions = std::map<Point_id, Polynomial_disc_motion_2>;
 
 // What there is just after a time.
 struct State {
@@ -35,10 +36,17 @@ struct State {
   friend bool operator==(const State&, const State&) = default;
 };
 
-Polynomial_motion_2 polynomial(const Linear_motion_2& motion) {
-  return {motion.position, motion.velocity, {}, {}, motion.epoch};
+Polynomial_disc_motion_2 disc(const Linear_motion_2& motion) {
+  return {{motion.position, motion.velocity, {}, {}, motion.epoch}};
 }
-Polynomial_motion_2 polynomial(const Polynomial_motion_2& motion) {
+Polynomial_disc_motion_2 disc(const Polynomial_motion_2& motion) {
+  return {motion};
+}
+Polynomial_disc_motion_2 disc(const Disc_motion_2& motion) {
+  return {disc(static_cast<const Linear_motion_2&>(motion)), motion.radius, motion.growth,
+          motion.weight};
+}
+Polynomial_disc_motion_2 disc(const Polynomial_disc_motion_2& motion) {
   return motion;
 }
 
@@ -48,7 +56,7 @@ State state_of(const Triangulation& triangulation) {
   result.edges = triangulation.finite_edge_ids();
   result.triangles = test::triangles_of(triangulation);
   for (Point_id id = 0; id < triangulation.next_id(); ++id) {
-    if (triangulation.contains(id)) result.motions[id] = polynomial(triangulation.motion(id));
+    if (triangulation.contains(id)) result.motions[id] = disc(triangulation.motion(id));
   }
   return result;
 }
@@ -148,6 +156,36 @@ TEST(Recording, plays_walls_and_collisions) {
     EXPECT_GT(run.recording.motions.size(), 80u);
     expect_plays(run);
   }
+}
+
+// Discs of many sizes that pass over each other, so that some are hidden for a while.
+template <class Traits, class Disc>
+void expect_plays_hidden_points(const std::vector<Disc>& discs) {
+  Simulation_2<Traits> simulation(discs, {});
+  EXPECT_GT(simulation.triangulation().number_of_hidden_points(), 0u);
+  const Watched_run run = watch(simulation, 4, 100'000);
+  const auto& counts = simulation.triangulation().counters().events;
+  EXPECT_GT(counts[static_cast<std::size_t>(Event_kind::hide)], 5u);
+  EXPECT_GT(counts[static_cast<std::size_t>(Event_kind::reveal)], 5u);
+  EXPECT_EQ(run.recording.motions.size(), discs.size());
+  expect_plays(run);
+  Simulation_2<Traits> again(discs, {});
+  const Watched_run thinned = watch(again, 4, 60);
+  EXPECT_TRUE(thinned.recording.is_thinned);
+  expect_plays(thinned);
+}
+
+TEST(Recording, plays_discs_that_hide_each_other) {
+  std::vector<Disc_motion_2> discs;
+  std::vector<Polynomial_disc_motion_2> bent;
+  for (const Linear_motion_2& m : test::random_motions(60, 60, 5, 14)) {
+    const auto i = static_cast<double>(discs.size());
+    discs.push_back({m, std::fmod(7 * i, 11) * 1.5, std::fmod(i, 3) / 4, i < 5 ? -20.0 : 0});
+    bent.push_back(disc(discs.back()));
+    bent.back().acceleration = {std::fmod(i, 3) - 1, -1};
+  }
+  expect_plays_hidden_points<Disc_kinetic_traits_2>(discs);
+  expect_plays_hidden_points<Polynomial_disc_kinetic_traits_2>(bent);
 }
 
 TEST(Recording, plays_degenerate_instants) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -100,6 +101,32 @@ TEST(Track_simulation, is_right_at_every_instant) {
     ASSERT_EQ(test::audited_run(*simulation, 25, Audit_level::reference), "");
     EXPECT_EQ(simulation->triangulation().number_of_points(), 0u);
   }
+}
+
+// Two discs about one place that moves are no two points with one trajectory.
+TEST(Track_simulation, has_discs_of_a_radius_a_track) {
+  const Tracks tracks = {{{0, {0, 0}}, {1, {1, 0}}, {9, {1, 0}}},
+                         {{0, {9, 0}}, {2, {5, 0}}},
+                         {{0, {0, 0}}, {1, {1, 0}}, {9, {1, 0}}}};
+  const std::vector<double> radii = {1, 4, 2};
+  const auto stays = stays_of(tracks, {});
+  Simulation_options options;
+  options.response = log_contact;
+  const auto simulation = simulate_tracks(tracks, radii, stays, 0, options);
+  struct Contacts : Event_observer {
+    void after_event(const Event& event) override {
+      if (event.kind != Event_kind::collision) return;
+      seen.emplace_back(event.time.to_double(), Edge_ids{*event.point_a, *event.point_b});
+    }
+    std::vector<std::pair<double, Edge_ids>> seen;
+  } contacts;
+  simulation->add_observer(contacts);
+  while (simulation->step(Algebraic_number(7.0)) > 0) {
+    EXPECT_TRUE(simulation->audit(Audit_level::certificates).passed());
+  }
+  EXPECT_EQ(contacts.seen, (std::vector<std::pair<double, Edge_ids>>{{1, {1, 2}}, {1.5, {0, 1}}}));
+  EXPECT_PRECONDITION_ERROR(simulate_tracks(tracks, std::span(radii).first(2), stays, 0),
+                            "there are not as many radii as tracks; expected one for each");
 }
 
 TEST(Tracks, go_nowhere_after_their_last_observation) {

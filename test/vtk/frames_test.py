@@ -118,7 +118,10 @@ class Frame:
         self.ids = [int(value) for (value,) in self.tuples(grid.GetPointData(), "id")]
         self.velocities = self.tuples(grid.GetPointData(), "velocity")
         radius = grid.GetPointData().GetArray("radius")
-        self.radii = None if radius is None else self.tuples(grid.GetPointData(), "radius")
+        self.radii = self.hidden = None
+        if radius is not None:
+            self.radii = [value for (value,) in self.tuples(grid.GetPointData(), "radius")]
+            self.hidden = [value for (value,) in self.tuples(grid.GetPointData(), "hidden")]
         self.triangles = []
         for i in range(grid.GetNumberOfCells()):
             cell = grid.GetCell(i)
@@ -155,7 +158,7 @@ def expect_picture(path, points, edges, discs):
 
 # ---- what is expected ----
 
-Motion = collections.namedtuple("Motion", "x y vx vy ax ay jx jy", defaults=[Fraction(0)] * 4)
+Motion = collections.namedtuple("Motion", "x y vx vy ax ay jx jy radius growth", defaults=[Fraction(0)] * 6)
 
 
 def motions_of(rows):
@@ -189,6 +192,7 @@ class Run:
     until = 2
     rate = 4
     discs = False
+    has_hidden_points = False
     least_events = 1  # or the run would show little
 
     def __init__(self, kinetri):
@@ -243,7 +247,10 @@ class Run:
         expect_equal(frame.events, len(events), f"the number of events at {t}")
         counts = collections.Counter(row["kind"] for row in events)
         expect_equal(frame.kinds, [counts[kind] for kind in KINDS], f"the kinds of event at {t}")
-        expect_equal(frame.radii, [(1.5,)] * len(frame.ids) if self.discs else None, "the radii")
+        expect_equal(frame.radii, self.radii(frame) if self.discs else None, f"the radii at {t}")
+        seen = {point for edge in edges for point in edge}
+        hidden = [0.0 if point in seen or not self.has_hidden_points else 1.0 for point in frame.ids]
+        expect_equal(frame.hidden, hidden if self.discs else None, f"the hidden points at {t}")
         expect(all(z == 0 for _, _, z in frame.places + frame.velocities), "a z is not 0")
         expect_picture(picture, len(frame.ids), len(edges), self.discs)
         self.check_points(frame)
@@ -257,6 +264,9 @@ class Run:
 
     def ids(self, _):
         return list(range(len(self.kinetri.rows("input"))))
+
+    def radii(self, frame):
+        return [1.5] * len(frame.ids)
 
     def check_points(self, frame):
         motions = motions_of(self.kinetri.rows("input"))
@@ -336,6 +346,31 @@ class Removed(Swapped):
 
     def check_points(self, frame):
         Run.check_points(self, frame)
+
+
+class Sizes(Run):
+    """Discs of many sizes, of which some grow and some shrink, and hide others."""
+
+    options = ("--regular",)
+    discs = True
+    has_hidden_points = True
+    least_events = 100
+    until = 3
+    rate = 2  # frames are at binary64 numbers with few digits, so that no radius is rounded
+
+    def points(self):
+        rows = self.kinetri("generate", "uniform", "--points", "80", "--seed", "5").split()
+        sizes = [f"{0.5 + (i * 7) % 11 % 5 * 3},{(i % 3 - 1) / 8}" for i in range(len(rows) - 1)]
+        return "\n".join(map(",".join, zip(rows, ["radius,growth", *sizes]))) + "\n"
+
+    def radii(self, frame):
+        motions = motions_of(self.kinetri.rows("input"))
+        return [float(motions[i].radius + motions[i].growth * Fraction(frame.time)) for i in frame.ids]
+
+    def check(self):
+        super().check()
+        counts = collections.Counter(row["kind"] for row in self.events)
+        expect(counts["hide"] > 3 and counts["reveal"] > 3, f"too few points are hidden: {counts}")
 
 
 class Tracks(Run):
@@ -418,7 +453,7 @@ class Degenerate(Run):
 
 
 RUNS = {run.__name__.lower(): run
-        for run in (Free, Discs, Swapped, Removed, Tracks, Accelerated, Lattice, Degenerate)}
+        for run in (Free, Discs, Swapped, Removed, Sizes, Tracks, Accelerated, Lattice, Degenerate)}
 
 
 def main():

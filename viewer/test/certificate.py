@@ -79,7 +79,7 @@ class Certificate(Page):
         self.check_removal("flip", 4, 8)
 
     def test_coefficients(self):
-        for name in ("uniform", "accelerated", "square"):
+        for name in ("uniform", "accelerated", "square", "sizes"):
             self.open_run(name)
             for event in itertools.islice(self.removals("flip"), 4):
                 says = self.evaluate("document.getElementById('certificate-says').textContent")
@@ -99,6 +99,12 @@ class Certificate(Page):
     def test_accelerated_points(self):
         self.open_run("accelerated")
         self.check_removal("flip", 12, 6)
+
+    def test_edges_of_a_point_that_is_hidden(self):
+        self.open_run("sizes")
+        self.check_removal("flip", 4, 3)
+        self.check_removal("rebuild", 4, 1)
+        self.assertIn("the power to", self.evaluate("document.getElementById('certificate-says').textContent"))
 
     def test_times_that_are_numbers(self):
         self.open_run("square")

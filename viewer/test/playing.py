@@ -25,6 +25,8 @@ class Playing(Page):
         self.check_picture()
         if self.name == "wave":
             self.check_wave()
+        if self.name == "sizes":
+            self.check_sizes(run)
 
     def check_steps(self, run):
         """Each instant of the log is a step, forward and backward, with the edges of the log."""
@@ -47,7 +49,7 @@ class Playing(Page):
 
     def check_delaunay(self, run, triangles):
         """Of points that never turn: some triangulations are exactly Delaunay between the instants."""
-        if run.motions is None or any(event.points != [None, None] for event in run.events):
+        if run.motions is None or any(event.turns for event in run.events):
             return
         before = [0.0] + [instant[0][2] for instant in run.instants()]
         after = [instant[0][1] for instant in run.instants()]
@@ -111,8 +113,8 @@ class Playing(Page):
         that turned are in the box. Points that vanished are not there."""
         turned, gone = set(), set()
         for event in run.events:
-            touched = {point for point in event.points if point is not None}
-            (gone if event.kind == "erase" or "remove" in runs.RUNS[self.name][2] else turned).update(touched)
+            is_last = event.kind == "erase" or "remove" in runs.RUNS[self.name][2]
+            (gone if is_last else turned).update(event.turns)
         box = runs.recording_of(run.page)["box"]
         for when in (0.0, run.until / 3, run.until / 2, float(run.until)):
             self.go_to(when)
@@ -129,6 +131,30 @@ class Playing(Page):
                         self.assertLessEqual(error, bound[k], f"point {point} at {when}")
             if box is not None:
                 self.check_inside(box, found)
+
+    def check_sizes(self, run):
+        """Discs are as large as they are, and points without an edge are hidden, which some are at
+        some time; the picture shows both."""
+        most_hidden = 0
+        for when in [i * run.until / 8 for i in range(9)]:  # binary64 numbers with few digits
+            self.go_to(when)
+            found = self.evaluate("[kinetri.radii(), kinetri.hidden(), kinetri.edges()]")
+            expected = [float(run.exact_radius(point, when)) for point in range(len(run.motions))]
+            self.assertEqual(found[0], expected)
+            vertices = {point for edge in found[2] for point in edge}
+            self.assertEqual(found[1], sorted(set(range(len(run.motions))) - vertices))
+            most_hidden = max(most_hidden, len(found[1]))
+        self.assertGreater(most_hidden, 0)
+        labels = self.evaluate("document.getElementById('switches').innerText")
+        for label in ("Regular", "Power", "Power circle", "Discs"):
+            self.assertIn(label, labels)
+        before = self.look(SWITCHES)
+        for key in "vco":
+            self.browser.key(key)
+            after = self.look(SWITCHES)
+            if key != "c":  # which is of the triangle under the pointer
+                self.assertNotEqual(after, before)
+            before = after
 
     def check_inside(self, box, places):
         """What is exactly inside is so as it is shown, but for the evaluation: some ten operations

@@ -42,6 +42,16 @@ SQUARE = "x,y,vx,vy\n0,0,0,0\n2,0,0,0\n2,2,0,0\n0,3,0,-1\n"
 # 0 1 3; after, 3 is inside 0 1 2. All edges stay, and nothing is logged.
 PASSING = "x,y,vx,vy\n-4,0,0,0\n4,0,0,0\n0,2,0,1\n0,4,0,-1\n0,-50,0,0\n"
 
+def sizes():
+    """Discs of many sizes, of which some grow and some shrink, in exact numbers; some hide others."""
+    lines = ["x,y,vx,vy,radius,growth"]
+    for i in range(30):
+        x, y = (i * 37) % 53, (i * 23) % 41
+        lines.append(f"{x},{y},{(i * 7) % 11 - 5},{(i * 5) % 13 - 6},{(1 + i * 3 % 4) ** 2 / 2},"
+                     f"{(i % 3 - 1) / 16}")
+    return "\n".join(lines) + "\n"
+
+
 # By name: how the points are generated (or what is in their file), the end, further options.
 RUNS = {
     "uniform": ("uniform --points 40 --seed 3", 8, ()),
@@ -50,6 +60,7 @@ RUNS = {
               ("--box", "-5,-5,45,45", "--collisions", "elastic", "--radius", "2")),
     "vanishing": ("uniform --points 40 --seed 4", 6, ("--collisions", "remove", "--radius", "1.5")),
     "accelerated": (accelerated_points(), 5, ()),
+    "sizes": (sizes(), 6, ("--regular",)),
     "lattice": ("lattice --points 16 --movers all", 4, ()),
     "tracks": (TRACKS, 6, ()),
     "square": (SQUARE, 1.5, ()),
@@ -69,6 +80,8 @@ class Event:
         self.removed = edge("removed_a", "removed_b")
         self.added = edge("added_a", "added_b")
         self.points = [point("point_a"), point("point_b")]
+        # Points that others hide, or hide no more, keep their motions.
+        self.turns = [] if self.kind in ("hide", "reveal") else [p for p in self.points if p is not None]
 
 
 class Run:
@@ -129,6 +142,15 @@ class Run:
             bound.append(8 * HALF_ULP * (1 + 16 * HALF_ULP) * sum(map(abs, terms)))
         return place, bound
 
+    def exact_radius(self, point, time):
+        """The radius of a disc whose point never turned, where discs have sizes of their own."""
+        radius, growth = sizes_of(self.motions[point])
+        return radius + growth * fractions.Fraction(time)
+
+
+def sizes_of(motion):
+    return [fractions.Fraction(motion.get(name, 0.0)) for name in ("radius", "growth")]
+
 
 def check_combinatorics(edges, triangles):
     """Whether the triangles are those of a triangulation with these edges, as far as that can be said
@@ -147,13 +169,15 @@ def check_combinatorics(edges, triangles):
 
 
 def is_delaunay(run, triangles, time):
-    """Whether each triangle is counterclockwise at the time and has no point inside of its circle:
-    exactly, for points that never turned."""
+    """Whether each triangle is counterclockwise at the time and has no point inside of its circle, or
+    of its power circle: exactly, for points that never turned."""
     places = [run.exact_position(point, time)[0] for point in range(len(run.motions))]
+    weights = [run.exact_radius(point, time) ** 2 for point in range(len(run.motions))]
     for a, b, c in triangles:
         for d, place in enumerate(places):
-            rows = [[places[p][0] - place[0], places[p][1] - place[1]] for p in (a, b, c)]
-            rows = [(x, y, x * x + y * y) for x, y in rows]
+            rows = [[places[p][0] - place[0], places[p][1] - place[1], weights[p] - weights[d]]
+                    for p in (a, b, c)]
+            rows = [(x, y, x * x + y * y - w) for x, y, w in rows]
             if d in (a, b, c):
                 continue
             (ux, uy, uu), (vx, vy, vv), (wx, wy, ww) = rows
@@ -190,12 +214,15 @@ def total(*terms):
 
 
 def delaunay_coefficients(run, corners, origin):
-    """Minus the determinant of the rows (x, y, x^2 + y^2, 1) of four points, in s = t - origin, each
-    coefficient rounded to the nearest binary64 number; without zeros at the end."""
+    """Minus the determinant of the rows (x, y, x^2 + y^2 - w, 1) of four points, w being the square of
+    the radius, in s = t - origin, each coefficient rounded to the nearest binary64 number; without zeros at the end."""
     rows = []
     for point in corners:
         x, y = (polynomial(run, point, axis, origin) for axis in "xy")
-        rows.append((x, y, total(product(x, x), product(y, y)), [fractions.Fraction(1)]))
+        radius, growth = sizes_of(run.motions[point])
+        disc = [radius + growth * fractions.Fraction(origin), growth]
+        lifted = total(product(x, x), product(y, y), product([fractions.Fraction(-1)], disc, disc))
+        rows.append((x, y, lifted, [fractions.Fraction(1)]))
     result = []
     for order in itertools.permutations(range(4)):
         inversions = sum(order[i] > order[j] for i in range(4) for j in range(i + 1, 4))

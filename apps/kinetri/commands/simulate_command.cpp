@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string_view>
 
 #include "cli/arguments.h"
 #include "commands/collisions_option.h"
@@ -23,8 +24,14 @@ struct Simulate_options {
   bool rim = false;
   std::string collisions = "none";
   std::optional<std::string> radius;
+  std::optional<std::string> growth;
+  std::string mass = "column";
+  bool regular = false;
   Run_options run;
 };
+
+// In the order of what they say of Points_settings::has_area_masses.
+constexpr std::array<std::string_view, 2> masses = {"column", "area"};
 
 Box_2 box_argument(const std::string& text) {
   std::array<double, 4> sides = {};
@@ -61,12 +68,26 @@ Points_settings points_settings(const Simulate_options& options) {
     throw Usage_error("--rim: there is no box to touch; expected --box as well");
   }
   result.collisions = collisions_argument(options.collisions, named_responses);
+  result.is_regular = options.regular;
+  const bool has_discs = result.collisions.response != nullptr || options.rim || options.regular;
+  const auto expect_discs = [&](std::string_view option) {
+    if (has_discs) return;
+    throw Usage_error(joined("--", option,
+                             ": nothing touches a disc; expected --collisions, --rim ",
+                             "or --regular as well, or no ", option));
+  };
   if (options.radius) {
     result.radius = radius_argument("--radius", *options.radius);
-    if (result.collisions.response == nullptr && !options.rim) {
-      throw Usage_error(
-          "--radius: nothing touches a disc; expected --collisions or --rim as well, or no radius");
-    }
+    expect_discs("radius");
+  }
+  if (options.growth) {
+    result.growth = number_argument("--growth", *options.growth);
+    expect_discs("growth");
+  }
+  result.has_area_masses = choice_argument("--mass", options.mass, masses) == 1;
+  if (result.has_area_masses && result.collisions.name != "elastic") {
+    throw Usage_error(
+        "--mass: only elastic collisions have masses; expected --collisions elastic as well");
   }
   return result;
 }
@@ -91,12 +112,26 @@ Command simulate_command() {
   add_collisions_option(result, options->collisions, named_responses,
                         collisions_help(named_responses));
   result.add("--radius", &options->radius, "R",
-             "Radius of all discs, if POINTS has no column radius");
+             "Radius of all discs at time 0, if POINTS has no column radius");
+  result.add("--growth", &options->growth, "G",
+             "Growth of all radii in a unit of time, if POINTS has no column growth (default 0)");
+  result.add("--mass", &options->mass, choice_type(masses),
+             "Masses of the discs in elastic collisions: column (default), the column mass of "
+             "POINTS, or 1 without it; area, the squares of the radii at the start");
+  result.add_flag("--regular", options->regular,
+                  "Keep the regular triangulation of the discs, whose dual is the power diagram, "
+                  "also where nothing touches them");
   add_run_options(result, options->run, {Output::checkpoint});
   result.description = {
       "The first line of POINTS names its columns: x,y,vx,vy (position at time 0, and velocity), "
-      "and optionally radius (the same for all points), ax,ay (acceleration) and jx,jy (jerk, the "
-      "rate of change of the acceleration). A column id has labels; other columns are ignored.",
+      "and optionally ax,ay (acceleration) and jx,jy (jerk, the rate of change of the "
+      "acceleration), and of the disc about the point its radius at time 0, its growth (of the "
+      "radius, in a unit of time; may be negative) and its mass. A column id has labels; other "
+      "columns are ignored.",
+      "Where discs of different or growing radii can touch something (--collisions, --rim), the "
+      "triangulation is the regular one of the discs: discs that touch are neighbors in it. Where "
+      "all radii are equal it is the Delaunay triangulation of the centres, as it is where "
+      "nothing touches.",
       "Ctrl-C stops the run after the events of the present time, and the outputs hold what "
       "happened until then. Where that takes longer than 0.4 s, nothing is written.",
       "Exit codes: 0 done; 1 an audit failed; 2 bad usage or bad input; 3 an internal check "
@@ -106,6 +141,8 @@ Command simulate_command() {
                      "kinetri simulate points.csv --until 10 --html run.html",
                      "kinetri simulate points.csv --until 10 --box 0,0,100,100 \\",
                      "    --collisions elastic --radius 0.5 --events -",
+                     "kinetri simulate discs.csv --until 10 --box 0,0,100,100 --rim \\",
+                     "    --collisions elastic --mass area --html run.html",
                      "kinetri simulate points.csv --until 10 --checkpoint run.kinetri"};
   result.run = [options](const Command& /*program*/) {
     const auto source = points_source(points_settings(*options));

@@ -51,10 +51,9 @@ Tracks_settings tracks_settings(const Tracks_options& options) {
   if (options.longest_gap) {
     result.longest_gap = positive_argument("--max-gap", *options.longest_gap);
   }
-  const bool logs = collisions_argument(options.collisions, none_and_log).response != nullptr;
-  if (logs != options.radius.has_value()) {
-    throw Usage_error(logs ? "--collisions: discs have a radius; expected --radius R as well"
-                           : "--radius: nothing touches a disc; expected --collisions log as well");
+  result.logs_contacts = collisions_argument(options.collisions, none_and_log).response != nullptr;
+  if (options.radius && !result.logs_contacts) {
+    throw Usage_error("--radius: nothing touches a disc; expected --collisions log as well");
   }
   if (options.radius) result.radius = radius_argument("--radius", *options.radius);
   return result;
@@ -82,8 +81,8 @@ Command tracks_command() {
   result.add_required("TRACKS", &options->tracks, "FILE", "The observations; - is standard input");
   result.add(
       "--format", &options->format, choice_type(formats),
-      "rows (default): CSV with the columns t,id,x,y; frames: lines of frame id x y, without "
-      "a header");
+      "rows (default): CSV with the columns t,id,x,y and optionally radius; frames: lines of "
+      "frame id x y, without a header");
   result.add("--fps", &options->fps, "F",
              "Frames in a unit of time in TRACKS, for --format frames (default 1). The rate of "
              "--frames is --frames-per-time");
@@ -96,7 +95,8 @@ Command tracks_command() {
   result.add("--closest", &options->closest, "K",
              "Write the K closest approaches of Delaunay neighbors to standard output, as CSV");
   add_collisions_option(result, options->collisions, none_and_log, collisions_help(none_and_log));
-  result.add("--radius", &options->radius, "R", "Radius of the discs around the points");
+  result.add("--radius", &options->radius, "R",
+             "Radius of all discs around the points, if TRACKS has no column radius");
   add_run_options(result, options->run, {Output::ids});
   result.description = {
       "A point moves in a straight line at constant velocity from one observation of its id to the "

@@ -33,6 +33,32 @@ Box_2 extent_of(const Kinetic_triangulation_2<Traits>& kinetic, double from, dou
   return extent.xmin <= extent.xmax ? extent : Box_2{-1, -1, 1, 1};
 }
 
+// About the greatest radius of a disc from one time to the other, as they grow now.
+template <class Traits>
+double greatest_radius_of(const Simulation_2<Traits>& simulation, double from, double until) {
+  double result = simulation.options().radius;
+  if constexpr (HasWeight<typename Traits::Motion>) {
+    const auto& kinetic = simulation.triangulation();
+    for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+      if (!kinetic.contains(id)) continue;
+      for (const double time : {from, until}) {
+        const double radius = rounded_radius(kinetic.motion(id), time);
+        if (std::isfinite(radius)) result = std::max(result, radius);
+      }
+    }
+  }
+  return result;
+}
+
+// With discs where the simulation has them.
+template <class Traits>
+Frame_2 frame_of_simulation(const Simulation_2<Traits>& simulation) {
+  Frame_2 frame = frame_of(simulation.triangulation());
+  const double radius = simulation.options().radius;
+  if (radius > 0) frame.discs.emplace(frame.ids.size(), Frame_2::Disc{radius});
+  return frame;
+}
+
 std::string frame_name(std::size_t number, const char* extension) {
   const std::string digits = std::to_string(number);
   const std::string zeros(digits.size() < 6 ? 6 - digits.size() : 0, '0');
@@ -56,7 +82,7 @@ void Frame_outputs::start(const Run_source& source, const Any_simulation& simula
     const std::optional<Box_2> known = box ? box : source.extent();
     view_.extent = known ? *known : extent_of(s.triangulation(), from, until);
     view_.box = box;
-    view_.radius = s.options().radius;
+    view_.radius = greatest_radius_of(s, from, until);
     view_.points = s.triangulation().number_of_points();
   });
 }
@@ -67,7 +93,7 @@ std::optional<double> Frame_outputs::next_time() const {
 }
 
 void Frame_outputs::write(const Any_simulation& simulation) {
-  const Frame_2 frame = simulation.visit([](const auto& s) { return frame_of(s.triangulation()); });
+  const Frame_2 frame = simulation.visit([](const auto& s) { return frame_of_simulation(s); });
   if (svg_ != nullptr) {
     std::ostringstream picture;
     write_svg_frame(picture, frame, view_);
@@ -75,7 +101,7 @@ void Frame_outputs::write(const Any_simulation& simulation) {
   }
   if (vtu_ != nullptr) {
     std::ostringstream file;
-    write_vtu(file, frame, view_.radius);
+    write_vtu(file, frame);
     series_.push_back({frame.time, frame_name(next_, "vtu")});
     vtu_->write(series_.back().file, file.view());
   }

@@ -28,7 +28,8 @@ class Viewer_output {
   using Recorder_of = std::unique_ptr<Recorder<Traits>>;
 
   Viewer_settings settings_;
-  std::variant<Recorder_of<Linear_kinetic_traits_2>, Recorder_of<Polynomial_kinetic_traits_2>>
+  std::variant<Recorder_of<Linear_kinetic_traits_2>, Recorder_of<Polynomial_kinetic_traits_2>,
+               Recorder_of<Disc_kinetic_traits_2>, Recorder_of<Polynomial_disc_kinetic_traits_2>>
       recorder_;
 };
 

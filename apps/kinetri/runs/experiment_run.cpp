@@ -201,16 +201,19 @@ void Experiments::write() const {
 }
 
 void Experiments::write_runs(std::ostream& out) const {
+  // Those that happen: discs are equal, so that none is hidden, and points neither come nor go.
+  constexpr std::array kinds = {Event_kind::rebuild,     Event_kind::hull_insert,
+                                Event_kind::hull_remove, Event_kind::flip,
+                                Event_kind::wall,        Event_kind::collision};
   out << "movers_percent,seed,points,seconds";
-  for (std::size_t kind = 0; kind <= static_cast<std::size_t>(Event_kind::collision); ++kind) {
-    const std::string_view text = name(static_cast<Event_kind>(kind));
+  for (const Event_kind kind : kinds) {
+    const std::string_view text = name(kind);
     out << ',' << text << ",discarded_" << text;
   }
   out << ",certificates,root_solves,exact_decided\n";
   for (const Run& run : runs_) {
     out << joined(run.percentage, ",", run.seed, ",", setting_.points, ",", run.result.seconds);
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(Event_kind::collision); ++i) {
-      const auto kind = static_cast<Event_kind>(i);
+    for (const Event_kind kind : kinds) {
       out << ',' << executed(run, {kind}) << ',' << discarded(run, {kind});
     }
     const Certificate_counters& certificates = run.result.certificates;

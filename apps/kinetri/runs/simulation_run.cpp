@@ -171,8 +171,15 @@ void Simulation_run::build() {
     simulation_.visit([this](auto& s) { s.add_observer(*log_); });
   }
   if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_);
-  // Asked for with recorded tracks only, which are linear.
-  if (settings_.closest > 0) closest_.emplace(*simulation_.linear(), settings_.closest);
+  // Asked for with recorded tracks only, which do not accelerate.
+  if (settings_.closest > 0) {
+    if (simulation_.linear() == nullptr) {
+      throw Usage_error(
+          "--closest: the approaches are those of Delaunay neighbors, and discs of different sizes "
+          "have another triangulation; expected no --collisions, or equal radii");
+    }
+    closest_.emplace(*simulation_.linear(), settings_.closest);
+  }
   if (frames_) frames_->start(source_, simulation_);
   if (sampler_) sampler_->start(source_.until(), simulation_);
   statistics_.seconds.write += stopwatch_.lap();
@@ -378,15 +385,22 @@ void Simulation_run::summarize() const {
   if (!paths.empty()) print("written", separated(paths, ", "));
 }
 
+// About the point, in the words of the source.
+[[noreturn]] void fail(const Run_source& source, Point_id point, const char* problem) {
+  const std::size_t line = source.line_of(point);
+  if (line == 0) throw Run_error(problem);
+  throw Input_error(input_name(source.path()), line, problem);
+}
+
 }  // namespace
 
 Exit_code run_simulation(const Run_settings& settings, Run_source& source) {
   try {
     return Simulation_run(settings, source).run();
   } catch (const Contact_error& error) {
-    const std::size_t line = source.line_of(error.point());
-    if (line == 0) throw Run_error(error.what());
-    throw Input_error(input_name(source.path()), line, error.what());
+    fail(source, error.point(), error.what());
+  } catch (const Negative_radius_error& error) {
+    fail(source, error.point(), error.what());
   }
 }
 

@@ -17,6 +17,8 @@ class Any_simulation {
  public:
   using Linear = Simulation_2<Linear_kinetic_traits_2>;
   using Polynomial = Simulation_2<Polynomial_kinetic_traits_2>;
+  using Discs = Simulation_2<Disc_kinetic_traits_2>;
+  using Polynomial_discs = Simulation_2<Polynomial_disc_kinetic_traits_2>;
 
   /// None, until another one is assigned.
   Any_simulation() = default;
@@ -25,6 +27,11 @@ class Any_simulation {
   Any_simulation(std::unique_ptr<Linear> simulation) : simulation_(std::move(simulation)) {}
   /// NOLINTNEXTLINE(google-explicit-constructor)
   Any_simulation(std::unique_ptr<Polynomial> simulation) : simulation_(std::move(simulation)) {}
+  /// NOLINTNEXTLINE(google-explicit-constructor)
+  Any_simulation(std::unique_ptr<Discs> simulation) : simulation_(std::move(simulation)) {}
+  /// NOLINTNEXTLINE(google-explicit-constructor)
+  Any_simulation(std::unique_ptr<Polynomial_discs> simulation)
+      : simulation_(std::move(simulation)) {}
   /// @}
 
   /// What `function` gives for the simulation, whichever it is.
@@ -40,7 +47,9 @@ class Any_simulation {
   }
 
  private:
-  std::variant<std::unique_ptr<Linear>, std::unique_ptr<Polynomial>> simulation_;
+  std::variant<std::unique_ptr<Linear>, std::unique_ptr<Polynomial>, std::unique_ptr<Discs>,
+               std::unique_ptr<Polynomial_discs>>
+      simulation_;
 };
 
 }  // namespace kinetri::app

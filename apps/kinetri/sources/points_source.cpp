@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sources/points_source.h"
 
-#include <string_view>
+#include <algorithm>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "cli/arguments.h"
 #include "cli/text.h"
 #include "io/text.h"
 #include "kinetri/io/points_file.h"
 #include "sources/any_simulation.h"
+#include "sources/point_discs.h"
 
 namespace kinetri::app {
 namespace {
@@ -28,8 +32,19 @@ class Points_source final : public Run_source {
   std::vector<std::string> remarks() const override;
 
  private:
+  bool has_discs() const;
   Simulation_options options() const;
-  double radius() const;
+  Any_simulation simulation_of_points(const Simulation_options& simulation_options,
+                                      Arithmetic arithmetic) const;
+  Any_simulation simulation_of_discs(const Point_discs& discs,
+                                     const Simulation_options& simulation_options,
+                                     Arithmetic arithmetic) const;
+  template <class Traits>
+  Any_simulation simulation(const std::vector<typename Traits::Motion>& motions,
+                            const Simulation_options& simulation_options,
+                            Arithmetic arithmetic) const;
+  Input_error overlap(const Overlapping_discs_error& error) const;
+  double equal_radius(const Point_discs& discs) const;
 
   Points_settings settings_;
   Points_file points_;
@@ -45,73 +60,113 @@ std::vector<std::string> Points_source::remarks() const {
 }
 
 Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
-  const Simulation_options simulation_options = options();
   try {
-    if (points_.is_polynomial) {
-      return std::make_unique<Simulation_2<Polynomial_kinetic_traits_2>>(
-          points_.polynomial_motions, simulation_options, settings_.from,
-          Polynomial_kinetic_traits_2(arithmetic));
+    if (!has_discs()) return simulation_of_points(options(), arithmetic);
+    const Point_discs discs = point_discs(points_, settings_);
+    Simulation_options with_discs = options();
+    with_discs.masses = point_masses(points_, discs, settings_);
+    if (!discs.are_equal() || settings_.is_regular) {
+      // Discs of one size that overlap have no contact until they approach; so it has always been.
+      with_discs.refuses_overlaps =
+          !discs.are_equal() && with_discs.response && settings_.collisions.response != log_contact;
+      return simulation_of_discs(discs, with_discs, arithmetic);
     }
-    return std::make_unique<Simulation_2<>>(points_.motions, simulation_options, settings_.from,
-                                            Linear_kinetic_traits_2(arithmetic));
+    with_discs.radius = equal_radius(discs);
+    // Of no disc, which fits any box.
+    if (discs.radii.empty()) with_discs.rim_touches = false;
+    return simulation_of_points(with_discs, arithmetic);
   } catch (const Outside_box_error& error) {
     throw Input_error(input_name(path()), points_.lines[error.point()], error.what());
+  } catch (const Overlapping_discs_error& error) {
+    throw overlap(error);
+  } catch (const Coincident_trajectories_error& error) {
+    const auto [first, second] = std::minmax({error.first(), error.second()});
+    throw Input_error(
+        input_name(path()), points_.lines[second],
+        joined("the point has the same place and ",
+               points_.is_polynomial ? "derivatives" : "velocity", " as the one in line ",
+               points_.lines[first],
+               "; expected points that differ in one of them: remove one or change its motion"));
   }
 }
 
+// "the disc overlaps the one in line 2 at t = 0, and so do those in lines 4 and 5, ...".
+Input_error Points_source::overlap(const Overlapping_discs_error& error) const {
+  constexpr std::size_t most_pairs = 3;
+  const std::vector<Edge_ids>& pairs = error.pairs();
+  const auto line = [&](Point_id id) { return points_.lines[id]; };
+  std::string others;
+  for (std::size_t i = 1; i < std::min(pairs.size(), most_pairs); ++i) {
+    append(others, i == 1 ? ", and so do those in lines " : ", ", line(pairs[i][0]), " and ",
+           line(pairs[i][1]));
+  }
+  if (pairs.size() > most_pairs) append(others, ", and ", pairs.size() - most_pairs, " more pairs");
+  const auto& [first, second] = pairs.front();
+  return Input_error(
+      input_name(path()), line(second),
+      joined("the disc overlaps the one in line ", line(first), " at t = ", settings_.from, others,
+             "; expected discs that are apart, or touch, for --collisions ",
+             settings_.collisions.name,
+             ": move them, make them smaller, or take --collisions log"));
+}
+
+// Whether the sizes of discs make a difference.
+bool Points_source::has_discs() const {
+  return settings_.collisions.response != nullptr || settings_.rim_touches || settings_.is_regular;
+}
+
+// Without what depends on the discs.
 Simulation_options Points_source::options() const {
   Simulation_options result;
   result.box = settings_.box;
   result.rim_touches = settings_.rim_touches;
   result.response = settings_.collisions.response;
-  if (!result.response && !result.rim_touches) return result;
-  result.radius = radius();
-  if (!result.rim_touches) return result;
-  const Rational diameter = 2 * to_rational(result.radius);
-  const auto& [xmin, ymin, xmax, ymax] = *settings_.box;
-  if (to_rational(xmax) - to_rational(xmin) <= diameter ||
-      to_rational(ymax) - to_rational(ymin) <= diameter) {
-    throw Usage_error(joined("--rim: a disc of radius ", result.radius,
-                             " does not fit the box; expected a box wider and higher than its "
-                             "diameter"));
-  }
   return result;
 }
 
-// That of all discs. Precondition: one is needed.
-double Points_source::radius() const {
-  const std::string_view option =
-      settings_.collisions.response != nullptr ? "--collisions" : "--rim";
-  if (settings_.radius) {
-    if (points_.radii.empty()) return *settings_.radius;
-    throw Usage_error(
-        joined("--radius: ", input_name(path()), " has a column radius; expected one of the two"));
+Any_simulation Points_source::simulation_of_points(const Simulation_options& simulation_options,
+                                                   Arithmetic arithmetic) const {
+  if (points_.is_polynomial) {
+    return simulation<Polynomial_kinetic_traits_2>(points_.polynomial_motions, simulation_options,
+                                                   arithmetic);
   }
-  if (points_.radii.empty()) {
-    if (points_.lines.empty()) return 1;  // of no disc
-    throw Usage_error(joined(option, ": discs have a radius; expected a column radius in ",
-                             input_name(path()), ", or --radius R"));
-  }
-  for (std::size_t i = 0; i < points_.radii.size(); ++i) {
-    if (points_.radii[i] == 0) {
-      throw Input_error(input_name(path()), points_.lines[i],
-                        "the radius is 0, and discs without one never touch; expected a radius "
-                        "greater than 0");
+  return simulation<Linear_kinetic_traits_2>(points_.motions, simulation_options, arithmetic);
+}
+
+Any_simulation Points_source::simulation_of_discs(const Point_discs& discs,
+                                                  const Simulation_options& simulation_options,
+                                                  Arithmetic arithmetic) const {
+  const auto motions_of = [&](const auto& centres) {
+    using Centre = typename std::decay_t<decltype(centres)>::value_type;
+    std::vector<Basic_disc_motion_2<Centre>> result;
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+      result.push_back({centres[i], discs.radii[i], discs.growths[i], 0});
     }
-    if (points_.radii[i] > greatest_radius) {
-      throw Input_error(input_name(path()), points_.lines[i],
-                        joined("the radius is ", points_.radii[i], "; expected at most ",
-                               greatest_radius, ", so that the diameter is a binary64 number"));
-    }
-    if (points_.radii[i] == points_.radii[0]) continue;
-    throw Input_error(
-        input_name(path()), points_.lines[i],
-        joined("the radius is ", points_.radii[i], ", but ", points_.radii[0], " in line ",
-               points_.lines[0],
-               "; expected equal radii, since unequal discs can touch without being neighbors in "
-               "the Delaunay triangulation, and weighted ones are not supported yet"));
+    return result;
+  };
+  if (points_.is_polynomial) {
+    return simulation<Polynomial_disc_kinetic_traits_2>(motions_of(points_.polynomial_motions),
+                                                        simulation_options, arithmetic);
   }
-  return points_.radii.empty() ? 1 : points_.radii[0];
+  return simulation<Disc_kinetic_traits_2>(motions_of(points_.motions), simulation_options,
+                                           arithmetic);
+}
+
+template <class Traits>
+Any_simulation Points_source::simulation(const std::vector<typename Traits::Motion>& motions,
+                                         const Simulation_options& simulation_options,
+                                         Arithmetic arithmetic) const {
+  return std::make_unique<Simulation_2<Traits>>(motions, simulation_options, settings_.from,
+                                                Traits(arithmetic));
+}
+
+// That of all discs, if their contacts can be computed.
+double Points_source::equal_radius(const Point_discs& discs) const {
+  const double radius = discs.radii.empty() ? 1 : discs.radii.front();
+  if (radius <= greatest_radius) return radius;
+  throw Input_error(input_name(path()), points_.lines.front(),
+                    joined("the radius is ", radius, "; expected at most ", greatest_radius,
+                           ", so that the diameter is a binary64 number"));
 }
 
 }  // namespace

@@ -21,6 +21,10 @@ struct Points_settings {
   std::optional<Box_2> box;
   bool rim_touches = false;
   std::optional<double> radius;  ///< of all discs, instead of the column of the points
+  std::optional<double> growth;  ///< the same of the growth of their radii
+  bool has_area_masses = false;  ///< masses are squares of radii, instead of the column
+  /// Whether the triangulation is the regular one of the discs, also where nothing touches them.
+  bool is_regular = false;
   Named_response collisions = named_responses.front();
 };
 

@@ -30,7 +30,7 @@ class Tracks_source final : public Run_source {
   double until() const override { return until_; }
   /// That of all observations, if there are any.
   std::optional<Box_2> extent() const override { return extent_; }
-  std::string response() const override { return settings_.radius ? "log" : "none"; }
+  std::string response() const override { return settings_.logs_contacts ? "log" : "none"; }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
   Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
   std::string name(Point_id id) const override { return file_.tracks[stays_[id].track].id; }
@@ -40,6 +40,8 @@ class Tracks_source final : public Run_source {
 
  private:
   void check_velocities() const;
+  void check_radii() const;
+  std::vector<double> disc_radii() const;
 
   Tracks_settings settings_;
   Tracks_file file_;
@@ -52,6 +54,7 @@ class Tracks_source final : public Run_source {
 
 void Tracks_source::read() {
   file_ = read_tracks_file(settings_.tracks, settings_.format, settings_.fps);
+  check_radii();
   double first = std::numeric_limits<double>::infinity();
   double last = -first;
   for (const Track& track : file_.tracks) {
@@ -96,16 +99,55 @@ void Tracks_source::check_velocities() const {
 
 Any_simulation Tracks_source::make_simulation(Arithmetic arithmetic) const {
   Simulation_options options;
-  if (settings_.radius) {
-    options.radius = *settings_.radius;
-    options.response = log_contact;
-  }
   try {
+    if (settings_.logs_contacts && !stays_.empty()) {
+      options.response = log_contact;
+      const std::vector<double> radii = disc_radii();
+      if (std::ranges::any_of(radii, [&](double radius) { return radius != radii.front(); })) {
+        return simulate_tracks(observations_, radii, stays_, from_, options,
+                               Disc_kinetic_traits_2(arithmetic));
+      }
+      options.radius = radii.front();
+    }
     return simulate_tracks(observations_, stays_, from_, options,
                            Linear_kinetic_traits_2(arithmetic));
   } catch (const Coincident_trajectories_error& error) {
     throw coincidence(error, from_);
   }
+}
+
+// By track.
+std::vector<double> Tracks_source::disc_radii() const {
+  std::vector<double> result;
+  for (const Track& track : file_.tracks) {
+    result.push_back(settings_.radius.value_or(track.radius));
+  }
+  return result;
+}
+
+// That there are radii of discs that can touch.
+void Tracks_source::check_radii() const {
+  if (!settings_.logs_contacts) return;
+  if (settings_.radius.has_value() == file_.has_radii) {
+    throw Usage_error(
+        file_.has_radii ? joined("--radius: ", input_name(path()),
+                                 " has a column radius; expected one of the two")
+                        : joined("--collisions: discs have a radius; expected a column radius in ",
+                                 input_name(path()), ", or --radius R"));
+  }
+  for (const Track& track : file_.tracks) {
+    if (track.radius <= greatest_radius) continue;
+    throw Input_error(input_name(path()), track.observations.front().line,
+                      joined("the radius is ", track.radius, "; expected at most ", greatest_radius,
+                             ", so that the diameter is a binary64 number"));
+  }
+  const auto has_none = [](const Track& track) { return track.radius == 0; };
+  if (!file_.has_radii || file_.tracks.empty() || !std::ranges::all_of(file_.tracks, has_none)) {
+    return;
+  }
+  throw Input_error(input_name(path()), file_.tracks.front().observations.front().line,
+                    "the radius is 0, and discs without one never touch; expected a radius greater "
+                    "than 0");
 }
 
 Input_error Tracks_source::coincidence(const Coincident_trajectories_error& error,

@@ -20,7 +20,8 @@ struct Tracks_settings {
   std::optional<double> from;         ///< without one, the first observation
   std::optional<double> until;        ///< without one, the last
   std::optional<double> longest_gap;  ///< without one, there is none
-  std::optional<double> radius;       ///< of discs whose contacts are logged
+  bool logs_contacts = false;         ///< of discs
+  std::optional<double> radius;       ///< of all discs, instead of the column of the tracks
 };
 
 std::unique_ptr<Run_source> tracks_source(const Tracks_settings& settings);

@@ -32,7 +32,9 @@ struct Checkpoint_log {
 /// What a checkpoint file holds.
 struct Checkpoint {
   std::variant<Simulation_snapshot<Linear_kinetic_traits_2>,
-               Simulation_snapshot<Polynomial_kinetic_traits_2>>
+               Simulation_snapshot<Polynomial_kinetic_traits_2>,
+               Simulation_snapshot<Disc_kinetic_traits_2>,
+               Simulation_snapshot<Polynomial_disc_kinetic_traits_2>>
       simulation;  ///< of the kind of motion that the simulation had
   /// The name of the response to collisions, for whoever restores the simulation and has to give it
   /// one: text in UTF-8. The program has the names of `named_responses`.

@@ -18,12 +18,13 @@ namespace kinetri {
 ///
 ///   points      x, y, 0, in the order of ids
 ///   cells       the triangles, counterclockwise
-///   point data  id; velocity (three components, the last one 0); radius, where that is not 0
+///   point data  id; velocity (three components, the last one 0); where there are discs, radius and
+///               hidden, which is 1 for points that others hide, else 0
 ///   field data  TimeValue; events, how many there have been so far; and of each kind events_KIND
 ///
 /// Without points or triangles the file is one without points or cells. Errors are those of the
 /// stream.
-void write_vtu(std::ostream& out, const Frame_2& frame, double radius);
+void write_vtu(std::ostream& out, const Frame_2& frame);
 
 /// A file of a series.
 struct Vtu_frame {

@@ -121,6 +121,8 @@ class Recorder : public Event_observer {
 
 extern template class Recorder<Linear_kinetic_traits_2>;
 extern template class Recorder<Polynomial_kinetic_traits_2>;
+extern template class Recorder<Disc_kinetic_traits_2>;
+extern template class Recorder<Polynomial_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kinetri/base/ids.h"
@@ -20,12 +21,22 @@ template <KineticTraits_2 Traits>
 class Kinetic_triangulation_2;
 
 /// The triangulation just after a time. All indices refer to `ids`, `places` and `velocities`,
-/// which have one element per point.
+/// which have one element per point, hidden ones included.
 struct Frame_2 {
-  double time = 0;                                ///< the time, rounded to nearest
-  std::vector<Point_id> ids;                      ///< ids of the present points, ascending
-  std::vector<Vector_2> places;                   ///< positions at `time`, by rounded_place
-  std::vector<Vector_2> velocities;               ///< velocities at `time`, by rounded_velocity
+  /// What is to be drawn of a point that is a disc.
+  struct Disc {
+    double radius = 0;       ///< at `time`, by rounded_radius; at least 0
+    bool is_hidden = false;  ///< whether others hide the point: it is a corner of nothing
+
+    friend bool operator==(const Disc&, const Disc&) = default;
+  };
+
+  double time = 0;                   ///< the time, rounded to nearest
+  std::vector<Point_id> ids;         ///< ids of the present points, ascending
+  std::vector<Vector_2> places;      ///< positions at `time`, by rounded_place
+  std::vector<Vector_2> velocities;  ///< velocities at `time`, by rounded_velocity
+  /// One for each point; none where points have no discs.
+  std::optional<std::vector<Disc>> discs = std::nullopt;
   std::vector<std::array<std::size_t, 2>> edges;  ///< pairs of indices, the smaller first; sorted
   /// The edges on the boundary of the convex hull, in the same order; all edges if all points are
   /// collinear.
@@ -45,6 +56,8 @@ Frame_2 frame_of(const Kinetic_triangulation_2<Traits>& kinetic);
 
 extern template Frame_2 frame_of(const Kinetic_triangulation_2<Linear_kinetic_traits_2>&);
 extern template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&);
+extern template Frame_2 frame_of(const Kinetic_triangulation_2<Disc_kinetic_traits_2>&);
+extern template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>&);
 
 }  // namespace kinetri
 
