@@ -23,6 +23,9 @@ enum class Arithmetic {
   exact_only,  ///< exact arithmetic alone: slow, for tests and audits
 };
 
+template <HasWeight Motion>
+class Basic_weighted_instantaneous_traits_2;
+
 /// The traits: a model of TriangulationTraits_2 and DelaunayTriangulationTraits_2, as CGAL 5.5 to
 /// 6.1 document and use them. They stand at one instant, or follow a clock; so do copies, and the
 /// triangulation that copies them. Only the clock can change the instant. Several threads may use
@@ -74,7 +77,10 @@ class Basic_instantaneous_traits_2 {
   /// The instant of the predicates.
   const Instant& instant() const { return *instant_; }
 
- protected:
+ private:
+  template <HasWeight MotionWithWeight>
+  friend class Basic_weighted_instantaneous_traits_2;
+
   // Base of the predicates: they read the shared instant.
   class Predicate {
    public:
