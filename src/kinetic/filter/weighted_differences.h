@@ -116,18 +116,20 @@ class Weighted_differences : public Differences {
   // well.
   std::optional<double> window_ahead(double share) const {
     double extent = 0;
+    double weight = 0;
     double slope = 0;
     double curvature = 0;
     for (std::size_t i = 0; i < N; ++i) {
       const auto& [difference, sum, rest] = factors_[i];
-      const double weight = std::abs(difference.constant * sum.constant + rest);
-      extent = std::max({extent, greatest(absolute(place((*this)[i]))), std::sqrt(weight)});
+      weight = std::max(weight, std::abs(difference.constant * sum.constant + rest));
+      extent = std::max(extent, greatest(absolute(place((*this)[i]))));
       slope = std::max(slope,
                        std::abs(difference.constant * sum.slope + difference.slope * sum.constant));
       curvature = std::max(curvature, std::abs(difference.slope * sum.slope));
     }
     std::optional<double> until;
     if (slope != 0 || curvature != 0) {
+      extent = std::max(extent, std::sqrt(weight));
       until = share * extent / (0.5 * slope / extent + std::sqrt(curvature));
     }
     return shorter(Differences::window_ahead(share), until);
