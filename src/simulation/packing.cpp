@@ -23,8 +23,8 @@ using Simulation = Simulation_2<Disc_kinetic_traits_2>;
 
 // A part of the growth: up to this part of the final radii, in so many steps between which the
 // velocities are scaled back, with a growth of the mean radius that is this part of the mean speed.
-// The denser the discs, the slower: so they can make room for each other. Measured, with thousand
-// discs.
+// The denser the discs, the slower: so they can make room for each other. The numbers are a choice
+// that reaches the shares that packing.h names, not the best one.
 struct Stage {
   double part;
   int steps;

@@ -10,9 +10,8 @@
 //
 // - x is in the cell of v still: v is an owner of a place in p (`owners_in`);
 // - v has a cell, but one that has become smaller: its neighbors include a disc with a new motion;
-// - v has none: the triangle that hides it has not been there before, so a disc with a new motion
-// is
-//   a corner of it.
+// - v has none: the triangle that hides it has not been there before, and so has a corner that is a
+//   disc with a new motion.
 //
 // All such v are found (`discs_about`); q is one of them, or overlaps one of them.
 #ifndef KINETRI_SIMULATION_DETAIL_DISC_OVERLAPS_IMPL_H
