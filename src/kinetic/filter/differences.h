@@ -71,14 +71,12 @@ inline auto with_differences(const std::array<const Polynomial_motion_2*, N>& fr
   Polynomial_differences<N, 3> d(from, to, origin);
   return function(d);
 }
-// Of discs with equal weights, those of points.
+// Of discs, of which the weights differ: whoever has equal ones leaves them to the filter of
+// points.
 template <std::size_t N, class Centre, class Function>
 inline auto with_differences(const std::array<const Basic_disc_motion_2<Centre>*, N>& from,
                              const Basic_disc_motion_2<Centre>& to, double origin,
                              const Function& function) {
-  if (have_same_weight_numbers(from, to)) {
-    return with_differences(centres(from), centre(to), origin, function);
-  }
   return with_differences(centres(from), centre(to), origin, [&](const auto& of_centres) {
     using Differences = std::remove_cvref_t<decltype(of_centres)>;
     Weighted_differences<Differences, N> d(of_centres, from, to, origin);

@@ -47,18 +47,17 @@ Sign in_circle_of_places(const Double_interval& interval, const Motion& p, const
     return detail::certain_side_of_oriented_circle(arguments...);
   };
   if constexpr (HasWeight<Motion>) {
-    if (!have_same_weight_numbers(std::array{&p, &q, &r}, s)) {
-      const double t = interval.lower;
-      const double error = weight_error(p, t, interval) + weight_error(q, t, interval) +
-                           weight_error(r, t, interval) + weight_error(s, t, interval);
-      const detail::Weights_of_four weights = {
-          {rounded_weight(p, t), rounded_weight(q, t), rounded_weight(r, t), rounded_weight(s, t)},
-          error};
-      return sign_of_places([&](const auto&... arguments) { return side(arguments..., weights); },
-                            interval, p, q, r, s);
-    }
+    const double t = interval.lower;
+    const double error = weight_error(p, t, interval) + weight_error(q, t, interval) +
+                         weight_error(r, t, interval) + weight_error(s, t, interval);
+    const detail::Weights_of_four weights = {
+        {rounded_weight(p, t), rounded_weight(q, t), rounded_weight(r, t), rounded_weight(s, t)},
+        error};
+    return sign_of_places([&](const auto&... arguments) { return side(arguments..., weights); },
+                          interval, p, q, r, s);
+  } else {
+    return sign_of_places(side, interval, p, q, r, s);
   }
-  return sign_of_places(side, interval, p, q, r, s);
 }
 
 }  // namespace
@@ -66,6 +65,11 @@ Sign in_circle_of_places(const Double_interval& interval, const Motion& p, const
 template <class Motion>
 Filter_result filter_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                                const Double_interval& after, bool vanishes_at) {
+  if constexpr (HasWeight<Motion>) {
+    if (have_same_weight_numbers(std::array{&p, &q, &r, &s})) {
+      return filter_in_circle(centre(p), centre(q), centre(r), centre(s), after, vanishes_at);
+    }
+  }
   return with_differences(std::array{&p, &q, &r}, s, after.lower,
                           [&](auto& d) { return judge_ahead(d, In_circle(), after, vanishes_at); });
 }
@@ -104,6 +108,11 @@ Sign certain_orientation(const Motion& p, const Motion& q, const Motion& r,
 template <class Motion>
 Sign certain_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                        const Double_interval& interval) {
+  if constexpr (HasWeight<Motion>) {
+    if (have_same_weight_numbers(std::array{&p, &q, &r, &s})) {
+      return certain_in_circle(centre(p), centre(q), centre(r), centre(s), interval);
+    }
+  }
   const Sign sign = in_circle_of_places(interval, p, q, r, s);
   if (sign != CGAL::ZERO) return sign;
   return with_differences(std::array{&p, &q, &r}, s, interval.lower,
@@ -128,6 +137,9 @@ Sign certain_distance_order(const Motion& p, const Motion& q, const Motion& r,
 template <class Disc>
 Sign certain_power_distance_order(const Disc& p, const Disc& q, const Disc& r,
                                   const Double_interval& interval) {
+  if (have_same_weight_numbers(q, r)) {
+    return certain_distance_order(centre(p), centre(q), centre(r), interval);
+  }
   return certain_distance_order<Disc>(p, q, r, interval);
 }
 

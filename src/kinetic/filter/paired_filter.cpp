@@ -101,79 +101,91 @@ std::array<const Motion*, 7> all_but_first(const Flip_neighborhood<Motion>& arou
   return {to_right, to_far, to_left, beyond[0], beyond[1], beyond[2], beyond[3]};
 }
 
-// In what follows `with_weights` makes of the differences of centres, of the certificate k if there
-// are two, those that are computed with.
+// In what follows `make` makes, of centres, the differences of a given type, in which weights may
+// be taken into account: those of the certificate k, if there are two.
 
-template <class Differences, class Motion, class With_weights>
+struct Without_weights {
+  template <class Differences, std::size_t N, class Motion>
+  Differences make(const std::array<const Motion*, N>& from, const Motion& to, double origin,
+                   std::size_t /*k*/) const {
+    return Differences(from, to, origin);
+  }
+};
+
+// The discs of each certificate: the differences of `from` to `to`.
+template <class Disc, std::size_t N, std::size_t Certificates>
+struct With_weights {
+  template <class Differences, class Motion>
+  auto make(const std::array<const Motion*, N>& centres, const Motion& to_centre, double origin,
+            std::size_t k) const {
+    return Weighted_differences<Differences, N>(Differences(centres, to_centre, origin), from[k],
+                                                *to[k], origin);
+  }
+
+  std::array<std::array<const Disc*, N>, Certificates> from;
+  std::array<const Disc*, Certificates> to;
+};
+
+template <class Differences, class Motion, class Weights>
 std::array<Filter_result, 2> in_circles_of(const std::array<Quadruple<Motion>, 2>& certificates,
-                                           const Double_interval& after,
-                                           const With_weights& with_weights) {
+                                           const Double_interval& after, const Weights& weights) {
   const auto differences = [&](std::size_t k) {
     const Quadruple<Motion>& points = certificates[k];
-    return with_weights(Differences(all_but_last(points), *points[3], after.lower), k);
+    return weights.template make<Differences>(all_but_last(points), *points[3], after.lower, k);
   };
   return in_circles(std::array{differences(0), differences(1)}, after);
 }
 
-template <class With_weights>
+template <class Weights>
 std::array<Filter_result, 2> in_circles(
     const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after,
-    const With_weights& with_weights) {
-  return in_circles_of<Linear_differences<3>>(certificates, after, with_weights);
+    const Weights& weights) {
+  return in_circles_of<Linear_differences<3>>(certificates, after, weights);
 }
 
-template <class With_weights>
+template <class Weights>
 std::array<Filter_result, 2> in_circles(
     const std::array<Quadruple<Polynomial_motion_2>, 2>& certificates, const Double_interval& after,
-    const With_weights& with_weights) {
+    const Weights& weights) {
   const std::size_t k = degree(certificates[0]);
   if (degree(certificates[1]) != k) return {};  // which go together makes no difference
   if (k == 3) {
-    return in_circles_of<Polynomial_differences<3, 3>>(certificates, after, with_weights);
+    return in_circles_of<Polynomial_differences<3, 3>>(certificates, after, weights);
   }
   if (k == 2) {
-    return in_circles_of<Polynomial_differences<3, 2>>(certificates, after, with_weights);
+    return in_circles_of<Polynomial_differences<3, 2>>(certificates, after, weights);
   }
   std::array<std::array<Linear_motion_2, 4>, 2> lines;
   return in_circles(
       std::array{linear(certificates[0], lines[0]), linear(certificates[1], lines[1])}, after,
-      with_weights);
+      weights);
 }
 
-template <class Differences, class Motion, class With_weights>
+template <class Differences, class Motion, class Weights>
 std::array<Filter_result, 5> after_flip_of(const Flip_neighborhood<Motion>& around,
-                                           const Double_interval& after,
-                                           const With_weights& with_weights) {
+                                           const Double_interval& after, const Weights& weights) {
   return after_flip(
-      with_weights(Differences(all_but_first(around), *around.corners[0], after.lower)), after);
+      weights.template make<Differences>(all_but_first(around), *around.corners[0], after.lower, 0),
+      after);
 }
 
-template <class With_weights>
+template <class Weights>
 std::array<Filter_result, 5> after_flip(const Flip_neighborhood<Linear_motion_2>& around,
-                                        const Double_interval& after,
-                                        const With_weights& with_weights) {
-  return after_flip_of<Linear_differences<7>>(around, after, with_weights);
+                                        const Double_interval& after, const Weights& weights) {
+  return after_flip_of<Linear_differences<7>>(around, after, weights);
 }
 
-template <class With_weights>
+template <class Weights>
 std::array<Filter_result, 5> after_flip(const Flip_neighborhood<Polynomial_motion_2>& around,
-                                        const Double_interval& after,
-                                        const With_weights& with_weights) {
+                                        const Double_interval& after, const Weights& weights) {
   const std::size_t k = std::max(degree(around.corners), degree(around.beyond));
-  if (k == 3) return after_flip_of<Polynomial_differences<7, 3>>(around, after, with_weights);
-  if (k == 2) return after_flip_of<Polynomial_differences<7, 2>>(around, after, with_weights);
+  if (k == 3) return after_flip_of<Polynomial_differences<7, 3>>(around, after, weights);
+  if (k == 2) return after_flip_of<Polynomial_differences<7, 2>>(around, after, weights);
   std::array<std::array<Linear_motion_2, 4>, 2> lines;
   return after_flip(Flip_neighborhood<Linear_motion_2>{linear(around.corners, lines[0]),
                                                        linear(around.beyond, lines[1])},
-                    after, with_weights);
+                    after, weights);
 }
-
-struct Without_weights {
-  template <class Differences>
-  const Differences& operator()(const Differences& d, std::size_t /*k*/ = 0) const {
-    return d;
-  }
-};
 
 }  // namespace
 
@@ -182,15 +194,13 @@ std::array<Filter_result, 2> filter_in_circles(const std::array<Quadruple<Motion
                                                const Double_interval& after) {
   if constexpr (HasWeight<Motion>) {
     const std::array of_centres = {centres(certificates[0]), centres(certificates[1])};
-    const std::array from = {all_but_last(certificates[0]), all_but_last(certificates[1])};
-    if (have_same_weight_numbers(from[0], *certificates[0][3]) &&
-        have_same_weight_numbers(from[1], *certificates[1][3])) {
+    if (have_same_weight_numbers(certificates[0]) && have_same_weight_numbers(certificates[1])) {
       return in_circles(of_centres, after, Without_weights());
     }
-    return in_circles(
-        of_centres, after, [&]<class Differences>(const Differences& d, std::size_t k) {
-          return Weighted_differences<Differences, 3>(d, from[k], *certificates[k][3], after.lower);
-        });
+    const With_weights<Motion, 3, 2> weights = {
+        {all_but_last(certificates[0]), all_but_last(certificates[1])},
+        {certificates[0][3], certificates[1][3]}};
+    return in_circles(of_centres, after, weights);
   } else {
     return in_circles(certificates, after, Without_weights());
   }
@@ -202,13 +212,12 @@ std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Motion>& 
   if constexpr (HasWeight<Motion>) {
     const Flip_neighborhood<typename Motion::Centre_motion> of_centres = {centres(around.corners),
                                                                           centres(around.beyond)};
-    const Motion& corner = *around.corners[0];
-    const auto from = all_but_first(around);
-    if (have_same_weight_numbers(from, corner))
+    if (have_same_weight_numbers(around.corners) && have_same_weight_numbers(around.beyond) &&
+        have_same_weight_numbers(*around.corners[0], *around.beyond[0])) {
       return after_flip(of_centres, after, Without_weights());
-    return after_flip(of_centres, after, [&]<class Differences>(const Differences& d) {
-      return Weighted_differences<Differences, 7>(d, from, corner, after.lower);
-    });
+    }
+    const With_weights<Motion, 7, 1> weights = {{all_but_first(around)}, {around.corners[0]}};
+    return after_flip(of_centres, after, weights);
   } else {
     return after_flip(around, after, Without_weights());
   }

@@ -167,7 +167,7 @@ double precise_in_circle(const Motion& p, const Motion& q, const Motion& r, cons
   const double size = places.size();
   double lift_size = size * size;
   if constexpr (HasWeight<Motion>) {
-    if (!have_same_weight_numbers(std::array{&p, &q, &r}, s)) {
+    if (!have_same_weight_numbers(std::array{&p, &q, &r, &s})) {
       const Weights<4, Motion> weights({&p, &q, &r, &s}, {high, low});
       if (!weights.is_in_range()) return 0;
       for (std::size_t i = 0; i < 3; ++i) lifts[i] = lifts[i] - weights.relative(i);

@@ -20,25 +20,27 @@
 
 namespace kinetri {
 
-// Whether the numbers of the two show that they have the same weight at every time.
-// `have_equal_weights` decides it, at more cost.
-template <class Centre>
-inline bool have_same_weight_numbers(const Basic_disc_motion_2<Centre>& p,
-                                     const Basic_disc_motion_2<Centre>& q) {
-  return p.radius == q.radius && p.growth == q.growth && p.weight == q.weight &&
-         (p.growth == 0 || p.epoch == q.epoch);
+// Whether the numbers of the discs show that all have the same weight at every time, as those of
+// equal constant radii do. `have_equal_weights` decides it for two, at more cost. Without branches
+// between the comparisons, which would take longer than they.
+template <class Disc>
+inline bool have_same_weight_numbers(const Disc& p, const Disc& q) {
+  return (p.radius == q.radius) & (p.weight == q.weight) & (p.growth == 0) & (q.growth == 0);
 }
-template <class Centre, std::size_t N>
-inline bool have_same_weight_numbers(const std::array<const Basic_disc_motion_2<Centre>*, N>& from,
-                                     const Basic_disc_motion_2<Centre>& to) {
-  return std::ranges::all_of(from, [&](const auto* p) { return have_same_weight_numbers(*p, to); });
+template <class Disc, std::size_t N>
+inline bool have_same_weight_numbers(const std::array<const Disc*, N>& discs) {
+  bool result = discs[0]->growth == 0;
+  for (std::size_t i = 1; i < N; ++i) {
+    result &= have_same_weight_numbers(*discs[i], *discs[0]);
+  }
+  return result;
 }
 
 template <class Centre, std::size_t N>
 inline std::array<const Centre*, N> centres(
     const std::array<const Basic_disc_motion_2<Centre>*, N>& discs) {
   std::array<const Centre*, N> result;
-  std::ranges::copy(discs, result.begin());
+  for (std::size_t i = 0; i < N; ++i) result[i] = discs[i];
   return result;
 }
 
