@@ -24,6 +24,7 @@ LAYERS = {
     "simulation": 4,
     "io": 5,
     "apps": 6,
+    "python": 6,
 }
 
 NUMBER_TYPES = (
@@ -49,6 +50,7 @@ LIBRARIES = {
     "simulation": ("CGAL/",),
     "io": ("nlohmann/", "fmt/", "boost/crc.hpp"),
     "apps": ("CLI/",),
+    "python": ("pybind11/",),
 }
 
 # CGAL's triangulations are below `triangulation` only.
@@ -75,7 +77,7 @@ def layer_of(path):
         if parts[: len(prefix)] == prefix and len(parts) > len(prefix) + 1:
             layer = parts[len(prefix)]
             return layer if layer in LAYERS else None
-    return "apps" if parts[0] == "apps" else None
+    return parts[0] if parts[0] in ("apps", "python") else None
 
 
 def includes(text):
@@ -136,7 +138,7 @@ def check(root):
     root = root.resolve()
     violations = []
     count = 0
-    for top in ("include/kinetri", "src", "apps", "test"):
+    for top in ("include/kinetri", "src", "apps", "python", "test"):
         for file in sorted((root / top).rglob("*")):
             path = file.relative_to(root)
             layer = layer_of(path)

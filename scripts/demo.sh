@@ -30,7 +30,7 @@ while (($# > 0)); do
 done
 
 kinetri_setup demo
-kinetri_build "$kinetri_root/build/release" release
+kinetri_build "$kinetri_root/build/release" release -- kinetri_program
 
 kinetri="$kinetri_root/build/release/bin/kinetri"
 out="$kinetri_root/build/demo"

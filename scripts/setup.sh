@@ -4,7 +4,7 @@
 # What scripts/demo.sh, test.sh, coverage.sh, lint.sh and fuzz.sh have in common: the packages they
 # need, and the calls of CMake. Source it for its functions, or run it to install what is missing:
 #
-#   scripts/setup.sh demo|test|browser|coverage|lint|fuzz
+#   scripts/setup.sh demo|test|browser|python|coverage|lint|fuzz
 
 kinetri_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -35,6 +35,11 @@ kinetri_packages() {
   fi
   # For the tests that are skipped without them: the viewer page's, and the reference manual's.
   if [[ $1 == browser ]]; then printf '%s\n' chromium=chromium doxygen=doxygen; fi
+  # The Python package, and what its tests and examples use.
+  if [[ $1 == python ]]; then
+    printf '%s\n' pybind11-dev python3-dev python3-distributed python3-hypothesis python3-matplotlib \
+      python3-numpy python3-pandas python3-pytest python3-scipy
+  fi
   if [[ $1 == coverage ]]; then printf '%s\n' g++ gcovr=gcovr; fi
   if [[ $1 == lint ]]; then
     # The viewer's scripts are checked where there is node, which nothing else needs.
@@ -185,8 +190,8 @@ kinetri_build() {
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
   set -euo pipefail
-  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|coverage|lint|fuzz)$ ]]; then
-    printf 'usage: %s demo|test|browser|coverage|lint|fuzz\n%s\n' "$0" \
+  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|python|coverage|lint|fuzz)$ ]]; then
+    printf 'usage: %s demo|test|browser|python|coverage|lint|fuzz\n%s\n' "$0" \
       'Installs the Debian packages that are missing.' >&2
     exit 2
   fi

@@ -8,7 +8,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 usage() {
   cat <<EOF
-usage: scripts/test.sh [--preset PRESET] [--compiler CXX] [--browser] [CTEST_OPTION...]
+usage: scripts/test.sh [--preset PRESET] [--compiler CXX] [--browser] [--python]
+                       [CTEST_OPTION...]
 
 Installs what is missing (with apt-get, as root), builds everything, and runs every test. The last
 line reads "N passed, N failed"; the exit code is 0 if none failed.
@@ -19,6 +20,8 @@ line reads "N passed, N failed"; the exit code is 0 if none failed.
   --compiler CXX   with another compiler, e.g. clang++, in a directory of its own
   --browser        with chromium, which the tests of the viewer page need, and Doxygen; they are
                    installed if missing, and else their tests run where they are already
+  --python         with the Python package and its tests: what they need is installed if missing, and
+                   else they are built and run where it is there already
 
 Other options are those of ctest, for example -R REGEX for the tests whose names match, or -LE slow
 for those without the label slow. The labels are slow, install and threads.
@@ -27,11 +30,12 @@ KINETRI_TEST_MULTIPLIER=N makes the randomized tests N times as long.
 EOF
 }
 
-preset=test packages=test compiler='' options=()
+preset=test packages=(test) compiler='' options=()
 while (($# > 0)); do
   case $1 in
     --help | -h) usage && exit 0 ;;
-    --browser) packages=browser ;;
+    --browser) packages+=(browser) ;;
+    --python) packages+=(python) ;;
     --preset | --compiler)
       (($# >= 2)) || kinetri_misused "$1 has no value"
       printf -v "${1#--}" '%s' "$2"
@@ -48,7 +52,7 @@ done
 
 build_dir="$kinetri_root/build/$preset${compiler:+-${compiler##*/}}" targets=()
 if [[ $preset == tsan ]]; then targets=(kinetri_threads_test) options+=(-L '^threads$'); fi
-kinetri_setup "$packages"
+for purpose in "${packages[@]}"; do kinetri_setup "$purpose"; done
 kinetri_build "$build_dir" "$preset" ${compiler:+"-DCMAKE_CXX_COMPILER=$compiler"} -- "${targets[@]}"
 
 kinetri_say "Testing ..."

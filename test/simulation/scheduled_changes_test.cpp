@@ -3,6 +3,7 @@
 // Points that are inserted, redirected and erased by a simulation, now and by schedule.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "support/disc_runs.h"
@@ -309,6 +310,53 @@ TEST(Motions_at_once, that_lead_out_of_the_box_change_nothing) {
   }
   EXPECT_EQ(simulation.triangulation().motion(0), (Linear_motion_2{{1, 1}, {1, 0}, 0}));
   EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
+// When a point reaches a wall at a time that is no binary64 number, its place at the nearest one
+// may be beyond the wall: it goes on from inside.
+TEST(Velocities_at_once, at_a_wall_keep_the_points_inside) {
+  int at_walls = 0;
+  for (int i = 1; i <= 40; ++i) {
+    Simulation simulation({{{0.1, 1}, {0.1 + 0.07 * i, 0}, 0}, {{2, 3}, {-0.01, 0}, 0}},
+                          test::in_box({0, 0, 4, 4}));
+    ASSERT_GT(simulation.step(), 0u);
+    const std::vector<Point_id> ids = {0};
+    const std::vector<Vector_2> up = {{0, 1}};
+    simulation.set_velocities(ids, up);
+    ASSERT_TRUE(simulation.audit(Audit_level::delaunay).passed());
+    at_walls += simulation.triangulation().motion(0).position.x == 4 ? 1 : 0;
+  }
+  EXPECT_GT(at_walls, 10);
+}
+
+TEST(Velocities_at_once, go_on_from_the_places_now) {
+  Simulation simulation({{{1, 1}, {1, 0}, 0}, {{2, 2}, {0, 1}, 0}}, test::in_box({0, 0, 4, 4}));
+  simulation.advance_to(1.5);
+  const std::vector<Point_id> ids = {1, 0};
+  const std::vector<Vector_2> velocities = {{-1, 0}, {0, -2}};
+  simulation.set_velocities(ids, velocities);
+  EXPECT_EQ(simulation.triangulation().motion(0), (Linear_motion_2{{2.5, 1}, {0, -2}, 1.5}));
+  EXPECT_EQ(simulation.triangulation().motion(1), (Linear_motion_2{{2, 3.5}, {-1, 0}, 1.5}));
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
+TEST(Velocities_at_once, that_cannot_be_change_nothing) {
+  Simulation simulation({{{1, 1}, {1, 0}, 0}, {{2, 2}, {0, 1}, 0}}, test::in_box({0, 0, 4, 4}));
+  const std::vector<Point_id> ids = {0, 1};
+  const std::vector<Vector_2> one = {{1, 1}};
+  const std::vector<Vector_2> infinite = {{1, 1}, {0, std::numeric_limits<double>::infinity()}};
+  const auto message = [&](std::span<const Point_id> points, std::span<const Vector_2> velocities) {
+    try {
+      simulation.set_velocities(points, velocities);
+    } catch (const Precondition_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(message(ids, one).find("2 ids and 1 velocities"), std::string::npos);
+  EXPECT_NE(message(ids, infinite).find("the velocity of point 1 is not finite"),
+            std::string::npos);
+  EXPECT_EQ(simulation.triangulation().motion(0), (Linear_motion_2{{1, 1}, {1, 0}, 0}));
 }
 
 }  // namespace

@@ -197,6 +197,13 @@ class Simulation_2 : private Event_observer {
   void erase(Point_id id);
   /// @}
 
+  /// Gives the points `ids` these velocities from now on. Each goes on from its place now, rounded
+  /// and kept inside of the box as after a contact; see `with_velocity_at`. All or nothing, and one
+  /// set_motions. Throws Contact_overflow_error if a place is beyond the range of binary64, and
+  /// what set_motions throws. Precondition: as many velocities as ids; each id is contained, and
+  /// named once; the velocities are finite.
+  void set_velocities(std::span<const Point_id> ids, std::span<const Vector_2> velocities);
+
   /// Gives a point another mass from now on. Precondition: triangulation().contains(id); the mass
   /// is positive and finite.
   void set_mass(Point_id id, double mass);

@@ -134,6 +134,26 @@ void Simulation_2<Traits>::set_motions(std::span<const Point_id> ids,
 }
 
 template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
+                                          std::span<const Vector_2> velocities) {
+  KINETRI_PRECONDITION(ids.size() == velocities.size(),
+                       std::to_string(ids.size()) + " ids and " +
+                           std::to_string(velocities.size()) +
+                           " velocities; expected as many of each");
+  const double now = current_time().to_double();
+  std::vector<Motion> motions;
+  motions.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    KINETRI_PRECONDITION(triangulation_.contains(ids[i]), detail::unknown_id_problem(ids[i]));
+    KINETRI_PRECONDITION(std::isfinite(velocities[i].x) && std::isfinite(velocities[i].y),
+                         "the velocity of point " + std::to_string(ids[i]) +
+                             " is not finite; expected two finite numbers");
+    motions.push_back(with_velocity(ids[i], velocities[i], now));
+  }
+  set_motions(ids, motions);
+}
+
+template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::erase(Point_id id) {
   change({&id, 1}, [&] { triangulation_.erase(id); });
 }

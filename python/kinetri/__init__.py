@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Kinetri: the Delaunay triangulation of moving points, exactly right at every time.
+
+Arrays in, arrays out::
+
+    import numpy as np, kinetri
+    rng = np.random.default_rng(1)
+    kd = kinetri.KineticDelaunay(rng.uniform(0, 100, (1000, 2)), rng.uniform(-5, 5, (1000, 2)))
+    events = kd.record(until=1.0)
+    kd.edges(), kd.triangles(), kd.nearest_neighbors()
+
+- `KineticDelaunay`: points on straight lines, or with acceleration and jerk
+- `KineticRegular`: discs of any size, growing ones too, and points with weights
+- `Simulation`: walls, and discs that collide
+- `Tracks`: recorded tracks
+- `sweep`, `run_in_pieces`: many runs, and long ones, on several processes or machines
+- `scenario`, `packing`, `read_points`: points to begin with
+- `to_dataframe`: events as a table of pandas
+
+Positions and times are taken exactly, and every decision is exact. What comes back in arrays is rounded
+to nearest; a `Time` is exact.
+"""
+from . import errors
+from ._arrays import NO_POINT
+from ._kinetri import Contact, Event, Time, __version__
+from ._moving import (AuditReport, KineticDelaunay, KineticRegular, Location, MovingPoints,
+                      NearestNeighbors, Simulation, VoronoiCell)
+from ._page import Page
+from ._response import Response, respond
+from ._snapshot import Snapshot
+from .errors import *  # noqa: F403
+from .events import event_dtype, event_kinds, to_dataframe
+from .pieces import run_in_pieces
+from .scenarios import packing, read_points, scenario
+from .sweeps import sweep
+from .tracks import Tracks
+
+__all__ = [
+    "AuditReport", "Contact", "Event", "KineticDelaunay", "KineticRegular", "Location", "MovingPoints",
+    "NO_POINT", "NearestNeighbors", "Page", "Response", "Simulation", "Snapshot", "Time", "Tracks",
+    "VoronoiCell", "__version__", "event_dtype", "event_kinds", "packing", "read_points", "respond",
+    "run_in_pieces", "scenario", "sweep", "to_dataframe", *errors.__all__,
+]

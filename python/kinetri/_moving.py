@@ -1,0 +1,1140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The classes of moving points. Each holds an engine of `_kinetri` and checks what it is given."""
+import collections
+
+import numpy as np
+
+from . import _arrays, _kinetri
+from ._arrays import NO_POINT
+from ._page import Page
+from ._progress import progress_bar
+from ._response import engine_response
+from ._snapshot import Snapshot
+from .errors import PreconditionError
+from .events import take
+
+VoronoiCell = collections.namedtuple("VoronoiCell", ["neighbors", "vertices", "rays", "is_empty"])
+VoronoiCell.__doc__ = """The region of all places that are at least as near to a point as to any other.
+
+Attributes
+----------
+neighbors : array of uint32, shape (k,)
+    The neighbor across each side, counterclockwise.
+vertices : array of float64, shape (k, 2) or (k - 1, 2)
+    The end of each side. An unbounded cell has one fewer than sides.
+rays : array of float64, shape (2, 2), or None
+    Of an unbounded cell: the directions in which its first and last sides go to infinity.
+is_empty : bool
+    Whether there is no such place: only where points have weights.
+"""
+
+NearestNeighbors = collections.namedtuple("NearestNeighbors", ["ids", "distances"])
+NearestNeighbors.__doc__ = """The nearest neighbor of each point.
+
+Attributes
+----------
+ids : array of uint32, shape (n,)
+    By id: the nearest neighbor, exactly; of equally near ones the smallest id; `NO_POINT` if there is
+    none.
+distances : array of float64, shape (n,)
+    The distance of the rounded positions; NaN where there is no neighbor.
+"""
+
+Location = collections.namedtuple("Location", ["kind", "points"])
+Location.__doc__ = """What is at a place.
+
+Attributes
+----------
+kind : {'vertex', 'edge', 'face', 'outside_convex_hull'}
+    What the place is on, decided exactly.
+points : tuple of int
+    The point; or the ends of the edge; or the corners of the triangle, counterclockwise.
+"""
+
+
+class AuditReport:
+    """What an audit has found. True if that is nothing.
+
+    Attributes
+    ----------
+    failures : list of str
+        One line for each failure, with the ids.
+    """
+
+    def __init__(self, failures):
+        self.failures = failures
+
+    @property
+    def passed(self):
+        """bool: whether there are no failures."""
+        return not self.failures
+
+    def __bool__(self):
+        return self.passed
+
+    def __repr__(self):
+        return "<AuditReport passed>" if self.passed else "<AuditReport\n  " + "\n  ".join(
+            self.failures) + ">"
+
+
+def _columns(size, **values):
+    """The optional columns as the engine takes them: those that are None stay so."""
+    result = {}
+    for name, (value, is_vector) in values.items():
+        if value is None:
+            result[name] = None
+        elif is_vector:
+            result[name] = _arrays.point_array(name, value, size)
+        else:
+            result[name] = _arrays.column(name, value, size)
+    return result
+
+
+def _motions(positions, velocities, acceleration, jerk, radius, growth, weight, epoch):
+    positions = _arrays.point_array("positions", positions)
+    size = len(positions)
+    if size >= NO_POINT:
+        raise PreconditionError(f"there are {size} points; expected fewer than {NO_POINT}")
+    columns = _columns(size, velocities=(velocities, True), acceleration=(acceleration, True),
+                       jerk=(jerk, True), radius=(radius, False), growth=(growth, False),
+                       weight=(weight, False))
+    return _kinetri.Motions(positions, *columns.values(), epoch), size
+
+
+class MovingPoints:
+    """What `KineticDelaunay`, `KineticRegular` and `Simulation` have in common.
+
+    Points have ids: 0, 1, 2, ... in the order in which they are given. An id is not used again when its
+    point has left; arrays by id then have NaN (or 0, or `NO_POINT`) in its row.
+
+    Objects can be copied and pickled. One object serves one call at a time; two objects can be used by
+    two threads at once, since the interpreter is not held up while time advances.
+    """
+
+    def __init__(self):
+        raise TypeError("expected a KineticDelaunay, a KineticRegular or a Simulation")
+
+    # ---- the present ----
+
+    @property
+    def time(self):
+        """Time: the exact time just after which the triangulation is what it is now."""
+        return self._engine.current_time()
+
+    def __len__(self):
+        """The number of points that are there now."""
+        return self._engine.number_of_points()
+
+    def __contains__(self, id):
+        """Whether the point is there."""
+        return self._engine.contains(_arrays.one_id("id", id))
+
+    @property
+    def next_id(self):
+        """int: the id that is given next; arrays by id are that long."""
+        return self._engine.next_id()
+
+    @property
+    def ids(self):
+        """array of uint32: the ids of the points that are there, ascending."""
+        return np.flatnonzero(~np.isnan(self.radii())).astype(np.uint32)
+
+    def positions(self):
+        """The positions now.
+
+        Returns
+        -------
+        array of float64, shape (n, 2)
+            By id, each coordinate rounded to the nearest float64; NaN where there is no point.
+        """
+        return self._engine.positions()
+
+    def velocities(self):
+        """The velocities now.
+
+        Returns
+        -------
+        array of float64, shape (n, 2)
+            By id; exact where points do not accelerate, else rounded. NaN where there is no point.
+        """
+        return self._engine.velocities()
+
+    def radii(self):
+        """The radii of the discs now.
+
+        Returns
+        -------
+        array of float64, shape (n,)
+            By id; exact where nothing grows, else rounded. 0 of points without discs, NaN where there
+            is no point.
+        """
+        return self._engine.radii()
+
+    def motion(self, id):
+        """The motion that a point has now.
+
+        Parameters
+        ----------
+        id : int
+            The point.
+
+        Returns
+        -------
+        dict
+            position, velocity, acceleration, jerk (pairs of floats at the epoch), radius, growth,
+            weight, epoch. With s = t - epoch the point is at position + velocity s + acceleration s^2/2
+            + jerk s^3/6, and its radius is radius + growth s.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such point.
+        """
+        return self._engine.motion(_arrays.one_id("id", id))
+
+    def edges(self):
+        """The edges.
+
+        Returns
+        -------
+        array of uint32, shape (m, 2)
+            The ids of the ends, the smaller first; sorted.
+        """
+        return self._engine.edges()
+
+    def triangles(self):
+        """The triangles.
+
+        Returns
+        -------
+        array of uint32, shape (k, 3)
+            The ids of the corners, counterclockwise, the least first; sorted. Empty if all points are
+            collinear.
+        """
+        return self._engine.triangles()
+
+    def hull(self):
+        """The convex hull.
+
+        Returns
+        -------
+        array of uint32, shape (h,)
+            Its vertices counterclockwise, the least id first. If all points are collinear, all of them
+            in their order along the line.
+        """
+        return self._engine.hull()
+
+    # ---- time ----
+
+    def advance_to(self, time, *, progress=False):
+        """Goes to a time: every event at or before it has happened then.
+
+        Parameters
+        ----------
+        time : float, int, fractions.Fraction or Time
+            Not before `self.time`.
+        progress : bool or callable
+            Whether to show a bar; or a function that is called with the present time, now and then.
+
+        Returns
+        -------
+        int
+            The number of events.
+
+        Raises
+        ------
+        PreconditionError
+            If the time is in the past.
+        KeyboardInterrupt
+            After Ctrl-C: time has stopped at an event, and the object can be used on.
+        """
+        return self._advance(time, None, progress)
+
+    def step(self, until=None):
+        """Goes to the next time at which something changes, and executes all events of that time.
+
+        Parameters
+        ----------
+        until : time, optional
+            If the next event is after it, nothing happens.
+
+        Returns
+        -------
+        int
+            The number of events; 0 if there is no event.
+        """
+        return self._engine.step(until, None)
+
+    def record(self, until, *, progress=False):
+        """Goes to a time and gives the events on the way.
+
+        Parameters
+        ----------
+        until : time
+            As in `advance_to`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        structured array of `event_dtype`, shape (events,)
+            With the fields kind, time, time_lo, time_hi, removed, added, points. An exception on the way
+            has those before it as its attribute `events`.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [2, 0], [1, 2], [1, -3]], [[0, 0], [0, 0], [0, 0], [0, 1]])
+        >>> events = kd.record(until=2.75)
+        >>> events["kind"], events["time"], events["removed"], events["added"]
+        (array(['flip'], dtype='<U11'), array([2.5]), array([[0, 1]], dtype=uint32), array([[2, 3]], dtype=uint32))
+        """
+        table = _kinetri.EventTable()
+        try:
+            self._advance(until, table, progress)
+        except BaseException as error:
+            error.events = take(table)
+            raise
+        return take(table)
+
+    def events(self, until=None):
+        """Iterates over the events, while time advances.
+
+        When an event is given, the triangulation is that just after its time: all events of one time
+        have happened then.
+
+        Parameters
+        ----------
+        until : time, optional
+            The iteration ends there, at that time; without it, after the last event of all.
+
+        Yields
+        ------
+        Event
+            With an exact time.
+        """
+        seen = _kinetri.EventList()
+        while self._engine.step(until, seen) > 0:
+            yield from seen.take()
+        if until is not None:
+            self.advance_to(until)
+
+    def _advance(self, until, observer, progress):
+        if not progress:
+            return self._engine.advance(until, observer, None)
+        with progress_bar(progress, float(self.time), float(until)) as show:
+            return self._engine.advance(until, observer, show)
+
+    # ---- changes ----
+
+    def _epoch(self):
+        return float(self.time)
+
+    def _kept(self, ids, values):
+        """Columns of the sizes that are not given: those that the points have."""
+        if not self._engine.kind()[1]:
+            return values
+        kept = dict(values)
+        now = self._epoch()
+        motions = [self._engine.motion(id) for id in ids.tolist() if self._engine.contains(id)]
+        if len(motions) < len(ids):
+            return values
+        if values["radius"] is None:
+            kept["radius"] = [m["radius"] if m["growth"] == 0 else
+                              m["radius"] + m["growth"] * (now - m["epoch"]) for m in motions]
+        for name in ("growth", "weight"):
+            if values[name] is None:
+                kept[name] = [m[name] for m in motions]
+        return kept
+
+    def set_velocities(self, ids, velocities):
+        """Gives points other velocities from now on, all at once.
+
+        Each point goes on from its place at `float(self.time)`, rounded to float64, with its
+        acceleration there and its radius.
+
+        Parameters
+        ----------
+        ids : int or array of ids, shape (n,)
+            The points, each named once.
+        velocities : array_like of float, shape (n, 2) or (2,)
+            Two numbers for each point; (2,) is the velocity of all.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such point, one is named twice, or a shape is another one.
+        CoincidentTrajectoriesError
+            If two points would be at one place at all times. Nothing has changed then.
+        """
+        ids = _arrays.id_array("ids", ids)
+        if np.ndim(velocities) == 1 and np.size(velocities) == 2:
+            velocities = np.broadcast_to(velocities, (len(ids), 2))
+        self._engine.set_velocities(ids, _arrays.point_array("velocities", velocities, len(ids)))
+
+    def _set_motions(self, ids, positions, velocities, acceleration, jerk, **sizes):
+        ids = _arrays.id_array("ids", ids)
+        positions = _arrays.point_array("positions", positions, len(ids))
+        sizes = {"radius": None, "growth": None, "weight": None, **sizes}
+        motions, _ = _motions(positions, velocities, acceleration, jerk,
+                              **self._kept(ids, sizes), epoch=self._epoch())
+        self._engine.set_motions(ids, motions)
+
+    def _insert(self, positions, velocities, acceleration, jerk, masses=None, **sizes):
+        positions = np.atleast_2d(np.asarray(positions))
+        if velocities is not None:
+            velocities = np.atleast_2d(np.asarray(velocities))
+        sizes = {"radius": None, "growth": None, "weight": None, **sizes}
+        motions, size = _motions(positions, velocities, acceleration, jerk, **sizes,
+                                 epoch=self._epoch())
+        if masses is not None:
+            masses = _arrays.column("mass", masses, size)
+        first = self._engine.insert(motions, masses)
+        return np.arange(first, first + size, dtype=np.uint32)
+
+    def erase(self, ids):
+        """Erases points, now.
+
+        Parameters
+        ----------
+        ids : int or array of ids, shape (n,)
+            The points, each named once.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such point, or one is named twice. Nothing has changed then.
+        """
+        self._engine.erase(_arrays.id_array("ids", ids))
+
+    # ---- answers ----
+
+    def neighbors(self, id):
+        """The points with an edge to a point.
+
+        Parameters
+        ----------
+        id : int
+            The point.
+
+        Returns
+        -------
+        array of uint32, shape (degree,)
+            Counterclockwise: of an inner point from the smallest id on, of a hull point from one hull
+            neighbor to the other.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such point.
+        """
+        return self._engine.neighbors(_arrays.one_id("id", id))
+
+    def nearest_vertex(self, place):
+        """The point nearest to a place, exactly; with weights, the one of the least power there.
+
+        Parameters
+        ----------
+        place : array_like of float, shape (2,)
+            Taken exactly.
+
+        Returns
+        -------
+        int or None
+            The id; of equally near points the smallest. None if there are no points.
+        """
+        return self._engine.nearest_vertex(*_arrays.float_array("place", place, (2,)).tolist())
+
+    def locate(self, place):
+        """The triangle, edge or point at a place, exactly.
+
+        Parameters
+        ----------
+        place : array_like of float, shape (2,)
+            Taken exactly.
+
+        Returns
+        -------
+        Location
+        """
+        return Location(*self._engine.locate(*_arrays.float_array("place", place, (2,)).tolist()))
+
+    def voronoi_cell(self, id):
+        """The Voronoi cell of a point; with weights, its power cell.
+
+        Parameters
+        ----------
+        id : int
+            The point.
+
+        Returns
+        -------
+        VoronoiCell
+            Its sides are decided exactly, and each coordinate is rounded to the nearest float64.
+        """
+        return VoronoiCell(*self._engine.voronoi_cell(_arrays.one_id("id", id)))
+
+    def voronoi_areas(self, clip):
+        """The area of each point's Voronoi cell within a polygon; with weights, of its power cell.
+
+        Parameters
+        ----------
+        clip : (xmin, ymin, xmax, ymax), or array_like of float, shape (m, 2)
+            A box, or the vertices of a simple polygon in either order. It need not be convex.
+
+        Returns
+        -------
+        array of float64, shape (n,)
+            By id; they sum to the area of the polygon. Computed in float64 from the sides of the exact
+            cells. Of points at one place the smallest id has the area, the others have 0; so has an id
+            without a point.
+
+        Raises
+        ------
+        PreconditionError
+            If the polygon crosses itself or has no area.
+        """
+        if np.ndim(clip) == 1:
+            xmin, ymin, xmax, ymax = _arrays.box_tuple("clip", clip)
+            clip = [[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]]
+        return self._engine.voronoi_areas(_arrays.point_array("clip", clip))
+
+    def nearest_neighbors(self):
+        """The nearest neighbor of each point.
+
+        Returns
+        -------
+        NearestNeighbors
+            `ids` and `distances`, by id.
+
+        Raises
+        ------
+        PreconditionError
+            If discs have radii of their own: the edges do not know it then.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [3, 0], [3, 4]], [[0, 0], [0, 0], [0, 0]])
+        >>> ids, distances = kd.nearest_neighbors()
+        >>> ids.tolist(), distances.tolist()
+        ([1, 0, 1], [3.0, 3.0, 4.0])
+        """
+        ids = self._engine.nearest_neighbors()
+        distances = np.full(len(ids), np.nan)
+        there = np.flatnonzero(ids != NO_POINT)
+        places = self.positions()
+        difference = places[ids[there]] - places[there]
+        distances[there] = np.hypot(difference[:, 0], difference[:, 1])
+        return NearestNeighbors(ids, distances)
+
+    def closest_pair(self):
+        """The two points nearest to each other, exactly.
+
+        Returns
+        -------
+        tuple of two int, or None
+            The smaller id first. None if there are fewer than two points.
+        """
+        return self._engine.closest_pair()
+
+    # ---- state ----
+
+    def audit(self, level="certificates"):
+        """Checks the object against exact static geometry.
+
+        Parameters
+        ----------
+        level : {'links', 'embedding', 'delaunay', 'reference', 'certificates'}
+            How much is checked; each level includes those before it. 'reference' compares the edges with
+            a static exact triangulation, 'certificates' computes every failure time anew.
+
+        Returns
+        -------
+        AuditReport
+            True if nothing is wrong.
+        """
+        return AuditReport(self._engine.audit(level))
+
+    def statistics(self):
+        """Counts since the start.
+
+        Returns
+        -------
+        dict
+            events (by kind), certificates (created, root_solves, filter_decided, exact_decided),
+            instants (distinct times of events) and reconstructions.
+        """
+        return self._engine.statistics()
+
+    def snapshot(self):
+        """The whole state.
+
+        Returns
+        -------
+        Snapshot
+            It can be pickled; `restore()` makes an object that goes on as this one would.
+        """
+        return Snapshot(type(self), self._engine.snapshot("none"))
+
+    def save(self, path):
+        """Writes the state to a checkpoint file, whole or not at all.
+
+        The program reads it: ``kinetri resume PATH --until T``.
+
+        Parameters
+        ----------
+        path : str or path
+            The file. It is replaced if it is there.
+
+        Raises
+        ------
+        OutputError
+            If it cannot be written.
+        """
+        self._engine.save(str(path), "none")
+
+    @classmethod
+    def load(cls, path):
+        """The object of a checkpoint file.
+
+        Parameters
+        ----------
+        path : str or path
+            A file of `save`, or of the program.
+
+        Raises
+        ------
+        InputError
+            If it is no such file.
+        SnapshotError
+            If the state is not one of this class.
+        """
+        return cls._around(_kinetri.load(str(path), False, None)[0])
+
+    @classmethod
+    def _around(cls, engine):
+        result = cls.__new__(cls)
+        result._engine = engine
+        return result
+
+    @classmethod
+    def _restored(cls, snapshot):
+        return cls._around(_kinetri.restore(snapshot.state, False, None))
+
+    def __reduce__(self):
+        return Snapshot.restore, (self.snapshot(),)
+
+    def __repr__(self):
+        return f"<{type(self).__name__} of {len(self)} points at t = {float(self.time):.6g}>"
+
+    # ---- pictures ----
+
+    def play(self, until, *, title=None, names=None, most_events=200_000, height=640, progress=False):
+        """Goes to a time and gives the viewer's page of the run: a notebook shows it.
+
+        Parameters
+        ----------
+        until : time
+            As in `advance_to`.
+        title : str, optional
+            Of the page.
+        names : sequence of str, optional
+            Of the points, by id.
+        most_events : int
+            A longer run is thinned to that many rows.
+        height : int
+            Of the frame in a notebook, in pixels.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        Page
+            `save(path)` writes it to a file that any browser opens.
+        """
+        recorder = self._engine.recorder(float(until), most_events)
+        self._advance(until, recorder, progress)
+        content = self._engine.page(recorder, title or repr(self)[1:-1], list(names or []),
+                                    *self._engine.box_and_radius())
+        return Page(content, height)
+
+    def plot(self, ax=None, *, ids=False, **style):
+        """Draws the triangulation now, with matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default the present axes.
+        ids : bool
+            Whether to write the ids.
+        **style
+            For the lines of the edges: color, linewidth, ...
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        from ._plot import draw
+
+        return draw(self, ax, ids, style)
+
+
+class KineticDelaunay(MovingPoints):
+    """The Delaunay triangulation of moving points, exact at every time.
+
+    Parameters
+    ----------
+    positions : array_like of float, shape (n, 2)
+        Where the points are at `start`. Taken exactly; any input may be degenerate: collinear,
+        cocircular, in one place as long as they part.
+    velocities : array_like of float, shape (n, 2)
+        Their velocities there.
+    acceleration, jerk : array_like of float, shape (n, 2), optional
+        The second and third derivatives at `start`.
+    start : float or Time
+        The time at which the run begins.
+
+    Raises
+    ------
+    PreconditionError
+        If a number is not finite, or a shape is another one.
+    CoincidentTrajectoriesError
+        If two points are at one place at all times.
+
+    Examples
+    --------
+    >>> import numpy as np, kinetri
+    >>> rng = np.random.default_rng(1)
+    >>> kd = kinetri.KineticDelaunay(rng.uniform(0, 100, (1000, 2)), rng.uniform(-5, 5, (1000, 2)))
+    >>> events = kd.record(until=0.1)
+    >>> kd.time == 0.1, kd.positions().shape, kd.triangles().shape[1], bool(kd.audit("delaunay"))
+    (True, (1000, 2), 3, True)
+    """
+
+    def __init__(self, positions, velocities, *, acceleration=None, jerk=None, start=0.0):
+        motions, _ = _motions(positions, velocities, acceleration, jerk, None, None, None, float(start))
+        is_polynomial = acceleration is not None or jerk is not None
+        self._engine = _kinetri.make_triangulation(motions, is_polynomial, False, start)
+
+    @classmethod
+    def _at(cls, positions, velocities, acceleration, jerk, epoch, start):
+        """The points at the time `start`, with motions of another epoch."""
+        motions, _ = _motions(positions, velocities, acceleration, jerk, None, None, None, epoch)
+        is_polynomial = acceleration is not None or jerk is not None
+        return cls._around(_kinetri.make_triangulation(motions, is_polynomial, False, start))
+
+    def next_event_time(self):
+        """The exact time of the next event.
+
+        Returns
+        -------
+        Time or None
+            None if the triangulation never changes again.
+        """
+        return self._engine.next_event_time()
+
+    def reverse(self):
+        """Lets time run backwards: from now on the clock shows -t where it showed t.
+
+        Past events come again in reverse order, at mirrored times. Motions that were replaced do not
+        come back.
+
+        Returns
+        -------
+        int
+            The number of events of the present time, which are undone at once.
+        """
+        return self._engine.reverse()
+
+    def set_motions(self, ids, positions, velocities, *, acceleration=None, jerk=None):
+        """Gives points other motions from now on, all at once. They may jump.
+
+        Parameters
+        ----------
+        ids : int or array of ids, shape (n,)
+            The points, each named once.
+        positions : array_like of float, shape (n, 2)
+            Where they are at `float(self.time)`.
+        velocities : array_like of float, shape (n, 2)
+            Their velocities there.
+        acceleration, jerk : array_like of float, shape (n, 2), optional
+            Only if the object was made with one of them.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such point, one is named twice, or a shape is another one.
+        CoincidentTrajectoriesError
+            If two points would be at one place at all times. Nothing has changed then.
+        """
+        self._set_motions(ids, positions, velocities, acceleration, jerk)
+
+    def insert(self, positions, velocities, *, acceleration=None, jerk=None):
+        """Inserts points, now.
+
+        Parameters
+        ----------
+        positions, velocities, acceleration, jerk
+            As in `set_motions`; (2,) is one point.
+
+        Returns
+        -------
+        array of uint32, shape (n,)
+            The ids that they have got.
+
+        Raises
+        ------
+        CoincidentTrajectoriesError
+            If two points would be at one place at all times. Nothing has changed then.
+        """
+        return self._insert(positions, velocities, acceleration, jerk)
+
+
+class KineticRegular(KineticDelaunay):
+    """The regular triangulation of moving discs, or of moving points with weights, exact at every time.
+
+    Its dual is the power diagram. A point without a power cell of its own is hidden: it has no edges.
+
+    Parameters
+    ----------
+    positions, velocities, acceleration, jerk, start
+        As in `KineticDelaunay`.
+    radius : float or array_like of float, shape (n,), optional
+        Of the discs at `start`; the weight is its square.
+    growth : float or array_like of float, shape (n,), optional
+        Of the radius, per unit of time.
+    weight : float or array_like of float, shape (n,), optional
+        Added to the square of the radius; of either sign.
+
+    Raises
+    ------
+    PreconditionError
+        If a number is not finite, or a shape is another one.
+    CoincidentTrajectoriesError
+        If two points with the same weight are at one place at all times.
+
+    Examples
+    --------
+    >>> import kinetri
+    >>> kr = kinetri.KineticRegular([[0, 0], [4, 0], [0, 4], [1, 0.5]], [[0, 0]] * 4, radius=[3, 1, 1, 0.5])
+    >>> kr.hidden_points().tolist()
+    [3]
+    """
+
+    def __init__(self, positions, velocities, *, radius=None, growth=None, weight=None,
+                 acceleration=None, jerk=None, start=0.0):
+        motions, _ = _motions(positions, velocities, acceleration, jerk, radius, growth, weight,
+                              float(start))
+        is_polynomial = acceleration is not None or jerk is not None
+        self._engine = _kinetri.make_triangulation(motions, is_polynomial, True, start)
+
+    def hidden_points(self):
+        """The points that others hide.
+
+        Returns
+        -------
+        array of uint32
+            Their ids, ascending.
+        """
+        return self._engine.hidden_points()
+
+    def set_motions(self, ids, positions, velocities, *, acceleration=None, jerk=None, radius=None,
+                    growth=None, weight=None):
+        """Gives points other motions and sizes from now on, all at once.
+
+        Parameters
+        ----------
+        ids, positions, velocities, acceleration, jerk
+            As in `KineticDelaunay.set_motions`.
+        radius, growth, weight : float or array_like of float, shape (n,), optional
+            What is not given stays what it is; a radius that grows is rounded.
+        """
+        self._set_motions(ids, positions, velocities, acceleration, jerk, radius=radius, growth=growth,
+                          weight=weight)
+
+    def insert(self, positions, velocities, *, acceleration=None, jerk=None, radius=None, growth=None,
+               weight=None):
+        """Inserts points, now.
+
+        Parameters
+        ----------
+        positions, velocities, acceleration, jerk, radius, growth, weight
+            As in `set_motions`; what is not given is 0.
+
+        Returns
+        -------
+        array of uint32, shape (n,)
+            The ids that they have got.
+        """
+        return self._insert(positions, velocities, acceleration, jerk, radius=radius, growth=growth,
+                            weight=weight)
+
+
+class Simulation(MovingPoints):
+    """Moving points in a box, with discs about them that collide; every contact exact.
+
+    Parameters
+    ----------
+    positions, velocities, acceleration, jerk, start
+        As in `KineticDelaunay`.
+    radius : float or array_like of float, shape (n,), optional
+        Of the discs at `start`.
+    growth : float or array_like of float, shape (n,), optional
+        Of the radii, per unit of time.
+    mass : float, array_like of float, shape (n,), or 'area', optional
+        Greater than 0; 1 by default; 'area' is the square of the radius.
+    box : (xmin, ymin, xmax, ymax), optional
+        Walls that reflect.
+    rim : bool
+        Whether the rim of a disc touches the walls, instead of its centre.
+    collisions : {None, 'log', 'swap', 'elastic', 'stop', 'remove'} or callable
+        What two discs do when they touch. A function is called with a `Contact` and gives None (they
+        pass through each other), two velocities, or a `Response`. It must not use the simulation.
+    refuse_overlaps : bool, optional
+        Whether discs that overlap at the start are an error; by default if radii differ or grow, and
+        the discs do something when they touch.
+
+    Raises
+    ------
+    PreconditionError
+        If a number is not finite or a size has no meaning.
+    OutsideBoxError, OverlappingDiscsError, NegativeRadiusError, CoincidentTrajectoriesError
+        If the start is impossible.
+
+    Examples
+    --------
+    >>> import kinetri
+    >>> sim = kinetri.Simulation([[0, 0], [10, 0]], [[1, 0], [-1, 0]], radius=1, collisions="elastic")
+    >>> events = sim.record(until=6.0)
+    >>> events["kind"][-1], float(events["time"][-1]), sim.velocities().tolist(), sim.energy()
+    ('collision', 4.0, [[-1.0, 0.0], [1.0, 0.0]], 1.0)
+    """
+
+    def __init__(self, positions, velocities, *, radius=None, growth=None, mass=None, box=None,
+                 rim=False, collisions=None, refuse_overlaps=None, acceleration=None, jerk=None,
+                 start=0.0):
+        size = len(_arrays.point_array("positions", positions))
+        if radius is not None:
+            radius = _arrays.column("radius", radius, size)
+        if growth is not None:
+            growth = _arrays.column("growth", growth, size)
+        if isinstance(mass, str):
+            mass = self._masses_by_name(mass, radius)
+        masses = None if mass is None else _arrays.column("mass", mass, size)
+        grows = growth is not None and bool(np.any(growth != 0))
+        differs = grows or (radius is not None and bool(np.any(radius != radius[:1])))
+        common_radius = 0.0
+        if not differs:
+            if radius is not None and size > 0:
+                common_radius = float(radius[0])
+            radius = growth = None
+        motions, _ = _motions(positions, velocities, acceleration, jerk,
+                              radius if differs else None, growth, None, float(start))
+        if differs and radius is None:
+            raise PreconditionError("growth without radius; expected the radii at the start")
+        if refuse_overlaps is None:
+            refuse_overlaps = differs and collisions not in (None, "log", "none")
+        self.collisions = collisions
+        self._engine = _kinetri.make_simulation(
+            motions, acceleration is not None or jerk is not None, differs, start,
+            _arrays.box_tuple("box", box), bool(rim), common_radius, engine_response(collisions),
+            bool(refuse_overlaps), masses)
+
+    @staticmethod
+    def _masses_by_name(mass, radius):
+        if mass != "area":
+            raise PreconditionError(f"mass is {mass!r}; expected numbers, or 'area'")
+        if radius is None:
+            raise PreconditionError("mass='area' without radius; expected radii")
+        return radius * radius
+
+    @property
+    def box(self):
+        """(xmin, ymin, xmax, ymax) or None: the walls."""
+        return self._engine.box_and_radius()[0]
+
+    def masses(self):
+        """The masses.
+
+        Returns
+        -------
+        array of float64, shape (n,)
+            By id; 1 where there is no point.
+        """
+        return self._engine.masses()
+
+    def energy(self):
+        """The kinetic energy now: half the sum of mass times squared speed.
+
+        Returns
+        -------
+        float
+            Computed in float64.
+        """
+        velocities = self.velocities()
+        return float(0.5 * np.nansum(self.masses() * np.einsum("ij,ij->i", velocities, velocities)))
+
+    def set_motions(self, ids, positions, velocities, *, acceleration=None, jerk=None, radius=None,
+                    growth=None):
+        """Gives points other motions from now on, all at once. They may jump.
+
+        Parameters
+        ----------
+        ids, positions, velocities, acceleration, jerk
+            As in `KineticDelaunay.set_motions`.
+        radius, growth : float or array_like of float, shape (n,), optional
+            Only if discs have radii of their own. What is not given stays what it is.
+
+        Raises
+        ------
+        OutsideBoxError, CoincidentTrajectoriesError, NegativeRadiusError
+            Nothing has changed then.
+        """
+        self._set_motions(ids, positions, velocities, acceleration, jerk, radius=radius, growth=growth)
+
+    def set_masses(self, ids, masses):
+        """Gives points other masses from now on.
+
+        Parameters
+        ----------
+        ids : int or array of ids, shape (n,)
+            The points.
+        masses : float or array_like of float, shape (n,)
+            Greater than 0.
+        """
+        ids = _arrays.id_array("ids", ids)
+        self._engine.set_masses(ids, _arrays.column("masses", masses, len(ids)))
+
+    def insert(self, positions, velocities, *, acceleration=None, jerk=None, radius=None, growth=None,
+               mass=None):
+        """Inserts points, now.
+
+        Parameters
+        ----------
+        positions, velocities, acceleration, jerk
+            As in `KineticDelaunay.insert`.
+        radius, growth : float or array_like of float, shape (n,), optional
+            Only if discs have radii of their own; 0 by default.
+        mass : float or array_like of float, shape (n,), optional
+            1 by default.
+
+        Returns
+        -------
+        array of uint32, shape (n,)
+            The ids that they have got.
+
+        Raises
+        ------
+        OutsideBoxError, OverlappingDiscsError, CoincidentTrajectoriesError
+            None of the points is there then; their ids are not used again.
+        """
+        return self._insert(positions, velocities, acceleration, jerk, masses=mass, radius=radius,
+                            growth=growth)
+
+    def _scheduled(self, time, position, velocity, acceleration, jerk, radius, growth):
+        one = {"positions": position, "velocities": velocity, "acceleration": acceleration, "jerk": jerk}
+        vectors = {name: None if value is None else
+                   _arrays.float_array(name, value, (2,)).reshape(1, 2) for name, value in one.items()}
+        motions, _ = _motions(**vectors, radius=radius, growth=growth, weight=None, epoch=float(time))
+        return motions
+
+    def schedule_insert(self, time, position, velocity, *, acceleration=None, jerk=None, radius=None,
+                        growth=None, mass=1.0):
+        """Inserts a point at a time to come.
+
+        Changes of one time are made after its other events: first erasures, then motions, then
+        insertions. One that is impossible then (outside of the box, or the trajectory of another point)
+        is dropped, and the call that has reached its time raises the error.
+
+        Parameters
+        ----------
+        time : time
+            When; not before `self.time`.
+        position, velocity, acceleration, jerk : array_like of float, shape (2,)
+            The motion at `float(time)`.
+        radius, growth, mass : float, optional
+            As in `insert`.
+
+        Returns
+        -------
+        int
+            The id that the point will have.
+        """
+        return self._engine.schedule_insert(
+            time, self._scheduled(time, position, velocity, acceleration, jerk, radius, growth),
+            _arrays.one_number("mass", mass))
+
+    def schedule_motion(self, time, id, position, velocity, *, acceleration=None, jerk=None,
+                        radius=None, growth=None):
+        """Gives a point another motion at a time to come; see `schedule_insert`.
+
+        Parameters
+        ----------
+        time : time
+            When; not before `self.time`.
+        id : int
+            The point; the change is dropped if it is not there then.
+        position, velocity, acceleration, jerk, radius, growth
+            As in `schedule_insert`.
+        """
+        self._engine.schedule_motion(
+            time, _arrays.one_id("id", id),
+            self._scheduled(time, position, velocity, acceleration, jerk, radius, growth))
+
+    def schedule_erase(self, time, id):
+        """Erases a point at a time to come; see `schedule_insert`.
+
+        Parameters
+        ----------
+        time : time
+            When; not before `self.time`.
+        id : int
+            The point; the change is dropped if it is not there then.
+        """
+        self._engine.schedule_erase(time, _arrays.one_id("id", id))
+
+    # ---- state ----
+
+    def _response_name(self):
+        return self.collisions if isinstance(self.collisions, str) else "none"
+
+    def snapshot(self):
+        """The whole state, with the response; see `MovingPoints.snapshot`."""
+        return Snapshot(type(self), self._engine.snapshot(self._response_name()), self.collisions)
+
+    def save(self, path):
+        """Writes the state to a checkpoint file; see `MovingPoints.save`.
+
+        A response that is a function is not kept.
+        """
+        self._engine.save(str(path), self._response_name())
+
+    @classmethod
+    def load(cls, path, collisions=...):
+        """The simulation of a checkpoint file.
+
+        Parameters
+        ----------
+        path : str or path
+            A file of `save`, or of the program.
+        collisions : optional
+            The response, as in `Simulation`; by default the one whose name the file has.
+
+        Raises
+        ------
+        InputError
+            If it is no such file.
+        """
+        response = ... if collisions is ... else engine_response(collisions)
+        engine, name = _kinetri.load(str(path), True, response)
+        result = cls._around(engine)
+        result.collisions = name if collisions is ... else collisions
+        return result
+
+    @classmethod
+    def _restored(cls, snapshot):
+        result = cls._around(
+            _kinetri.restore(snapshot.state, True, engine_response(snapshot._collisions)))
+        result.collisions = snapshot._collisions
+        return result

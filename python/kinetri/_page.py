@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The viewer's page: in a notebook, or as a file."""
+import html
+import os
+import pathlib
+import tempfile
+
+from .errors import OutputError
+
+
+class Page:
+    """A recorded run as one HTML page that plays it.
+
+    In a notebook the page shows itself. It asks the network for nothing.
+
+    Parameters
+    ----------
+    content : bytes
+        The page, UTF-8.
+    height : int
+        Of the frame in a notebook, in pixels.
+    """
+
+    def __init__(self, content, height=640):
+        self.content = content
+        self.height = height
+
+    def _repr_html_(self):
+        page = html.escape(self.content.decode(), quote=True)
+        return (f'<iframe srcdoc="{page}" width="100%" height="{self.height}" style="border: 0" '
+                'sandbox="allow-scripts allow-downloads"></iframe>')
+
+    def save(self, path):
+        """Writes the page to a file, whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+            The file. It is replaced if it is there.
+
+        Raises
+        ------
+        OutputError
+            If it cannot be written.
+        """
+        path = pathlib.Path(path)
+        try:
+            handle, temporary = tempfile.mkstemp(dir=path.parent, prefix="." + path.name)
+            try:
+                with os.fdopen(handle, "wb") as file:
+                    file.write(self.content)
+                # As a file that open() makes.
+                mask = os.umask(0)
+                os.umask(mask)
+                os.chmod(temporary, 0o666 & ~mask)
+                os.replace(temporary, path)
+            except BaseException:
+                os.unlink(temporary)
+                raise
+        except OSError as error:
+            raise OutputError(f"{path}: {error.strerror}; expected a place that can be written") from error
+
+    def __repr__(self):
+        return f"<Page of {len(self.content)} bytes>"

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures by matplotlib."""
+import numpy as np
+
+
+def draw(points, ax, ids, style):
+    """Draws edges, discs and points on the axes, and gives these."""
+    import matplotlib.pyplot as plt
+    from matplotlib.collections import EllipseCollection, LineCollection
+
+    if ax is None:
+        ax = plt.gca()
+    places = points.positions()
+    there = ~np.isnan(places[:, 0])
+    style = {"color": "0.55", "linewidth": 0.8, "zorder": 1, **style}
+    ax.add_collection(LineCollection(places[points.edges()], **style))
+    radii = points.radii()[there]
+    if np.any(radii > 0):
+        ax.add_collection(EllipseCollection(
+            2 * radii, 2 * radii, np.zeros_like(radii), offsets=places[there], units="xy",
+            transOffset=ax.transData, facecolors="tab:blue", alpha=0.35, zorder=2))
+    ax.scatter(places[there, 0], places[there, 1], s=8, color="tab:blue", zorder=3)
+    if ids:
+        for id in np.flatnonzero(there):
+            ax.annotate(str(id), places[id], textcoords="offset points", xytext=(3, 3), fontsize="small")
+    ax.set_aspect("equal")
+    ax.autoscale_view()
+    return ax

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What discs do when they touch."""
+import dataclasses
+import typing
+
+import numpy as np
+
+from . import _kinetri
+from ._arrays import float_array
+from .errors import PreconditionError
+
+
+@dataclasses.dataclass(frozen=True)
+class Response:
+    """What two discs do after they have touched.
+
+    A disc gets a new velocity, or rests, or is erased; or else it keeps its motion. If nothing is said
+    of either, they pass through each other.
+
+    Parameters
+    ----------
+    velocity_a, velocity_b : two floats, or None
+        The new velocities.
+    erases_a, erases_b : bool
+        Whether the disc is erased.
+    stops_a, stops_b : bool
+        Whether the disc rests from now on.
+    """
+
+    velocity_a: typing.Optional[tuple] = None
+    velocity_b: typing.Optional[tuple] = None
+    erases_a: bool = False
+    erases_b: bool = False
+    stops_a: bool = False
+    stops_b: bool = False
+
+
+def respond(name, contact):
+    """What a built-in response does with a contact.
+
+    For responses that treat some contacts in a way of their own, and leave the others.
+
+    Parameters
+    ----------
+    name : {'log', 'swap', 'elastic', 'stop', 'remove'}
+        As `collisions` of `Simulation`.
+    contact : Contact
+        The contact that your response is called with.
+
+    Returns
+    -------
+    Response
+    """
+    return Response(*_kinetri.respond(name, contact))
+
+
+def _velocity(name, value):
+    if value is None:
+        return None
+    return float_array(name, np.asarray(value), (2,)).tolist()
+
+
+def engine_response(collisions):
+    """What the engine takes: a name, None, or a function with a tuple as its result."""
+    if collisions is None or isinstance(collisions, str):
+        return collisions
+    if not callable(collisions):
+        raise PreconditionError(
+            f"collisions is {collisions!r}; expected a name such as 'elastic', None, or a function of a "
+            "contact")
+
+    def respond_to(contact):
+        result = collisions(contact)
+        if result is None:
+            result = Response()
+        elif not isinstance(result, Response):
+            try:
+                velocity_a, velocity_b = result
+            except (TypeError, ValueError):
+                raise PreconditionError(
+                    f"the response gave {result!r}; expected None, a kinetri.Response, or two "
+                    "velocities") from None
+            result = Response(velocity_a, velocity_b)
+        return (_velocity("velocity_a", result.velocity_a), _velocity("velocity_b", result.velocity_b),
+                bool(result.erases_a), bool(result.erases_b), bool(result.stops_a), bool(result.stops_b))
+
+    return respond_to

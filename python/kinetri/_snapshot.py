@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Snapshots."""
+import hashlib
+
+
+class Snapshot:
+    """The whole state of an object, to be restored later or elsewhere.
+
+    A snapshot can be pickled, and sent to another process. What is restored of it goes on as the
+    object would have: the same events at the same exact times.
+
+    Attributes
+    ----------
+    state : bytes
+        The content of a checkpoint file.
+    """
+
+    def __init__(self, restorer, state, collisions=None):
+        self._restorer = restorer
+        self.state = state
+        self._collisions = collisions
+
+    def restore(self):
+        """A new object with this state.
+
+        Returns
+        -------
+        KineticDelaunay, KineticRegular or Simulation
+            Of the class that the snapshot was taken of.
+        """
+        return self._restorer._restored(self)
+
+    def __eq__(self, other):
+        if not isinstance(other, Snapshot):
+            return NotImplemented
+        return self.state == other.state and self._restorer is other._restorer
+
+    def __hash__(self):
+        return hash(self.state)
+
+    def __repr__(self):
+        digest = hashlib.sha256(self.state).hexdigest()[:8]
+        return f"<Snapshot {self._restorer.__name__} {digest}, {len(self.state)} bytes>"

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The exceptions that Kinetri raises: all are `kinetri.Error`. They are named as in C++."""
+
+__all__ = [
+    "CoincidentTrajectoriesError",
+    "ContactError",
+    "ContactOverflowError",
+    "EndlessContactsError",
+    "Error",
+    "HistoryWarning",
+    "InputError",
+    "InternalError",
+    "NegativeRadiusError",
+    "OutputError",
+    "OutsideBoxError",
+    "OverlappingDiscsError",
+    "PackingError",
+    "PreconditionError",
+    "SnapshotError",
+    "WorkerError",
+]
+
+
+class Error(Exception):
+    """Base of every exception that Kinetri raises on purpose."""
+
+
+class PreconditionError(Error, ValueError):
+    """An argument is not what the function expects. The message says what is."""
+
+
+class InternalError(Error):
+    """An internal check failed: a bug in Kinetri."""
+
+
+class InputError(Error, ValueError):
+    """A file, or the content of a table, cannot be used. The message begins with file and line."""
+
+
+class OutputError(Error, OSError):
+    """A file cannot be written."""
+
+
+class SnapshotError(Error, ValueError):
+    """A snapshot is damaged, or not the state of such an object."""
+
+
+class CoincidentTrajectoriesError(Error, ValueError):
+    """Two points would be at one place at all times.
+
+    Attributes
+    ----------
+    ids : tuple of two int
+        The points.
+    """
+
+
+class ContactError(Error):
+    """A contact that no response can deal with.
+
+    Attributes
+    ----------
+    id : int
+        The point; of two, the one with the smaller id.
+    """
+
+
+class EndlessContactsError(ContactError):
+    """Contacts do not end: too many at one time, or a point that is pressed against another."""
+
+
+class ContactOverflowError(ContactError):
+    """After a contact a place, velocity or acceleration is beyond the range of float64."""
+
+
+class OverlappingDiscsError(Error, ValueError):
+    """Discs overlap where they must not.
+
+    Attributes
+    ----------
+    pairs : list of [int, int]
+        All pairs that overlap, sorted.
+    """
+
+
+class NegativeRadiusError(Error, ValueError):
+    """The radius of a disc is, or would become, negative.
+
+    Attributes
+    ----------
+    id : int
+        The disc.
+    time : Time
+        At or just after it the radius is negative.
+    """
+
+
+class OutsideBoxError(Error, ValueError):
+    """A point is outside of the box.
+
+    Attributes
+    ----------
+    id : int
+        The point.
+    """
+
+
+class PackingError(Error):
+    """A packing does not reach the share that was asked for."""
+
+
+class WorkerError(Error):
+    """Worker processes of a sweep ended again and again without a result."""
+
+
+class HistoryWarning(UserWarning):
+    """A piece of a run depends on the pieces before it, and was computed after them."""

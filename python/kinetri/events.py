@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Events as structured arrays, and as tables of pandas."""
+import numpy as np
+
+from . import _kinetri
+from ._arrays import NO_POINT
+
+#: The kinds of event, in the order in which simultaneous ones are executed.
+event_kinds = _kinetri.event_kinds
+
+#: The fields of an array of events.
+#:
+#: kind : str
+#:     One of `event_kinds`.
+#: time, time_lo, time_hi : float64
+#:     The exact time rounded to nearest, and its tightest bounds.
+#: removed, added : two uint32
+#:     The ids of the ends of the edge that goes, and of the one that comes, the smaller first;
+#:     `NO_POINT` twice where there is none.
+#: points : two uint32
+#:     The points concerned: the second, or both, may be `NO_POINT`.
+event_dtype = np.dtype(_kinetri.event_fields)
+
+
+def take(table):
+    """The rows of an EventTable, without a copy. The table is empty then."""
+    return table.take(event_dtype)
+
+
+def empty_events():
+    """An array without events."""
+    return np.empty(0, dtype=event_dtype)
+
+
+def to_dataframe(events):
+    """A table with a column for each number of the events.
+
+    Parameters
+    ----------
+    events : array of `event_dtype`
+        As `record` gives them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        The columns of the program's event log: kind, time, time_lo, time_hi, removed_a, removed_b,
+        added_a, added_b, point_a, point_b. Ids are of the type UInt32, with <NA> where there is none.
+
+    Examples
+    --------
+    >>> import kinetri
+    >>> kd = kinetri.KineticDelaunay([[0, 0], [2, 0], [1, 2], [1, -3]], [[0, 0], [0, 0], [0, 0], [0, 1]])
+    >>> kinetri.to_dataframe(kd.record(until=2.75))[["kind", "time", "removed_a", "removed_b"]]
+       kind  time  removed_a  removed_b
+    0  flip   2.5          0          1
+    """
+    import pandas as pd
+
+    columns = {name: events[name] for name in ("kind", "time", "time_lo", "time_hi")}
+    for field, names in (("removed", ("removed_a", "removed_b")), ("added", ("added_a", "added_b")),
+                         ("points", ("point_a", "point_b"))):
+        for i, name in enumerate(names):
+            ids = events[field][:, i]
+            columns[name] = pd.arrays.IntegerArray(ids.copy(), ids == NO_POINT)
+    return pd.DataFrame(columns)

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Points to begin with: of files, and made up."""
+import operator
+
+from . import _kinetri
+from ._arrays import one_number
+from .errors import PreconditionError
+
+
+def read_points(path):
+    """The points of a file, as arguments of the classes.
+
+    Parameters
+    ----------
+    path : str or path
+        A table as the program reads it: comma separated, columns x, y, vx, vy and perhaps ax, ay, jx,
+        jy, radius, growth, mass, id.
+
+    Returns
+    -------
+    dict
+        positions, velocities, and what of acceleration, jerk, radius, growth, mass the file has; the
+        texts of the column id as `label`.
+
+    Raises
+    ------
+    InputError
+        The message names file and line.
+    """
+    return _kinetri.read_points(str(path))
+
+
+def _count(name, value):
+    try:
+        result = operator.index(value)
+    except TypeError:
+        raise PreconditionError(f"{name} is {value!r}; expected a whole number") from None
+    if not 0 <= result < 2**64:
+        raise PreconditionError(f"{name} is {result}; expected a whole number from 0 on")
+    return result
+
+
+def scenario(kind, points=100, *, seed=1, side=None, speed=5.0, spacing=10.0, jitter=0.1, movers="all"):
+    """Points and velocities, as ``kinetri generate`` makes them: the same numbers everywhere.
+
+    Parameters
+    ----------
+    kind : {'uniform', 'gaussian', 'constant-speed', 'one-mover', 'lattice', 'lattice-jitter'}
+        What is random, and how.
+    points : int
+        How many.
+    seed : int
+        Of the random numbers.
+    side : float, optional
+        Of the square; by default 10 sqrt(points).
+    speed : float
+        Bound of the velocity components, or the speed of all points.
+    spacing, jitter : float
+        Of lattices: distance of neighbors, and the greatest offset from the lattice.
+    movers : {'none', 'one', 'columns', 'all'}
+        Of lattices: which points move.
+
+    Returns
+    -------
+    positions, velocities : array of float64, shape (points, 2)
+
+    Examples
+    --------
+    >>> import kinetri
+    >>> kd = kinetri.KineticDelaunay(*kinetri.scenario("uniform", 1000, seed=7))
+    >>> len(kd)
+    1000
+    """
+    return _kinetri.scenario(kind, _count("points", points), _count("seed", seed),
+                             None if side is None else one_number("side", side),
+                             one_number("speed", speed), one_number("spacing", spacing),
+                             one_number("jitter", jitter), movers)
+
+
+def packing(points=1000, *, share=0.8, sizes=1.0, seed=1, side=None, speed=5.0):
+    """Discs in a square box that cover a given share of it, and do not overlap, exactly.
+
+    Small discs grow and collide elastically until they cover that share (Lubachevsky and Stillinger).
+
+    Parameters
+    ----------
+    points : int
+        How many.
+    share : float
+        The share of the box that the discs cover.
+    sizes : float
+        The radius of every second disc over that of the others.
+    seed : int
+        Of the random places and velocities.
+    side : float, optional
+        Of the box; by default 10 sqrt(points).
+    speed : float
+        Bound of the velocity components of the result.
+
+    Returns
+    -------
+    dict
+        positions, velocities, radius and box: arguments of `Simulation`.
+
+    Raises
+    ------
+    PackingError
+        If the discs are jammed before they cover that share.
+
+    Examples
+    --------
+    >>> import kinetri
+    >>> sim = kinetri.Simulation(**kinetri.packing(50, share=0.5), collisions="elastic", rim=True)
+    >>> sim.advance_to(0.1) > 0
+    True
+    """
+    return _kinetri.packing(_count("points", points), one_number("share", share),
+                            one_number("sizes", sizes), _count("seed", seed),
+                            None if side is None else one_number("side", side),
+                            one_number("speed", speed))

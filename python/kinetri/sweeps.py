@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Many runs: a parameter study on the processes of this machine, or on a cluster."""
+import concurrent.futures
+import itertools
+import multiprocessing
+import pickle
+
+from .errors import PreconditionError, WorkerError
+
+#: A task whose worker has ended without a result is given to another one, this many times.
+MOST_ATTEMPTS = 3
+
+
+def parameter_list(parameters):
+    """The runs as dictionaries of arguments, in order.
+
+    Of a dictionary of sequences these are all combinations, the last name changing fastest.
+    """
+    if isinstance(parameters, dict):
+        names = list(parameters)
+        try:
+            values = [list(parameters[name]) for name in names]
+        except TypeError:
+            raise PreconditionError(
+                "parameters is a dictionary whose values are not all sequences; expected "
+                "{'seed': range(10), 'points': [100]}, for example") from None
+        return [dict(zip(names, combination)) for combination in itertools.product(*values)]
+    result = list(parameters)
+    for i, run in enumerate(result):
+        if not isinstance(run, dict):
+            raise PreconditionError(
+                f"parameters[{i}] is {run!r}; expected a dictionary of arguments of the function")
+    return result
+
+
+def _dumps(value):
+    """Also functions of a notebook, where cloudpickle is installed."""
+    try:
+        import cloudpickle
+    except ImportError:
+        return pickle.dumps(value)
+    return cloudpickle.dumps(value)
+
+
+def _call(task):
+    function, arguments = pickle.loads(task)
+    return function(**arguments)
+
+
+def map_on_processes(tasks, workers=None):
+    """The results of pickled tasks, in order, on processes of this machine.
+
+    If a worker is killed, its tasks and those that were lost with it run again.
+    """
+    results = {}
+    remaining = dict(enumerate(tasks))
+    # A forked process would have the parent's locks, but not its threads.
+    context = multiprocessing.get_context("spawn")
+    for _ in range(MOST_ATTEMPTS):
+        if not remaining:
+            break
+        with concurrent.futures.ProcessPoolExecutor(workers, mp_context=context) as pool:
+            futures = {pool.submit(_call, task): i for i, task in remaining.items()}
+            try:
+                for future in concurrent.futures.as_completed(futures):
+                    try:
+                        results[futures[future]] = future.result()
+                    except concurrent.futures.process.BrokenProcessPool:
+                        continue
+                    del remaining[futures[future]]
+            except BaseException:
+                pool.shutdown(cancel_futures=True)
+                raise
+    if remaining:
+        raise WorkerError(
+            f"{len(remaining)} of {len(tasks)} runs ended without a result, {MOST_ATTEMPTS} times: their "
+            "processes were killed; expected enough memory for a run on each processor, or fewer workers")
+    return [results[i] for i in range(len(tasks))]
+
+
+def map_tasks(function, argument_list, client, workers):
+    """The results of function(**arguments), in order, on a client or on processes."""
+    if client is not None:
+        # Every task is one of its own, even where two are equal; a worker that is killed is replaced.
+        futures = [client.submit(function, **arguments, pure=False, retries=MOST_ATTEMPTS - 1)
+                   for arguments in argument_list]
+        return client.gather(futures)
+    tasks = [_dumps((function, arguments)) for arguments in argument_list]
+    return map_on_processes(tasks, workers)
+
+
+def sweep(function, parameters, client=None, *, workers=None):
+    """Runs a function with many arguments, and puts the results into one table.
+
+    Parameters
+    ----------
+    function : callable
+        Called with the arguments of each run. It gives a dictionary (a row), a pandas.DataFrame or a
+        list of dictionaries (rows), or a value (a row with the column `result`). It must be one that a
+        process can import; functions of a notebook need cloudpickle, or a client.
+    parameters : dict of sequences, or iterable of dict
+        A dictionary of sequences stands for all combinations of their values.
+    client : dask.distributed.Client, optional
+        Where to run; by default on processes of this machine.
+    workers : int, optional
+        How many processes, without a client; by default one for each processor.
+
+    Returns
+    -------
+    pandas.DataFrame
+        In the order of the parameters, whoever has finished first: a column for each parameter, then
+        those of the results. The same for any number of workers.
+
+    Raises
+    ------
+    WorkerError
+        If processes are killed again and again. A task whose worker is killed runs again.
+    Exception
+        What the function raises.
+
+    Notes
+    -----
+    Without a client, a script must have its call under ``if __name__ == "__main__":``, since the
+    processes import it.
+    """
+    import pandas as pd
+
+    runs = parameter_list(parameters)
+    results = map_tasks(function, runs, client, workers)
+    tables = []
+    for arguments, result in zip(runs, results):
+        if isinstance(result, pd.DataFrame):
+            table = result.reset_index(drop=True)
+        elif isinstance(result, dict):
+            table = pd.DataFrame([result])
+        elif isinstance(result, list) and all(isinstance(row, dict) for row in result):
+            table = pd.DataFrame(result)
+        else:
+            table = pd.DataFrame({"result": [result]})
+        for position, (name, value) in enumerate(arguments.items()):
+            if name not in table.columns:
+                table.insert(position, name, [value] * len(table))
+        tables.append(table)
+    return pd.concat(tables, ignore_index=True) if tables else pd.DataFrame()

@@ -1,0 +1,371 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Recorded tracks: things that appear, move from observation to observation, and leave."""
+import math
+
+import numpy as np
+
+from . import _arrays, _kinetri
+from ._moving import Simulation
+from ._response import engine_response
+from .errors import InputError, PreconditionError
+
+
+class Tracks:
+    """Observations of things at times: where each was, and when.
+
+    Between two observations a thing moves along a straight line with constant velocity. After a gap
+    longer than `max_gap` it leaves, and comes again at its next observation. Each such stay is one point
+    of the simulation, and `stays` says whose.
+
+    Use `from_dataframe`, `from_arrays` or `read` to make one.
+
+    Attributes
+    ----------
+    labels : list
+        The names of the things, in the order in which they first appear.
+    origin : numpy.datetime64 or None
+        The time 0, where times are dates: times are seconds since then.
+    """
+
+    def __init__(self, times, places, offsets, labels, radii, max_gap, origin):
+        self._times = times
+        self._places = places
+        self._offsets = offsets
+        self.labels = labels
+        self._radii = radii
+        self._max_gap = math.inf if max_gap is None else _arrays.one_number("max_gap", max_gap)
+        if self._max_gap <= 0:
+            raise PreconditionError(f"max_gap is {max_gap}; expected a time greater than 0")
+        self.origin = origin
+
+    @classmethod
+    def from_arrays(cls, t, id, x, y, *, radius=None, max_gap=None):
+        """Tracks of columns, one row for each observation, in any order.
+
+        Parameters
+        ----------
+        t : array_like of float or datetime64, shape (n,)
+            Times. Dates become seconds since the first one.
+        id : array_like, shape (n,)
+            What was observed: numbers or texts.
+        x, y : array_like of float, shape (n,)
+            Where it was.
+        radius : array_like of float, shape (n,), optional
+            Of the thing: the same in all of its rows.
+        max_gap : float, optional
+            The longest time between two observations in which a thing is there, in the unit of the
+            times, or in seconds if these are dates.
+
+        Returns
+        -------
+        Tracks
+
+        Raises
+        ------
+        PreconditionError
+            If a column has another length or a number is not finite.
+        InputError
+            If a thing is at two places at one time, or has two radii. Rows that repeat another one are
+            left out.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> tracks = kinetri.Tracks.from_arrays([0, 1, 0, 1], ["a", "a", "b", "b"], [0, 1, 5, 4], [0, 0, 0, 0])
+        >>> tracks
+        <Tracks of 2 things, 4 observations, t = 0 to 1>
+        """
+        t = np.asarray(t)
+        origin = None
+        if t.dtype.kind == "M":
+            if np.any(np.isnat(t)):
+                raise PreconditionError(f"t[{int(np.argmax(np.isnat(t)))}] is not a time; expected dates")
+            origin = t.min() if len(t) > 0 else None
+            t = (t - origin) / np.timedelta64(1, "s") if origin is not None else np.empty(0)
+        t = _arrays.float_array("t", t, (None,))
+        size = len(t)
+        x = _arrays.float_array("x", x, (size,))
+        y = _arrays.float_array("y", y, (size,))
+        names = np.asarray(id)
+        if names.shape != (size,):
+            raise PreconditionError(f"id has the shape {names.shape}; expected ({size},)")
+        labels, thing = _things(names, t)
+        order = np.lexsort((t, thing))
+        thing, times = thing[order], t[order]
+        places = np.column_stack((x[order], y[order])) if size > 0 else np.empty((0, 2))
+        if radius is not None:
+            radius = _arrays.column("radius", radius, size)[order]
+        keep = np.ones(size, dtype=bool)
+        same = (thing[1:] == thing[:-1]) & (times[1:] == times[:-1])
+        differ = same & np.any(places[1:] != places[:-1], axis=1)
+        if np.any(differ):
+            i = int(np.argmax(differ))
+            raise InputError(
+                f"rows {order[i]} and {order[i + 1]}: {labels[thing[i]]!r} is at two places at "
+                f"t = {times[i]}; expected one observation of a thing at a time")
+        keep[1:] = ~same
+        radii = None
+        if radius is not None:
+            change = (thing[1:] == thing[:-1]) & (radius[1:] != radius[:-1])
+            if np.any(change):
+                i = int(np.argmax(change))
+                raise InputError(
+                    f"rows {order[i]} and {order[i + 1]}: {labels[thing[i]]!r} has the radii {radius[i]} "
+                    f"and {radius[i + 1]}; expected one radius of a thing")
+            if np.any(radius < 0):
+                i = int(np.argmax(radius < 0))
+                raise InputError(f"row {order[i]}: the radius is {radius[i]}; expected at least 0")
+            radii = radius[np.searchsorted(thing, np.arange(len(labels)))]
+        thing, times, places = thing[keep], times[keep], np.ascontiguousarray(places[keep])
+        offsets = np.searchsorted(thing, np.arange(len(labels) + 1)).astype(np.uint64)
+        return cls(times, places, offsets, labels, radii, max_gap, origin)
+
+    @classmethod
+    def from_dataframe(cls, df, *, t="t", id="id", x="x", y="y", radius=None, max_gap=None):
+        """Tracks of a table, one row for each observation, in any order.
+
+        Parameters
+        ----------
+        df : pandas.DataFrame
+            The table.
+        t, id, x, y : str
+            The columns, as in `from_arrays`.
+        radius : str, optional
+            The column of the radii.
+        max_gap : float, optional
+            As in `from_arrays`.
+
+        Returns
+        -------
+        Tracks
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such column; and as `from_arrays`.
+        """
+        names = {"t": t, "id": id, "x": x, "y": y}
+        if radius is not None:
+            names["radius"] = radius
+        for parameter, name in names.items():
+            if name not in df.columns:
+                raise PreconditionError(
+                    f"{parameter} is {name!r}; expected one of the columns "
+                    + ", ".join(repr(column) for column in df.columns))
+        times = df[t]
+        if getattr(times.dtype, "tz", None) is not None:
+            times = times.dt.tz_convert("UTC").dt.tz_localize(None)
+        return cls.from_arrays(times.to_numpy(), df[id].to_numpy(), df[x].to_numpy(), df[y].to_numpy(),
+                               radius=None if radius is None else df[radius].to_numpy(),
+                               max_gap=max_gap)
+
+    @classmethod
+    def read(cls, path, *, fps=None, max_gap=None):
+        """Tracks of a file.
+
+        Parameters
+        ----------
+        path : str or path
+            A table as the program reads it: with a header that names t, id, x, y; or, if `fps` is
+            given, rows of frame, id, x, y.
+        fps : float, optional
+            Frames per unit of time.
+        max_gap : float, optional
+            As in `from_arrays`.
+
+        Returns
+        -------
+        Tracks
+
+        Raises
+        ------
+        InputError
+            The message names file and line.
+        """
+        file = _kinetri.read_tracks(str(path), fps is not None,
+                                    0.0 if fps is None else _arrays.one_number("fps", fps))
+        return cls(file["times"], file["places"], file["offsets"], file["ids"], file["radii"], max_gap,
+                   None)
+
+    @property
+    def start(self):
+        """float: the time of the first observation; NaN if there is none."""
+        return float(self._times.min()) if len(self._times) > 0 else math.nan
+
+    @property
+    def end(self):
+        """float: the time of the last observation; NaN if there is none."""
+        return float(self._times.max()) if len(self._times) > 0 else math.nan
+
+    def __len__(self):
+        """The number of things."""
+        return len(self.labels)
+
+    def __repr__(self):
+        return (f"<Tracks of {len(self)} things, {len(self._times)} observations, "
+                f"t = {self.start:g} to {self.end:g}>")
+
+    def simulation(self, *, start=None, until=None, box=None, radius=None, rim=False, collisions=None):
+        """The things as moving points: a simulation in which each appears, turns and leaves.
+
+        Parameters
+        ----------
+        start, until : float, optional
+            Everything before and after is left out; by default the first and the last observation.
+        box, rim, collisions
+            As in `Simulation`.
+        radius : float, optional
+            Of all things, if the tracks have no radii.
+
+        Returns
+        -------
+        TracksSimulation
+            At the time `start`. Its `stays` says which thing each point is.
+
+        Raises
+        ------
+        CoincidentTrajectoriesError
+            By the call that advances time, if two things have the same trajectory for a while.
+        """
+        start = self.start if start is None else _arrays.one_number("start", start)
+        until = self.end if until is None else _arrays.one_number("until", until)
+        if math.isnan(start):
+            start = until = 0.0
+        if radius is not None and self._radii is not None:
+            raise PreconditionError("radius is given, and the tracks have radii; expected one of the two")
+        engine, stays = _kinetri.make_tracks(
+            self._times, self._places, self._offsets, self._radii, start, until, self._max_gap,
+            _arrays.box_tuple("box", box), bool(rim),
+            0.0 if radius is None else _arrays.one_number("radius", radius), engine_response(collisions))
+        result = TracksSimulation._around(engine)
+        result.collisions = collisions
+        result.tracks = self
+        result.end = until
+        result.stays = stays
+        return result
+
+    def record(self, *, start=None, until=None, progress=False):
+        """The events of the whole time.
+
+        Parameters
+        ----------
+        start, until : float, optional
+            As in `simulation`.
+        progress : bool or callable
+            As in `Simulation.advance_to`.
+
+        Returns
+        -------
+        structured array of `event_dtype`
+            The points are stays; see `TracksSimulation.label`.
+        """
+        simulation = self.simulation(start=start, until=until)
+        return simulation.record(simulation.end, progress=progress)
+
+    def closest(self, number=10, *, start=None, until=None, progress=False):
+        """The closest approaches of all things.
+
+        Parameters
+        ----------
+        number : int
+            How many.
+        start, until : float, optional
+            As in `simulation`.
+        progress : bool or callable
+            As in `Simulation.advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            a, b (labels), time, time_lo, time_hi, distance: the pairs that came nearest to each other
+            while they were neighbors, in the exact order of their distances, with the first time at
+            which each pair was nearest. `distance` is the float64 nearest to the exact one. Where times
+            are dates there is a column `date` beside.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> tracks = kinetri.Tracks.from_arrays([0, 4, 0, 4], ["a", "a", "b", "b"], [0, 4, 4, 0], [0, 0, 3, 3])
+        >>> tracks.closest(1)
+           a  b  time  time_lo  time_hi  distance
+        0  a  b   2.0      2.0      2.0       3.0
+        """
+        import pandas as pd
+
+        simulation = self.simulation(start=start, until=until)
+        rows = simulation._closest(number, progress)
+        points, times, distances = rows
+        labels = [[simulation.label(id) for id in points[:, i]] for i in (0, 1)]
+        table = {"a": labels[0], "b": labels[1], "time": times[:, 0], "time_lo": times[:, 1],
+                 "time_hi": times[:, 2], "distance": distances}
+        if self.origin is not None:
+            table["date"] = self.dates(times[:, 0])
+        return pd.DataFrame(table)
+
+    def dates(self, times):
+        """Times as dates.
+
+        Parameters
+        ----------
+        times : array_like of float
+            Seconds since `origin`.
+
+        Returns
+        -------
+        array of datetime64[ns]
+            Rounded to nanoseconds.
+
+        Raises
+        ------
+        PreconditionError
+            If the times of the tracks are no dates.
+        """
+        if self.origin is None:
+            raise PreconditionError("the times of these tracks are numbers; expected tracks with dates")
+        nanoseconds = np.rint(np.asarray(times, dtype=np.float64) * 1e9).astype("timedelta64[ns]")
+        return self.origin.astype("datetime64[ns]") + nanoseconds
+
+
+class TracksSimulation(Simulation):
+    """The simulation of tracks, which `Tracks.simulation` makes.
+
+    Attributes
+    ----------
+    tracks : Tracks
+        What it was made of.
+    stays : array of uint64, shape (n, 3)
+        By id: the thing (its place in `tracks.labels`), and its first and last observation in the stay.
+    end : float
+        The time of the end.
+    """
+
+    def label(self, id):
+        """The name of the thing that a point is.
+
+        Parameters
+        ----------
+        id : int
+            The point.
+
+        Returns
+        -------
+        object
+            One of `tracks.labels`.
+        """
+        return self.tracks.labels[self.stays[_arrays.one_id("id", id), 0]]
+
+    def _closest(self, number, progress):
+        watch = _kinetri.Closest(self._engine, _arrays.one_id("number", number))
+        self._advance(self.end, None, progress)
+        return watch.take()
+
+
+def _things(names, times):
+    """The distinct names in the order of their first observation, and the index of each row's."""
+    distinct, thing = np.unique(names, return_inverse=True)
+    first = np.full(len(distinct), np.inf)
+    np.minimum.at(first, thing, times)
+    order = np.lexsort((np.arange(len(distinct)), first))
+    rank = np.empty(len(distinct), dtype=np.int64)
+    rank[order] = np.arange(len(distinct))
+    return [name.item() if hasattr(name, "item") else name for name in distinct[order]], rank[thing]

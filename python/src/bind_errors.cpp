@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The library's exceptions become those of kinetri/errors.py, with the ids and times that they
+// hold.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "bindings.h"
+#include "kinetri/base/error.h"
+#include "kinetri/io/output_error.h"
+#include "kinetri/simulation/packing.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri::python {
+namespace {
+
+// Raises the class `name` of kinetri.errors, with these attributes.
+template <class... Attributes>
+void raise(const char* name, const Error& error,
+           const std::pair<const char*, Attributes>&... attributes) {
+  const py::object type = py::module_::import("kinetri.errors").attr(name);
+  const py::object exception = type(error.what());
+  (py::setattr(exception, attributes.first, py::cast(attributes.second)), ...);
+  PyErr_SetObject(type.ptr(), exception.ptr());
+}
+
+template <class Value>
+std::pair<const char*, Value> attribute(const char* name, const Value& value) {
+  return {name, value};
+}
+
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(std::move(thrown));
+  } catch (const Coincident_trajectories_error& error) {
+    raise("CoincidentTrajectoriesError", error,
+          attribute("ids", std::pair(error.first(), error.second())));
+  } catch (const Endless_contacts_error& error) {
+    raise("EndlessContactsError", error, attribute("id", error.point()));
+  } catch (const Contact_overflow_error& error) {
+    raise("ContactOverflowError", error, attribute("id", error.point()));
+  } catch (const Contact_error& error) {
+    raise("ContactError", error, attribute("id", error.point()));
+  } catch (const Overlapping_discs_error& error) {
+    raise("OverlappingDiscsError", error, attribute("pairs", error.pairs()));
+  } catch (const Negative_radius_error& error) {
+    raise("NegativeRadiusError", error, attribute("id", error.point()),
+          attribute("time", error.time()));
+  } catch (const Outside_box_error& error) {
+    raise("OutsideBoxError", error, attribute("id", error.point()));
+  } catch (const Packing_error& error) {
+    raise("PackingError", error);
+  } catch (const Snapshot_error& error) {
+    raise("SnapshotError", error);
+  } catch (const Input_error& error) {
+    raise("InputError", error);
+  } catch (const Output_error& error) {
+    raise("OutputError", error);
+  } catch (const Precondition_error& error) {
+    raise("PreconditionError", error);
+  } catch (const Internal_error& error) {
+    raise("InternalError", error);
+  } catch (const Error& error) {
+    raise("Error", error);
+  }
+}
+
+}  // namespace
+
+void bind_errors(py::module_& /*module*/) {
+  py::register_local_exception_translator(translate);
+}
+
+}  // namespace kinetri::python

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Files of points and tracks, scenarios and packings, as columns.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings.h"
+#include "kinetri/base/error.h"
+#include "kinetri/io/points_file.h"
+#include "kinetri/io/tracks_file.h"
+#include "kinetri/simulation/packing.h"
+#include "kinetri/simulation/scenarios.h"
+#include "numpy_arrays.h"
+
+namespace kinetri::python {
+namespace {
+
+// A column of vectors, one for each motion.
+template <class Motion>
+py::array_t<double> column(const std::vector<Motion>& motions, Vector_2 Motion::*member) {
+  std::vector<Vector_2> result;
+  result.reserve(motions.size());
+  for (const Motion& motion : motions) result.push_back(motion.*member);
+  return array_of<double>(std::move(result), 2);
+}
+
+// The keys are the parameters of the package's classes.
+py::dict points_file(const std::string& path) {
+  const Points_file file = without_gil([&] { return read_points_file(path); });
+  py::dict result;
+  if (file.is_polynomial) {
+    const auto& motions = file.polynomial_motions;
+    result["positions"] = column(motions, &Polynomial_motion_2::position);
+    result["velocities"] = column(motions, &Polynomial_motion_2::velocity);
+    result["acceleration"] = column(motions, &Polynomial_motion_2::acceleration);
+    result["jerk"] = column(motions, &Polynomial_motion_2::jerk);
+  } else {
+    result["positions"] = column(file.motions, &Linear_motion_2::position);
+    result["velocities"] = column(file.motions, &Linear_motion_2::velocity);
+  }
+  if (!file.radii.empty()) result["radius"] = array_of<double>(file.radii);
+  if (!file.growths.empty()) result["growth"] = array_of<double>(file.growths);
+  if (!file.masses.empty()) result["mass"] = array_of<double>(file.masses);
+  if (!file.labels.empty()) result["label"] = file.labels;
+  return result;
+}
+
+// One row for each observation, by track; the ids are those of the tracks.
+py::dict tracks_file(const std::string& path, bool has_frames, double fps) {
+  const Tracks_file file = without_gil([&] {
+    return read_tracks_file(path, has_frames ? Tracks_format::frames : Tracks_format::rows, fps);
+  });
+  std::vector<double> times;
+  std::vector<Vector_2> places;
+  std::vector<std::uint64_t> offsets = {0};
+  std::vector<std::string> ids;
+  std::vector<double> radii;
+  for (const Track& track : file.tracks) {
+    for (const Track_observation& observation : track.observations) {
+      times.push_back(observation.time);
+      places.push_back(observation.place);
+    }
+    offsets.push_back(times.size());
+    ids.push_back(track.id);
+    radii.push_back(track.radius);
+  }
+  py::dict result;
+  result["times"] = array_of<double>(std::move(times));
+  result["places"] = array_of<double>(std::move(places), 2);
+  result["offsets"] = array_of<std::uint64_t>(std::move(offsets));
+  result["ids"] = ids;
+  result["radii"] = file.has_radii ? py::object(array_of<double>(std::move(radii))) : py::none();
+  return result;
+}
+
+template <class Enumerator, std::size_t n>
+Enumerator named(const std::array<Enumerator, n>& all, const std::string& text, const char* what) {
+  std::string names;
+  for (const Enumerator enumerator : all) {
+    if (name(enumerator) == text) return enumerator;
+    names += (names.empty() ? "'" : ", '") + std::string(name(enumerator)) + "'";
+  }
+  throw Precondition_error(std::string(what) + " is '" + text + "'; expected one of " + names);
+}
+
+py::tuple scenario(const std::string& kind, std::size_t points, std::uint64_t seed,
+                   std::optional<double> side, double speed, double spacing, double jitter,
+                   const std::string& movers) {
+  Scenario_options options;
+  options.points = points;
+  options.seed = seed;
+  options.side = side;
+  options.speed = speed;
+  options.spacing = spacing;
+  options.jitter = jitter;
+  options.movers = named(all_lattice_movers, movers, "movers");
+  const auto motions = make_scenario(named(all_scenarios, kind, "the scenario"), options);
+  return py::make_tuple(column(motions, &Linear_motion_2::position),
+                        column(motions, &Linear_motion_2::velocity));
+}
+
+py::dict packing(std::size_t points, double share, double sizes, std::uint64_t seed,
+                 std::optional<double> side, double speed) {
+  Packing_options options;
+  options.points = points;
+  options.share = share;
+  options.size_ratio = sizes;
+  options.seed = seed;
+  options.side = side;
+  options.speed = speed;
+  const Packing made = without_gil([&] { return make_packing(options); });
+  std::vector<Linear_motion_2> centres;
+  std::vector<double> radii;
+  for (const Disc_motion_2& disc : made.discs) {
+    centres.push_back(disc);
+    radii.push_back(disc.radius);
+  }
+  py::dict result;
+  result["positions"] = column(centres, &Linear_motion_2::position);
+  result["velocities"] = column(centres, &Linear_motion_2::velocity);
+  result["radius"] = array_of<double>(std::move(radii));
+  result["box"] = py::make_tuple(made.box.xmin, made.box.ymin, made.box.xmax, made.box.ymax);
+  return result;
+}
+
+}  // namespace
+
+void bind_files(py::module_& module) {
+  module.def("read_points", points_file);
+  module.def("read_tracks", tracks_file);
+  module.def("scenario", scenario);
+  module.def("packing", packing);
+}
+
+}  // namespace kinetri::python

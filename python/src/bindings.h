@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parts of the extension module, one function and one source each.
+#ifndef KINETRI_PYTHON_BINDINGS_H
+#define KINETRI_PYTHON_BINDINGS_H
+
+#include <pybind11/pybind11.h>
+
+#include <optional>
+
+#include "kinetri/algebra/algebraic_number.h"
+
+namespace kinetri::python {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& module);
+void bind_time(py::module_& module);
+void bind_events(py::module_& module);
+void bind_contacts(py::module_& module);
+void bind_engine(py::module_& module);
+void bind_files(py::module_& module);
+
+/// What the function gives, called without the GIL.
+template <class Function>
+auto without_gil(const Function& function) {
+  const py::gil_scoped_release no_gil;
+  return function();
+}
+
+/// The exact number: of a Time, an int, a float or a fractions.Fraction. None of anything else.
+/// Throws Precondition_error for an infinity or a NaN.
+std::optional<Algebraic_number> exact_number(py::handle value);
+
+/// The same. Throws TypeError where there is none.
+Algebraic_number time_of(py::handle value);
+
+}  // namespace kinetri::python
+
+#endif  // KINETRI_PYTHON_BINDINGS_H

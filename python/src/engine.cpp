@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine.h"
+
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "make_engine.h"
+
+namespace kinetri::python {
+namespace {
+
+Vector_2 vector_at(const double* column, std::size_t i) {
+  return column == nullptr ? Vector_2() : Vector_2{column[2 * i], column[2 * i + 1]};
+}
+
+double number_at(const double* column, std::size_t i) {
+  return column == nullptr ? 0 : column[i];
+}
+
+// What `function` gives for the traits of that kind of motion.
+template <class Function>
+auto with_traits(const Motion_kind& kind, const Function& function) {
+  if (kind.has_weight) {
+    return kind.is_polynomial ? function(std::type_identity<Polynomial_disc_kinetic_traits_2>())
+                              : function(std::type_identity<Disc_kinetic_traits_2>());
+  }
+  return kind.is_polynomial ? function(std::type_identity<Polynomial_kinetic_traits_2>())
+                            : function(std::type_identity<Linear_kinetic_traits_2>());
+}
+
+}  // namespace
+
+Polynomial_disc_motion_2 Motion_columns::operator[](std::size_t i) const {
+  return {{vector_at(positions, i), vector_at(velocities, i), vector_at(accelerations, i),
+           vector_at(jerks, i), epoch},
+          number_at(radii, i),
+          number_at(growths, i),
+          number_at(weights, i)};
+}
+
+std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const Motion_kind& kind,
+                                           const Algebraic_number& start) {
+  return with_traits(kind, [&]<class Traits>(std::type_identity<Traits>) {
+    return make_engine<Traits>(motions, start);
+  });
+}
+
+std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Motion_kind& kind,
+                                        const Algebraic_number& start,
+                                        const Simulation_options& options) {
+  return with_traits(kind, [&]<class Traits>(std::type_identity<Traits>) {
+    return make_engine<Traits>(motions, start, options);
+  });
+}
+
+std::unique_ptr<Engine> restore(const Checkpoint& checkpoint, Engine_kind kind,
+                                Collision_response response) {
+  return std::visit(
+      [&](const auto& snapshot) { return make_engine(snapshot, kind, std::move(response)); },
+      checkpoint.simulation);
+}
+
+std::unique_ptr<Engine> make_tracks_simulation(std::span<const std::vector<Observation_2>> tracks,
+                                               std::span<const double> radii,
+                                               std::span<const Stay> stays, double start,
+                                               const Simulation_options& options) {
+  if (radii.empty()) return make_engine(simulate_tracks(tracks, stays, start, options));
+  return make_engine(simulate_tracks(tracks, radii, stays, start, options));
+}
+
+}  // namespace kinetri::python

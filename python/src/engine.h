@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the classes of the Python package hold: a kinetic triangulation or a simulation, of any kind
+// of motion, behind one interface without templates. Motions go in as columns of numbers, answers
+// come out as vectors that become NumPy arrays without a copy. Nothing here knows Python.
+#ifndef KINETRI_PYTHON_ENGINE_H
+#define KINETRI_PYTHON_ENGINE_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/events/event.h"
+#include "kinetri/io/checkpoint_file.h"
+#include "kinetri/kinetic/certificate_counters.h"
+#include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/simulation/closest_approaches.h"
+#include "kinetri/simulation/recording.h"
+#include "kinetri/simulation/simulation_options.h"
+#include "kinetri/simulation/tracks.h"
+#include "kinetri/triangulation/audit.h"
+#include "kinetri/triangulation/queries_2.h"
+#include "kinetri/triangulation/triangulation_counters.h"
+
+namespace kinetri::python {
+
+/// The motions of `size` points with one epoch, as columns. A null column is zero everywhere.
+struct Motion_columns {
+  std::size_t size = 0;
+  const double* positions = nullptr;      ///< x and y of each point, at the epoch; never null
+  const double* velocities = nullptr;     ///< two numbers for each point
+  const double* accelerations = nullptr;  ///< two numbers for each point
+  const double* jerks = nullptr;          ///< two numbers for each point
+  const double* radii = nullptr;          ///< one number for each point
+  const double* growths = nullptr;        ///< one number for each point
+  const double* weights = nullptr;        ///< one number for each point
+  double epoch = 0;
+
+  /// The motion of point i.
+  Polynomial_disc_motion_2 operator[](std::size_t i) const;
+};
+
+/// A kind of motion.
+struct Motion_kind {
+  bool is_polynomial = false;  ///< it may accelerate
+  bool has_weight = false;     ///< it is that of a disc
+
+  friend bool operator==(const Motion_kind&, const Motion_kind&) = default;
+};
+
+/// What happened so far.
+struct Statistics {
+  std::array<std::uint64_t, event_kinds> events = {};  ///< by Event_kind
+  Certificate_counters certificates;                   ///< of topology and of contacts
+  std::uint64_t instants = 0;                          ///< distinct times of failures
+  std::uint64_t reconstructions = 0;                   ///< of the whole triangulation
+};
+
+/// Sees the closest approaches of a run, as long as it exists.
+class Closest_watch {
+ public:
+  Closest_watch() = default;
+  Closest_watch(const Closest_watch&) = delete;
+  Closest_watch& operator=(const Closest_watch&) = delete;
+  virtual ~Closest_watch() = default;
+  /// As Closest_approaches gives them.
+  virtual std::vector<Approach> approaches() = 0;
+};
+
+/// The triangulation or simulation. Functions throw what those of Kinetic_triangulation_2 and
+/// Simulation_2 throw; what a triangulation or this kind of motion cannot do throws
+/// Precondition_error.
+class Engine {
+ public:
+  using Time = Algebraic_number;
+
+  Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+  virtual ~Engine() = default;
+
+  // ---- the present ----
+  virtual Motion_kind motion_kind() const = 0;
+  virtual Time current_time() const = 0;
+  virtual std::size_t number_of_points() const = 0;
+  virtual Point_id next_id() const = 0;
+  virtual bool contains(Point_id id) const = 0;
+  virtual Polynomial_disc_motion_2 motion(Point_id id) const = 0;
+  virtual double mass(Point_id id) const = 0;
+  virtual std::vector<Edge_ids> edges() const = 0;
+  /// Counterclockwise, the least id first; sorted.
+  virtual std::vector<Triangle_ids> triangles() const = 0;
+  /// Counterclockwise, from the least id on; if all points are collinear, along their line.
+  virtual std::vector<Point_id> hull() const = 0;
+  virtual std::vector<Point_id> hidden_points() const = 0;
+
+  // ---- time ----
+  virtual std::optional<Time> next_event_time() = 0;
+  virtual std::size_t step(const Time* until) = 0;
+  virtual std::size_t advance_to(const Time& time) = 0;
+  virtual std::size_t reverse() = 0;
+
+  // ---- changes ----
+  virtual Point_id insert(const Motion_columns& motions, std::span<const double> masses) = 0;
+  virtual void erase(std::span<const Point_id> ids) = 0;
+  virtual void set_motions(std::span<const Point_id> ids, const Motion_columns& motions) = 0;
+  /// Two numbers for each id. Each point goes on from its place now, as `with_velocity_at` has it.
+  virtual void set_velocities(std::span<const Point_id> ids,
+                              std::span<const double> velocities) = 0;
+  virtual void set_masses(std::span<const Point_id> ids, std::span<const double> masses) = 0;
+  virtual Point_id schedule_insert(const Time& time, const Motion_columns& motion, double mass) = 0;
+  virtual void schedule_motion(const Time& time, Point_id id, const Motion_columns& motion) = 0;
+  virtual void schedule_erase(const Time& time, Point_id id) = 0;
+
+  // ---- watching ----
+  virtual void add_observer(Event_observer& observer) = 0;
+  virtual void remove_observer(Event_observer& observer) = 0;
+  virtual std::unique_ptr<Event_observer> recorder(double until, std::size_t most_rows) = 0;
+  /// Precondition: the observer is a recorder() of this engine.
+  virtual Recording recording(const Event_observer& recorder) const = 0;
+
+  /// Of a simulation of points with constant velocities. It must end before the engine does.
+  virtual std::unique_ptr<Closest_watch> watch_closest(std::size_t number) = 0;
+
+  // ---- answers, at the current time ----
+  virtual std::optional<Point_id> nearest_vertex(const Vector_2& place) const = 0;
+  virtual Location_2 locate(const Vector_2& place) const = 0;
+  virtual std::vector<Point_id> neighbors(Point_id id) const = 0;
+  virtual Voronoi_cell_2<Vector_2> voronoi_cell(Point_id id) const = 0;
+  virtual std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const = 0;
+  virtual std::vector<Point_id> nearest_neighbors() const = 0;
+  virtual std::optional<Edge_ids> closest_pair() const = 0;
+  /// By id, NaN where there is no point: places (x, y, x, y, ...), velocities, radii.
+  virtual std::vector<double> positions() const = 0;
+  virtual std::vector<double> velocities() const = 0;
+  virtual std::vector<double> radii() const = 0;
+
+  // ---- state ----
+  virtual Audit_report audit(Audit_level level) const = 0;
+  virtual Statistics statistics() const = 0;
+  /// Of a triangulation: the default ones.
+  virtual Simulation_options options() const = 0;
+  virtual Checkpoint snapshot() const = 0;
+};
+
+/// Which class a checkpoint's state becomes.
+enum class Engine_kind {
+  triangulation,  ///< Kinetic_triangulation_2
+  simulation,     ///< Simulation_2
+};
+
+/// A triangulation of motions of that kind. What the kind leaves out must be zero in the columns.
+std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const Motion_kind& kind,
+                                           const Algebraic_number& start);
+
+/// A simulation of motions of that kind.
+std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Motion_kind& kind,
+                                        const Algebraic_number& start,
+                                        const Simulation_options& options);
+
+/// The triangulation or simulation of a checkpoint. Throws Snapshot_error if a triangulation is to
+/// be made of a simulation with a box, a response or scheduled changes.
+std::unique_ptr<Engine> restore(const Checkpoint& checkpoint, Engine_kind kind,
+                                Collision_response response);
+
+/// A simulation of tracks; discs if there are radii.
+std::unique_ptr<Engine> make_tracks_simulation(std::span<const std::vector<Observation_2>> tracks,
+                                               std::span<const double> radii,
+                                               std::span<const Stay> stays, double start,
+                                               const Simulation_options& options);
+
+}  // namespace kinetri::python
+
+#endif  // KINETRI_PYTHON_ENGINE_H

@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Engine of a class of the library.
+#ifndef KINETRI_PYTHON_ENGINE_OF_H
+#define KINETRI_PYTHON_ENGINE_OF_H
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "engine.h"
+#include "kinetri/base/check.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri::python {
+
+/// Whether the kind of motion `Motion` is that.
+template <class Motion>
+inline constexpr Motion_kind kind_of = {
+    std::is_same_v<Centre_motion_of<Motion>, Polynomial_motion_2>, HasWeight<Motion>};
+
+/// The motion as one of the type `Motion`. Precondition: what that type leaves out is zero.
+template <class Motion>
+Motion motion_as(const Polynomial_disc_motion_2& motion) {
+  Motion result = {};
+  result.position = motion.position;
+  result.velocity = motion.velocity;
+  result.epoch = motion.epoch;
+  if constexpr (kind_of<Motion>.is_polynomial) {
+    result.acceleration = motion.acceleration;
+    result.jerk = motion.jerk;
+  } else {
+    KINETRI_PRECONDITION(motion.acceleration == Vector_2() && motion.jerk == Vector_2(),
+                         "the points move along straight lines; expected no acceleration and no "
+                         "jerk: give them at the construction to have points that accelerate");
+  }
+  if constexpr (kind_of<Motion>.has_weight) {
+    result.radius = motion.radius;
+    result.growth = motion.growth;
+    result.weight = motion.weight;
+  } else {
+    KINETRI_PRECONDITION(motion.radius == 0 && motion.growth == 0 && motion.weight == 0,
+                         "the points have no radii of their own; expected no radius, growth and "
+                         "weight: give them at the construction to have discs of any size");
+  }
+  return result;
+}
+
+template <class Motion>
+std::vector<Motion> motions_of(const Motion_columns& columns) {
+  std::vector<Motion> result;
+  result.reserve(columns.size);
+  for (std::size_t i = 0; i < columns.size; ++i) result.push_back(motion_as<Motion>(columns[i]));
+  return result;
+}
+
+template <class Motion>
+Polynomial_disc_motion_2 general_motion(const Motion& motion) {
+  if constexpr (kind_of<Motion> == Motion_kind{true, true}) {
+    return motion;
+  } else if constexpr (HasWeight<Motion>) {
+    return polynomial_motion(motion);
+  } else if constexpr (kind_of<Motion>.is_polynomial) {
+    return {motion, 0, 0, 0};
+  } else {
+    return {polynomial_motion(motion), 0, 0, 0};
+  }
+}
+
+template <class Simulation>
+class Closest_watch_of final : public Closest_watch {
+ public:
+  Closest_watch_of(Simulation& simulation, std::size_t number) : closest_(simulation, number) {}
+  std::vector<Approach> approaches() override { return closest_.approaches(); }
+
+ private:
+  Closest_approaches closest_;
+};
+
+/// `Core` is Kinetic_triangulation_2 or Simulation_2, with `Traits`.
+template <template <class> class Core, class Traits>
+class Engine_of final : public Engine {
+ public:
+  using Motion = typename Traits::Motion;
+  using Kinetic = Kinetic_triangulation_2<Traits>;
+
+  static constexpr bool is_simulation = !std::is_same_v<Core<Traits>, Kinetic>;
+
+  explicit Engine_of(std::unique_ptr<Core<Traits>> core) : core_(std::move(core)) {}
+
+  // ---- the present ----
+
+  Motion_kind motion_kind() const override { return kind_of<Motion>; }
+  Time current_time() const override { return core_->current_time(); }
+  std::size_t number_of_points() const override { return kinetic().number_of_points(); }
+  Point_id next_id() const override { return kinetic().next_id(); }
+  bool contains(Point_id id) const override { return kinetic().contains(id); }
+  Polynomial_disc_motion_2 motion(Point_id id) const override {
+    return general_motion(kinetic().motion(id));
+  }
+  double mass(Point_id id) const override {
+    if constexpr (is_simulation) return core_->mass(id);
+    return 1;
+  }
+  std::vector<Edge_ids> edges() const override { return kinetic().finite_edge_ids(); }
+  std::vector<Triangle_ids> triangles() const override;
+  std::vector<Point_id> hull() const override;
+  std::vector<Point_id> hidden_points() const override;
+
+  // ---- time ----
+
+  std::optional<Time> next_event_time() override;
+  std::size_t step(const Time* until) override {
+    return until != nullptr ? core_->step(*until) : core_->step();
+  }
+  std::size_t advance_to(const Time& time) override { return core_->advance_to(time); }
+  std::size_t reverse() override {
+    if constexpr (!is_simulation) return core_->reverse();
+    refuse(
+        "a simulation cannot run backwards, since contacts forget what was before them; "
+        "expected a KineticDelaunay or KineticRegular");
+  }
+
+  // ---- changes ----
+
+  Point_id insert(const Motion_columns& motions, std::span<const double> masses) override;
+  void erase(std::span<const Point_id> ids) override;
+  void set_motions(std::span<const Point_id> ids, const Motion_columns& motions) override {
+    core_->set_motions(ids, motions_of<Motion>(motions));
+  }
+  void set_velocities(std::span<const Point_id> ids, std::span<const double> velocities) override;
+  void set_masses(std::span<const Point_id> ids, std::span<const double> masses) override;
+  Point_id schedule_insert(const Time& time, const Motion_columns& motion, double mass) override {
+    if constexpr (is_simulation) {
+      return core_->schedule_insert(time, motion_as<Motion>(motion[0]), mass);
+    }
+    refuse_schedule();
+  }
+  void schedule_motion(const Time& time, Point_id id, const Motion_columns& motion) override {
+    if constexpr (is_simulation) {
+      return core_->schedule_motion(time, id, motion_as<Motion>(motion[0]));
+    }
+    refuse_schedule();
+  }
+  void schedule_erase(const Time& time, Point_id id) override {
+    if constexpr (is_simulation) return core_->schedule_erase(time, id);
+    refuse_schedule();
+  }
+
+  // ---- watching ----
+
+  void add_observer(Event_observer& observer) override { core_->add_observer(observer); }
+  void remove_observer(Event_observer& observer) override { core_->remove_observer(observer); }
+  std::unique_ptr<Event_observer> recorder(double until, std::size_t most_rows) override {
+    return std::make_unique<Recorder<Traits>>(kinetic(), until, most_rows);
+  }
+  Recording recording(const Event_observer& recorder) const override {
+    return dynamic_cast<const Recorder<Traits>&>(recorder).recording();
+  }
+
+  std::unique_ptr<Closest_watch> watch_closest(std::size_t number) override {
+    if constexpr (std::is_same_v<Core<Traits>, Simulation_2<>>) {
+      return std::make_unique<Closest_watch_of<Core<Traits>>>(*core_, number);
+    }
+    refuse("closest approaches are those of a simulation of points that move along straight lines");
+  }
+
+  // ---- answers ----
+
+  std::optional<Point_id> nearest_vertex(const Vector_2& place) const override {
+    return queries().nearest_vertex(place);
+  }
+  Location_2 locate(const Vector_2& place) const override { return queries().locate(place); }
+  std::vector<Point_id> neighbors(Point_id id) const override { return queries().neighbors(id); }
+  Voronoi_cell_2<Vector_2> voronoi_cell(Point_id id) const override {
+    return queries().rounded_voronoi_cell(id);
+  }
+  std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const override {
+    return queries().rounded_voronoi_areas(polygon);
+  }
+  std::vector<Point_id> nearest_neighbors() const override {
+    if constexpr (HasNearestNeighbors<Traits>) return queries().nearest_neighbors();
+    refuse_distances();
+  }
+  std::optional<Edge_ids> closest_pair() const override {
+    if constexpr (HasNearestNeighbors<Traits>) return queries().closest_pair();
+    refuse_distances();
+  }
+  std::vector<double> positions() const override { return queries().rounded_positions(); }
+  std::vector<double> velocities() const override;
+  std::vector<double> radii() const override;
+
+  // ---- state ----
+
+  Audit_report audit(Audit_level level) const override { return core_->audit(level); }
+  Statistics statistics() const override;
+  Simulation_options options() const override {
+    if constexpr (is_simulation) {
+      return core_->options();
+    } else {
+      return {};
+    }
+  }
+  Checkpoint snapshot() const override;
+
+ private:
+  const Kinetic& kinetic() const {
+    if constexpr (is_simulation) {
+      return core_->triangulation();
+    } else {
+      return *core_;
+    }
+  }
+  Kinetic_queries_2<Traits> queries() const { return Kinetic_queries_2<Traits>(kinetic()); }
+  [[noreturn]] static void refuse(const char* message) { throw Precondition_error(message); }
+  [[noreturn]] static void refuse_schedule() {
+    refuse("a triangulation has no scheduled changes; expected a Simulation");
+  }
+  [[noreturn]] static void refuse_distances() {
+    refuse(
+        "the edges of a regular triangulation do not know which points are nearest to each "
+        "other; expected points without radii of their own");
+  }
+
+  const std::unique_ptr<Core<Traits>> core_;
+};
+
+// ---- the present ----
+
+template <template <class> class Core, class Traits>
+std::vector<Triangle_ids> Engine_of<Core, Traits>::triangles() const {
+  const auto& triangulation = kinetic().triangulation();
+  std::vector<Triangle_ids> result;
+  if (triangulation.dimension() < 2) return result;
+  result.reserve(2 * kinetic().number_of_points());
+  for (const auto& face : triangulation.finite_face_handles()) {
+    result.push_back(triangle_ids(face->vertex(0)->point().id(), face->vertex(1)->point().id(),
+                                  face->vertex(2)->point().id()));
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+template <template <class> class Core, class Traits>
+std::vector<Point_id> Engine_of<Core, Traits>::hull() const {
+  const auto& triangulation = kinetic().triangulation();
+  std::vector<Point_id> result;
+  if (triangulation.dimension() == 2) {
+    // Around the infinite vertex the hull is seen from outside: clockwise.
+    const auto first = triangulation.incident_vertices(triangulation.infinite_vertex());
+    auto v = first;
+    do {
+      result.push_back(v->point().id());
+    } while (--v != first);
+  } else if (triangulation.dimension() == 1) {
+    // Along the line, from one of the two ends, whose edges beyond them are infinite.
+    auto face = triangulation.infinite_vertex()->face();
+    const auto infinite = triangulation.infinite_vertex();
+    auto v = face->vertex(1 - face->index(infinite));
+    while (v != infinite) {
+      result.push_back(v->point().id());
+      face = face->neighbor(1 - face->index(v));
+      v = face->vertex(1 - face->index(v));
+    }
+    if (result.front() > result.back()) std::ranges::reverse(result);
+    return result;
+  } else {
+    for (const auto& v : triangulation.finite_vertex_handles()) {
+      result.push_back(v->point().id());
+    }
+  }
+  std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+  return result;
+}
+
+template <template <class> class Core, class Traits>
+std::vector<Point_id> Engine_of<Core, Traits>::hidden_points() const {
+  std::vector<Point_id> result;
+  if (kinetic().number_of_hidden_points() == 0) return result;
+  for (Point_id id = 0; id < next_id(); ++id) {
+    if (contains(id) && kinetic().is_hidden(id)) result.push_back(id);
+  }
+  return result;
+}
+
+template <template <class> class Core, class Traits>
+std::optional<Algebraic_number> Engine_of<Core, Traits>::next_event_time() {
+  if constexpr (!is_simulation) return core_->next_event_time();
+  refuse(
+      "a simulation does not know the time of its next event before it executes it, since "
+      "contacts have a queue of their own; expected a KineticDelaunay or KineticRegular");
+}
+
+// ---- changes ----
+
+template <template <class> class Core, class Traits>
+Point_id Engine_of<Core, Traits>::insert(const Motion_columns& motions,
+                                         std::span<const double> masses) {
+  const std::vector<Motion> inserted = motions_of<Motion>(motions);
+  if constexpr (is_simulation) {
+    // One after the other: if one is refused, those before it leave again.
+    const Point_id first = next_id();
+    try {
+      for (std::size_t i = 0; i < inserted.size(); ++i) {
+        core_->insert(inserted[i], masses.empty() ? 1 : masses[i]);
+      }
+    } catch (const Error&) {
+      for (Point_id id = next_id(); id-- > first;) {
+        if (contains(id)) core_->erase(id);
+      }
+      throw;
+    }
+    return first;
+  } else {
+    return core_->insert(std::span<const Motion>(inserted));
+  }
+}
+
+template <template <class> class Core, class Traits>
+void Engine_of<Core, Traits>::erase(std::span<const Point_id> ids) {
+  if constexpr (is_simulation) {
+    std::vector<Point_id> sorted(ids.begin(), ids.end());
+    std::ranges::sort(sorted);
+    KINETRI_PRECONDITION(std::ranges::adjacent_find(sorted) == sorted.end(),
+                         "a point is named twice; expected each id once");
+    for (const Point_id id : ids) {
+      KINETRI_PRECONDITION(contains(id),
+                           "there is no point " + std::to_string(id) + " to be erased");
+    }
+    for (const Point_id id : sorted) core_->erase(id);
+  } else {
+    core_->erase(ids);
+  }
+}
+
+template <template <class> class Core, class Traits>
+void Engine_of<Core, Traits>::set_velocities(std::span<const Point_id> ids,
+                                             std::span<const double> velocities) {
+  if constexpr (is_simulation) {
+    std::vector<Vector_2> vectors;
+    vectors.reserve(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      vectors.push_back({velocities[2 * i], velocities[2 * i + 1]});
+    }
+    core_->set_velocities(ids, vectors);
+  } else {
+    const double now = current_time().to_double();
+    std::vector<Motion> motions;
+    motions.reserve(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const Vector_2 velocity = {velocities[2 * i], velocities[2 * i + 1]};
+      motions.push_back(with_velocity_at(kinetic().motion(ids[i]), velocity, now));
+    }
+    core_->set_motions(ids, motions);
+  }
+}
+
+template <template <class> class Core, class Traits>
+void Engine_of<Core, Traits>::set_masses(std::span<const Point_id> ids,
+                                         std::span<const double> masses) {
+  if constexpr (is_simulation) {
+    for (std::size_t i = 0; i < ids.size(); ++i) core_->set_mass(ids[i], masses[i]);
+  } else {
+    refuse("the points of a triangulation have no masses; expected a Simulation");
+  }
+}
+
+// ---- answers ----
+
+template <template <class> class Core, class Traits>
+std::vector<double> Engine_of<Core, Traits>::velocities() const {
+  const double now = current_time().to_double();
+  std::vector<double> result(2 * static_cast<std::size_t>(next_id()),
+                             std::numeric_limits<double>::quiet_NaN());
+  for (Point_id id = 0; id < next_id(); ++id) {
+    if (!contains(id)) continue;
+    const Vector_2 velocity = rounded_velocity(centre(kinetic().motion(id)), now);
+    result[2 * std::size_t{id}] = velocity.x;
+    result[2 * std::size_t{id} + 1] = velocity.y;
+  }
+  return result;
+}
+
+template <template <class> class Core, class Traits>
+std::vector<double> Engine_of<Core, Traits>::radii() const {
+  [[maybe_unused]] const double now = current_time().to_double();
+  std::vector<double> result(next_id(), std::numeric_limits<double>::quiet_NaN());
+  for (Point_id id = 0; id < next_id(); ++id) {
+    if (!contains(id)) continue;
+    if constexpr (HasWeight<Motion>) {
+      result[id] = std::max(rounded_radius(kinetic().motion(id), now), 0.0);
+    } else if constexpr (is_simulation) {
+      result[id] = core_->options().radius;
+    } else {
+      result[id] = 0;
+    }
+  }
+  return result;
+}
+
+// ---- state ----
+
+template <template <class> class Core, class Traits>
+Statistics Engine_of<Core, Traits>::statistics() const {
+  const Triangulation_counters& counters = kinetic().counters();
+  return {counters.events, core_->certificate_counters(), counters.instants,
+          counters.reconstructions};
+}
+
+template <template <class> class Core, class Traits>
+Checkpoint Engine_of<Core, Traits>::snapshot() const {
+  Checkpoint result;
+  if constexpr (is_simulation) {
+    result.simulation = core_->snapshot();
+  } else {
+    Simulation_snapshot<Traits> snapshot;
+    snapshot.triangulation = core_->snapshot();
+    result.simulation = std::move(snapshot);
+  }
+  return result;
+}
+
+/// @{
+/// The engine of that object.
+template <class Traits>
+std::unique_ptr<Engine> engine_of(std::unique_ptr<Kinetic_triangulation_2<Traits>> triangulation) {
+  return std::make_unique<Engine_of<Kinetic_triangulation_2, Traits>>(std::move(triangulation));
+}
+template <class Traits>
+std::unique_ptr<Engine> engine_of(std::unique_ptr<Simulation_2<Traits>> simulation) {
+  return std::make_unique<Engine_of<Simulation_2, Traits>>(std::move(simulation));
+}
+/// @}
+
+}  // namespace kinetri::python
+
+#endif  // KINETRI_PYTHON_ENGINE_OF_H

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "event_table.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace kinetri::python {
+
+std::array<char32_t, 11> row_text(Event_kind kind) {
+  std::array<char32_t, 11> result = {};
+  const std::string_view text = name(kind);
+  static_assert(std::string_view("hull_insert").size() == 11 &&
+                std::string_view("hull_remove").size() == 11);
+  std::copy(text.begin(), text.end(), result.begin());
+  return result;
+}
+
+void Event_table::after_event(const Event& event) {
+  Event_row row;
+  row.kind = row_text(event.kind);
+  if (time_ && *time_ == event.time) {
+    row.time = rows_.back().time;
+    row.time_lo = rows_.back().time_lo;
+    row.time_hi = rows_.back().time_hi;
+  } else {
+    time_ = event.time;
+    const auto [lower, upper] = event.time.tight_interval();
+    row.time = event.time.to_double();
+    row.time_lo = lower;
+    row.time_hi = upper;
+  }
+  if (event.removed) row.removed = *event.removed;
+  if (event.added) row.added = *event.added;
+  if (event.point_a) row.points[0] = *event.point_a;
+  if (event.point_b) row.points[1] = *event.point_b;
+  rows_.push_back(row);
+}
+
+}  // namespace kinetri::python

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Observers that keep the events of a run: as rows of a NumPy array, or as they are.
+#ifndef KINETRI_PYTHON_EVENT_TABLE_H
+#define KINETRI_PYTHON_EVENT_TABLE_H
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/events/event.h"
+
+namespace kinetri::python {
+
+/// A row of the array of events, which NumPy sees as the fields of `kinetri.event_dtype`.
+struct Event_row {
+  std::array<char32_t, 11> kind = {};  ///< as NumPy keeps text: filled up with zeros
+  double time = 0;                     ///< rounded to nearest
+  double time_lo = 0;                  ///< the tightest binary64 bounds
+  double time_hi = 0;
+  Edge_ids removed = {no_point, no_point};
+  Edge_ids added = {no_point, no_point};
+  std::array<Point_id, 2> points = {no_point, no_point};
+};
+
+/// The kind's name as a row has it.
+std::array<char32_t, 11> row_text(Event_kind kind);
+
+/// Keeps the events as rows. Simultaneous events have the same time, which is rounded once.
+class Event_table : public Event_observer {
+ public:
+  void after_event(const Event& event) override;
+
+  /// Rows so far; the table is empty then.
+  std::vector<Event_row> take() { return std::exchange(rows_, {}); }
+
+ private:
+  std::vector<Event_row> rows_;
+  std::optional<Algebraic_number> time_;  // of the last row
+};
+
+/// Keeps the events themselves.
+class Event_list : public Event_observer {
+ public:
+  void after_event(const Event& event) override { events_.push_back(event); }
+
+  /// The events so far; the list is empty then.
+  std::vector<Event> take() { return std::exchange(events_, {}); }
+
+ private:
+  std::vector<Event> events_;
+};
+
+}  // namespace kinetri::python
+
+#endif  // KINETRI_PYTHON_EVENT_TABLE_H

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How the engines of each kind of motion are made: defined in engines_of_points.cpp and
+// engines_of_discs.cpp, which are compiled side by side.
+#ifndef KINETRI_PYTHON_MAKE_ENGINE_H
+#define KINETRI_PYTHON_MAKE_ENGINE_H
+
+#include <memory>
+
+#include "engine.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri::python {
+
+/// @{
+/// As make_triangulation, make_simulation and restore, of the motions of the traits.
+template <class Traits>
+std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start);
+template <class Traits>
+std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
+                                    const Simulation_options& options);
+template <class Traits>
+std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot, Engine_kind kind,
+                                    Collision_response response);
+/// @}
+
+/// The engine of that simulation.
+template <class Traits>
+std::unique_ptr<Engine> make_engine(std::unique_ptr<Simulation_2<Traits>> simulation);
+
+}  // namespace kinetri::python
+
+#endif  // KINETRI_PYTHON_MAKE_ENGINE_H

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef KINETRI_PYTHON_MAKE_ENGINE_IMPL_H
+#define KINETRI_PYTHON_MAKE_ENGINE_IMPL_H
+
+#include <memory>
+#include <utility>
+
+#include "engine_of.h"
+#include "make_engine.h"
+
+namespace kinetri::python {
+
+template <class Traits>
+std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start) {
+  return engine_of(std::make_unique<Kinetic_triangulation_2<Traits>>(
+      motions_of<typename Traits::Motion>(motions), start));
+}
+
+template <class Traits>
+std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
+                                    const Simulation_options& options) {
+  return engine_of(std::make_unique<Simulation_2<Traits>>(
+      motions_of<typename Traits::Motion>(motions), options, start));
+}
+
+template <class Traits>
+std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot, Engine_kind kind,
+                                    Collision_response response) {
+  // Neither can be moved: they are made where they stay.
+  if (kind == Engine_kind::simulation) {
+    return engine_of(std::unique_ptr<Simulation_2<Traits>>(
+        new Simulation_2<Traits>(Simulation_2<Traits>::restore(snapshot, std::move(response)))));
+  }
+  if (snapshot.options.box || snapshot.has_response || !snapshot.scheduled.empty()) {
+    throw Snapshot_error(
+        "the state is that of a simulation with a box, collisions or scheduled changes; expected "
+        "that of a triangulation: restore it as a Simulation");
+  }
+  using Kinetic = Kinetic_triangulation_2<Traits>;
+  return engine_of(std::unique_ptr<Kinetic>(new Kinetic(Kinetic::restore(snapshot.triangulation))));
+}
+
+template <class Traits>
+std::unique_ptr<Engine> make_engine(std::unique_ptr<Simulation_2<Traits>> simulation) {
+  return engine_of(std::move(simulation));
+}
+
+#define KINETRI_PYTHON_INSTANTIATE(Traits)                                                 \
+  template std::unique_ptr<Engine> make_engine<Traits>(const Motion_columns&,              \
+                                                       const Algebraic_number&);           \
+  template std::unique_ptr<Engine> make_engine<Traits>(                                    \
+      const Motion_columns&, const Algebraic_number&, const Simulation_options&);          \
+  template std::unique_ptr<Engine> make_engine<Traits>(const Simulation_snapshot<Traits>&, \
+                                                       Engine_kind, Collision_response);   \
+  template std::unique_ptr<Engine> make_engine<Traits>(std::unique_ptr<Simulation_2<Traits>>)
+
+}  // namespace kinetri::python
+
+#endif  // KINETRI_PYTHON_MAKE_ENGINE_IMPL_H

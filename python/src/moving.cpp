@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "moving.h"
+
+#include <chrono>
+
+#include "kinetri/base/error.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri::python {
+
+namespace py = pybind11;
+
+Moving::Use::Use(Moving& moving, Event_observer* observer) : moving_(moving), observer_(observer) {
+  if (moving.is_within_instant_) {
+    throw Precondition_error(
+        "an error has left the simulation between two events of one time; expected another one: "
+        "make it anew, or restore a snapshot");
+  }
+  if (moving.is_in_use_.exchange(true)) {
+    throw Precondition_error(
+        "the object is in use: time advances, or another thread asks it; expected calls one after "
+        "the other (two objects can be used at once)");
+  }
+  if (observer_ != nullptr) moving_.engine_->add_observer(*observer_);
+}
+
+Moving::Use::~Use() {
+  if (observer_ != nullptr) moving_.engine_->remove_observer(*observer_);
+  moving_.is_in_use_ = false;
+}
+
+// Errors of contacts, and those of a response, leave the simulation within the instant.
+std::size_t Moving::guarded_step(const Algebraic_number* until) {
+  try {
+    return engine_->step(until);
+  } catch (const Negative_radius_error&) {
+    throw;
+  } catch (const Coincident_trajectories_error&) {  // by a scheduled change, which is dropped
+    throw;
+  } catch (const Outside_box_error&) {
+    throw;
+  } catch (...) {
+    is_within_instant_ = true;
+    throw;
+  }
+}
+
+void Moving::raise_if_interrupted() {
+  if (interrupted_ && interrupted_->exchange(false)) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
+  }
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+std::size_t Moving::advance(const Algebraic_number* until, Event_observer* observer,
+                            const py::object& progress) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto most_time = std::chrono::milliseconds(50);
+  constexpr int steps_between_looks = 16;
+  const Use use(*this, observer);
+  std::size_t events = 0;
+  bool is_done = false;
+  while (!is_done) {
+    {
+      const py::gil_scoped_release no_gil;
+      const auto deadline = Clock::now() + most_time;
+      for (int steps = 1; !is_done; ++steps) {
+        const std::size_t more = guarded_step(until);
+        events += more;
+        is_done = more == 0;
+        if (interrupted_ && *interrupted_) break;
+        if (steps % steps_between_looks == 0 && Clock::now() >= deadline) break;
+      }
+      if (is_done && until != nullptr) engine_->advance_to(*until);
+    }
+    raise_if_interrupted();
+    if (!progress.is_none()) progress(engine_->current_time().to_double());
+  }
+  return events;
+}
+
+std::size_t Moving::step(const Algebraic_number* until, Event_observer* observer) {
+  std::size_t events = 0;
+  {
+    const Use use(*this, observer);
+    const py::gil_scoped_release no_gil;
+    events = guarded_step(until);
+  }
+  raise_if_interrupted();
+  return events;
+}
+
+}  // namespace kinetri::python
