@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 
-#include "algebra/value_at.h"
+#include "algebra/root_difference.h"
+#include "kinetri/algebra/real_roots.h"
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
 
@@ -24,28 +23,31 @@ namespace {
 using Interval = CGAL::Interval_nt<false>;
 using Upward_rounding = CGAL::Protect_FPU_rounding<true>;
 
-// The vector from q to p, and its derivative.
+// The vector from the centre of q to that of p, its derivative, and the sum of the radii.
 struct Relative_motion {
   Interval x;
   Interval y;
   Interval vx;
   Interval vy;
+  Interval reach;
 
   // At the time t. Precondition: an Upward_rounding is in force.
-  Relative_motion(const Linear_motion_2& p, const Linear_motion_2& q, const Interval& t)
-      : x(coordinate(p.position.x, p.velocity.x, p.epoch, t) -
-          coordinate(q.position.x, q.velocity.x, q.epoch, t)),
-        y(coordinate(p.position.y, p.velocity.y, p.epoch, t) -
-          coordinate(q.position.y, q.velocity.y, q.epoch, t)),
+  Relative_motion(const Disc_motion_2& p, const Disc_motion_2& q, const Interval& t)
+      : x(linear(p.position.x, p.velocity.x, p.epoch, t) -
+          linear(q.position.x, q.velocity.x, q.epoch, t)),
+        y(linear(p.position.y, p.velocity.y, p.epoch, t) -
+          linear(q.position.y, q.velocity.y, q.epoch, t)),
         vx(Interval(p.velocity.x) - Interval(q.velocity.x)),
-        vy(Interval(p.velocity.y) - Interval(q.velocity.y)) {}
+        vy(Interval(p.velocity.y) - Interval(q.velocity.y)),
+        reach(linear(p.radius, p.growth, p.epoch, t) + linear(q.radius, q.growth, q.epoch, t)) {}
 
   Interval squared_distance() const { return CGAL::square(x) + CGAL::square(y); }
   Interval half_slope() const { return x * vx + y * vy; }
+  Interval gap() const { return CGAL::sqrt(squared_distance()) - reach; }
 
  private:
-  static Interval coordinate(double position, double velocity, double epoch, const Interval& t) {
-    return Interval(position) + Interval(velocity) * (t - Interval(epoch));
+  static Interval linear(double value, double slope, double epoch, const Interval& t) {
+    return Interval(value) + Interval(slope) * (t - Interval(epoch));
   }
 };
 
@@ -53,25 +55,28 @@ bool is_finite(const Double_interval& interval) {
   return std::isfinite(interval.lower) && std::isfinite(interval.upper);
 }
 
-// Bounds of the squared distance at a time.
-Double_interval squared_distance_bounds(const Linear_motion_2& p, const Linear_motion_2& q,
-                                        const Double_interval& time) {
-  constexpr Double_interval everything = {0, std::numeric_limits<double>::infinity()};
+// Bounds of the gap at a time.
+Double_interval gap_bounds(const Disc_motion_2& p, const Disc_motion_2& q,
+                           const Double_interval& time) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr Double_interval everything = {-infinite, infinite};
   if (!is_finite(time)) return everything;
   const Upward_rounding protection;
-  const Interval result =
-      Relative_motion(p, q, Interval(time.lower, time.upper)).squared_distance();
+  const Interval result = Relative_motion(p, q, Interval(time.lower, time.upper)).gap();
   if (!(result.inf() <= result.sup())) return everything;  // an overflow
-  return {std::max(result.inf(), 0.0), result.sup()};
+  return {result.inf(), result.sup()};
 }
 
-// Whether the squared distance is greater than `limit` at every one of the times, proved: it is a
-// convex function, and so nowhere below its tangent at the time s; s is about where it is least,
-// but any time is right.
-bool is_certainly_farther(const Linear_motion_2& p, const Linear_motion_2& q,
+// Whether the gap is greater than `limit` at every one of the times, proved: the squared distance
+// is a convex function, and so nowhere below its tangent at the time s; s is about where it is
+// least, but any time is right.
+bool is_certainly_farther(const Disc_motion_2& p, const Disc_motion_2& q,
                           const Double_interval& times, double limit) {
   if (!is_finite(times)) return false;
   const Upward_rounding protection;
+  const Interval all_times(times.lower, times.upper);
+  const Interval least = Interval(limit) + Relative_motion(p, q, all_times).reach;
+  if (least.sup() < 0) return true;  // no distance is negative
   const Relative_motion at_begin(p, q, Interval(times.lower));
   const double speed = (CGAL::square(at_begin.vx) + CGAL::square(at_begin.vy)).sup();
   double s = times.lower;
@@ -79,20 +84,19 @@ bool is_certainly_farther(const Linear_motion_2& p, const Linear_motion_2& q,
   if (!std::isfinite(s)) return false;
   const Relative_motion at_s(p, q, Interval(s));
   const Interval tangent =
-      at_s.squared_distance() +
-      Interval(2) * at_s.half_slope() * (Interval(times.lower, times.upper) - Interval(s));
-  return tangent.inf() > limit;  // false where it is not a number
+      at_s.squared_distance() + Interval(2) * at_s.half_slope() * (all_times - Interval(s));
+  // False where one of the two is not a number.
+  return tangent.inf() > CGAL::square(Interval(least.sup())).sup();
 }
 
 // ---- the same, exactly ----
 
-Rational constant_term(double position, double velocity, double epoch) {
-  return to_rational(position) - to_rational(velocity) * to_rational(epoch);
+Rational constant_term(double value, double slope, double epoch) {
+  return to_rational(value) - to_rational(slope) * to_rational(epoch);
 }
 
 // The squared distance as a polynomial in time, by ascending power.
-std::array<Rational, 3> squared_distance_polynomial(const Linear_motion_2& p,
-                                                    const Linear_motion_2& q) {
+std::array<Rational, 3> squared_distance(const Disc_motion_2& p, const Disc_motion_2& q) {
   const Rational x = constant_term(p.position.x, p.velocity.x, p.epoch) -
                      constant_term(q.position.x, q.velocity.x, q.epoch);
   const Rational y = constant_term(p.position.y, p.velocity.y, p.epoch) -
@@ -102,58 +106,65 @@ std::array<Rational, 3> squared_distance_polynomial(const Linear_motion_2& p,
   return {x * x + y * y, 2 * (x * vx + y * vy), vx * vx + vy * vy};
 }
 
-// The binary64 number nearest to the square root, ties to even. Those that are not negative are in
-// the order of their representations, so that a representation is what is searched for.
-double rounded_square_root(const Algebraic_number& squared) {
-  constexpr auto infinite = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
-  const auto number = [](std::uint64_t bits) {
-    return bits == infinite ? scaled_by_power_of_two(1, 1024)  // what would come after the largest
-                            : to_rational(std::bit_cast<double>(bits));
+// The sum of the radii in the same form.
+std::array<Rational, 2> reach(const Disc_motion_2& p, const Disc_motion_2& q) {
+  return {constant_term(p.radius, p.growth, p.epoch) + constant_term(q.radius, q.growth, q.epoch),
+          to_rational(p.growth) + to_rational(q.growth)};
+}
+
+// The first time between the two at which the gap is least. The gap sqrt(f) - r - g t, with
+// f = a t^2 + b t + c, is a convex function (docs/MATH.md, section 11).
+Algebraic_number time_of_least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
+                                   const Algebraic_number& since, const Algebraic_number& until) {
+  const auto [c, b, a] = squared_distance(p, q);
+  const Rational g = reach(p, q)[1];
+  const Rational excess = a - g * g;
+  const auto clamped = [&](const Algebraic_number& least) {
+    return least < since ? since : least > until ? until : least;
   };
-  const auto is_at_most_root = [&](std::uint64_t bits) {
-    const Rational x = number(bits);
-    return compare(squared, x * x) != CGAL::SMALLER;
-  };
-  // From a guess to bounds with lower <= root < upper, by steps that double.
-  const std::uint64_t guess = std::min(
-      std::bit_cast<std::uint64_t>(std::sqrt(std::max(squared.to_double(), 0.0))), infinite - 1);
-  std::uint64_t lower = guess;
-  for (std::uint64_t step = 1; lower > 0 && !is_at_most_root(lower); step *= 2) {
-    lower -= std::min(step, lower);
+  if (excess > 0) {
+    // The root of f'^2 = 4 g^2 f at which f' has the sign of g.
+    const std::array<Rational, 3> coefficients = {b * b - 4 * g * g * c, 4 * b * excess,
+                                                  4 * a * excess};
+    if (g == 0) return clamped(Algebraic_number(Rational(-b / (2 * a))));
+    const std::vector<Real_root> roots = real_roots(primitive_polynomial(coefficients));
+    return clamped(g > 0 ? roots.back().value : roots.front().value);
   }
-  std::uint64_t upper = lower + 1;
-  for (std::uint64_t step = 1; upper < infinite && is_at_most_root(upper); step *= 2) {
-    lower = upper;
-    upper += std::min(step, infinite - upper);
-  }
-  while (upper - lower > 1) {
-    const std::uint64_t middle = lower + (upper - lower) / 2;
-    (is_at_most_root(middle) ? lower : upper) = middle;
-  }
-  const Rational middle = (number(lower) + number(upper)) / 2;
-  const auto to_middle = compare(squared, middle * middle);
-  const bool is_up = to_middle == CGAL::LARGER || (to_middle == CGAL::EQUAL && lower % 2 == 1);
-  return std::bit_cast<double>(is_up ? upper : lower);
+  // The gap increases or decreases for ever; only where the rims keep a distance, from the time on
+  // at which the centres meet, it may be constant.
+  if (g <= 0) return since;
+  const bool becomes_constant = excess == 0 && b * b == 4 * a * c;
+  return becomes_constant ? clamped(Algebraic_number(Rational(-b / (2 * a)))) : until;
 }
 
 }  // namespace
 
-Closest_approaches::Closest_approaches(Simulation_2<>& simulation, std::size_t number)
-    : simulation_(simulation),
-      number_(number),
-      squared_limit_(std::numeric_limits<double>::infinity()) {
+template <HasLinearMotion Traits>
+Closest_approaches<Traits>::Closest_approaches(Simulation_2<Traits>& simulation, std::size_t number)
+    : simulation_(simulation), number_(number), limit_(std::numeric_limits<double>::infinity()) {
   KINETRI_PRECONDITION(number > 0, "no approach is asked for");
+  KINETRI_PRECONDITION(!has_radii || simulation.options().response,
+                       "overlaps are not followed without a response; log_contact changes nothing");
   for (const Edge_ids& edge : simulation_.triangulation().finite_edge_ids()) {
-    begin(edge, simulation_.current_time());
+    begin(edge, simulation_.current_time(), true);
+  }
+  if constexpr (has_radii) {
+    for (Point_id id = 0; id < simulation_.triangulation().next_id(); ++id) {
+      after_change({&id, 1});
+    }
+    simulation_.add_overlap_observer(*this);
   }
   simulation_.add_observer(*this);
 }
 
-Closest_approaches::~Closest_approaches() {
+template <HasLinearMotion Traits>
+Closest_approaches<Traits>::~Closest_approaches() {
   simulation_.remove_observer(*this);
+  simulation_.remove_overlap_observer(*this);
 }
 
-std::vector<Approach> Closest_approaches::approaches() {
+template <HasLinearMotion Traits>
+std::vector<Approach> Closest_approaches<Traits>::approaches() {
   for (auto& [pair, piece] : pieces_) {
     examine(pair, piece, simulation_.current_time());
     piece.since = simulation_.current_time();
@@ -164,82 +175,165 @@ std::vector<Approach> Closest_approaches::approaches() {
   std::ranges::sort(sorted, [](const auto* a, const auto* b) { return is_nearer(*a, *b); });
   std::vector<Approach> result;
   for (const Candidate* candidate : sorted) {
-    result.push_back(
-        {candidate->points, candidate->time, rounded_square_root(squared_distance(*candidate))});
+    const auto& [points, time, p, q, bounds, known_gap] = *candidate;
+    const double distance = root_difference_at(squared_distance(p, q), {}, time).to_double();
+    const bool is_gap = p.radius == 0 && q.radius == 0 && p.growth == 0 && q.growth == 0;
+    result.push_back({points, time, distance, is_gap ? distance : gap(*candidate).to_double()});
   }
   return result;
 }
 
-void Closest_approaches::before_event(const Event& event) {
-  if (event.removed) end(*event.removed, event.time);
-}
+// ---- which pairs ----
 
-void Closest_approaches::after_event(const Event& event) {
-  if (event.added) begin(*event.added, event.time);
-  // New motions: the pieces so far end, with the motions that they had.
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::after_event(const Event& event) {
+  if (event.removed) {
+    end(*event.removed, event.time);
+    begin_overlap(*event.removed, event.time);
+  }
+  if (event.added) {
+    end(*event.added, event.time);
+    begin(*event.added, event.time, true);
+  }
   for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
-    if (!id || !simulation_.triangulation().contains(*id)) continue;
-    for_each_pair_of(*id, [&](const Edge_ids& pair) {
-      if (!pieces_.contains(pair)) return;  // its edge is yet to be reported
-      end(pair, event.time);
-      begin(pair, event.time);
-    });
+    if (id) turn(*id, event.time);
+  }
+  if (event.kind == Event_kind::collision) {
+    begin_overlap(edge_ids(*event.point_a, *event.point_b), event.time);
   }
 }
 
-template <class Function>
-void Closest_approaches::for_each_pair_of(Point_id id, Function function) const {
-  const auto& triangulation = simulation_.triangulation();
-  detail::for_each_neighbor(triangulation.triangulation(), triangulation.vertex(id),
-                            [&](auto neighbor) { function(edge_ids(id, neighbor->point().id())); });
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::after_change(std::span<const Point_id> points) {
+  if constexpr (has_radii) {
+    for (const Point_id id : points) {
+      if (!simulation_.triangulation().contains(id)) continue;
+      for (const Point_id other : simulation_.overlapping_discs(id)) {
+        const Edge_ids pair = edge_ids(id, other);
+        if (!pieces_.contains(pair)) begin(pair, simulation_.current_time(), false);
+      }
+    }
+  }
 }
 
-void Closest_approaches::begin(const Edge_ids& pair, const Algebraic_number& time) {
-  const auto& triangulation = simulation_.triangulation();
-  pieces_.insert_or_assign(
-      pair, Piece{triangulation.motion(pair[0]), triangulation.motion(pair[1]), time});
+template <HasLinearMotion Traits>
+Disc_motion_2 Closest_approaches<Traits>::disc(Point_id id) const {
+  const auto& motion = simulation_.triangulation().motion(id);
+  if constexpr (has_radii) {
+    return motion;
+  } else {
+    return {motion, simulation_.options().radius, 0, 0};
+  }
 }
 
-void Closest_approaches::end(const Edge_ids& pair, const Algebraic_number& time) {
+// Whether the motions of a piece are over, as one of the points has another motion or has gone.
+template <HasLinearMotion Traits>
+bool Closest_approaches<Traits>::has_turned(const Edge_ids& pair, const Piece& piece) const {
+  const auto& triangulation = simulation_.triangulation();
+  return !triangulation.contains(pair[0]) || !triangulation.contains(pair[1]) ||
+         disc(pair[0]) != piece.p || disc(pair[1]) != piece.q;
+}
+
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::begin(const Edge_ids& pair, const Algebraic_number& time,
+                                       bool is_edge) {
+  pieces_.insert_or_assign(pair, Piece{disc(pair[0]), disc(pair[1]), time, is_edge});
+  if (is_edge) return;
+  overlaps_.emplace(pair[0], pair[1]);
+  overlaps_.emplace(pair[1], pair[0]);
+}
+
+// Follows a pair without an edge, if it overlaps just after `time`, which is the current one.
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::begin_overlap(const Edge_ids& pair, const Algebraic_number& time) {
+  if constexpr (has_radii) {
+    const auto& triangulation = simulation_.triangulation();
+    if (pieces_.contains(pair) || !triangulation.contains(pair[0]) ||
+        !triangulation.contains(pair[1])) {
+      return;
+    }
+    const auto& p = triangulation.vertex(pair[0])->point();
+    const auto& q = triangulation.vertex(pair[1])->point();
+    if (triangulation.traits().may_overlap(p, q, 0, time) &&
+        triangulation.traits().exact().may_overlap(p, q, 0, time)) {
+      begin(pair, time, false);
+    }
+  }
+}
+
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::end(const Edge_ids& pair, const Algebraic_number& time) {
   const auto piece = pieces_.find(pair);
   if (piece == pieces_.end()) return;
   examine(pair, piece->second, time);
+  if (!piece->second.is_edge) {
+    overlaps_.erase({pair[0], pair[1]});
+    overlaps_.erase({pair[1], pair[0]});
+  }
   pieces_.erase(piece);
 }
 
-// The squared distance is a convex quadratic: nearest where its slope vanishes, or at an end.
-void Closest_approaches::examine(const Edge_ids& pair, const Piece& piece,
-                                 const Algebraic_number& until) {
-  const Double_interval times = {piece.since.interval().lower, until.interval().upper};
-  if (is_certainly_farther(piece.p, piece.q, times, squared_limit_)) return;
-  const auto [c, b, a] = squared_distance_polynomial(piece.p, piece.q);
-  Algebraic_number time = piece.since;
-  if (a != 0) {
-    const Algebraic_number least(Rational(-b / (2 * a)));
-    time = least < piece.since ? piece.since : least > until ? until : least;
+// New motions, perhaps: the pieces so far end, with the motions that they had. Those of edges are
+// begun here, those of overlaps when these are known.
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::turn(Point_id id, const Algebraic_number& time) {
+  std::vector<Edge_ids> ended;
+  const auto add_if_turned = [&](Point_id other, bool is_edge) {
+    const Edge_ids pair = edge_ids(id, other);
+    const auto piece = pieces_.find(pair);
+    // An edge without a piece is yet to be reported.
+    if (piece != pieces_.end() && piece->second.is_edge == is_edge &&
+        has_turned(pair, piece->second)) {
+      ended.push_back(pair);
+    }
+  };
+  const auto& triangulation = simulation_.triangulation();
+  if (triangulation.contains(id) && !triangulation.is_hidden(id)) {
+    detail::for_each_neighbor(triangulation.triangulation(), triangulation.vertex(id),
+                              [&](auto neighbor) { add_if_turned(neighbor->point().id(), true); });
   }
-  keep({pair, time, piece.p, piece.q, squared_distance_bounds(piece.p, piece.q, time.interval()),
-        std::nullopt});
+  const std::size_t edges = ended.size();
+  for (auto other = overlaps_.lower_bound({id, 0}); other != overlaps_.end() && other->first == id;
+       ++other) {
+    add_if_turned(other->second, false);
+  }
+  for (const Edge_ids& pair : ended) end(pair, time);
+  for (std::size_t i = 0; i < edges; ++i) begin(ended[i], time, true);
 }
 
-const Algebraic_number& Closest_approaches::squared_distance(const Candidate& candidate) {
-  if (!candidate.squared_distance) {
-    candidate.squared_distance =
-        value_at(squared_distance_polynomial(candidate.p, candidate.q), candidate.time);
-  }
-  return *candidate.squared_distance;
+// ---- the nearest of them ----
+
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::examine(const Edge_ids& pair, const Piece& piece,
+                                         const Algebraic_number& until) {
+  const auto& [p, q, since, is_edge] = piece;
+  const Double_interval times = {since.interval().lower, until.interval().upper};
+  if (is_certainly_farther(p, q, times, limit_)) return;
+  const Algebraic_number time = time_of_least_gap(p, q, since, until);
+  keep({pair, time, p, q, gap_bounds(p, q, time.interval()), std::nullopt});
 }
 
-bool Closest_approaches::is_nearer(const Candidate& a, const Candidate& b) {
-  if (a.squared_bounds.upper < b.squared_bounds.lower) return true;
-  if (b.squared_bounds.upper < a.squared_bounds.lower) return false;
-  const auto order = compare(squared_distance(a), squared_distance(b));
+template <HasLinearMotion Traits>
+const Algebraic_number& Closest_approaches<Traits>::gap(const Candidate& candidate) {
+  if (!candidate.gap) {
+    candidate.gap = root_difference_at(squared_distance(candidate.p, candidate.q),
+                                       reach(candidate.p, candidate.q), candidate.time);
+  }
+  return *candidate.gap;
+}
+
+template <HasLinearMotion Traits>
+bool Closest_approaches<Traits>::is_nearer(const Candidate& a, const Candidate& b) {
+  if (a.gap_bounds.upper < b.gap_bounds.lower) return true;
+  if (b.gap_bounds.upper < a.gap_bounds.lower) return false;
+  const auto order = compare(gap(a), gap(b));
   if (order != CGAL::EQUAL) return order == CGAL::SMALLER;
   if (a.time != b.time) return a.time < b.time;
   return a.points < b.points;
 }
 
-void Closest_approaches::keep(Candidate candidate) {
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::keep(Candidate candidate) {
   const auto known = nearest_.find(candidate.points);
   if (known == nearest_.end()) {
     nearest_.emplace(candidate.points, std::move(candidate));
@@ -249,19 +343,23 @@ void Closest_approaches::keep(Candidate candidate) {
   }
 }
 
-void Closest_approaches::drop_all_but_nearest() {
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::drop_all_but_nearest() {
   if (nearest_.size() < number_) return;
   std::vector<const Candidate*> candidates;
   for (const auto& [pair, candidate] : nearest_) candidates.push_back(&candidate);
   const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(number_ - 1);
   std::ranges::nth_element(candidates, last,
                            [](const auto* a, const auto* b) { return is_nearer(*a, *b); });
-  squared_limit_ = (*last)->squared_bounds.upper;
+  limit_ = (*last)->gap_bounds.upper;
   std::vector<Edge_ids> dropped;
   for (auto other = last + 1; other != candidates.end(); ++other) {
     dropped.push_back((*other)->points);
   }
   for (const Edge_ids& pair : dropped) nearest_.erase(pair);
 }
+
+template class Closest_approaches<Linear_kinetic_traits_2>;
+template class Closest_approaches<Disc_kinetic_traits_2>;
 
 }  // namespace kinetri

@@ -107,8 +107,6 @@ def meaning_cases():
     yield case("tracks t.csv --collisions log", option="--collisions", file="t.csv")
     discs = "t,id,x,y,radius\n0,a,0,0,1\n1,a,1,0,1\n"
     yield case("tracks r.csv --collisions log --radius 1", files={"r.csv": discs}, file="r.csv")
-    yield case("tracks r.csv --collisions log --closest 1",
-               files={"r.csv": discs + "0,b,5,0,2\n1,b,6,0,2\n"})
     yield case("tracks t.csv --fps 25")
     yield simulate("--fps 5", option="--fps,--frames-per-time")
     yield simulate("--frames-per-time 5", option="--fps,--frames-per-time")

@@ -99,6 +99,22 @@ TEST_F(Tracks, print_the_closest_approaches) {
       << outcome.out;
 }
 
+// The centres of a and b are nearer to each other, the rims of c and d are.
+TEST_F(Tracks, print_the_closest_approaches_of_discs_with_their_gaps) {
+  const std::string discs =
+      "t,id,x,y,radius\n0,a,0,0,1\n8,a,4,0,1\n0,b,10,0,2\n8,b,10,0,2\n"
+      "0,c,0,90,3\n8,c,4,90,3\n0,d,12,90,6\n8,d,12,90,6\n";
+  const Outcome outcome = tracks(discs, {"--collisions", "log", "--closest", "2", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "id_a,id_b,time,time_lo,time_hi,distance,gap\n"
+            "c,d,8,8,8,8,-1\n"
+            "a,b,8,8,8,6,3\n");
+  // Where nothing touches a disc, distances are those of points.
+  const Outcome points = tracks(discs, {"--closest", "1", "--quiet"});
+  EXPECT_EQ(points.out, "id_a,id_b,time,time_lo,time_hi,distance\na,b,8,8,8,6\n");
+}
+
 TEST_F(Tracks, log_contacts_of_discs) {
   const Outcome outcome =
       tracks("t,id,x,y\n0,a,0,0\n10,a,10,0\n0,b,8,0\n10,b,8,0\n",

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <functional>
 #include <initializer_list>
 #include <memory>
+#include <ostream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -72,6 +74,7 @@ class Simulation_run {
 
  private:
   void build();
+  void follow_approaches();
   std::uint64_t number_of_events() const {
     return simulation_.visit(
         [](const auto& s) { return s.triangulation().counters().number_of_events(); });
@@ -104,8 +107,9 @@ class Simulation_run {
   std::optional<Event_log_writer> log_;
   Any_simulation simulation_;
   std::optional<Viewer_output> viewer_;
-  std::optional<Closest_approaches> closest_;
+  std::function<std::vector<Approach>()> approaches_;  // where they are asked for
   std::optional<Frame_outputs> frames_;
+  bool has_gaps_ = false;  // beside distances
   std::unique_ptr<Run_sampler> sampler_;
   std::uint64_t executed_ = 0;
   std::uint64_t events_before_ = 0;  // of the run that this one takes up
@@ -171,18 +175,22 @@ void Simulation_run::build() {
     simulation_.visit([this](auto& s) { s.add_observer(*log_); });
   }
   if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_);
-  // Asked for with recorded tracks only, which do not accelerate.
-  if (settings_.closest > 0) {
-    if (simulation_.linear() == nullptr) {
-      throw Usage_error(
-          "--closest: the approaches are those of Delaunay neighbors, and discs of different sizes "
-          "have another triangulation; expected no --collisions, or equal radii");
-    }
-    closest_.emplace(*simulation_.linear(), settings_.closest);
-  }
+  if (settings_.closest > 0) follow_approaches();
   if (frames_) frames_->start(source_, simulation_);
   if (sampler_) sampler_->start(source_.until(), simulation_);
   statistics_.seconds.write += stopwatch_.lap();
+}
+
+// Asked for with recorded tracks only, which do not accelerate.
+void Simulation_run::follow_approaches() {
+  simulation_.visit([this]<class Traits>(Simulation_2<Traits>& s) {
+    if constexpr (HasLinearMotion<Traits>) {
+      has_gaps_ = HasWeight<typename Traits::Motion>;
+      approaches_ = [closest = std::make_shared<Closest_approaches<Traits>>(s, settings_.closest)] {
+        return closest->approaches();
+      };
+    }
+  });
 }
 
 std::size_t Simulation_run::step(const Algebraic_number& until) {
@@ -257,10 +265,12 @@ void Simulation_run::audit(Audit_level level) {
 }
 
 void Simulation_run::write_approaches(std::ostream& out) {
-  out << "id_a,id_b,time,time_lo,time_hi,distance\n";
-  for (const Approach& approach : closest_->approaches()) {
+  out << "id_a,id_b,time,time_lo,time_hi,distance" << (has_gaps_ ? ",gap\n" : "\n");
+  for (const Approach& approach : approaches_()) {
     out << joined(source_.name(approach.points[0]), ",", source_.name(approach.points[1]), ",",
-                  time_fields(approach.time), ",", approach.distance, "\n");
+                  time_fields(approach.time), ",", approach.distance);
+    if (has_gaps_) out << joined(",", approach.gap);
+    out << '\n';
   }
 }
 

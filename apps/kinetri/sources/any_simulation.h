@@ -40,12 +40,6 @@ class Any_simulation {
     return std::visit([&](const auto& simulation) { return function(*simulation); }, simulation_);
   }
 
-  /// The simulation if its points have constant velocities; else null.
-  Linear* linear() const {
-    const auto* const held = std::get_if<std::unique_ptr<Linear>>(&simulation_);
-    return held == nullptr ? nullptr : held->get();
-  }
-
  private:
   std::variant<std::unique_ptr<Linear>, std::unique_ptr<Polynomial>, std::unique_ptr<Discs>,
                std::unique_ptr<Polynomial_discs>>

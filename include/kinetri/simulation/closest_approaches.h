@@ -1,94 +1,121 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The closest approaches of points that are neighbors, over a run.
+// The closest approaches of points or discs, over a run.
 #ifndef KINETRI_SIMULATION_CLOSEST_APPROACHES_H
 #define KINETRI_SIMULATION_CLOSEST_APPROACHES_H
 
+#include <concepts>
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
 
-/// The closest approach of two points.
+/// The closest approach of two points: where the gap between the rims of their discs is least. The
+/// gap is the distance of the centres minus both radii, and negative where the discs overlap.
 struct Approach {
   Edge_ids points = {no_point, no_point};  ///< the ids, the smaller first
-  Algebraic_number time;  ///< exact; rational if the distance has its minimum between turns
-  /// The distance at that time, rounded to the nearest binary64 number, ties to even; infinite on
-  /// overflow.
+  Algebraic_number time;  ///< exact; rational if the minimum is between turns and no radius grows
+  /// The distance of the centres at that time, rounded to the nearest binary64 number, ties to
+  /// even; infinite on overflow.
   double distance = 0;
+  double gap = 0;  ///< the gap at that time, rounded in the same way; of points, the distance
 };
 
-/// An observer of a simulation that keeps the `number` pairs that came nearest to each other while
-/// they were neighbors in the triangulation, and for each pair the first time at which it was
-/// nearest. At any time the closest pair has an edge, so the first of the result is the closest
-/// approach of all pairs.
+/// Traits of points, or discs, whose velocities are constant between events.
+template <class Traits>
+concept HasLinearMotion = ContactKineticTraits_2<Traits> &&
+    std::same_as<Centre_motion_of<typename Traits::Motion>, Linear_motion_2>;
+
+/// An observer of a simulation that keeps the `number` pairs with the least gaps while they were
+/// neighbors in the triangulation or overlapped, and for each pair the first time at which its gap
+/// was least. Discs have the radius of the options, or radii of their own, which may differ and
+/// grow; where they have none, the gap is the distance.
 ///
-/// Distances are compared exactly, even if they round to the same number. Cost: for each change of
-/// an edge or of a motion at it some hundred floating-point operations, which prove for most pairs
-/// that they are not near enough, and exact arithmetic for the others. Memory: O(edges + number).
-class Closest_approaches : public Event_observer {
+/// The first of the result is the closest approach of all pairs. For discs of one radius, and
+/// points, the closest pair has an edge at any time. For discs with radii of their own, at any time
+/// the pair with the least gap has an edge in the regular triangulation or overlaps (docs/MATH.md,
+/// section 11). The next ones of the result need not be the next ones of all pairs. An exception is
+/// a contact that involves a disc of radius 0, see section 8 there.
+///
+/// Gaps are compared exactly, even if they round to the same number. Cost: for each change of an
+/// edge or of a motion at it some hundred floating-point operations, which prove for most pairs
+/// that they are not near enough, and exact arithmetic for the others; for discs with radii of
+/// their own, also for those that overlap. Memory: O(edges + overlaps + number).
+template <HasLinearMotion Traits = Linear_kinetic_traits_2>
+class Closest_approaches : public Event_observer, private Overlap_observer {
  public:
-  /// Observes from the current time on. Precondition: number > 0. The simulation must outlive this
-  /// object.
-  Closest_approaches(Simulation_2<>& simulation, std::size_t number);
+  /// Observes from the current time on. Preconditions: number > 0; if discs have radii of their
+  /// own, the simulation has a response, such as log_contact, because it does not follow overlaps
+  /// without one. The simulation must outlive this object.
+  Closest_approaches(Simulation_2<Traits>& simulation, std::size_t number);
   ~Closest_approaches() override;
 
   Closest_approaches(const Closest_approaches&) = delete;
   Closest_approaches& operator=(const Closest_approaches&) = delete;
 
-  /// The closest approaches so far, in order of exact distance; for equal distances the earlier
-  /// first, then by ids. Cost: O(number log number) exact comparisons, and for each result some
-  /// more that round its distance.
+  /// The closest approaches so far, in order of the exact gap; for equal gaps the earlier first,
+  /// then by ids. Cost: O(number log number) exact comparisons, and for each result some more that
+  /// round its numbers.
   std::vector<Approach> approaches();
 
-  /// @{
-  /// Called by the simulation; they track edges and motions.
-  void before_event(const Event& event) override;
+  /// Called by the simulation; tracks edges and motions.
   void after_event(const Event& event) override;
-  /// @}
 
  private:
-  // A pair with an edge, since the last change of it or of a motion of its points.
+  // A pair that has an edge or overlaps, since that began or the last change of a motion.
   struct Piece {
-    Linear_motion_2 p;
-    Linear_motion_2 q;
+    Disc_motion_2 p;
+    Disc_motion_2 q;
     Algebraic_number since;
+    bool is_edge = false;  // if not, the discs overlapped just after `since`
   };
 
   // The nearest place of a piece. The motions are those of the piece.
   struct Candidate {
     Edge_ids points = {no_point, no_point};
     Algebraic_number time;
-    Linear_motion_2 p;
-    Linear_motion_2 q;
-    Double_interval squared_bounds;  // contain the squared distance
-    mutable std::optional<Algebraic_number>
-        squared_distance;  // made where the bounds do not decide
+    Disc_motion_2 p;
+    Disc_motion_2 q;
+    Double_interval gap_bounds;                   // contain the gap
+    mutable std::optional<Algebraic_number> gap;  // made where the bounds do not decide
   };
 
-  static const Algebraic_number& squared_distance(const Candidate& candidate);
+  static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
+
+  static const Algebraic_number& gap(const Candidate& candidate);
   static bool is_nearer(const Candidate& a, const Candidate& b);
 
-  void begin(const Edge_ids& pair, const Algebraic_number& time);
+  void after_change(std::span<const Point_id> points) override;
+  Disc_motion_2 disc(Point_id id) const;
+  bool has_turned(const Edge_ids& pair, const Piece& piece) const;
+  void begin(const Edge_ids& pair, const Algebraic_number& time, bool is_edge);
+  void begin_overlap(const Edge_ids& pair, const Algebraic_number& time);
   void end(const Edge_ids& pair, const Algebraic_number& time);
+  void turn(Point_id id, const Algebraic_number& time);
   void examine(const Edge_ids& pair, const Piece& piece, const Algebraic_number& until);
   void keep(Candidate candidate);
   void drop_all_but_nearest();
-  template <class Function>
-  void for_each_pair_of(Point_id id, Function function) const;
 
-  Simulation_2<>& simulation_;
+  Simulation_2<Traits>& simulation_;
   std::size_t number_;
   std::map<Edge_ids, Piece> pieces_;
+  // Of each piece without an edge both points, each with the other one.
+  std::set<std::pair<Point_id, Point_id>> overlaps_;
   std::map<Edge_ids, Candidate> nearest_;
-  // `number_` pairs have been at this squared distance or nearer: a pair that is certainly farther
-  // is of no interest.
-  double squared_limit_;
+  // `number_` pairs have had this gap or a smaller one: a pair that certainly has a greater one is
+  // of no interest.
+  double limit_;
 };
+
+extern template class Closest_approaches<Linear_kinetic_traits_2>;
+extern template class Closest_approaches<Disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -36,6 +36,7 @@
 #include "kinetri/events/event_scheduler.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/simulation/overlap_observer.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/simulation_snapshot.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
@@ -231,6 +232,20 @@ class Simulation_2 : private Event_observer {
   /// collision; the motions change between `before_event` and `after_event`.
   void add_observer(Observer& observer) { triangulation_.add_observer(observer); }
   void remove_observer(Observer& observer) { triangulation_.remove_observer(observer); }
+  /// @}
+
+  /// The points whose discs overlap that of the point just after the current time, exactly; sorted.
+  /// Precondition: there is a response, since without one overlaps are not followed;
+  /// triangulation().contains(id). Cost: an exact predicate for each disc that overlaps or almost
+  /// does.
+  std::vector<Point_id> overlapping_discs(Point_id id) const;
+
+  /// @{
+  /// Has the observer told of changes of points; it must outlive its registration.
+  void add_overlap_observer(Overlap_observer& observer) { overlap_observers_.push_back(&observer); }
+  void remove_overlap_observer(Overlap_observer& observer) {
+    std::erase(overlap_observers_, &observer);
+  }
   /// @}
 
   /// Counts of contacts since the start, those of the snapshot included; of the queue since this
@@ -440,6 +455,7 @@ class Simulation_2 : private Event_observer {
   std::unordered_map<std::uint32_t, Motion> scheduled_motions_;  // by number of the change
   std::uint32_t scheduled_ = 0;                                  // changes so far
   std::size_t scheduled_entries_ = 0;                            // of changes, in the queue
+  std::vector<Overlap_observer*> overlap_observers_;
   std::span<const Point_id> changing_points_;  // of which `change` schedules all contacts anew
   bool is_within_instant_ = false;
   Contact_counters counters_;  // but for those of the queue

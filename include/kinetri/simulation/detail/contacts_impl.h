@@ -133,6 +133,7 @@ void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes
         contacts_[id].reset();
       }
     }
+    for (Overlap_observer* const observer : overlap_observers_) observer->after_change(points);
   };
   changing_points_ = points;
   try {

@@ -25,6 +25,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "kinetri/simulation/detail/shortest_text.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "kinetri/triangulation/detail/point_problems.h"
 
 namespace kinetri {
 
@@ -43,6 +44,23 @@ auto Simulation_2<Traits>::find_overlap(const Edge_ids& pair) const -> const Ove
   const std::vector<Overlap>& shorter = overlaps(pair[is_second_shorter ? 1 : 0]);
   const auto overlap = std::ranges::find(shorter, pair[is_second_shorter ? 0 : 1], &Overlap::id);
   return overlap == shorter.end() ? nullptr : &*overlap;
+}
+
+template <ContactKineticTraits_2 Traits>
+std::vector<Point_id> Simulation_2<Traits>::overlapping_discs(Point_id id) const {
+  KINETRI_PRECONDITION(options_.response != nullptr,
+                       "overlaps are followed only with a response; log_contact changes nothing");
+  KINETRI_PRECONDITION(triangulation_.contains(id), detail::unknown_id_problem(id));
+  const Traits exact = traits_.exact();
+  std::vector<Point_id> result;
+  for (const Overlap& overlap : overlaps(id)) {
+    if (triangulation_.contains(overlap.id) && may_touch(id, overlap.id, traits_) &&
+        exact.may_overlap(point(id), point(overlap.id), diameter_, current_time())) {
+      result.push_back(overlap.id);
+    }
+  }
+  std::ranges::sort(result);
+  return result;
 }
 
 template <ContactKineticTraits_2 Traits>
