@@ -57,7 +57,7 @@ int main(int argc, char** argv) try {
   park->advance_to(40);
 
   std::cout << "closest approaches:\n";
-  for (const auto& [points, time, distance] : approaches.approaches()) {
+  for (const auto& [points, time, distance, gap] : approaches.approaches()) {
     std::cout << "  " << names[points[0]] << " and " << names[points[1]]
               << " at t = " << time.to_double() << ", distance " << distance << '\n';
   }

@@ -71,14 +71,15 @@ Polynomial_disc_motion_2 general_motion(const Motion& motion) {
   }
 }
 
-template <class Simulation>
+template <class Traits>
 class Closest_watch_of final : public Closest_watch {
  public:
-  Closest_watch_of(Simulation& simulation, std::size_t number) : closest_(simulation, number) {}
+  Closest_watch_of(Simulation_2<Traits>& simulation, std::size_t number)
+      : closest_(simulation, number) {}
   std::vector<Approach> approaches() override { return closest_.approaches(); }
 
  private:
-  Closest_approaches closest_;
+  Closest_approaches<Traits> closest_;
 };
 
 /// `Core` is Kinetic_triangulation_2 or Simulation_2, with `Traits`.
@@ -164,7 +165,7 @@ class Engine_of final : public Engine {
 
   std::unique_ptr<Closest_watch> watch_closest(std::size_t number) override {
     if constexpr (std::is_same_v<Core<Traits>, Simulation_2<>>) {
-      return std::make_unique<Closest_watch_of<Core<Traits>>>(*core_, number);
+      return std::make_unique<Closest_watch_of<Traits>>(*core_, number);
     }
     refuse("closest approaches are those of a simulation of points that move along straight lines");
   }
