@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <type_traits>
 
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
@@ -47,41 +46,52 @@ std::size_t degree(const std::array<const Polynomial_motion_2*, N>& motions) {
   return result;
 }
 
+// The kind of differences that are made of motions: here, no more than the differences of these.
+struct Alone {
+  template <class Differences, class Motion, std::size_t N>
+  Differences make(const std::array<const Motion*, N>& from, const Motion& to, double origin,
+                   std::size_t /*certificate*/ = 0) const {
+    return Differences(from, to, origin);
+  }
+};
+
 // What `function` makes of the differences of the points `from` to `to`: those of the degree of the
-// motions.
-template <std::size_t N, class Function>
+// motions, of the given kind.
+template <std::size_t N, class Kind, class Function>
 inline auto with_differences(const std::array<const Linear_motion_2*, N>& from,
-                             const Linear_motion_2& to, double origin, const Function& function) {
-  Linear_differences<N> d(from, to, origin);
+                             const Linear_motion_2& to, double origin, const Kind& kind,
+                             const Function& function) {
+  auto d = kind.template make<Linear_differences<N>>(from, to, origin);
   return function(d);
 }
-template <std::size_t N, class Function>
+template <std::size_t N, class Kind, class Function>
 inline auto with_differences(const std::array<const Polynomial_motion_2*, N>& from,
-                             const Polynomial_motion_2& to, double origin,
+                             const Polynomial_motion_2& to, double origin, const Kind& kind,
                              const Function& function) {
   const std::size_t k = std::max(degree(from), degree(to));
   if (k == 1) {
     std::array<Linear_motion_2, N> lines;
-    return with_differences(linear(from, lines), linear(to), origin, function);
+    return with_differences(linear(from, lines), linear(to), origin, kind, function);
   }
   if (k == 2) {
-    Polynomial_differences<N, 2> d(from, to, origin);
+    auto d = kind.template make<Polynomial_differences<N, 2>>(from, to, origin);
     return function(d);
   }
-  Polynomial_differences<N, 3> d(from, to, origin);
+  auto d = kind.template make<Polynomial_differences<N, 3>>(from, to, origin);
   return function(d);
 }
-// Of discs, of which the weights differ: whoever has equal ones leaves them to the filter of
-// points.
-template <std::size_t N, class Centre, class Function>
-inline auto with_differences(const std::array<const Basic_disc_motion_2<Centre>*, N>& from,
-                             const Basic_disc_motion_2<Centre>& to, double origin,
-                             const Function& function) {
-  return with_differences(centres(from), centre(to), origin, [&](const auto& of_centres) {
-    using Differences = std::remove_cvref_t<decltype(of_centres)>;
-    Weighted_differences<Differences, N> d(of_centres, from, to, origin);
-    return function(d);
-  });
+
+// The same of points alone; and of discs, of which the weights differ: whoever has equal ones
+// leaves them to the filter of points.
+template <std::size_t N, class Motion, class Function>
+inline auto with_differences(const std::array<const Motion*, N>& from, const Motion& to,
+                             double origin, const Function& function) {
+  if constexpr (HasWeight<Motion>) {
+    return with_differences(centres(from), centre(to), origin,
+                            With_weights<Motion, N>{{from}, {&to}}, function);
+  } else {
+    return with_differences(from, to, origin, Alone(), function);
+  }
 }
 
 }  // namespace kinetri

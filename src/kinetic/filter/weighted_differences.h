@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the filter adds to the differences of centres where points have weights or radii: a
-// quadratic in time for the difference of two weights, and a linear function for the sum of two
-// radii. docs/MATH.md, section 7, "Weights", has the errors.
+// What the filter adds to the differences of centres where points have weights: a quadratic in time
+// for the difference of two weights. docs/MATH.md, section 7, "Weights", has the errors.
 #ifndef KINETRI_SRC_KINETIC_FILTER_WEIGHTED_DIFFERENCES_H
 #define KINETRI_SRC_KINETIC_FILTER_WEIGHTED_DIFFERENCES_H
 
@@ -102,10 +101,10 @@ inline std::optional<double> shorter(const std::optional<double>& one,
 template <class Differences, std::size_t N>
 class Weighted_differences : public Differences {
  public:
-  template <class Disc>
-  Weighted_differences(const Differences& centres, const std::array<const Disc*, N>& from,
-                       const Disc& to, double origin)
-      : Differences(centres) {
+  template <class Centre, class Disc>
+  Weighted_differences(const std::array<const Centre*, N>& centres, const Centre& centre_of_to,
+                       const std::array<const Disc*, N>& from, const Disc& to, double origin)
+      : Differences(centres, centre_of_to, origin) {
     const Linear_function radius = radius_from(to, origin);
     for (std::size_t i = 0; i < N; ++i) {
       factors_[i] = {difference_of_radii(*from[i], to, origin),
@@ -176,6 +175,21 @@ class Weighted_differences : public Differences {
   bool is_in_range_ = false;
 };
 
+// The kind of differences (differences.h) of discs in which their weights are taken into account:
+// for each of several certificates, the discs `from` that are compared with the disc `to`.
+template <class Disc, std::size_t N, std::size_t Certificates = 1>
+struct With_weights {
+  template <class Differences, class Centre>
+  auto make(const std::array<const Centre*, N>& centres, const Centre& centre_of_to, double origin,
+            std::size_t certificate = 0) const {
+    return Weighted_differences<Differences, N>(centres, centre_of_to, from[certificate],
+                                                *to[certificate], origin);
+  }
+
+  std::array<std::array<const Disc*, N>, Certificates> from;
+  std::array<const Disc*, Certificates> to;
+};
+
 // The height of a point i above the corner, lifted by the squared length less the weight.
 template <class Differences>
 inline auto lifted(const Differences& d, std::size_t i) {
@@ -200,57 +214,6 @@ template <class Differences>
 inline auto in_circle(const Differences& d) {
   return in_circle_coefficients(Triangle{lifted(d, 1), lifted(d, 0)}, lifted(d, 2));
 }
-
-// ---- contacts ----
-
-// How far apart two are at a contact, from the origin on: of points a constant.
-inline Linear_function reach_of(double diameter) {
-  return {diameter, 0, diameter};
-}
-template <class Motion>
-inline Linear_function reach_of(const Motion& p, const Motion& q, double diameter, double origin) {
-  if constexpr (HasWeight<Motion>) {
-    return reach_of(diameter) + (radius_from(p, origin) + radius_from(q, origin));
-  } else {
-    return reach_of(diameter);
-  }
-}
-template <class Motion>
-inline Linear_function reach_of(const Motion& p, const Wall_2& wall, double origin) {
-  if constexpr (HasWeight<Motion>) {
-    if (wall.rim) return reach_of(wall.clearance) + radius_from(p, origin);
-  }
-  return reach_of(wall.clearance);
-}
-
-// The difference of two centres, and their reach; in powers of w once they are scaled.
-template <class Differences>
-class Differences_and_reach : public Differences {
- public:
-  Differences_and_reach(const Differences& centres, const Linear_function& reach)
-      : Differences(centres), reach_(reach) {}
-
-  std::optional<double> window_ahead(double share) const {
-    std::optional<double> until;
-    if (reach_.slope != 0) {
-      until = share * greatest(absolute(place((*this)[0]))) / std::abs(reach_.slope);
-    }
-    return shorter(Differences::window_ahead(share), until);
-  }
-
-  void scale(double window) {
-    Differences::scale(window);
-    reach_.slope *= window;
-  }
-
-  const Linear_function& reach() const { return reach_; }
-  // Bounds the reach, once it is scaled.
-  double reach_size() const { return reach_.terms + std::abs(reach_.slope); }
-  bool is_in_range() const { return reach_size() < greatest_size && Differences::is_in_range(); }
-
- private:
-  Linear_function reach_;
-};
 
 }  // namespace kinetri
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far apart two are at a contact, from the origin on: a constant, or for discs that grow a
+// linear function. docs/MATH.md, section 8, has the errors.
+#ifndef KINETRI_SRC_KINETIC_FILTER_REACH_H
+#define KINETRI_SRC_KINETIC_FILTER_REACH_H
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "frame.h"
+#include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/wall_2.h"
+#include "weighted_differences.h"
+
+namespace kinetri {
+
+// A reach that is not negative and does not change: no code of points does more than it needs.
+struct Constant_reach {
+  double constant = 0;
+};
+
+// Whether the reach changes.
+template <class Reach>
+inline constexpr bool is_changing = requires(const Reach& reach) {
+  reach.slope;
+};
+
+inline void scale(Constant_reach& /*reach*/, double /*window*/) {}
+inline void scale(Linear_function& reach, double window) {
+  reach.slope *= window;
+}
+
+// Bounds the reach, once it is scaled.
+inline double size(const Constant_reach& reach) {
+  return reach.constant;
+}
+inline double size(const Linear_function& reach) {
+  return reach.terms + std::abs(reach.slope);
+}
+
+// The difference of two centres, and their reach; in powers of w once they are scaled.
+template <class Differences, class Reach>
+class Differences_and_reach : public Differences {
+ public:
+  template <class Centre>
+  Differences_and_reach(const std::array<const Centre*, 1>& from, const Centre& to, double origin,
+                        const Reach& reach)
+      : Differences(from, to, origin), reach_(reach) {}
+
+  std::optional<double> window_ahead(double share) const {
+    const std::optional<double> window = Differences::window_ahead(share);
+    if constexpr (is_changing<Reach>) {
+      std::optional<double> until;
+      if (reach_.slope != 0) {
+        until = share * greatest(absolute(place((*this)[0]))) / std::abs(reach_.slope);
+      }
+      return shorter(window, until);
+    }
+    return window;
+  }
+
+  void scale(double window) {
+    Differences::scale(window);
+    kinetri::scale(reach_, window);
+  }
+
+  const Reach& reach() const { return reach_; }
+  // Bounds the reach, once it is scaled.
+  double reach_size() const { return size(reach_); }
+  bool is_in_range() const { return reach_size() < greatest_size && Differences::is_in_range(); }
+
+ private:
+  Reach reach_;
+};
+
+// The kind of differences (differences.h) of two centres together with their reach.
+template <class Reach>
+struct With_reach {
+  template <class Differences, class Centre>
+  auto make(const std::array<const Centre*, 1>& from, const Centre& to, double origin) const {
+    return Differences_and_reach<Differences, Reach>(from, to, origin, reach);
+  }
+
+  Reach reach;
+};
+template <class Reach>
+With_reach(Reach) -> With_reach<Reach>;
+
+// What `function` makes of the reach of two points: the diameter, and the radii of both.
+template <class Motion, class Function>
+inline auto with_reach_of(const Motion& p, const Motion& q, double diameter, double origin,
+                          const Function& function) {
+  if constexpr (HasWeight<Motion>) {
+    const auto is_constant = [](const Motion& disc) {
+      return disc.growth == 0 && disc.radius >= 0;
+    };
+    if (!is_constant(p) || !is_constant(q)) {
+      const Linear_function of_points = {diameter, 0, diameter};
+      return function(of_points + (radius_from(p, origin) + radius_from(q, origin)));
+    }
+    diameter += p.radius + q.radius;
+  }
+  return function(Constant_reach{diameter});
+}
+
+// The same of a point and a wall: the clearance, and of a rim the radius.
+template <class Motion, class Function>
+inline auto with_reach_of(const Motion& p, const Wall_2& wall, double origin,
+                          const Function& function) {
+  if constexpr (HasWeight<Motion>) {
+    if (wall.rim) {
+      const Linear_function of_centre = {wall.clearance, 0, wall.clearance};
+      return function(of_centre + radius_from(p, origin));
+    }
+  }
+  return function(Constant_reach{wall.clearance});
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_KINETIC_FILTER_REACH_H
