@@ -287,7 +287,7 @@ class MovingPoints:
         >>> kd = kinetri.KineticDelaunay([[0, 0], [2, 0], [1, 2], [1, -3]], [[0, 0], [0, 0], [0, 0], [0, 1]])
         >>> events = kd.record(until=2.75)
         >>> events["kind"], events["time"], events["removed"], events["added"]
-        (array(['flip'], dtype='<U11'), array([2.5]), array([[0, 1]], dtype=uint32), array([[2, 3]], dtype=uint32))
+        (array(['flip'], dtype='<U12'), array([2.5]), array([[0, 1]], dtype=uint32), array([[2, 3]], dtype=uint32))
         """
         table = _kinetri.EventTable()
         try:

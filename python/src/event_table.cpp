@@ -3,14 +3,15 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 
 namespace kinetri::python {
 
-std::array<char32_t, 11> row_text(Event_kind kind) {
-  std::array<char32_t, 11> result = {};
+Kind_text row_text(Event_kind kind) {
+  Kind_text result = {};
   const std::string_view text = name(kind);
-  static_assert(std::string_view("hull_insert").size() == 11 &&
-                std::string_view("hull_remove").size() == 11);
+  static_assert(std::string_view("hull_insert").size() <= std::tuple_size_v<Kind_text> &&
+                std::string_view("hull_remove").size() <= std::tuple_size_v<Kind_text>);
   std::copy(text.begin(), text.end(), result.begin());
   return result;
 }

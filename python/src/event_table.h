@@ -15,9 +15,13 @@
 
 namespace kinetri::python {
 
-/// A row of the array of events, which NumPy sees as the fields of `kinetri.event_dtype`.
+/// The kind of an event as NumPy keeps text: filled up with zeros.
+using Kind_text = std::array<char32_t, 12>;
+
+/// A row of the array of events, which NumPy sees as the fields of `kinetri.event_dtype`. There is no gap
+/// between its fields: NumPy leaves gaps out where it puts arrays together, and has another type then.
 struct Event_row {
-  std::array<char32_t, 11> kind = {};  ///< as NumPy keeps text: filled up with zeros
+  Kind_text kind = {};
   double time = 0;                     ///< rounded to nearest
   double time_lo = 0;                  ///< the tightest binary64 bounds
   double time_hi = 0;
@@ -25,9 +29,11 @@ struct Event_row {
   Edge_ids added = {no_point, no_point};
   std::array<Point_id, 2> points = {no_point, no_point};
 };
+static_assert(sizeof(Event_row) ==
+              sizeof(Kind_text) + 3 * sizeof(double) + 2 * sizeof(Edge_ids) + 2 * sizeof(Point_id));
 
 /// The kind's name as a row has it.
-std::array<char32_t, 11> row_text(Event_kind kind);
+Kind_text row_text(Event_kind kind);
 
 /// Keeps the events as rows. Simultaneous events have the same time, which is rounded once.
 class Event_table : public Event_observer {

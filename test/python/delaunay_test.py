@@ -62,6 +62,16 @@ def test_events_of_the_iterator_are_those_of_record():
     assert any(a.time == b.time for a, b in zip(events, events[1:]))
 
 
+def test_arrays_of_events_that_are_put_together_keep_type_and_bytes():
+    kd = kinetri.KineticDelaunay(*uniform(100, 8))
+    snapshot = kd.snapshot()
+    whole = kd.record(until=2)
+    again = snapshot.restore()
+    parts = np.concatenate([again.record(until=1), again.record(until=2)])
+    assert parts.dtype == whole.dtype == kinetri.event_dtype
+    assert parts.tobytes() == whole.tobytes()
+
+
 def test_a_snapshot_goes_on_as_the_object_does():
     kd = kinetri.KineticDelaunay(*uniform(100, 5))
     kd.advance_to(1)
