@@ -3,8 +3,8 @@
 # with its manual page and completions, and the documents. Nothing that is installed names the place
 # it is installed in: the copy may be moved.
 #
-# The components program and development become packages, in which the others, documentation and zsh,
-# are where Debian has such files (KinetriPackage.cmake).
+# The components program, development and python become packages, in which the others, documentation
+# and zsh, are where Debian has such files (KinetriPackage.cmake). python/CMakeLists.txt installs python.
 option(KINETRI_INSTALL "Install the library" ${PROJECT_IS_TOP_LEVEL})
 if(NOT KINETRI_INSTALL)
   return()
@@ -22,6 +22,9 @@ set(generated_dir ${PROJECT_BINARY_DIR}/package)
 if(PROJECT_IS_TOP_LEVEL)
   set(folders ${package_dir} ${pkgconfig_dir} ${bash_dir} ${zsh_dir} ${fish_dir}
     ${CMAKE_INSTALL_BINDIR} ${CMAKE_INSTALL_MANDIR}/man1)
+  if(KINETRI_PYTHON)
+    list(APPEND folders ${KINETRI_PYTHON_DIR}/kinetri)
+  endif()
   set(trees ${PROJECT_SOURCE_DIR}/include/kinetri>${CMAKE_INSTALL_INCLUDEDIR}/kinetri)
   foreach(tree IN ITEMS docs examples)
     list(APPEND trees ${PROJECT_SOURCE_DIR}/${tree}>${CMAKE_INSTALL_DOCDIR}/${tree})

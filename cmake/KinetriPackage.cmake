@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Two Debian packages, made by `cpack` in a build directory: kinetri, the program, and libkinetri-dev,
-# the static library with its headers. (A shared library would be a third, with a promise about its
-# binary interface that a version before 1.0 does not give.)
+# Debian packages, made by `cpack` in a build directory: kinetri, the program; libkinetri-dev, the static
+# library with its headers; and python3-kinetri, if the Python package is built. (A shared library would
+# be another, with a promise about its binary interface that a version before 1.0 does not give.)
 if(NOT PROJECT_IS_TOP_LEVEL OR NOT KINETRI_INSTALL OR NOT TARGET kinetri_program)
   return()
 endif()
@@ -20,6 +20,9 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kinetri)
 set(CPACK_PACKAGE_VENDOR Kinetri)
 set(CPACK_COMPONENTS_ALL program development)
+if(KINETRI_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -49,6 +52,25 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 the static library and its headers, and what CMake and pkg-config need to find
 them.")
 
+if(KINETRI_PYTHON)
+  # The module is for one version of Python.
+  math(EXPR next "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-kinetri)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next}~), \
+python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS
+    "python3-distributed, python3-matplotlib, python3-pandas, python3-tqdm")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${PROJECT_SOURCE_DIR}/cmake/debian/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "Keeps the Delaunay triangulation of moving points in the plane exactly right
+through time: NumPy arrays in, NumPy arrays out. Simulates points and colliding
+discs of any size, and recorded tracks, runs parameter studies on several
+machines, and shows runs in notebooks.")
+endif()
+
 # What Debian wants of every package, and what it has in other places.
 set(debian_dir ${PROJECT_SOURCE_DIR}/cmake/debian)
 set(files ${debian_dir}/copyright)
@@ -60,12 +82,13 @@ if(KINETRI_GZIP)
   execute_process(COMMAND ${KINETRI_GZIP} -9nc ${generated_dir}/changelog
     OUTPUT_FILE ${generated_dir}/changelog.Debian.gz COMMAND_ERROR_IS_FATAL ANY)
 endif()
-foreach(component IN ITEMS PROGRAM DEVELOPMENT)
-  string(TOLOWER ${component} name)
-  set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${component}_PACKAGE_NAME})
-  install(FILES ${files} DESTINATION ${folder} COMPONENT ${name} EXCLUDE_FROM_ALL)
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER ${component} name)
+  set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${name}_PACKAGE_NAME})
+  install(FILES ${files} DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endforeach()
-kinetri_install_documents(${folder} COMPONENT development EXCLUDE_FROM_ALL)
+kinetri_install_documents(${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME}
+  COMPONENT development EXCLUDE_FROM_ALL)
 install(FILES ${KINETRI_DOCUMENTS_DIR}/_kinetri
   DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program EXCLUDE_FROM_ALL)
 install(FILES ${debian_dir}/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides

@@ -33,3 +33,8 @@ if(PROJECT_IS_TOP_LEVEL OR KINETRI_PYTHON)
       "Python_EXECUTABLE=/path/to/python3 takes another Python, KINETRI_PYTHON=OFF none")
   endif()
 endif()
+
+# PREFIX/lib/python3/dist-packages is where Debian's Python looks.
+set(KINETRI_PYTHON_DIR lib/python3/dist-packages CACHE STRING
+  "Where the Python package is installed, below the prefix")
+mark_as_advanced(KINETRI_PYTHON_DIR)

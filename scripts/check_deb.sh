@@ -11,10 +11,11 @@ usage() {
 usage: scripts/check_deb.sh [DIRECTORY]
 
 Makes a clean root of the Debian that runs here (with mmdebstrap, which installs it from the network
-and removes it at the end), installs the packages kinetri and libkinetri-dev there by apt with what
-they depend on, and in it
+and removes it at the end), installs the packages kinetri, libkinetri-dev and, if the Python package is
+built, python3-kinetri there by apt with what they depend on, and in it
   - runs kinetri generate and kinetri simulate, and looks for the manual page and the completions,
   - compiles a small program by find_package and by pkg-config, and runs it,
+  - runs a small program in Python, with a wheel in DIRECTORY as well, if there is one,
   - removes the packages, after which nothing of them may be left.
 The packages are those in DIRECTORY; without it they are built, in build/release. Needs root.
 EOF
@@ -39,6 +40,7 @@ shopt -s nullglob
 packages=("$folder"/kinetri_*.deb "$folder"/libkinetri-dev_*.deb)
 ((${#packages[@]} == 2)) ||
   kinetri_fail "$folder holds ${#packages[@]} packages; expected one kinetri_*.deb and one libkinetri-dev_*.deb"
+packages+=("$folder"/python3-kinetri_*.deb "$folder"/kinetri-*.whl)
 
 # What is done in the root: in a file, which bash there reads.
 work=$(mktemp -d)
@@ -48,6 +50,29 @@ cat >"$work/check.sh" <<'EOF'
 set -euxo pipefail
 cd /check
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
+
+cat >use.py <<'EOF_PY'
+import kinetri
+kd = kinetri.KineticDelaunay(*kinetri.scenario("uniform", 100, seed=1))
+assert len(kd.record(until=5)) > 100 and kd.audit("delaunay")
+EOF_PY
+
+# The wheel, with nothing but NumPy.
+shopt -s nullglob
+for wheel in kinetri-*.whl; do
+  apt-get install -y --no-install-recommends python3-numpy
+  python3 -m zipfile -e "$wheel" wheel
+  PYTHONPATH=wheel python3 use.py
+done
+
+# The Python package, of which nothing is left afterwards.
+for package in ./python3-kinetri_*.deb; do
+  apt-get install -y --no-install-recommends "$package"
+  (cd /tmp && python3 /check/use.py)
+  test -d /usr/lib/python3/dist-packages/kinetri/__pycache__
+  apt-get purge -y python3-kinetri
+  test ! -e /usr/lib/python3/dist-packages/kinetri
+done
 
 # The program alone.
 apt-get install -y --no-install-recommends ./kinetri_*.deb

@@ -38,7 +38,8 @@ kinetri_packages() {
   # The Python package, and what its tests and examples use.
   if [[ $1 == python ]]; then
     printf '%s\n' pybind11-dev python3-dev python3-distributed python3-hypothesis python3-matplotlib \
-      python3-numpy python3-pandas python3-pytest python3-scipy
+      python3-mypy python3-numpy python3-pandas python3-pip python3-pytest python3-scipy \
+      python3-setuptools python3-venv python3-wheel
   fi
   if [[ $1 == coverage ]]; then printf '%s\n' g++ gcovr=gcovr; fi
   if [[ $1 == lint ]]; then

@@ -20,7 +20,6 @@ Arrays in, arrays out::
 Positions and times are taken exactly, and every decision is exact. What comes back in arrays is rounded
 to nearest; a `Time` is exact.
 """
-from . import errors
 from ._arrays import NO_POINT
 from ._kinetri import Contact, Event, Time, __version__
 from ._moving import (AuditReport, KineticDelaunay, KineticRegular, Location, MovingPoints,
@@ -28,7 +27,10 @@ from ._moving import (AuditReport, KineticDelaunay, KineticRegular, Location, Mo
 from ._page import Page
 from ._response import Response, respond
 from ._snapshot import Snapshot
-from .errors import *  # noqa: F403
+from .errors import (CoincidentTrajectoriesError, ContactError, ContactOverflowError, EndlessContactsError,
+                     Error, HistoryWarning, InputError, InternalError, NegativeRadiusError, OutputError,
+                     OutsideBoxError, OverlappingDiscsError, PackingError, PreconditionError,
+                     SnapshotError, WorkerError)
 from .events import event_dtype, event_kinds, to_dataframe
 from .pieces import run_in_pieces
 from .scenarios import packing, read_points, scenario
@@ -36,8 +38,11 @@ from .sweeps import sweep
 from .tracks import Tracks
 
 __all__ = [
-    "AuditReport", "Contact", "Event", "KineticDelaunay", "KineticRegular", "Location", "MovingPoints",
-    "NO_POINT", "NearestNeighbors", "Page", "Response", "Simulation", "Snapshot", "Time", "Tracks",
-    "VoronoiCell", "__version__", "event_dtype", "event_kinds", "packing", "read_points", "respond",
-    "run_in_pieces", "scenario", "sweep", "to_dataframe", *errors.__all__,
+    "AuditReport", "CoincidentTrajectoriesError", "Contact", "ContactError", "ContactOverflowError",
+    "EndlessContactsError", "Error", "Event", "HistoryWarning", "InputError", "InternalError",
+    "KineticDelaunay", "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors",
+    "NegativeRadiusError", "OutputError", "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page",
+    "PreconditionError", "Response", "Simulation", "Snapshot", "SnapshotError", "Time", "Tracks",
+    "VoronoiCell", "WorkerError", "__version__", "event_dtype", "event_kinds", "packing", "read_points",
+    "respond", "run_in_pieces", "scenario", "sweep", "to_dataframe",
 ]

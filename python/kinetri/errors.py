@@ -1,25 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The exceptions that Kinetri raises: all are `kinetri.Error`. They are named as in C++."""
 
-__all__ = [
-    "CoincidentTrajectoriesError",
-    "ContactError",
-    "ContactOverflowError",
-    "EndlessContactsError",
-    "Error",
-    "HistoryWarning",
-    "InputError",
-    "InternalError",
-    "NegativeRadiusError",
-    "OutputError",
-    "OutsideBoxError",
-    "OverlappingDiscsError",
-    "PackingError",
-    "PreconditionError",
-    "SnapshotError",
-    "WorkerError",
-]
-
 
 class Error(Exception):
     """Base of every exception that Kinetri raises on purpose."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the build BUILD_DIR in a directory below WORK_DIR, copies that to PREFIX, and uninstalls the
-# original: whoever uses PREFIX uses a copy that was moved.
+# original: whoever uses PREFIX uses a copy that was moved. PYTHON is the Python that the package in it
+# is for, PYTHON_DIR where that is installed; PYTHON is empty where it is not built.
 cmake_minimum_required(VERSION 3.25)
 # Folders of others that have the project's name, and a space: their names decide nothing.
 set(theirs "${WORK_DIR}/of others/kinetri")
@@ -83,6 +84,26 @@ if(EXISTS "${PREFIX}/bin/kinetri")
       message(SEND_ERROR "share/${file} was not installed")
     endif()
   endforeach()
+endif()
+
+# So does the Python package, and what Python has compiled of it goes as well.
+if(PYTHON)
+  foreach(prefix IN ITEMS "${PREFIX}" "${original}")
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=PYTHONDONTWRITEBYTECODE
+      --unset=PYTHONPYCACHEPREFIX "PYTHONPATH=${prefix}/${PYTHON_DIR}"
+      ${PYTHON} -c "import kinetri; print(kinetri.__file__, kinetri.__version__, kinetri.Time(0.5))"
+      WORKING_DIRECTORY "${theirs}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+    set(expected "${prefix}/${PYTHON_DIR}/kinetri/__init__.py ${VERSION} Time(0.5)\n")
+    if(NOT output STREQUAL expected)
+      message(SEND_ERROR "the Python package prints \"${output}\", expected \"${expected}\"")
+    endif()
+    file(GLOB compiled "${prefix}/${PYTHON_DIR}/kinetri/__pycache__/*.pyc")
+    if(NOT compiled)
+      message(SEND_ERROR "Python has compiled nothing in ${prefix}, so that nothing of it can be left")
+    endif()
+  endforeach()
+elseif(EXISTS "${PREFIX}/${PYTHON_DIR}/kinetri")
+  message(SEND_ERROR "the Python package is installed, which was not built")
 endif()
 
 uninstall()

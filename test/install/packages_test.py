@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Debian packages that cpack makes: their control fields, their files, and that the program
-runs where they are unpacked. (scripts/check_deb.sh installs them.)
+and the Python package run where they are unpacked. (scripts/check_deb.sh installs them.)
 
-usage: packages_test.py BUILD_DIR SOURCE_DIR VERSION WORK_DIR
+usage: packages_test.py BUILD_DIR SOURCE_DIR VERSION WORK_DIR [PYTHON]
+
+PYTHON is the one that the Python package is for. Without it that package must not be made.
 
 Exit code 77 where the tools that make packages are not installed.
 """
 import gzip
+import os
 import pathlib
 import re
 import shutil
@@ -43,8 +46,13 @@ class Packages(unittest.TestCase):
         root = WORK / name
         return {str(file.relative_to(root)) for file in root.rglob("*") if not file.is_dir()}
 
-    def test_there_are_two(self):
-        self.assertEqual(sorted(self.packages), ["kinetri", "libkinetri-dev"])
+    def depends(self, name):
+        """What the package depends on, without versions."""
+        return re.sub(r" \([^)]*\)", "", self.field(name, "Depends")).split(", ")
+
+    def test_there_is_one_for_each_part(self):
+        self.assertEqual(sorted(self.packages),
+                         ["kinetri", "libkinetri-dev"] + (["python3-kinetri"] if PYTHON else []))
         for name in self.packages:
             self.assertEqual(self.field(name, "Version"), VERSION + "-1")
             self.assertEqual(self.field(name, "Architecture"),
@@ -55,7 +63,7 @@ class Packages(unittest.TestCase):
             self.assertEqual(owners, {"root/root"})
 
     def test_the_program_depends_on_the_libraries_that_it_is_linked_with(self):
-        depends = re.sub(r" \([^)]*\)", "", self.field("kinetri", "Depends")).split(", ")
+        depends = self.depends("kinetri")
         for name in ("libc6", "libgmp10", "libstdc++6", "libtbb12"):
             self.assertIn(name, depends)
         self.assertFalse([name for name in depends if name.endswith("-dev")])
@@ -94,6 +102,53 @@ class Packages(unittest.TestCase):
         self.assertFalse([file for file in others
                           if not file.startswith(("usr/lib/", "usr/share/lintian/"))])
 
+    def test_the_python_package_depends_on_python_and_numpy_alone(self):
+        if not PYTHON:
+            self.skipTest("the Python package is not built")
+        depends = self.depends("python3-kinetri")
+        self.assertLessEqual({"libc6", "libgmp10", "libstdc++6", "libtbb12", "python3", "python3-numpy"},
+                             set(depends))
+        self.assertFalse([name for name in depends if not name.startswith(("lib", "python3"))
+                          or name.endswith("-dev") or name.startswith("kinetri")])
+        major, minor = map(int, run(PYTHON, "-c",
+                                    "import sys; print(*sys.version_info[:2])").split())
+        self.assertIn(f"python3 (>= {major}.{minor}~), python3 (<< {major}.{minor + 1}~)",
+                      self.field("python3-kinetri", "Depends"))
+        self.assertEqual(self.field("python3-kinetri", "Suggests").split(", "), [
+            f"python3-{name}" for name in ("distributed", "matplotlib", "pandas", "tqdm")])
+        self.assertEqual(self.field("python3-kinetri", "Section"), "python")
+        # What it runs when it is installed and removed.
+        control = WORK / "control"
+        run("dpkg-deb", "--control", self.packages["python3-kinetri"], control)
+        for name in ("postinst", "prerm"):
+            self.assertTrue((control / name).stat().st_mode & 0o100)
+            run("sh", "-n", control / name)
+
+    def test_files_of_the_python_package(self):
+        if not PYTHON:
+            self.skipTest("the Python package is not built")
+        folder = "usr/lib/python3/dist-packages/kinetri/"
+        suffix = run(PYTHON, "-c", "import sysconfig; print(sysconfig.get_config_var('EXT_SUFFIX'))")
+        code = {file.name for pattern in ("*.py", "*.pyi", "py.typed")
+                for file in (SOURCE / "python/kinetri").glob(pattern)}
+        self.assertEqual(self.files("python3-kinetri"), {
+            *(folder + name for name in code), folder + "_kinetri" + suffix.strip(),
+            "usr/share/doc/python3-kinetri/changelog.Debian.gz",
+            "usr/share/doc/python3-kinetri/copyright",
+        })
+
+    def test_the_unpacked_python_package_runs(self):
+        if not PYTHON:
+            self.skipTest("the Python package is not built")
+        text = run(PYTHON, "-c", """if True:
+            import kinetri
+            kd = kinetri.KineticDelaunay(*kinetri.scenario("uniform", 50, seed=1))
+            print(kinetri.__file__, kinetri.__version__, len(kd.record(1)) > 5, bool(kd.audit()))""",
+                   cwd=WORK, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": str(
+                       WORK / "python3-kinetri/usr/lib/python3/dist-packages")})
+        file = WORK / "python3-kinetri/usr/lib/python3/dist-packages/kinetri/__init__.py"
+        self.assertEqual(text, f"{file} {VERSION} True True\n")
+
     def test_no_file_names_a_path_of_this_machine(self):
         for name in self.packages:
             for file in self.files(name):
@@ -112,6 +167,7 @@ class Packages(unittest.TestCase):
 if __name__ == "__main__":
     BUILD, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
     VERSION, WORK = sys.argv[3], pathlib.Path(sys.argv[4]).resolve()
+    PYTHON = sys.argv[5] if len(sys.argv) > 5 else None
     missing = [tool for tool in ("cpack", "dpkg-deb", "dpkg-shlibdeps") if not shutil.which(tool)]
     if missing:
         print(f"skipped: {', '.join(missing)} not installed (Debian: cmake, dpkg-dev)")

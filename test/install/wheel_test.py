@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The source distribution and the wheel of the Python package: what is in them, that the former can be
+built, and that the latter runs where the libraries that it was built with are not installed.
+
+usage: wheel_test.py BUILD_DIR SOURCE_DIR VERSION WORK_DIR
+
+BUILD_DIR has been built for the Python that runs this; its module is put into the wheel. Exit code 77
+where the tools that make wheels are not installed.
+"""
+import email
+import importlib.util
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import unittest
+import zipfile
+
+SKIPPED = 77
+MODULE = "_kinetri" + sysconfig.get_config_var("EXT_SUFFIX")
+# What a program says that finds its way with the package.
+USE = """if True:
+    import kinetri
+    kd = kinetri.KineticDelaunay(*kinetri.scenario("uniform", 50, seed=1))
+    print(kinetri.__file__, kinetri.__version__, len(kd.record(1)) > 5, bool(kd.audit()))"""
+# Runs the rest of its arguments where the files before -- cannot be read: each is empty there.
+HIDE = 'while [ "$1" != -- ]; do mount --bind /dev/null "$1"; shift; done; shift; exec "$@"'
+
+
+def run(*command, **settings):
+    """What the command prints. It reads no code but that in its working directory."""
+    settings.setdefault("env", environment())
+    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, **settings)
+    if done.returncode != 0:
+        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def environment(**more):
+    """That of a user, with more variables."""
+    kept = {name: value for name, value in os.environ.items()
+            if not name.startswith(("PYTHON", "LD_", "KINETRI_", "CMAKE_"))}
+    return {**kept, "PYTHONDONTWRITEBYTECODE": "1", **more}
+
+
+def libraries_of(module):
+    """The shared libraries that the loader finds for it: their paths by name."""
+    return dict(re.findall(r"^\s*(\S+) => (.+) \(0x", run("ldd", module), re.MULTILINE))
+
+
+class Wheel(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(WORK, ignore_errors=True)
+        checkout = WORK / "checkout"  # setuptools writes beside the sources.
+        # What is not of the project, and the largest folders of what the package does not need.
+        shutil.copytree(SOURCE, checkout, ignore=lambda folder, names: [
+            name for name in names if name.startswith(".") or name == "__pycache__" or (
+                pathlib.Path(folder) == SOURCE
+                and (name.startswith("build") or name in ("bench", "data", "out", "test")))])
+        run(sys.executable, "setup.py", "--quiet", "sdist", "--dist-dir", WORK, cwd=checkout)
+        cls.archive = WORK / f"kinetri-{VERSION}.tar.gz"
+        with tarfile.open(cls.archive) as archive:
+            archive.extractall(WORK)
+        cls.sources = WORK / f"kinetri-{VERSION}"
+        run(sys.executable, "-m", "pip", "wheel", "--no-index", "--no-build-isolation", "--no-deps",
+            "--no-cache-dir", "--wheel-dir", WORK, cls.sources,
+            env=environment(KINETRI_BUILD_DIR=str(BUILD)))
+        cls.wheels = list(WORK.glob("*.whl"))
+        cls.site = WORK / "site"
+        with zipfile.ZipFile(cls.wheels[0]) as wheel:
+            wheel.extractall(cls.site)
+        cls.package = cls.site / "kinetri"
+
+    def test_its_name_says_version_and_machine(self):
+        tag = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+        platform = sysconfig.get_platform().replace("-", "_")
+        self.assertEqual([file.name for file in self.wheels],
+                         [f"kinetri-{VERSION}-{tag}-{tag}-{platform}.whl"])
+
+    def test_files(self):
+        code = {file.name for pattern in ("*.py", "*.pyi", "py.typed")
+                for file in (SOURCE / "python/kinetri").glob(pattern)}
+        files = {str(file.relative_to(self.package)) for file in self.package.rglob("*")
+                 if file.is_file()}
+        others = files - code - {MODULE, "licenses/bundled_libraries.md"}
+        self.assertLess(code, files)
+        self.assertFalse([name for name in others
+                          if not re.match(r"lib\w+\.so\.\d+$|licenses/[\w.-]+\.txt$", name)])
+
+    def test_metadata(self):
+        folder = self.site / f"kinetri-{VERSION}.dist-info"
+        metadata = email.message_from_string((folder / "METADATA").read_text())
+        self.assertEqual(metadata["Version"], VERSION)
+        self.assertEqual(metadata["License"], "GPL-3.0-or-later")
+        needed = metadata.get_all("Requires-Dist")
+        self.assertEqual([name for name in needed if "extra" not in name], ["numpy"])
+        self.assertEqual((folder / "LICENSE").read_bytes(), (SOURCE / "LICENSE").read_bytes())
+
+    def test_it_has_the_libraries_that_no_other_package_brings(self):
+        module = self.package / MODULE
+        found = libraries_of(module)
+        self.assertLessEqual({"libgmp.so.10", "libtbb.so.12"}, set(found))
+        system = re.compile(r"(libc|libm|libdl|librt|libpthread|libstdc\+\+|libgcc_s)\.so")
+        for name, path in found.items():
+            if not system.match(name):
+                self.assertEqual(pathlib.Path(path).parent, self.package, name)
+        # The module names each of them itself, since they do not look for one another here.
+        text = run("readelf", "--dynamic", module)
+        self.assertLessEqual({file.name for file in self.package.glob("lib*.so*")},
+                             set(re.findall(r"NEEDED.*\[(\S+)\]", text)))
+        self.assertEqual(re.findall(r"R(?:UN)?PATH\).*\[(.*)\]", text), ["$ORIGIN"])
+
+    def test_it_names_the_licences_of_these(self):
+        table = (self.package / "licenses/bundled_libraries.md").read_text()
+        for file in self.package.glob("lib*.so*"):
+            name = file.name.split(".so")[0]
+            self.assertRegex(table, rf"\| `{name}` \|.*\| [\w.-]+(-or-later|-2\.0)")
+            if pathlib.Path("/etc/debian_version").exists():
+                text = (self.package / f"licenses/{name}.txt").read_text()
+                for licence in re.findall(r"/common-licenses/([\w.-]*\w)", text):
+                    self.assertTrue((self.package / f"licenses/{licence}.txt").is_file(), licence)
+
+    def test_no_file_names_a_path_of_this_machine(self):
+        for file in self.package.rglob("*"):
+            if file.is_file():
+                for path in (BUILD, SOURCE, WORK):
+                    self.assertNotIn(bytes(path), file.read_bytes(), f"{file} names {path}")
+
+    def test_it_is_installed_in_a_virtual_environment(self):
+        place = WORK / "venv"
+        run(sys.executable, "-m", "venv", "--without-pip", "--system-site-packages", place)
+        run(sys.executable, "-m", "pip", "--python", place / "bin/python", "install", "--no-index",
+            "--quiet", self.wheels[0])
+        text = run(place / "bin/python", "-c", USE, cwd=WORK)
+        self.assertRegex(text, rf"^{re.escape(str(place))}/\S+/kinetri/__init__.py {VERSION} True True\n$")
+
+    def test_it_runs_where_these_are_not_installed(self):
+        unshare = ["unshare", "--user", "--map-root-user", "--mount", "--fork"]
+        if not shutil.which("unshare") or subprocess.run(
+                [*unshare, "mount", "--bind", "/dev/null", "/dev/zero"], stderr=subprocess.DEVNULL).returncode:
+            self.skipTest("no namespace of mounts can be made here")
+        built = BUILD / "python/kinetri" / MODULE
+        hidden = {str(pathlib.Path(path).resolve()) for name, path in libraries_of(built).items()
+                  if (self.package / name).exists()}
+        self.assertGreaterEqual(len(hidden), 2)
+        command = [*unshare, "sh", "-ec", HIDE, "sh", *hidden, "--", sys.executable, "-c", USE]
+        text = run(*command, cwd=WORK, env=environment(PYTHONPATH=str(self.site)))
+        self.assertEqual(text, f"{self.package}/__init__.py {VERSION} True True\n")
+        # They are hidden: what has none of its own does not run.
+        with self.assertRaisesRegex(AssertionError, r"lib\w+\.so\.\d+: file too short"):
+            run(*command, cwd=WORK, env=environment(PYTHONPATH=str(BUILD / "python")))
+
+    def test_the_source_distribution_has_what_the_build_needs(self):
+        # CMake stops where a source is missing; the headers and what they include are all there.
+        run("cmake", "-S", self.sources, "-B", WORK / "configured", "-DKINETRI_PYTHON=ON",
+            f"-DPython_EXECUTABLE={sys.executable}", "-DKINETRI_BUILD_PROGRAM=OFF",
+            "-DKINETRI_BUILD_TESTS=OFF")
+        for folder in ("include", "src", "python/src", "python/kinetri", "viewer"):
+            for file in (SOURCE / folder).rglob("*"):
+                if file.is_file() and "__pycache__" not in file.parts:
+                    self.assertTrue((self.sources / file.relative_to(SOURCE)).is_file(), file)
+        with tarfile.open(self.archive) as archive:
+            self.assertFalse([name for name in archive.getnames() if re.search(r"\.(so|pyc)\b", name)])
+
+
+if __name__ == "__main__":
+    BUILD, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    VERSION, WORK = sys.argv[3], pathlib.Path(sys.argv[4]).resolve()
+    missing = [name for name in ("pip", "setuptools", "wheel", "venv") if not importlib.util.find_spec(name)]
+    if missing:
+        print(f"skipped: {', '.join(missing)} not installed (Debian: python3-pip, python3-setuptools, "
+              "python3-wheel, python3-venv)")
+        sys.exit(SKIPPED)
+    unittest.main(argv=sys.argv[:1])
