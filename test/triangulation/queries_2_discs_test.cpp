@@ -289,7 +289,7 @@ TEST(Queries_of_discs, in_one_place_are_answered_as_by_a_look_at_everything) {
     std::mt19937_64 random(seed);
     const Range range = {
         .step = 1, .side = 2, .speed = seed % 3 == 0 ? 1.0 : 0.0, .radius = 3, .growth = 1};
-    ask_all(Kinetic(random_discs(random, 2 + seed % 6, range)), 0.0, 0, random, shapes);
+    ask_discs(random_discs(random, 2 + seed % 6, range), 3, seed, shapes);
     if (HasFatalFailure()) return;
   }
 }
