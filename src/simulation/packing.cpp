@@ -13,6 +13,7 @@
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/base/check.h"
 #include "kinetri/simulation/detail/disc_boxes.h"
+#include "kinetri/simulation/growth.h"
 #include "kinetri/simulation/scenarios.h"
 #include "kinetri/simulation/simulation_2.h"
 
@@ -35,9 +36,6 @@ constexpr std::array<Stage, 3> stages = {{{0.75, 3, 0.2}, {0.9, 5, 0.04}, {1, 20
 // Somewhat larger than asked for at the end, so that the discs of the result are apart.
 constexpr double enough = 1 + 0x1p-30;
 
-// More contacts of each disc, on average, mean that the discs are jammed.
-constexpr std::uint64_t most_contacts = 5'000;
-
 class Packer {
  public:
   explicit Packer(const Packing_options& options)
@@ -47,7 +45,8 @@ class Packer {
         radii_(final_radii()),
         mean_radius_(std::accumulate(radii_.begin(), radii_.end(), 0.0) /
                      static_cast<double>(radii_.size())),
-        simulation_(points(), simulation_options()) {}
+        simulation_(points(), simulation_options()),
+        watch_(mean_radius_ * enough) {}
 
   Packing run() {
     double done = 0;
@@ -103,13 +102,6 @@ class Packer {
 
   Box_2 box() const { return {0, 0, side_, side_}; }
 
-  // With each other and with the box, so far.
-  std::uint64_t contacts() const {
-    const auto& events = simulation_.triangulation().counters().events;
-    return events[static_cast<std::size_t>(Event_kind::collision)] +
-           events[static_cast<std::size_t>(Event_kind::wall)];
-  }
-
   // Lets the radii grow by a part of the final ones, with a growth of the mean radius that is
   // `growth` times the mean speed.
   void grow(double part, double growth) {
@@ -133,9 +125,8 @@ class Packer {
     }
     simulation_.set_motions(ids, motions);
     const double end = now + part * mean_radius_ / growth;
-    const std::uint64_t limit = most_contacts * options_.points;
     while (simulation_.step(Algebraic_number(end)) > 0) {
-      if (contacts() > limit) {
+      if (watch_.is_jammed(simulation_)) {
         throw Packing_error(
             "the discs are jammed before they cover the share; expected a smaller "
             "share");
@@ -186,6 +177,7 @@ class Packer {
   std::vector<double> radii_;
   double mean_radius_;
   Simulation simulation_;
+  Jam_watch watch_;
 };
 
 }  // namespace

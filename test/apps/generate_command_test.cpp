@@ -70,6 +70,21 @@ TEST_F(Generate, a_packing_is_the_librarys_exactly) {
   }
 }
 
+TEST_F(Generate, a_packing_may_grow_in_proportion_to_the_radii) {
+  const Outcome outcome =
+      generate({"packing", "--points", "13", "--share", "0.1", "--sizes", "2", "--growth", "0.25"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream in(outcome.out);
+  const Points_file found = read_points(in, "generated");
+  ASSERT_EQ(found.growths.size(), 13u);
+  double sum = 0;
+  for (std::size_t i = 0; i < 13; ++i) {
+    sum += found.growths[i];
+    EXPECT_NEAR(found.growths[i] / found.radii[i], found.growths[0] / found.radii[0], 1e-12);
+  }
+  EXPECT_NEAR(sum / 13, 0.25, 1e-12);
+}
+
 TEST_F(Generate, a_packing_that_cannot_be_is_an_error) {
   const Outcome jammed = generate({"packing", "--points", "1", "--share", "0.8"});
   EXPECT_EQ(jammed.exit_code, 2);

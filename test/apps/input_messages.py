@@ -25,8 +25,8 @@ def usage_cases():
     yield simulate("q.csv", word="q.csv")
     yield case("resume p.csv --until 3 --box 0,0,1,1", word="--box")
     yield case("generate uniform --points 5 --spacing 1", word="--spacing")
-    yield case("simulate p.csv", option="--until", value="T")
-    yield case("resume p.csv", option="--until", value="T")
+    yield case("simulate p.csv")
+    yield case("resume p.csv")
     yield case("generate uniform", option="--points", value="N")
     for command, argument in (("simulate", "POINTS"), ("resume", "CHECKPOINT"), ("tracks", "TRACKS")):
         yield case(command, argument=argument)
@@ -94,6 +94,15 @@ def meaning_cases():
     yield simulate("--rim")
     yield simulate("--radius 1")
     yield simulate("--growth 1")
+    growing = "--box -5,-5,5,5 --collisions elastic --growth 1"
+    yield case(f"simulate p.csv --until-share 0.5 --until 2 --rim {growing}", option="--until",
+               other="--until-share")
+    yield case(f"simulate p.csv --until-share 1.5 --rim {growing}", option="--until-share", number=1.5,
+               lowest=1e-09, highest=1)
+    for options in ("", growing, "--rim --box -9,-9,9,9 --collisions elastic --radius 1",
+                    "--rim --box -9,-9,9,9 --collisions log --growth 1"):
+        yield case(f"simulate p.csv --until-share 0.5 {options}")
+    yield case("resume c --until-share 0.5", files={"c": checkpoint()})
     yield simulate("--mass area")
     yield simulate("--mass area --collisions swap --radius 1")
     yield simulate("--mass weight", option="--mass", text="weight", choices="column or area")

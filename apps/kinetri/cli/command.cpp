@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "io/text.h"
+
 namespace kinetri::app {
 namespace {
 
@@ -22,6 +24,11 @@ void append(std::vector<Named_command>& result, const Command& command, const st
 }
 
 }  // namespace
+
+std::string Option::remark() const {
+  if (!required) return {};
+  return alternative.empty() ? " (required)" : joined(" (required, or ", alternative, ")");
+}
 
 Value_kind Option::kind() const {
   if (type.empty()) return Value_kind::none;

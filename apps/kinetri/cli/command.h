@@ -38,8 +38,13 @@ struct Option {
   std::string heading = {};   ///< in --help; empty: "Options"
   std::string needs = {};     ///< the name of an option without which this one means nothing
   std::string excludes = {};  ///< the name of an option with which this one cannot be used
+  /// Of a required one, the name of an option that may stand in its place. The command itself must
+  /// then see that there is one of the two.
+  std::string alternative = {};
 
   bool positional() const { return !names.back().starts_with('-'); }
+  /// In help: whether it is required, and what may stand in its place.
+  std::string remark() const;
   /// The long name.
   const std::string& name() const { return names.back(); }
   Value_kind kind() const;

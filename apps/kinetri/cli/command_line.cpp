@@ -30,7 +30,7 @@ CLI::Option* declare_option(CLI::App& app, const Option& option) {
 
 void declare(CLI::App& app, const Command& command) {
   for (const Option& option : command.options) {
-    declare_option(app, option)->required(option.required);
+    declare_option(app, option)->required(option.required && option.alternative.empty());
   }
   for (const Option& option : command.options) {
     CLI::Option* const declared = app.get_option(option.name());

@@ -91,7 +91,7 @@ std::string help_text(const Command& command, const std::string& name) {
       joined(wrapped(joined(command.summary, "."), 0, 0), "\n", heading("Usage:", Stream::output),
              " ", usage_line(command, name), "\n");
   const auto add = [&result](const Option& option) {
-    result += row(option_label(option), joined(option.help, option.required ? " (required)" : ""));
+    result += row(option_label(option), joined(option.help, option.remark()));
   };
   const auto is_positional = [](const Option& option) { return option.positional(); };
   if (std::any_of(command.options.begin(), command.options.end(), is_positional)) {

@@ -58,7 +58,7 @@ void write_option(std::ostream& out, const Option& option) {
     }
     if (!option.type.empty()) out << " " << italic(option.type);
   }
-  out << "\n" << line(option.help + (option.required ? " (required)" : ""));
+  out << "\n" << line(option.help + option.remark());
 }
 
 void write_command(std::ostream& out, const Command& command, const std::string& name) {
@@ -112,7 +112,7 @@ void write_manual(std::ostream& out, const Command& program) {
          ".TP\n1\nAn audit failed.\n"
          ".TP\n2\nBad usage or bad input; standard error says what was expected.\n"
          ".TP\n3\nAn internal check failed.\n"
-         ".TP\n130\nInterrupted; the outputs hold what happened until then.\n"
+         ".TP\n130\nInterrupted, or jammed; the outputs hold what happened until then.\n"
          ".TP\n141\nNobody reads the pipe to which standard output goes; outputs that are files "
          "are complete.\n"
          ".SH ENVIRONMENT\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,7 @@ struct Packing_arguments {
   std::string speed = "5";
   std::string share = "0.8";
   std::string sizes = "1";
+  std::optional<std::string> growth;
   std::string output = "-";
 };
 
@@ -135,6 +137,8 @@ Exit_code generate_packing(const Packing_arguments& given) {
   options.speed = scenario_size_argument("--speed", given.speed, true);
   options.share = size_argument("--share", given.share, 1e-9, 0.9, false);
   options.size_ratio = size_argument("--sizes", given.sizes, 1, 1000, false);
+  std::optional<double> growth;
+  if (given.growth) growth = scenario_size_argument("--growth", *given.growth);
 
   Output_file output(given.output);
   std::vector<Linear_motion_2> centres;
@@ -147,7 +151,13 @@ Exit_code generate_packing(const Packing_arguments& given) {
   } catch (const Packing_error& error) {
     throw Run_error(error.what());
   }
-  write_points(output.stream(), centres, radii);
+  std::vector<double> growths;
+  if (growth) {
+    const double mean =
+        std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
+    for (const double radius : radii) growths.push_back(*growth * (radius / mean));
+  }
+  write_points(output.stream(), centres, radii, growths);
   output.commit();
   return Exit_code::done;
 }
@@ -160,14 +170,16 @@ Command packing_command() {
   result.description = {
       "No two discs overlap, and none is partly outside of the box, exactly. Discs that are jammed "
       "before they cover the share are an error: thousand discs reach 0.82 if they are equal, and "
-      "0.8 "
-      "with the ratio 1.4."};
+      "0.8 with the ratio 1.4."};
   result.add_required("--points", &options->points, "N",
                       joined("Number of discs, from 1 to ", most_packed_points));
   result.add("--share", &options->share, "S",
              "Share of the box that the discs cover, up to 0.9 (default 0.8)");
   result.add("--sizes", &options->sizes, "RATIO",
              "Radius of every second disc over that of the others, from 1 to 1000 (default 1)");
+  result.add("--growth", &options->growth, "G",
+             "Write a column growth: of the mean radius in a unit of time, in proportion to the "
+             "radii");
   result.add("--seed", &options->seed, "S",
              "Seed of the random numbers, from 0 to 2^64 - 1 (default 1)");
   result.add("--side", &options->side, "L", "Side of the square (default 10 sqrt(N))");
@@ -175,7 +187,8 @@ Command packing_command() {
   result.add("-o,--output", &options->output, "FILE",
              "Write the points here; - (default) is standard output");
   result.examples = {
-      "kinetri generate packing --points 1000 --share 0.8 --sizes 1.4 --seed 1 > points.csv"};
+      "kinetri generate packing --points 1000 --share 0.8 --sizes 1.4 --seed 1 > points.csv",
+      "kinetri generate packing --points 100 --share 0.1 --side 100 --growth 0.1 > points.csv"};
   result.run = [options](const Command& /*program*/) { return generate_packing(*options); };
   return result;
 }

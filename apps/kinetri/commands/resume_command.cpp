@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
-#include "cli/arguments.h"
 #include "commands/commands.h"
 #include "commands/run_options.h"
 #include "runs/simulation_run.h"
@@ -13,7 +12,6 @@ namespace {
 // The options' values as they stand on the command line.
 struct Resume_options {
   std::string checkpoint;
-  std::string until;
   Run_options run;
 };
 
@@ -26,8 +24,7 @@ Command resume_command() {
   result.summary = "Continue a run from a checkpoint";
   result.add_required("CHECKPOINT", &options->checkpoint, "FILE",
                       "A file that --checkpoint has written; - is standard input");
-  result.add_required("--until", &options->until, "T",
-                      "Run to this time, events at this time included");
+  add_end_options(result, options->run);
   add_run_options(result, options->run, {Output::checkpoint});
   result.description = {
       "The run continues as if it had never stopped: the event log of the first part and that of "
@@ -40,8 +37,7 @@ Command resume_command() {
   result.examples = {"kinetri resume run.kinetri --until 20 --events more.csv --edges edges.csv",
                      "kinetri resume run.kinetri --until 20 --checkpoint later.kinetri"};
   result.run = [options](const Command& /*program*/) {
-    const auto source =
-        checkpoint_source(options->checkpoint, number_argument("--until", options->until));
+    const auto source = checkpoint_source(options->checkpoint, until_argument(options->run));
     return run_simulation(run_settings(options->run), *source);
   };
   return result;

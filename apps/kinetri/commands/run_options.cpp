@@ -20,6 +20,8 @@ constexpr std::array<std::string_view, 3> progress_modes = {"auto", "always", "n
 
 constexpr std::uint64_t most_events = std::numeric_limits<std::uint64_t>::max();
 
+constexpr double smallest_share = 1e-9;
+
 constexpr const char* outputs_heading = "Outputs";
 constexpr const char* run_heading = "Run and display";
 
@@ -38,6 +40,23 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
 }
 
 }  // namespace
+
+void add_end_options(Command& command, Run_options& options) {
+  command
+      .add_required("--until", &options.until, "T",
+                    "Run to this time, events at this time included")
+      .alternative = "--until-share";
+  command
+      .add("--until-share", &options.until_share, "S",
+           "Run until the discs, which grow and collide elastically, cover this share of the box")
+      .excludes = "--until";
+}
+
+std::optional<double> until_argument(const Run_options& options) {
+  if (options.until) return number_argument("--until", *options.until);
+  if (options.until_share) return std::nullopt;
+  throw Usage_error("--until is missing; expected --until T, or --until-share S");
+}
 
 void add_run_options(Command& command, Run_options& options,
                      std::initializer_list<Output> requested) {
@@ -86,6 +105,10 @@ Run_settings run_settings(const Run_options& options) {
     result.frame_rate = Frame_rate{positive_argument(option, *options.frames_per_time), option};
   }
   if (result.outputs[Output::plot]) require_gnuplot("no --plot");
+  if (options.until_share) {
+    result.until_share =
+        size_argument("--until-share", *options.until_share, smallest_share, 1, false);
+  }
   if (options.max_events) {
     result.max_events = count_argument("--max-events", *options.max_events, most_events);
   }

@@ -16,6 +16,8 @@ namespace kinetri::app {
 
 /// Their values as they stand on the command line.
 struct Run_options {
+  std::optional<std::string> until;
+  std::optional<std::string> until_share;
   Output_paths outputs;
   std::optional<std::string> frames_per_time;
   std::string frames_per_time_option;  ///< with all its names: any of them may have been used
@@ -26,12 +28,19 @@ struct Run_options {
   bool quiet = false;
 };
 
-/// Declares them, after those of the command itself. `requested`: outputs that only some commands
-/// have. `options` must live as long as the command is used.
+/// Declares --until, and --until-share, which may stand in its place. `options` must live as long
+/// as the command is used.
+void add_end_options(Command& command, Run_options& options);
+
+/// The value of --until; none if there is --until-share. Throws Usage_error if there is neither.
+std::optional<double> until_argument(const Run_options& options);
+
+/// Declares the others, after those of the command itself. `requested`: outputs that only some
+/// commands have. `options` must live as long as the command is used.
 void add_run_options(Command& command, Run_options& options,
                      std::initializer_list<Output> requested = {});
 
-/// Throws Usage_error.
+/// All but the value of --until. Throws Usage_error.
 Run_settings run_settings(const Run_options& options);
 
 }  // namespace kinetri::app

@@ -19,7 +19,6 @@ namespace {
 struct Simulate_options {
   std::string points;
   std::string from = "0";
-  std::string until;
   std::optional<std::string> box;
   bool rim = false;
   std::string collisions = "none";
@@ -57,10 +56,11 @@ Points_settings points_settings(const Simulate_options& options) {
   Points_settings result;
   result.points = options.points;
   result.from = number_argument("--from", options.from);
-  result.until = number_argument("--until", options.until);
-  if (result.until < result.from) {
-    throw Usage_error(joined("--until: ", options.until, " is before the start; expected at least ",
-                             options.from, ", which is --from"));
+  result.until = until_argument(options.run);
+  if (result.until && *result.until < result.from) {
+    throw Usage_error(joined("--until: ", *options.run.until,
+                             " is before the start; expected at least ", options.from,
+                             ", which is --from"));
   }
   if (options.box) result.box = box_argument(*options.box);
   result.rim_touches = options.rim;
@@ -101,8 +101,7 @@ Command simulate_command() {
   result.summary = "Keep the Delaunay triangulation of moving points, and log its events";
   result.add_required("POINTS", &options->points, "FILE",
                       "The moving points, one a line, as CSV; - is standard input");
-  result.add_required("--until", &options->until, "T",
-                      "Run to this time, events at this time included");
+  add_end_options(result, options->run);
   result.add("--from", &options->from, "T",
              "Start just after this time (default 0, the time of the positions in POINTS)");
   result.add("--box", &options->box, "XMIN,YMIN,XMAX,YMAX",
@@ -132,17 +131,21 @@ Command simulate_command() {
       "triangulation is the regular one of the discs: discs that touch are neighbors in it. Where "
       "all radii are equal it is the Delaunay triangulation of the centres, as it is where "
       "nothing touches.",
+      "Discs that grow and collide elastically may get jammed: then they have no room left, and "
+      "the "
+      "run ends, with the outputs of what happened until then.",
       "Ctrl-C stops the run after the events of the present time, and the outputs hold what "
       "happened until then. Where that takes longer than 0.4 s, nothing is written.",
       "Exit codes: 0 done; 1 an audit failed; 2 bad usage or bad input; 3 an internal check "
-      "failed; "
-      "130 interrupted."};
+      "failed; 130 interrupted, or jammed."};
   result.examples = {"kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv",
                      "kinetri simulate points.csv --until 10 --html run.html",
                      "kinetri simulate points.csv --until 10 --box 0,0,100,100 \\",
                      "    --collisions elastic --radius 0.5 --events -",
                      "kinetri simulate discs.csv --until 10 --box 0,0,100,100 --rim \\",
                      "    --collisions elastic --mass area --html run.html",
+                     "kinetri simulate points.csv --until-share 0.82 --box 0,0,100,100 --rim \\",
+                     "    --collisions elastic --growth 0.1 --html run.html",
                      "kinetri simulate points.csv --until 10 --checkpoint run.kinetri"};
   result.run = [options](const Command& /*program*/) {
     const auto source = points_source(points_settings(*options));

@@ -67,8 +67,8 @@ std::string frame_name(std::size_t number, const char* extension) {
 
 }  // namespace
 
-void Frame_outputs::start(const Run_source& source, const Any_simulation& simulation) {
-  const double until = source.until();
+void Frame_outputs::start(const Run_source& source, const Any_simulation& simulation,
+                          double until) {
   simulation.visit([&](const auto& s) {
     const double from = s.current_time().tight_interval().upper;
     auto times = rate_ ? regular_times(from, until, rate_->per_time, most_frames)

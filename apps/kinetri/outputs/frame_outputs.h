@@ -29,7 +29,7 @@ class Frame_outputs {
 
   /// Chooses the times, from the first binary64 number that is not before the start on, and what
   /// the pictures show. Throws Usage_error if there are too many frames.
-  void start(const Run_source& source, const Any_simulation& simulation);
+  void start(const Run_source& source, const Any_simulation& simulation, double until);
 
   /// The time of the next frame, none after the last.
   std::optional<double> next_time() const;

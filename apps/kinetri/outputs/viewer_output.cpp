@@ -17,12 +17,13 @@ std::size_t most_rows(std::size_t points) {
 
 }  // namespace
 
-Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source& source) {
+Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source& source,
+                             double until) {
   source.describe(settings_);
   simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) {
     settings_.box = s.options().box;
     settings_.radius = s.options().radius;
-    auto recorder = std::make_unique<Recorder<Traits>>(s.triangulation(), source.until(),
+    auto recorder = std::make_unique<Recorder<Traits>>(s.triangulation(), until,
                                                        most_rows(source.number_of_points()));
     s.add_observer(*recorder);
     recorder_ = std::move(recorder);

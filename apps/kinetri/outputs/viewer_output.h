@@ -18,7 +18,7 @@ namespace kinetri::app {
 /// Records a run from its construction on. The simulation must outlive it, and calls it.
 class Viewer_output {
  public:
-  Viewer_output(const Any_simulation& simulation, const Run_source& source);
+  Viewer_output(const Any_simulation& simulation, const Run_source& source, double until);
 
   /// Writes the page of the run up to now.
   void write(std::ostream& out) const;

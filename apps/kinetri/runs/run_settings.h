@@ -31,6 +31,7 @@ struct Run_settings {
   std::optional<Frame_rate> frame_rate;      ///< without one, there are 101 frames
   std::size_t closest = 0;                   ///< how many closest approaches to write
   std::uint64_t max_events = 1'000'000'000;  ///< the run stops after the instant with more
+  std::optional<double> until_share;         ///< the run ends where the discs cover this share
   Audit_mode audit = Audit_mode::none;
   bool exact_only = false;  ///< without filters
   Progress_mode progress = Progress_mode::automatic;

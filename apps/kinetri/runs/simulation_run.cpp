@@ -24,6 +24,7 @@
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/simulation/closest_approaches.h"
+#include "kinetri/simulation/growth.h"
 #include "outputs/frame_outputs.h"
 #include "outputs/run_outputs.h"
 #include "outputs/run_plot.h"
@@ -82,6 +83,11 @@ class Simulation_run {
   double time() const {
     return simulation_.visit([](const auto& s) { return s.current_time().to_double(); });
   }
+  double end_of_run() const;
+  void watch_growth();
+  bool is_jammed();
+  std::optional<double> share_of_box() const;
+  void report_early_end() const;
   void advance();
   bool go_to(double end);
   std::optional<double> next_stop() const;
@@ -111,6 +117,8 @@ class Simulation_run {
   std::optional<Frame_outputs> frames_;
   bool has_gaps_ = false;  // beside distances
   std::unique_ptr<Run_sampler> sampler_;
+  std::optional<Jam_watch> jam_watch_;  // if discs grow, and have to make room for each other
+  bool jammed_ = false;
   std::uint64_t executed_ = 0;
   std::uint64_t events_before_ = 0;  // of the run that this one takes up
   std::size_t failures_ = 0;
@@ -130,13 +138,7 @@ Exit_code Simulation_run::run() {
   progress_.show_stage("writing");
   write_outputs();
   progress_.clear();
-  if (executed_ > settings_.max_events) {
-    report("kinetri",
-           joined("more than ", settings_.max_events, " events, and time has come to t = ",
-                  statistics_.reached, " only, of ", statistics_.until,
-                  "; results up to then are written; expected fewer events, or a greater "
-                  "--max-events"));
-  }
+  report_early_end();
   if (!settings_.quiet && !outputs_.is_unread()) summarize();
   if (statistics_.audits_failed > 0) {
     report("kinetri", joined(statistics_.audits_failed, " of ", statistics_.audits_run,
@@ -155,12 +157,13 @@ void Simulation_run::build() {
   if (outputs_.has(Output::events)) source_.expect_logs(outputs_.identities());
   statistics_.points = source_.number_of_points();
   statistics_.from = source_.from();
-  statistics_.until = source_.until();
-  progress_.set_range(source_.from(), source_.until());
   progress_.show_stage(joined("triangulating ", counted(statistics_.points, "point")));
   statistics_.seconds.read = stopwatch_.lap();
   simulation_ =
       source_.make_simulation(settings_.exact_only ? Arithmetic::exact_only : Arithmetic::filtered);
+  statistics_.until = end_of_run();
+  progress_.set_range(statistics_.from, statistics_.until);
+  watch_growth();
   events_before_ = number_of_events();
   const Construction_seconds construction =
       simulation_.visit([](const auto& s) { return s.triangulation().construction_seconds(); });
@@ -174,10 +177,10 @@ void Simulation_run::build() {
     log_.emplace(outputs_.stream(Output::events));
     simulation_.visit([this](auto& s) { s.add_observer(*log_); });
   }
-  if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_);
+  if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_, statistics_.until);
   if (settings_.closest > 0) follow_approaches();
-  if (frames_) frames_->start(source_, simulation_);
-  if (sampler_) sampler_->start(source_.until(), simulation_);
+  if (frames_) frames_->start(source_, simulation_, statistics_.until);
+  if (sampler_) sampler_->start(statistics_.until, simulation_);
   statistics_.seconds.write += stopwatch_.lap();
 }
 
@@ -191,6 +194,53 @@ void Simulation_run::follow_approaches() {
       };
     }
   });
+}
+
+// The time at which the run ends as it goes now.
+double Simulation_run::end_of_run() const {
+  if (!settings_.until_share) return *source_.until();
+  const std::optional<double> end =
+      simulation_.visit([&]<class Traits>(const Simulation_2<Traits>& s) -> std::optional<double> {
+        if constexpr (HasWeight<typename Traits::Motion>) {
+          if (s.options().rim_touches && source_.response() == "elastic") {
+            return time_of_share(s, *settings_.until_share);
+          }
+        }
+        return std::nullopt;
+      });
+  if (end) return *end;
+  throw Usage_error(
+      "--until-share: only discs that grow in a box, and have to make room for each other, cover "
+      "more and more of it; expected discs that grow, --box, --rim and --collisions elastic");
+}
+
+void Simulation_run::watch_growth() {
+  simulation_.visit([&]<class Traits>(const Simulation_2<Traits>& s) {
+    if constexpr (HasWeight<typename Traits::Motion>) {
+      if (statistics_.points > 0 && source_.response() == "elastic") {
+        jam_watch_.emplace(mean_radius(s, statistics_.until));
+      }
+    }
+  });
+}
+
+bool Simulation_run::is_jammed() {
+  if (!jam_watch_) return false;
+  return simulation_.visit([this]<class Traits>(const Simulation_2<Traits>& s) {
+    if constexpr (HasWeight<typename Traits::Motion>) return jam_watch_->is_jammed(s);
+    return false;
+  });
+}
+
+// That the discs cover, where they do not overlap and are inside.
+std::optional<double> Simulation_run::share_of_box() const {
+  return simulation_.visit(
+      []<class Traits>(const Simulation_2<Traits>& s) -> std::optional<double> {
+        if constexpr (HasWeight<typename Traits::Motion>) {
+          if (s.options().rim_touches && s.options().refuses_overlaps) return covered_share(s);
+        }
+        return std::nullopt;
+      });
 }
 
 std::size_t Simulation_run::step(const Algebraic_number& until) {
@@ -219,7 +269,14 @@ void Simulation_run::stop_at(double time) {
 // Executes the events, up to the end or an interruption.
 void Simulation_run::advance() {
   for (auto stop = next_stop(); stop && go_to(*stop); stop = next_stop()) stop_at(*stop);
-  statistics_.interrupted = !go_to(source_.until());
+  statistics_.interrupted = !go_to(statistics_.until);
+  // A little further, if contacts have rounded radii down.
+  while (settings_.until_share && !statistics_.interrupted) {
+    const double end = end_of_run();
+    if (end == statistics_.until) break;
+    statistics_.until = end;
+    statistics_.interrupted = !go_to(end);
+  }
   statistics_.reached = time();
   statistics_.seconds.run += stopwatch_.lap();
 }
@@ -228,13 +285,14 @@ void Simulation_run::advance() {
 // events as are allowed.
 bool Simulation_run::go_to(double end) {
   const Algebraic_number until(end);
-  while (!interrupted() && executed_ <= settings_.max_events) {
+  while (!interrupted() && !jammed_ && executed_ <= settings_.max_events) {
     const std::size_t events = step(until);
     if (events == 0) {
       simulation_.visit([&](auto& s) { s.advance_to(until); });
       return true;
     }
     executed_ += events;
+    jammed_ = is_jammed();
     if (log_ && !outputs_.stream(Output::events)) outputs_.finish(Output::events);
     if (progress_.due()) progress_.show(time(), number_of_events());
     // Recomputing all certificates exactly is left to the audits at the two ends: it would take
@@ -262,6 +320,19 @@ void Simulation_run::audit(Audit_level level) {
     }
   }
   statistics_.seconds.audit += stopwatch_.lap();
+}
+
+void Simulation_run::report_early_end() const {
+  const std::string where = joined("time has come to t = ", statistics_.reached, " only, of ",
+                                   statistics_.until, "; results up to then are written; ");
+  if (jammed_) {
+    report("kinetri",
+           joined("the discs are jammed, and ", where,
+                  "expected a smaller share or an earlier end, a slower growth, or faster discs"));
+  } else if (executed_ > settings_.max_events) {
+    report("kinetri", joined("more than ", settings_.max_events, " events, and ", where,
+                             "expected fewer events, or a greater --max-events"));
+  }
 }
 
 void Simulation_run::write_approaches(std::ostream& out) {
@@ -376,10 +447,16 @@ void Simulation_run::summarize() const {
     print_error(joined("  ", heading(label, Stream::error), blanks, text, "\n"));
   };
   print_error(joined(heading("kinetri:", Stream::error), " ", counted(s.points, "point"),
-                     " from t = ", s.from, " to ", s.reached, s.interrupted ? ", interrupted" : "",
+                     " from t = ", s.from, " to ", s.reached,
+                     jammed_         ? ", jammed"
+                     : s.interrupted ? ", interrupted"
+                                     : "",
                      "\n"));
   for (const std::string& remark : source_.remarks()) print("input", remark);
   print("events", events_summary(s));
+  if (const auto share = share_of_box()) {
+    print("discs", joined("cover ", significant(*share, 6), " of the box"));
+  }
   print("time", joined(significant(s.seconds.total(), 3), " s (", stage_shares(s.seconds), "), ",
                        fixed(rate, 0), " events/s"));
   print("certificates",

@@ -17,14 +17,15 @@ namespace {
 
 class Checkpoint_source final : public Run_source {
  public:
-  Checkpoint_source(std::string path, double until) : path_(std::move(path)), until_(until) {}
+  Checkpoint_source(std::string path, std::optional<double> until)
+      : path_(std::move(path)), until_(until) {}
 
   std::string path() const override { return path_; }
   void read() override;
   void expect_logs(const std::vector<std::string>& replaced) override;
   std::size_t number_of_points() const override;
   double from() const override { return time().to_double(); }
-  double until() const override { return until_; }
+  std::optional<double> until() const override { return until_; }
   std::string response() const override { return checkpoint_.response; }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
   std::vector<std::string> remarks() const override;
@@ -37,15 +38,15 @@ class Checkpoint_source final : public Run_source {
   }
 
   std::string path_;
-  double until_;
+  std::optional<double> until_;
   Checkpoint checkpoint_;
   std::vector<std::string> missing_;  // of its logs
 };
 
 void Checkpoint_source::read() {
   checkpoint_ = read_checkpoint_file(path_);
-  if (time() > Algebraic_number(until_)) {
-    throw Usage_error(joined("--until: ", until_, " is before the time of ", input_name(path_),
+  if (until_ && time() > Algebraic_number(*until_)) {
+    throw Usage_error(joined("--until: ", *until_, " is before the time of ", input_name(path_),
                              "; expected at least ", time().tight_interval().upper));
   }
 }
@@ -110,7 +111,8 @@ std::vector<std::string> Checkpoint_source::remarks() const {
 
 }  // namespace
 
-std::unique_ptr<Run_source> checkpoint_source(const std::string& path, double until) {
+std::unique_ptr<Run_source> checkpoint_source(const std::string& path,
+                                              std::optional<double> until) {
   return std::make_unique<Checkpoint_source>(path, until);
 }
 

@@ -5,14 +5,15 @@
 #define KINETRI_APPS_CHECKPOINT_SOURCE_H
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sources/run_source.h"
 
 namespace kinetri::app {
 
-/// `path` is a path, or "-"; `until` the end of the run.
-std::unique_ptr<Run_source> checkpoint_source(const std::string& path, double until);
+/// `path` is a path, or "-"; `until` the end of the run, or none: see Run_source::until.
+std::unique_ptr<Run_source> checkpoint_source(const std::string& path, std::optional<double> until);
 
 }  // namespace kinetri::app
 

@@ -33,7 +33,7 @@ class Generated_source final : public Run_source {
   void read() override {}
   std::size_t number_of_points() const override { return run_.motions.size(); }
   double from() const override { return 0; }
-  double until() const override { return run_.until; }
+  std::optional<double> until() const override { return run_.until; }
   std::string response() const override { return run_.response; }
   Any_simulation make_simulation(Arithmetic arithmetic) const override {
     return std::make_unique<Any_simulation::Linear>(run_.motions, run_.options, from(),

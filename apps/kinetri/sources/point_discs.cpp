@@ -67,20 +67,22 @@ class Disc_reader {
   }
 
   void check(std::size_t i) const {
-    const auto& [from, until] = std::pair(settings_.from, settings_.until);
+    const double from = settings_.from;
+    const bool is_end_known = settings_.until && is_growth_kept();
+    const double until = settings_.until.value_or(from);
     if (radius_at(i, from) < 0) {
       fail(i, joined("the radius is negative at t = ", from,
                      ", the start; expected at least 0: a greater radius, or another growth or "
                      "start"));
     }
-    if (is_growth_kept() && radius_at(i, until) < 0) {
+    if (is_end_known && radius_at(i, until) < 0) {
       fail(i, joined("the radius shrinks to 0 at t = ", -discs_.radii[i] / discs_.growths[i],
                      ", before the end at t = ", until,
                      "; expected at least 0: a greater radius or growth, or an earlier end"));
     }
     if (!settings_.rim_touches) return;
     expect_fitting(i, from);
-    if (is_growth_kept()) expect_fitting(i, until);
+    if (is_end_known) expect_fitting(i, until);
   }
 
   void expect_fitting(std::size_t i, double time) const {

@@ -25,7 +25,7 @@ class Points_source final : public Run_source {
   void read() override;
   std::size_t number_of_points() const override { return points_.number_of_points(); }
   double from() const override { return settings_.from; }
-  double until() const override { return settings_.until; }
+  std::optional<double> until() const override { return settings_.until; }
   std::string response() const override { return std::string(settings_.collisions.name); }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
   std::size_t line_of(Point_id id) const override { return points_.lines[id]; }

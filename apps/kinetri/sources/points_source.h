@@ -17,7 +17,7 @@ namespace kinetri::app {
 struct Points_settings {
   std::string points;  ///< a path, or "-"
   double from = 0;
-  double until = 0;  ///< at least `from`
+  std::optional<double> until;  ///< at least `from`; without one, see Run_source::until
   std::optional<Box_2> box;
   bool rim_touches = false;
   std::optional<double> radius;  ///< of all discs, instead of the column of the points

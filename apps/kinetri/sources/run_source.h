@@ -51,7 +51,9 @@ class Run_source {
 
   virtual std::size_t number_of_points() const = 0;
   virtual double from() const = 0;
-  virtual double until() const = 0;
+
+  /// The time at which the run ends; none if a share that the discs cover ends it.
+  virtual std::optional<double> until() const = 0;
 
   /// What pictures of the run have to show, where the source knows that.
   virtual std::optional<Box_2> extent() const { return std::nullopt; }

@@ -27,7 +27,7 @@ class Tracks_source final : public Run_source {
   void read() override;
   std::size_t number_of_points() const override { return stays_.size(); }
   double from() const override { return from_; }
-  double until() const override { return until_; }
+  std::optional<double> until() const override { return until_; }
   /// That of all observations, if there are any.
   std::optional<Box_2> extent() const override { return extent_; }
   std::string response() const override { return settings_.logs_contacts ? "log" : "none"; }

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/simulation/growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "kinetri/algebra/number_types.h"
+#include "kinetri/base/check.h"
+
+namespace kinetri {
+namespace {
+
+template <class Traits, class Function>
+void for_each_disc(const Simulation_2<Traits>& simulation, Function function) {
+  const auto& kinetic = simulation.triangulation();
+  for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+    if (kinetic.contains(id)) function(kinetic.motion(id));
+  }
+}
+
+template <class Traits>
+const Box_2& box_of(const Simulation_2<Traits>& simulation) {
+  KINETRI_PRECONDITION(simulation.options().box.has_value(), "there is no box to be covered");
+  return *simulation.options().box;
+}
+
+// Whether the areas are at least `area`: certainly if true, and but for the rounding of pi if not.
+template <class Traits>
+bool do_cover(const Simulation_2<Traits>& simulation, const Rational& area, double time) {
+  static_assert(std::numbers::pi == 0x1.921fb54442d18p+1);  // which is less than pi
+  Rational squares = 0;
+  for_each_disc(simulation, [&](const auto& disc) {
+    const Rational radius =
+        to_rational(disc.radius) +
+        to_rational(disc.growth) * (to_rational(time) - to_rational(disc.epoch));
+    if (radius > 0) squares += radius * radius;
+  });
+  return squares * to_rational(std::numbers::pi) >= area;
+}
+
+// About the time in which the squares of the radii increase by `more`, where they are
+// squares + 2 mixed t + rates t^2. May be infinite, or no number.
+double time_of_increase(double more, double mixed, double rates) {
+  const double root = std::sqrt(mixed * mixed + rates * std::max(more, 0.0));
+  // Without a difference of nearly equal numbers.
+  return mixed < 0 ? (root - mixed) / rates : more / (mixed + root);
+}
+
+}  // namespace
+
+template <class Traits>
+double covered_share(const Simulation_2<Traits>& simulation) {
+  const Box_2& box = box_of(simulation);
+  const double now = simulation.current_time().to_double();
+  double squares = 0;
+  for_each_disc(simulation, [&](const auto& disc) {
+    const double radius = rounded_radius(disc, now);
+    squares += radius * radius;
+  });
+  return std::numbers::pi * squares / ((box.xmax - box.xmin) * (box.ymax - box.ymin));
+}
+
+template <class Traits>
+std::optional<double> time_of_share(const Simulation_2<Traits>& simulation, double share) {
+  KINETRI_PRECONDITION(share > 0 && std::isfinite(share), "the share is not positive and finite");
+  const Box_2& box = box_of(simulation);
+  const Rational area = to_rational(share) * (to_rational(box.xmax) - to_rational(box.xmin)) *
+                        (to_rational(box.ymax) - to_rational(box.ymin));
+  const double now = simulation.current_time().tight_interval().upper;
+  if (do_cover(simulation, area, now)) return now;
+  double squares = 0;
+  double mixed = 0;
+  double rates = 0;
+  for_each_disc(simulation, [&](const auto& disc) {
+    const double radius = rounded_radius(disc, now);
+    squares += radius * radius;
+    mixed += radius * disc.growth;
+    rates += disc.growth * disc.growth;
+  });
+  const double more = to_double(area) / std::numbers::pi - squares;
+  double time = now + time_of_increase(more, mixed, rates);
+  // A time that is too early by roundings is put off by more and more of them.
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  for (double step = rounding;; step *= 2) {
+    if (!std::isfinite(time)) return std::nullopt;
+    if (time > now && do_cover(simulation, area, time)) return time;
+    time += step * std::max({std::abs(time), time - now, std::numeric_limits<double>::min()});
+  }
+}
+
+template <class Traits>
+double mean_radius(const Simulation_2<Traits>& simulation, double time) {
+  double sum = 0;
+  std::size_t number = 0;
+  for_each_disc(simulation, [&](const auto& disc) {
+    sum += rounded_radius(disc, time);
+    ++number;
+  });
+  KINETRI_PRECONDITION(number > 0, "the mean radius of no discs");
+  return sum / static_cast<double>(number);
+}
+
+template <class Traits>
+bool Jam_watch::look(const Simulation_2<Traits>& simulation, std::uint64_t contacts) {
+  constexpr std::uint64_t contacts_of_each = 32;
+  // Few discs may touch often in turn, as a light one between heavy ones does.
+  constexpr std::uint64_t fewest = 10'000;
+  constexpr double part = 0.25;
+  const double now = simulation.current_time().to_double();
+  double speeds = 0;
+  std::uint64_t number = 0;
+  for_each_disc(simulation, [&](const auto& disc) {
+    const Vector_2 v = rounded_velocity(disc, now);
+    speeds += std::hypot(v.x, v.y);
+    ++number;
+  });
+  const bool is_first = !time_;
+  // The mean speed, over the mean rate of contacts of a disc.
+  const double path =
+      is_first ? 0 : speeds * (now - *time_) / static_cast<double>(contacts - contacts_);
+  contacts_ = contacts;
+  time_ = now;
+  next_ = contacts + std::max(fewest, contacts_of_each * number);
+  return !is_first && number > 0 && path < part * (mean_radius_ - mean_radius(simulation, now));
+}
+
+template double covered_share(const Simulation_2<Disc_kinetic_traits_2>&);
+template double covered_share(const Simulation_2<Polynomial_disc_kinetic_traits_2>&);
+template std::optional<double> time_of_share(const Simulation_2<Disc_kinetic_traits_2>&, double);
+template std::optional<double> time_of_share(const Simulation_2<Polynomial_disc_kinetic_traits_2>&,
+                                             double);
+template double mean_radius(const Simulation_2<Disc_kinetic_traits_2>&, double);
+template double mean_radius(const Simulation_2<Polynomial_disc_kinetic_traits_2>&, double);
+template bool Jam_watch::look(const Simulation_2<Disc_kinetic_traits_2>&, std::uint64_t);
+template bool Jam_watch::look(const Simulation_2<Polynomial_disc_kinetic_traits_2>&, std::uint64_t);
+
+}  // namespace kinetri
