@@ -1,20 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arguments as arrays without gaps: what they hold is checked, and never rounded in silence."""
+from __future__ import annotations
+
 import operator
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
+from ._types import ArrayLike, Box, Floats, Ids
 from .errors import PreconditionError
 
 #: Where there is no point: the id of no point.
 NO_POINT = 2**32 - 1
 
 
-def _shape_text(shape):
+def _shape_text(shape: Sequence[int | str]) -> str:
     return "(" + ", ".join(str(n) for n in shape) + ("," if len(shape) == 1 else "") + ")"
 
 
-def float_array(name, value, shape):
+def float_array(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Floats:
     """The numbers as float64, C-contiguous, of that shape; None in `shape` is any length.
 
     Integers and other kinds of float are taken where float64 has the same number.
@@ -48,23 +54,23 @@ def float_array(name, value, shape):
     return result
 
 
-def _first(wrong):
+def _first(wrong: npt.NDArray[np.bool_]) -> str:
     return ", ".join(str(i) for i in np.argwhere(wrong)[0])
 
 
-def point_array(name, value, size=None):
+def point_array(name: str, value: ArrayLike, size: int | None = None) -> Floats:
     """Vectors: an array of shape (n, 2)."""
     return float_array(name, value, (size, 2))
 
 
-def column(name, value, size):
+def column(name: str, value: ArrayLike, size: int) -> Floats:
     """One number for each of `size` points: a number is that of all."""
     if np.ndim(value) == 0:
         return np.full(size, float_array(name, np.asarray([value]), (1,))[0])
     return float_array(name, value, (size,))
 
 
-def id_array(name, value):
+def id_array(name: str, value: ArrayLike) -> Ids:
     """Ids as uint32, of shape (n,). A single id is an array of one."""
     array = np.atleast_1d(np.asarray(value))
     if array.size == 0:
@@ -80,7 +86,7 @@ def id_array(name, value):
     return np.ascontiguousarray(array, dtype=np.uint32)
 
 
-def one_id(name, value):
+def one_id(name: str, value: Any) -> int:
     """An id as an int."""
     try:
         result = operator.index(value)
@@ -91,14 +97,14 @@ def one_id(name, value):
     return result
 
 
-def one_number(name, value):
+def one_number(name: str, value: Any) -> float:
     """A finite number as a float that is the same number."""
     if np.ndim(value) != 0:
         raise PreconditionError(f"{name} is {value!r}; expected a number")
     return float(float_array(name, np.asarray([value]), (1,))[0])
 
 
-def box_tuple(name, value):
+def box_tuple(name: str, value: ArrayLike | None) -> Box | None:
     """A box (xmin, ymin, xmax, ymax), or None."""
     if value is None:
         return None

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The classes of moving points. Each holds an engine of `_kinetri` and checks what it is given."""
-import collections
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from types import EllipsisType
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -10,46 +14,64 @@ from ._page import Page
 from ._progress import progress_bar
 from ._response import engine_response
 from ._snapshot import Snapshot
+from ._types import ArrayLike, Box, Collisions, Events, Floats, Ids, Path, Progress, TimeLike
 from .errors import PreconditionError
 from .events import take
 
-VoronoiCell = collections.namedtuple("VoronoiCell", ["neighbors", "vertices", "rays", "is_empty"])
-VoronoiCell.__doc__ = """The region of all places that are at least as near to a point as to any other.
+_Points = TypeVar("_Points", bound="MovingPoints")
+_Simulation = TypeVar("_Simulation", bound="Simulation")
 
-Attributes
-----------
-neighbors : array of uint32, shape (k,)
-    The neighbor across each side, counterclockwise.
-vertices : array of float64, shape (k, 2) or (k - 1, 2)
-    The end of each side. An unbounded cell has one fewer than sides.
-rays : array of float64, shape (2, 2), or None
-    Of an unbounded cell: the directions in which its first and last sides go to infinity.
-is_empty : bool
-    Whether there is no such place: only where points have weights.
-"""
 
-NearestNeighbors = collections.namedtuple("NearestNeighbors", ["ids", "distances"])
-NearestNeighbors.__doc__ = """The nearest neighbor of each point.
+class VoronoiCell(NamedTuple):
+    """The region of all places that are at least as near to a point as to any other.
 
-Attributes
-----------
-ids : array of uint32, shape (n,)
-    By id: the nearest neighbor, exactly; of equally near ones the smallest id; `NO_POINT` if there is
-    none.
-distances : array of float64, shape (n,)
-    The distance of the rounded positions; NaN where there is no neighbor.
-"""
+    Attributes
+    ----------
+    neighbors : array of uint32, shape (k,)
+        The neighbor across each side, counterclockwise.
+    vertices : array of float64, shape (k, 2) or (k - 1, 2)
+        The end of each side. An unbounded cell has one fewer than sides.
+    rays : array of float64, shape (2, 2), or None
+        Of an unbounded cell: the directions in which its first and last sides go to infinity.
+    is_empty : bool
+        Whether there is no such place: only where points have weights.
+    """
 
-Location = collections.namedtuple("Location", ["kind", "points"])
-Location.__doc__ = """What is at a place.
+    neighbors: Ids
+    vertices: Floats
+    rays: Floats | None
+    is_empty: bool
 
-Attributes
-----------
-kind : {'vertex', 'edge', 'face', 'outside_convex_hull'}
-    What the place is on, decided exactly.
-points : tuple of int
-    The point; or the ends of the edge; or the corners of the triangle, counterclockwise.
-"""
+
+class NearestNeighbors(NamedTuple):
+    """The nearest neighbor of each point.
+
+    Attributes
+    ----------
+    ids : array of uint32, shape (n,)
+        By id: the nearest neighbor, exactly; of equally near ones the smallest id; `NO_POINT` if there is
+        none.
+    distances : array of float64, shape (n,)
+        The distance of the rounded positions; NaN where there is no neighbor.
+    """
+
+    ids: Ids
+    distances: Floats
+
+
+class Location(NamedTuple):
+    """What is at a place.
+
+    Attributes
+    ----------
+    kind : {'vertex', 'edge', 'face', 'outside_convex_hull'}
+        What the place is on, decided exactly.
+    points : tuple of int
+        The point; or the ends of the edge; or the corners of the triangle, counterclockwise.
+    """
+
+    kind: str
+    points: tuple[int, ...]
 
 
 class AuditReport:
@@ -61,25 +83,25 @@ class AuditReport:
         One line for each failure, with the ids.
     """
 
-    def __init__(self, failures):
+    def __init__(self, failures: list[str]) -> None:
         self.failures = failures
 
     @property
-    def passed(self):
+    def passed(self) -> bool:
         """bool: whether there are no failures."""
         return not self.failures
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return self.passed
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return "<AuditReport passed>" if self.passed else "<AuditReport\n  " + "\n  ".join(
             self.failures) + ">"
 
 
-def _columns(size, **values):
+def _columns(size: int, **values: tuple[ArrayLike | None, bool]) -> dict[str, Floats | None]:
     """The optional columns as the engine takes them: those that are None stay so."""
-    result = {}
+    result: dict[str, Floats | None] = {}
     for name, (value, is_vector) in values.items():
         if value is None:
             result[name] = None
@@ -90,7 +112,9 @@ def _columns(size, **values):
     return result
 
 
-def _motions(positions, velocities, acceleration, jerk, radius, growth, weight, epoch):
+def _motions(positions: ArrayLike, velocities: ArrayLike | None, acceleration: ArrayLike | None,
+             jerk: ArrayLike | None, radius: ArrayLike | None, growth: ArrayLike | None,
+             weight: ArrayLike | None, epoch: float) -> tuple[_kinetri.Motions, int]:
     positions = _arrays.point_array("positions", positions)
     size = len(positions)
     if size >= NO_POINT:
@@ -98,7 +122,8 @@ def _motions(positions, velocities, acceleration, jerk, radius, growth, weight, 
     columns = _columns(size, velocities=(velocities, True), acceleration=(acceleration, True),
                        jerk=(jerk, True), radius=(radius, False), growth=(growth, False),
                        weight=(weight, False))
-    return _kinetri.Motions(positions, *columns.values(), epoch), size
+    return _kinetri.Motions(positions, columns["velocities"], columns["acceleration"], columns["jerk"],
+                            columns["radius"], columns["growth"], columns["weight"], epoch), size
 
 
 class MovingPoints:
@@ -111,35 +136,37 @@ class MovingPoints:
     two threads at once, since the interpreter is not held up while time advances.
     """
 
-    def __init__(self):
+    _engine: _kinetri.Engine
+
+    def __init__(self, *args: Any, **named: Any) -> None:
         raise TypeError("expected a KineticDelaunay, a KineticRegular or a Simulation")
 
     # ---- the present ----
 
     @property
-    def time(self):
+    def time(self) -> _kinetri.Time:
         """Time: the exact time just after which the triangulation is what it is now."""
         return self._engine.current_time()
 
-    def __len__(self):
+    def __len__(self) -> int:
         """The number of points that are there now."""
         return self._engine.number_of_points()
 
-    def __contains__(self, id):
+    def __contains__(self, id: int) -> bool:
         """Whether the point is there."""
         return self._engine.contains(_arrays.one_id("id", id))
 
     @property
-    def next_id(self):
+    def next_id(self) -> int:
         """int: the id that is given next; arrays by id are that long."""
         return self._engine.next_id()
 
     @property
-    def ids(self):
+    def ids(self) -> Ids:
         """array of uint32: the ids of the points that are there, ascending."""
         return np.flatnonzero(~np.isnan(self.radii())).astype(np.uint32)
 
-    def positions(self):
+    def positions(self) -> Floats:
         """The positions now.
 
         Returns
@@ -149,7 +176,7 @@ class MovingPoints:
         """
         return self._engine.positions()
 
-    def velocities(self):
+    def velocities(self) -> Floats:
         """The velocities now.
 
         Returns
@@ -159,7 +186,7 @@ class MovingPoints:
         """
         return self._engine.velocities()
 
-    def radii(self):
+    def radii(self) -> Floats:
         """The radii of the discs now.
 
         Returns
@@ -170,7 +197,7 @@ class MovingPoints:
         """
         return self._engine.radii()
 
-    def motion(self, id):
+    def motion(self, id: int) -> dict[str, Any]:
         """The motion that a point has now.
 
         Parameters
@@ -192,7 +219,7 @@ class MovingPoints:
         """
         return self._engine.motion(_arrays.one_id("id", id))
 
-    def edges(self):
+    def edges(self) -> Ids:
         """The edges.
 
         Returns
@@ -202,7 +229,7 @@ class MovingPoints:
         """
         return self._engine.edges()
 
-    def triangles(self):
+    def triangles(self) -> Ids:
         """The triangles.
 
         Returns
@@ -213,7 +240,7 @@ class MovingPoints:
         """
         return self._engine.triangles()
 
-    def hull(self):
+    def hull(self) -> Ids:
         """The convex hull.
 
         Returns
@@ -226,7 +253,7 @@ class MovingPoints:
 
     # ---- time ----
 
-    def advance_to(self, time, *, progress=False):
+    def advance_to(self, time: TimeLike, *, progress: Progress = False) -> int:
         """Goes to a time: every event at or before it has happened then.
 
         Parameters
@@ -250,7 +277,7 @@ class MovingPoints:
         """
         return self._advance(time, None, progress)
 
-    def step(self, until=None):
+    def step(self, until: TimeLike | None = None) -> int:
         """Goes to the next time at which something changes, and executes all events of that time.
 
         Parameters
@@ -265,7 +292,7 @@ class MovingPoints:
         """
         return self._engine.step(until, None)
 
-    def record(self, until, *, progress=False):
+    def record(self, until: TimeLike, *, progress: Progress = False) -> Events:
         """Goes to a time and gives the events on the way.
 
         Parameters
@@ -293,11 +320,11 @@ class MovingPoints:
         try:
             self._advance(until, table, progress)
         except BaseException as error:
-            error.events = take(table)
+            error.events = take(table)  # type: ignore[attr-defined]
             raise
         return take(table)
 
-    def events(self, until=None):
+    def events(self, until: TimeLike | None = None) -> Iterator[_kinetri.Event]:
         """Iterates over the events, while time advances.
 
         When an event is given, the triangulation is that just after its time: all events of one time
@@ -319,7 +346,7 @@ class MovingPoints:
         if until is not None:
             self.advance_to(until)
 
-    def _advance(self, until, observer, progress):
+    def _advance(self, until: TimeLike, observer: _kinetri.Observer | None, progress: Progress) -> int:
         if not progress:
             return self._engine.advance(until, observer, None)
         with progress_bar(progress, float(self.time), float(until)) as show:
@@ -327,10 +354,10 @@ class MovingPoints:
 
     # ---- changes ----
 
-    def _epoch(self):
+    def _epoch(self) -> float:
         return float(self.time)
 
-    def _kept(self, ids, values):
+    def _kept(self, ids: Ids, values: dict[str, ArrayLike | None]) -> dict[str, ArrayLike | None]:
         """Columns of the sizes that are not given: those that the points have."""
         if not self._engine.kind()[1]:
             return values
@@ -347,7 +374,7 @@ class MovingPoints:
                 kept[name] = [m[name] for m in motions]
         return kept
 
-    def set_velocities(self, ids, velocities):
+    def set_velocities(self, ids: ArrayLike, velocities: ArrayLike) -> None:
         """Gives points other velocities from now on, all at once.
 
         Each point goes on from its place at `float(self.time)`, rounded to float64, with its
@@ -372,7 +399,9 @@ class MovingPoints:
             velocities = np.broadcast_to(velocities, (len(ids), 2))
         self._engine.set_velocities(ids, _arrays.point_array("velocities", velocities, len(ids)))
 
-    def _set_motions(self, ids, positions, velocities, acceleration, jerk, **sizes):
+    def _set_motions(self, ids: ArrayLike, positions: ArrayLike, velocities: ArrayLike,
+                     acceleration: ArrayLike | None, jerk: ArrayLike | None,
+                     **sizes: ArrayLike | None) -> None:
         ids = _arrays.id_array("ids", ids)
         positions = _arrays.point_array("positions", positions, len(ids))
         sizes = {"radius": None, "growth": None, "weight": None, **sizes}
@@ -380,7 +409,9 @@ class MovingPoints:
                               **self._kept(ids, sizes), epoch=self._epoch())
         self._engine.set_motions(ids, motions)
 
-    def _insert(self, positions, velocities, acceleration, jerk, masses=None, **sizes):
+    def _insert(self, positions: ArrayLike, velocities: ArrayLike | None, acceleration: ArrayLike | None,
+                jerk: ArrayLike | None, masses: ArrayLike | None = None,
+                **sizes: ArrayLike | None) -> Ids:
         positions = np.atleast_2d(np.asarray(positions))
         if velocities is not None:
             velocities = np.atleast_2d(np.asarray(velocities))
@@ -392,7 +423,7 @@ class MovingPoints:
         first = self._engine.insert(motions, masses)
         return np.arange(first, first + size, dtype=np.uint32)
 
-    def erase(self, ids):
+    def erase(self, ids: ArrayLike) -> None:
         """Erases points, now.
 
         Parameters
@@ -409,7 +440,7 @@ class MovingPoints:
 
     # ---- answers ----
 
-    def neighbors(self, id):
+    def neighbors(self, id: int) -> Ids:
         """The points with an edge to a point.
 
         Parameters
@@ -430,7 +461,7 @@ class MovingPoints:
         """
         return self._engine.neighbors(_arrays.one_id("id", id))
 
-    def nearest_vertex(self, place):
+    def nearest_vertex(self, place: ArrayLike) -> int | None:
         """The point nearest to a place, exactly; with weights, the one of the least power there.
 
         Parameters
@@ -445,7 +476,7 @@ class MovingPoints:
         """
         return self._engine.nearest_vertex(*_arrays.float_array("place", place, (2,)).tolist())
 
-    def locate(self, place):
+    def locate(self, place: ArrayLike) -> Location:
         """The triangle, edge or point at a place, exactly.
 
         Parameters
@@ -459,7 +490,7 @@ class MovingPoints:
         """
         return Location(*self._engine.locate(*_arrays.float_array("place", place, (2,)).tolist()))
 
-    def voronoi_cell(self, id):
+    def voronoi_cell(self, id: int) -> VoronoiCell:
         """The Voronoi cell of a point; with weights, its power cell.
 
         Parameters
@@ -474,7 +505,7 @@ class MovingPoints:
         """
         return VoronoiCell(*self._engine.voronoi_cell(_arrays.one_id("id", id)))
 
-    def voronoi_areas(self, clip):
+    def voronoi_areas(self, clip: ArrayLike) -> Floats:
         """The area of each point's Voronoi cell within a polygon; with weights, of its power cell.
 
         Parameters
@@ -495,11 +526,11 @@ class MovingPoints:
             If the polygon crosses itself or has no area.
         """
         if np.ndim(clip) == 1:
-            xmin, ymin, xmax, ymax = _arrays.box_tuple("clip", clip)
+            xmin, ymin, xmax, ymax = _arrays.box_tuple("clip", clip)  # type: ignore[misc]
             clip = [[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]]
         return self._engine.voronoi_areas(_arrays.point_array("clip", clip))
 
-    def nearest_neighbors(self):
+    def nearest_neighbors(self) -> NearestNeighbors:
         """The nearest neighbor of each point.
 
         Returns
@@ -528,7 +559,7 @@ class MovingPoints:
         distances[there] = np.hypot(difference[:, 0], difference[:, 1])
         return NearestNeighbors(ids, distances)
 
-    def closest_pair(self):
+    def closest_pair(self) -> tuple[int, int] | None:
         """The two points nearest to each other, exactly.
 
         Returns
@@ -540,7 +571,7 @@ class MovingPoints:
 
     # ---- state ----
 
-    def audit(self, level="certificates"):
+    def audit(self, level: str = "certificates") -> AuditReport:
         """Checks the object against exact static geometry.
 
         Parameters
@@ -556,7 +587,7 @@ class MovingPoints:
         """
         return AuditReport(self._engine.audit(level))
 
-    def statistics(self):
+    def statistics(self) -> dict[str, Any]:
         """Counts since the start.
 
         Returns
@@ -567,7 +598,7 @@ class MovingPoints:
         """
         return self._engine.statistics()
 
-    def snapshot(self):
+    def snapshot(self) -> Snapshot:
         """The whole state.
 
         Returns
@@ -577,7 +608,7 @@ class MovingPoints:
         """
         return Snapshot(type(self), self._engine.snapshot("none"))
 
-    def save(self, path):
+    def save(self, path: Path) -> None:
         """Writes the state to a checkpoint file, whole or not at all.
 
         The program reads it: ``kinetri resume PATH --until T``.
@@ -595,7 +626,7 @@ class MovingPoints:
         self._engine.save(str(path), "none")
 
     @classmethod
-    def load(cls, path):
+    def load(cls: type[_Points], path: Path) -> _Points:
         """The object of a checkpoint file.
 
         Parameters
@@ -613,24 +644,25 @@ class MovingPoints:
         return cls._around(_kinetri.load(str(path), False, None)[0])
 
     @classmethod
-    def _around(cls, engine):
+    def _around(cls: type[_Points], engine: _kinetri.Engine) -> _Points:
         result = cls.__new__(cls)
         result._engine = engine
         return result
 
     @classmethod
-    def _restored(cls, snapshot):
+    def _restored(cls: type[_Points], snapshot: Snapshot) -> _Points:
         return cls._around(_kinetri.restore(snapshot.state, False, None))
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return Snapshot.restore, (self.snapshot(),)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<{type(self).__name__} of {len(self)} points at t = {float(self.time):.6g}>"
 
     # ---- pictures ----
 
-    def play(self, until, *, title=None, names=None, most_events=200_000, height=640, progress=False):
+    def play(self, until: TimeLike, *, title: str | None = None, names: Sequence[str] | None = None,
+             most_events: int = 200_000, height: int = 640, progress: Progress = False) -> Page:
         """Goes to a time and gives the viewer's page of the run: a notebook shows it.
 
         Parameters
@@ -659,7 +691,7 @@ class MovingPoints:
                                     *self._engine.box_and_radius())
         return Page(content, height)
 
-    def plot(self, ax=None, *, ids=False, **style):
+    def plot(self, ax: Any = None, *, ids: bool = False, **style: Any) -> Any:
         """Draws the triangulation now, with matplotlib.
 
         Parameters
@@ -712,19 +744,21 @@ class KineticDelaunay(MovingPoints):
     (True, (1000, 2), 3, True)
     """
 
-    def __init__(self, positions, velocities, *, acceleration=None, jerk=None, start=0.0):
+    def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
+                 jerk: ArrayLike | None = None, start: TimeLike = 0.0) -> None:
         motions, _ = _motions(positions, velocities, acceleration, jerk, None, None, None, float(start))
         is_polynomial = acceleration is not None or jerk is not None
         self._engine = _kinetri.make_triangulation(motions, is_polynomial, False, start)
 
     @classmethod
-    def _at(cls, positions, velocities, acceleration, jerk, epoch, start):
+    def _at(cls, positions: Floats, velocities: Floats, acceleration: Floats | None, jerk: Floats | None,
+            epoch: float, start: TimeLike) -> KineticDelaunay:
         """The points at the time `start`, with motions of another epoch."""
         motions, _ = _motions(positions, velocities, acceleration, jerk, None, None, None, epoch)
         is_polynomial = acceleration is not None or jerk is not None
         return cls._around(_kinetri.make_triangulation(motions, is_polynomial, False, start))
 
-    def next_event_time(self):
+    def next_event_time(self) -> _kinetri.Time | None:
         """The exact time of the next event.
 
         Returns
@@ -734,7 +768,7 @@ class KineticDelaunay(MovingPoints):
         """
         return self._engine.next_event_time()
 
-    def reverse(self):
+    def reverse(self) -> int:
         """Lets time run backwards: from now on the clock shows -t where it showed t.
 
         Past events come again in reverse order, at mirrored times. Motions that were replaced do not
@@ -747,7 +781,8 @@ class KineticDelaunay(MovingPoints):
         """
         return self._engine.reverse()
 
-    def set_motions(self, ids, positions, velocities, *, acceleration=None, jerk=None):
+    def set_motions(self, ids: ArrayLike, positions: ArrayLike, velocities: ArrayLike, *,
+                    acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None) -> None:
         """Gives points other motions from now on, all at once. They may jump.
 
         Parameters
@@ -770,7 +805,8 @@ class KineticDelaunay(MovingPoints):
         """
         self._set_motions(ids, positions, velocities, acceleration, jerk)
 
-    def insert(self, positions, velocities, *, acceleration=None, jerk=None):
+    def insert(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
+               jerk: ArrayLike | None = None) -> Ids:
         """Inserts points, now.
 
         Parameters
@@ -822,14 +858,16 @@ class KineticRegular(KineticDelaunay):
     [3]
     """
 
-    def __init__(self, positions, velocities, *, radius=None, growth=None, weight=None,
-                 acceleration=None, jerk=None, start=0.0):
+    def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, radius: ArrayLike | None = None,
+                 growth: ArrayLike | None = None, weight: ArrayLike | None = None,
+                 acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
+                 start: TimeLike = 0.0) -> None:
         motions, _ = _motions(positions, velocities, acceleration, jerk, radius, growth, weight,
                               float(start))
         is_polynomial = acceleration is not None or jerk is not None
         self._engine = _kinetri.make_triangulation(motions, is_polynomial, True, start)
 
-    def hidden_points(self):
+    def hidden_points(self) -> Ids:
         """The points that others hide.
 
         Returns
@@ -839,8 +877,10 @@ class KineticRegular(KineticDelaunay):
         """
         return self._engine.hidden_points()
 
-    def set_motions(self, ids, positions, velocities, *, acceleration=None, jerk=None, radius=None,
-                    growth=None, weight=None):
+    def set_motions(self, ids: ArrayLike, positions: ArrayLike, velocities: ArrayLike, *,
+                    acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
+                    radius: ArrayLike | None = None, growth: ArrayLike | None = None,
+                    weight: ArrayLike | None = None) -> None:
         """Gives points other motions and sizes from now on, all at once.
 
         Parameters
@@ -853,8 +893,9 @@ class KineticRegular(KineticDelaunay):
         self._set_motions(ids, positions, velocities, acceleration, jerk, radius=radius, growth=growth,
                           weight=weight)
 
-    def insert(self, positions, velocities, *, acceleration=None, jerk=None, radius=None, growth=None,
-               weight=None):
+    def insert(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
+               jerk: ArrayLike | None = None, radius: ArrayLike | None = None,
+               growth: ArrayLike | None = None, weight: ArrayLike | None = None) -> Ids:
         """Inserts points, now.
 
         Parameters
@@ -911,9 +952,11 @@ class Simulation(MovingPoints):
     ('collision', 4.0, [[-1.0, 0.0], [1.0, 0.0]], 1.0)
     """
 
-    def __init__(self, positions, velocities, *, radius=None, growth=None, mass=None, box=None,
-                 rim=False, collisions=None, refuse_overlaps=None, acceleration=None, jerk=None,
-                 start=0.0):
+    def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, radius: ArrayLike | None = None,
+                 growth: ArrayLike | None = None, mass: ArrayLike | str | None = None,
+                 box: ArrayLike | None = None, rim: bool = False, collisions: Collisions = None,
+                 refuse_overlaps: bool | None = None, acceleration: ArrayLike | None = None,
+                 jerk: ArrayLike | None = None, start: TimeLike = 0.0) -> None:
         size = len(_arrays.point_array("positions", positions))
         if radius is not None:
             radius = _arrays.column("radius", radius, size)
@@ -942,7 +985,7 @@ class Simulation(MovingPoints):
             bool(refuse_overlaps), masses)
 
     @staticmethod
-    def _masses_by_name(mass, radius):
+    def _masses_by_name(mass: str, radius: Floats | None) -> Floats:
         if mass != "area":
             raise PreconditionError(f"mass is {mass!r}; expected numbers, or 'area'")
         if radius is None:
@@ -950,11 +993,11 @@ class Simulation(MovingPoints):
         return radius * radius
 
     @property
-    def box(self):
+    def box(self) -> Box | None:
         """(xmin, ymin, xmax, ymax) or None: the walls."""
         return self._engine.box_and_radius()[0]
 
-    def masses(self):
+    def masses(self) -> Floats:
         """The masses.
 
         Returns
@@ -964,7 +1007,7 @@ class Simulation(MovingPoints):
         """
         return self._engine.masses()
 
-    def energy(self):
+    def energy(self) -> float:
         """The kinetic energy now: half the sum of mass times squared speed.
 
         Returns
@@ -975,8 +1018,9 @@ class Simulation(MovingPoints):
         velocities = self.velocities()
         return float(0.5 * np.nansum(self.masses() * np.einsum("ij,ij->i", velocities, velocities)))
 
-    def set_motions(self, ids, positions, velocities, *, acceleration=None, jerk=None, radius=None,
-                    growth=None):
+    def set_motions(self, ids: ArrayLike, positions: ArrayLike, velocities: ArrayLike, *,
+                    acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
+                    radius: ArrayLike | None = None, growth: ArrayLike | None = None) -> None:
         """Gives points other motions from now on, all at once. They may jump.
 
         Parameters
@@ -993,7 +1037,7 @@ class Simulation(MovingPoints):
         """
         self._set_motions(ids, positions, velocities, acceleration, jerk, radius=radius, growth=growth)
 
-    def set_masses(self, ids, masses):
+    def set_masses(self, ids: ArrayLike, masses: ArrayLike) -> None:
         """Gives points other masses from now on.
 
         Parameters
@@ -1006,8 +1050,9 @@ class Simulation(MovingPoints):
         ids = _arrays.id_array("ids", ids)
         self._engine.set_masses(ids, _arrays.column("masses", masses, len(ids)))
 
-    def insert(self, positions, velocities, *, acceleration=None, jerk=None, radius=None, growth=None,
-               mass=None):
+    def insert(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
+               jerk: ArrayLike | None = None, radius: ArrayLike | None = None,
+               growth: ArrayLike | None = None, mass: ArrayLike | None = None) -> Ids:
         """Inserts points, now.
 
         Parameters
@@ -1032,15 +1077,19 @@ class Simulation(MovingPoints):
         return self._insert(positions, velocities, acceleration, jerk, masses=mass, radius=radius,
                             growth=growth)
 
-    def _scheduled(self, time, position, velocity, acceleration, jerk, radius, growth):
+    def _scheduled(self, time: TimeLike, position: ArrayLike, velocity: ArrayLike,
+                   acceleration: ArrayLike | None, jerk: ArrayLike | None, radius: float | None,
+                   growth: float | None) -> _kinetri.Motions:
         one = {"positions": position, "velocities": velocity, "acceleration": acceleration, "jerk": jerk}
-        vectors = {name: None if value is None else
-                   _arrays.float_array(name, value, (2,)).reshape(1, 2) for name, value in one.items()}
+        vectors: Any = {name: None if value is None else
+                        _arrays.float_array(name, value, (2,)).reshape(1, 2) for name, value in one.items()}
         motions, _ = _motions(**vectors, radius=radius, growth=growth, weight=None, epoch=float(time))
         return motions
 
-    def schedule_insert(self, time, position, velocity, *, acceleration=None, jerk=None, radius=None,
-                        growth=None, mass=1.0):
+    def schedule_insert(self, time: TimeLike, position: ArrayLike, velocity: ArrayLike, *,
+                        acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
+                        radius: float | None = None, growth: float | None = None,
+                        mass: float = 1.0) -> int:
         """Inserts a point at a time to come.
 
         Changes of one time are made after its other events: first erasures, then motions, then
@@ -1065,8 +1114,9 @@ class Simulation(MovingPoints):
             time, self._scheduled(time, position, velocity, acceleration, jerk, radius, growth),
             _arrays.one_number("mass", mass))
 
-    def schedule_motion(self, time, id, position, velocity, *, acceleration=None, jerk=None,
-                        radius=None, growth=None):
+    def schedule_motion(self, time: TimeLike, id: int, position: ArrayLike, velocity: ArrayLike, *,
+                        acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
+                        radius: float | None = None, growth: float | None = None) -> None:
         """Gives a point another motion at a time to come; see `schedule_insert`.
 
         Parameters
@@ -1082,7 +1132,7 @@ class Simulation(MovingPoints):
             time, _arrays.one_id("id", id),
             self._scheduled(time, position, velocity, acceleration, jerk, radius, growth))
 
-    def schedule_erase(self, time, id):
+    def schedule_erase(self, time: TimeLike, id: int) -> None:
         """Erases a point at a time to come; see `schedule_insert`.
 
         Parameters
@@ -1096,14 +1146,14 @@ class Simulation(MovingPoints):
 
     # ---- state ----
 
-    def _response_name(self):
+    def _response_name(self) -> str:
         return self.collisions if isinstance(self.collisions, str) else "none"
 
-    def snapshot(self):
+    def snapshot(self) -> Snapshot:
         """The whole state, with the response; see `MovingPoints.snapshot`."""
         return Snapshot(type(self), self._engine.snapshot(self._response_name()), self.collisions)
 
-    def save(self, path):
+    def save(self, path: Path) -> None:
         """Writes the state to a checkpoint file; see `MovingPoints.save`.
 
         A response that is a function is not kept.
@@ -1111,7 +1161,8 @@ class Simulation(MovingPoints):
         self._engine.save(str(path), self._response_name())
 
     @classmethod
-    def load(cls, path, collisions=...):
+    def load(cls: type[_Simulation], path: Path,
+             collisions: Collisions | EllipsisType = ...) -> _Simulation:
         """The simulation of a checkpoint file.
 
         Parameters
@@ -1133,7 +1184,7 @@ class Simulation(MovingPoints):
         return result
 
     @classmethod
-    def _restored(cls, snapshot):
+    def _restored(cls: type[_Simulation], snapshot: Snapshot) -> _Simulation:
         result = cls._around(
             _kinetri.restore(snapshot.state, True, engine_response(snapshot._collisions)))
         result.collisions = snapshot._collisions

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The viewer's page: in a notebook, or as a file."""
+from __future__ import annotations
+
 import html
 import os
 import pathlib
 import tempfile
 
+from ._types import Path
 from .errors import OutputError
 
 
@@ -21,16 +24,16 @@ class Page:
         Of the frame in a notebook, in pixels.
     """
 
-    def __init__(self, content, height=640):
+    def __init__(self, content: bytes, height: int = 640) -> None:
         self.content = content
         self.height = height
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         page = html.escape(self.content.decode(), quote=True)
         return (f'<iframe srcdoc="{page}" width="100%" height="{self.height}" style="border: 0" '
                 'sandbox="allow-scripts allow-downloads"></iframe>')
 
-    def save(self, path):
+    def save(self, path: Path) -> None:
         """Writes the page to a file, whole or not at all.
 
         Parameters
@@ -60,5 +63,5 @@ class Page:
         except OSError as error:
             raise OutputError(f"{path}: {error.strerror}; expected a place that can be written") from error
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Page of {len(self.content)} bytes>"

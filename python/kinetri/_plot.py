@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures by matplotlib."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
+if TYPE_CHECKING:
+    from ._moving import MovingPoints
 
-def draw(points, ax, ids, style):
+
+def draw(points: MovingPoints, ax: Any, ids: bool, style: dict[str, Any]) -> Any:
     """Draws edges, discs and points on the axes, and gives these."""
     import matplotlib.pyplot as plt
     from matplotlib.collections import EllipseCollection, LineCollection

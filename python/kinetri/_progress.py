@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The bar of a long run: tqdm's where that is installed, else a line of text."""
+from __future__ import annotations
+
 import contextlib
 import sys
+from collections.abc import Callable, Iterator
+
+from ._types import Progress
 
 
 @contextlib.contextmanager
-def progress_bar(progress, start, until):
+def progress_bar(progress: Progress, start: float,
+                 until: float) -> Iterator[Callable[[float], object] | None]:
     """Gives the function that is called with the present time, or None.
 
     Parameters
@@ -24,7 +30,7 @@ def progress_bar(progress, start, until):
     try:
         from tqdm.auto import tqdm
     except ImportError:
-        def show(time):
+        def show(time: float) -> None:
             print(f"\rt = {time:.6g} of {until:.6g}", end="", file=sys.stderr, flush=True)
 
         yield show

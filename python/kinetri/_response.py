@@ -1,13 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What discs do when they touch."""
+from __future__ import annotations
+
 import dataclasses
-import typing
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _kinetri
 from ._arrays import float_array
+from ._types import ArrayLike
 from .errors import PreconditionError
+
+if TYPE_CHECKING:
+    from ._kinetri import Contact, _Response
 
 
 @dataclasses.dataclass(frozen=True)
@@ -27,15 +34,15 @@ class Response:
         Whether the disc rests from now on.
     """
 
-    velocity_a: typing.Optional[tuple] = None
-    velocity_b: typing.Optional[tuple] = None
+    velocity_a: ArrayLike | None = None
+    velocity_b: ArrayLike | None = None
     erases_a: bool = False
     erases_b: bool = False
     stops_a: bool = False
     stops_b: bool = False
 
 
-def respond(name, contact):
+def respond(name: str, contact: Contact) -> Response:
     """What a built-in response does with a contact.
 
     For responses that treat some contacts in a way of their own, and leave the others.
@@ -54,13 +61,14 @@ def respond(name, contact):
     return Response(*_kinetri.respond(name, contact))
 
 
-def _velocity(name, value):
+def _velocity(name: str, value: ArrayLike | None) -> list[float] | None:
     if value is None:
         return None
-    return float_array(name, np.asarray(value), (2,)).tolist()
+    x, y = float_array(name, np.asarray(value), (2,))
+    return [float(x), float(y)]
 
 
-def engine_response(collisions):
+def engine_response(collisions: Any) -> str | Callable[[Contact], _Response] | None:
     """What the engine takes: a name, None, or a function with a tuple as its result."""
     if collisions is None or isinstance(collisions, str):
         return collisions
@@ -69,8 +77,8 @@ def engine_response(collisions):
             f"collisions is {collisions!r}; expected a name such as 'elastic', None, or a function of a "
             "contact")
 
-    def respond_to(contact):
-        result = collisions(contact)
+    def respond_to(contact: Contact) -> _Response:
+        result: Any = collisions(contact)
         if result is None:
             result = Response()
         elif not isinstance(result, Response):

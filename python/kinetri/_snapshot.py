@@ -1,6 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Snapshots."""
+from __future__ import annotations
+
 import hashlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ._moving import MovingPoints
+    from ._types import Collisions
 
 
 class Snapshot:
@@ -15,12 +22,13 @@ class Snapshot:
         The content of a checkpoint file.
     """
 
-    def __init__(self, restorer, state, collisions=None):
+    def __init__(self, restorer: type[MovingPoints], state: bytes,
+                 collisions: Collisions = None) -> None:
         self._restorer = restorer
         self.state = state
         self._collisions = collisions
 
-    def restore(self):
+    def restore(self) -> Any:
         """A new object with this state.
 
         Returns
@@ -30,14 +38,14 @@ class Snapshot:
         """
         return self._restorer._restored(self)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         if not isinstance(other, Snapshot):
             return NotImplemented
         return self.state == other.state and self._restorer is other._restorer
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash(self.state)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         digest = hashlib.sha256(self.state).hexdigest()[:8]
         return f"<Snapshot {self._restorer.__name__} {digest}, {len(self.state)} bytes>"

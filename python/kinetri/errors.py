@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The exceptions that Kinetri raises: all are `kinetri.Error`. They are named as in C++."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ._kinetri import Time
 
 
 class Error(Exception):
@@ -35,6 +41,8 @@ class CoincidentTrajectoriesError(Error, ValueError):
         The points.
     """
 
+    ids: tuple[int, int]
+
 
 class ContactError(Error):
     """A contact that no response can deal with.
@@ -44,6 +52,8 @@ class ContactError(Error):
     id : int
         The point; of two, the one with the smaller id.
     """
+
+    id: int
 
 
 class EndlessContactsError(ContactError):
@@ -63,6 +73,8 @@ class OverlappingDiscsError(Error, ValueError):
         All pairs that overlap, sorted.
     """
 
+    pairs: list[list[int]]
+
 
 class NegativeRadiusError(Error, ValueError):
     """The radius of a disc is, or would become, negative.
@@ -75,6 +87,9 @@ class NegativeRadiusError(Error, ValueError):
         At or just after it the radius is negative.
     """
 
+    id: int
+    time: Time
+
 
 class OutsideBoxError(Error, ValueError):
     """A point is outside of the box.
@@ -84,6 +99,8 @@ class OutsideBoxError(Error, ValueError):
     id : int
         The point.
     """
+
+    id: int
 
 
 class PackingError(Error):

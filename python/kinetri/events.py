@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Events as structured arrays, and as tables of pandas."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from . import _kinetri
 from ._arrays import NO_POINT
+from ._types import Events
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 #: The kinds of event, in the order in which simultaneous ones are executed.
 event_kinds = _kinetri.event_kinds
@@ -19,20 +27,20 @@ event_kinds = _kinetri.event_kinds
 #:     `NO_POINT` twice where there is none.
 #: points : two uint32
 #:     The points concerned: the second, or both, may be `NO_POINT`.
-event_dtype = np.dtype(_kinetri.event_fields)
+event_dtype: np.dtype[np.void] = np.dtype(_kinetri.event_fields)
 
 
-def take(table):
+def take(table: _kinetri.EventTable) -> Events:
     """The rows of an EventTable, without a copy. The table is empty then."""
     return table.take(event_dtype)
 
 
-def empty_events():
+def empty_events() -> Events:
     """An array without events."""
     return np.empty(0, dtype=event_dtype)
 
 
-def to_dataframe(events):
+def to_dataframe(events: Events) -> pd.DataFrame:
     """A table with a column for each number of the events.
 
     Parameters

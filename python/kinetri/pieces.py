@@ -6,30 +6,38 @@ stand then. So each piece begins with a triangulation of its own. Only where poi
 collinear for a while can the triangulation depend on what was before: then the piece is computed again,
 from the end of the one before it.
 """
+from __future__ import annotations
+
 import operator
 import warnings
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
 from . import _arrays
 from ._moving import KineticDelaunay, MovingPoints, Simulation
+from ._types import ArrayLike, Events, Floats, Ids
 from .errors import HistoryWarning, PreconditionError
 from .sweeps import map_tasks
 
+# positions, velocities, acceleration, jerk and epoch
+_Motions = tuple[Floats, Floats, "Floats | None", "Floats | None", float]
 
-def _begin(motions, start):
+
+def _begin(motions: _Motions, start: float) -> KineticDelaunay:
     """The points at the time `start`, of motions whose epoch is the start of the run."""
     positions, velocities, acceleration, jerk, epoch = motions
     return KineticDelaunay._at(positions, velocities, acceleration, jerk, epoch, start)
 
 
-def _recorded(kd, until):
+def _recorded(kd: KineticDelaunay, until: float) -> tuple[Events, Ids, Ids]:
     """The events up to `until`, and the edges before and after."""
     before = kd.edges()
     return kd.record(until), before, kd.edges()
 
 
-def run_piece(motions, start, until):
+def run_piece(motions: _Motions, start: float, until: float) -> tuple[Events, Ids, Ids]:
     """The events after `start`, up to `until`, and the edges at both ends.
 
     Parameters
@@ -46,14 +54,15 @@ def run_piece(motions, start, until):
     return _recorded(_begin(motions, start), until)
 
 
-def _borders(start, until, pieces):
+def _borders(start: float, until: float, pieces: int) -> Floats:
     """The times at which the pieces begin and end: distinct floats."""
-    borders = np.linspace(start, until, pieces + 1)
+    borders: Floats = np.linspace(start, until, pieces + 1)
     borders[0], borders[-1] = start, until
-    return np.unique(borders)
+    distinct: Floats = np.unique(borders)
+    return distinct
 
 
-def _difference(a, b):
+def _difference(a: Ids, b: Ids) -> list[Any]:
     """The edges that one of two sorted arrays has and the other has not."""
     if np.array_equal(a, b):
         return []
@@ -62,8 +71,9 @@ def _difference(a, b):
     return sorted(first ^ second)
 
 
-def run_in_pieces(positions, velocities=None, until=None, pieces=2, client=None, *, acceleration=None,
-                  jerk=None, start=0.0, workers=None):
+def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, until: float | None = None,
+                  pieces: int = 2, client: Any = None, *, acceleration: ArrayLike | None = None,
+                  jerk: ArrayLike | None = None, start: float = 0.0, workers: int | None = None) -> Events:
     """The events of one run, computed in pieces of time, each of them alone.
 
     Parameters
@@ -146,6 +156,6 @@ def run_in_pieces(positions, velocities=None, until=None, pieces=2, client=None,
     return np.concatenate([events for events, _, _ in results])
 
 
-def _shortened(items, most=12):
+def _shortened(items: Sequence[Any], most: int = 12) -> str:
     text = ", ".join(str(item) for item in items[:most])
     return text if len(items) <= most else f"{text}, ... ({len(items)} in all)"

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Points to begin with: of files, and made up."""
+from __future__ import annotations
+
 import operator
+from typing import Any
 
 from . import _kinetri
 from ._arrays import one_number
+from ._types import Floats, Path
 from .errors import PreconditionError
 
 
-def read_points(path):
+def read_points(path: Path) -> dict[str, Any]:
     """The points of a file, as arguments of the classes.
 
     Parameters
@@ -30,7 +34,7 @@ def read_points(path):
     return _kinetri.read_points(str(path))
 
 
-def _count(name, value):
+def _count(name: str, value: Any) -> int:
     try:
         result = operator.index(value)
     except TypeError:
@@ -40,7 +44,9 @@ def _count(name, value):
     return result
 
 
-def scenario(kind, points=100, *, seed=1, side=None, speed=5.0, spacing=10.0, jitter=0.1, movers="all"):
+def scenario(kind: str, points: int = 100, *, seed: int = 1, side: float | None = None,
+             speed: float = 5.0, spacing: float = 10.0, jitter: float = 0.1,
+             movers: str = "all") -> tuple[Floats, Floats]:
     """Points and velocities, as ``kinetri generate`` makes them: the same numbers everywhere.
 
     Parameters
@@ -77,7 +83,8 @@ def scenario(kind, points=100, *, seed=1, side=None, speed=5.0, spacing=10.0, ji
                              one_number("jitter", jitter), movers)
 
 
-def packing(points=1000, *, share=0.8, sizes=1.0, seed=1, side=None, speed=5.0):
+def packing(points: int = 1000, *, share: float = 0.8, sizes: float = 1.0, seed: int = 1,
+            side: float | None = None, speed: float = 5.0) -> dict[str, Any]:
     """Discs in a square box that cover a given share of it, and do not overlap, exactly.
 
     Small discs grow and collide elastically until they cover that share (Lubachevsky and Stillinger).

@@ -1,17 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Many runs: a parameter study on the processes of this machine, or on a cluster."""
+from __future__ import annotations
+
 import concurrent.futures
 import itertools
 import multiprocessing
 import pickle
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from .errors import PreconditionError, WorkerError
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 #: A task whose worker has ended without a result is given to another one, this many times.
 MOST_ATTEMPTS = 3
 
 
-def parameter_list(parameters):
+def parameter_list(
+        parameters: dict[str, Sequence[Any]] | Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     """The runs as dictionaries of arguments, in order.
 
     Of a dictionary of sequences these are all combinations, the last name changing fastest.
@@ -33,21 +41,21 @@ def parameter_list(parameters):
     return result
 
 
-def _dumps(value):
+def _dumps(value: Any) -> bytes:
     """Also functions of a notebook, where cloudpickle is installed."""
     try:
         import cloudpickle
     except ImportError:
         return pickle.dumps(value)
-    return cloudpickle.dumps(value)
+    return bytes(cloudpickle.dumps(value))
 
 
-def _call(task):
+def _call(task: bytes) -> Any:
     function, arguments = pickle.loads(task)
     return function(**arguments)
 
 
-def map_on_processes(tasks, workers=None):
+def map_on_processes(tasks: list[bytes], workers: int | None = None) -> list[Any]:
     """The results of pickled tasks, in order, on processes of this machine.
 
     If a worker is killed, its tasks and those that were lost with it run again.
@@ -78,18 +86,21 @@ def map_on_processes(tasks, workers=None):
     return [results[i] for i in range(len(tasks))]
 
 
-def map_tasks(function, argument_list, client, workers):
+def map_tasks(function: Callable[..., Any], argument_list: list[dict[str, Any]], client: Any,
+              workers: int | None) -> list[Any]:
     """The results of function(**arguments), in order, on a client or on processes."""
     if client is not None:
         # Every task is one of its own, even where two are equal; a worker that is killed is replaced.
         futures = [client.submit(function, **arguments, pure=False, retries=MOST_ATTEMPTS - 1)
                    for arguments in argument_list]
-        return client.gather(futures)
+        return list(client.gather(futures))
     tasks = [_dumps((function, arguments)) for arguments in argument_list]
     return map_on_processes(tasks, workers)
 
 
-def sweep(function, parameters, client=None, *, workers=None):
+def sweep(function: Callable[..., Any],
+          parameters: dict[str, Sequence[Any]] | Iterable[dict[str, Any]], client: Any = None, *,
+          workers: int | None = None) -> pd.DataFrame:
     """Runs a function with many arguments, and puts the results into one table.
 
     Parameters

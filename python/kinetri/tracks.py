@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Recorded tracks: things that appear, move from observation to observation, and leave."""
+from __future__ import annotations
+
 import math
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _arrays, _kinetri
 from ._moving import Simulation
 from ._response import engine_response
+from ._types import ArrayLike, Collisions, Events, Floats, Ids, Path, Progress
 from .errors import InputError, PreconditionError
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 class Tracks:
@@ -27,7 +35,8 @@ class Tracks:
         The time 0, where times are dates: times are seconds since then.
     """
 
-    def __init__(self, times, places, offsets, labels, radii, max_gap, origin):
+    def __init__(self, times: Floats, places: Floats, offsets: npt.NDArray[np.uint64], labels: list[Any],
+                 radii: Floats | None, max_gap: float | None, origin: np.datetime64 | None) -> None:
         self._times = times
         self._places = places
         self._offsets = offsets
@@ -39,7 +48,8 @@ class Tracks:
         self.origin = origin
 
     @classmethod
-    def from_arrays(cls, t, id, x, y, *, radius=None, max_gap=None):
+    def from_arrays(cls, t: ArrayLike, id: ArrayLike, x: ArrayLike, y: ArrayLike, *,
+                    radius: ArrayLike | None = None, max_gap: float | None = None) -> Tracks:
         """Tracks of columns, one row for each observation, in any order.
 
         Parameters
@@ -93,8 +103,7 @@ class Tracks:
         order = np.lexsort((t, thing))
         thing, times = thing[order], t[order]
         places = np.column_stack((x[order], y[order])) if size > 0 else np.empty((0, 2))
-        if radius is not None:
-            radius = _arrays.column("radius", radius, size)[order]
+        sizes = None if radius is None else _arrays.column("radius", radius, size)[order]
         keep = np.ones(size, dtype=bool)
         same = (thing[1:] == thing[:-1]) & (times[1:] == times[:-1])
         differ = same & np.any(places[1:] != places[:-1], axis=1)
@@ -105,23 +114,24 @@ class Tracks:
                 f"t = {times[i]}; expected one observation of a thing at a time")
         keep[1:] = ~same
         radii = None
-        if radius is not None:
-            change = (thing[1:] == thing[:-1]) & (radius[1:] != radius[:-1])
+        if sizes is not None:
+            change = (thing[1:] == thing[:-1]) & (sizes[1:] != sizes[:-1])
             if np.any(change):
                 i = int(np.argmax(change))
                 raise InputError(
-                    f"rows {order[i]} and {order[i + 1]}: {labels[thing[i]]!r} has the radii {radius[i]} "
-                    f"and {radius[i + 1]}; expected one radius of a thing")
-            if np.any(radius < 0):
-                i = int(np.argmax(radius < 0))
-                raise InputError(f"row {order[i]}: the radius is {radius[i]}; expected at least 0")
-            radii = radius[np.searchsorted(thing, np.arange(len(labels)))]
+                    f"rows {order[i]} and {order[i + 1]}: {labels[thing[i]]!r} has the radii {sizes[i]} "
+                    f"and {sizes[i + 1]}; expected one radius of a thing")
+            if np.any(sizes < 0):
+                i = int(np.argmax(sizes < 0))
+                raise InputError(f"row {order[i]}: the radius is {sizes[i]}; expected at least 0")
+            radii = sizes[np.searchsorted(thing, np.arange(len(labels)))]
         thing, times, places = thing[keep], times[keep], np.ascontiguousarray(places[keep])
         offsets = np.searchsorted(thing, np.arange(len(labels) + 1)).astype(np.uint64)
         return cls(times, places, offsets, labels, radii, max_gap, origin)
 
     @classmethod
-    def from_dataframe(cls, df, *, t="t", id="id", x="x", y="y", radius=None, max_gap=None):
+    def from_dataframe(cls, df: pd.DataFrame, *, t: str = "t", id: str = "id", x: str = "x", y: str = "y",
+                       radius: str | None = None, max_gap: float | None = None) -> Tracks:
         """Tracks of a table, one row for each observation, in any order.
 
         Parameters
@@ -160,7 +170,7 @@ class Tracks:
                                max_gap=max_gap)
 
     @classmethod
-    def read(cls, path, *, fps=None, max_gap=None):
+    def read(cls, path: Path, *, fps: float | None = None, max_gap: float | None = None) -> Tracks:
         """Tracks of a file.
 
         Parameters
@@ -188,24 +198,26 @@ class Tracks:
                    None)
 
     @property
-    def start(self):
+    def start(self) -> float:
         """float: the time of the first observation; NaN if there is none."""
         return float(self._times.min()) if len(self._times) > 0 else math.nan
 
     @property
-    def end(self):
+    def end(self) -> float:
         """float: the time of the last observation; NaN if there is none."""
         return float(self._times.max()) if len(self._times) > 0 else math.nan
 
-    def __len__(self):
+    def __len__(self) -> int:
         """The number of things."""
         return len(self.labels)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return (f"<Tracks of {len(self)} things, {len(self._times)} observations, "
                 f"t = {self.start:g} to {self.end:g}>")
 
-    def simulation(self, *, start=None, until=None, box=None, radius=None, rim=False, collisions=None):
+    def simulation(self, *, start: float | None = None, until: float | None = None,
+                   box: ArrayLike | None = None, radius: float | None = None, rim: bool = False,
+                   collisions: Collisions = None) -> TracksSimulation:
         """The things as moving points: a simulation in which each appears, turns and leaves.
 
         Parameters
@@ -244,7 +256,8 @@ class Tracks:
         result.stays = stays
         return result
 
-    def record(self, *, start=None, until=None, progress=False):
+    def record(self, *, start: float | None = None, until: float | None = None,
+               progress: Progress = False) -> Events:
         """The events of the whole time.
 
         Parameters
@@ -262,7 +275,8 @@ class Tracks:
         simulation = self.simulation(start=start, until=until)
         return simulation.record(simulation.end, progress=progress)
 
-    def closest(self, number=10, *, start=None, until=None, progress=False):
+    def closest(self, number: int = 10, *, start: float | None = None, until: float | None = None,
+                progress: Progress = False) -> pd.DataFrame:
         """The closest approaches of all things.
 
         Parameters
@@ -302,7 +316,7 @@ class Tracks:
             table["date"] = self.dates(times[:, 0])
         return pd.DataFrame(table)
 
-    def dates(self, times):
+    def dates(self, times: ArrayLike) -> npt.NDArray[np.datetime64]:
         """Times as dates.
 
         Parameters
@@ -323,7 +337,8 @@ class Tracks:
         if self.origin is None:
             raise PreconditionError("the times of these tracks are numbers; expected tracks with dates")
         nanoseconds = np.rint(np.asarray(times, dtype=np.float64) * 1e9).astype("timedelta64[ns]")
-        return self.origin.astype("datetime64[ns]") + nanoseconds
+        dates: npt.NDArray[np.datetime64] = self.origin.astype("datetime64[ns]") + nanoseconds
+        return dates
 
 
 class TracksSimulation(Simulation):
@@ -339,7 +354,11 @@ class TracksSimulation(Simulation):
         The time of the end.
     """
 
-    def label(self, id):
+    tracks: Tracks
+    stays: npt.NDArray[np.uint64]
+    end: float
+
+    def label(self, id: int) -> Any:
         """The name of the thing that a point is.
 
         Parameters
@@ -354,13 +373,13 @@ class TracksSimulation(Simulation):
         """
         return self.tracks.labels[self.stays[_arrays.one_id("id", id), 0]]
 
-    def _closest(self, number, progress):
+    def _closest(self, number: int, progress: Progress) -> tuple[Ids, Floats, Floats]:
         watch = _kinetri.Closest(self._engine, _arrays.one_id("number", number))
         self._advance(self.end, None, progress)
         return watch.take()
 
 
-def _things(names, times):
+def _things(names: npt.NDArray[Any], times: Floats) -> tuple[list[Any], npt.NDArray[np.int64]]:
     """The distinct names in the order of their first observation, and the index of each row's."""
     distinct, thing = np.unique(names, return_inverse=True)
     first = np.full(len(distinct), np.inf)

@@ -144,7 +144,8 @@ class Wheel(unittest.TestCase):
     def test_it_runs_where_these_are_not_installed(self):
         unshare = ["unshare", "--user", "--map-root-user", "--mount", "--fork"]
         if not shutil.which("unshare") or subprocess.run(
-                [*unshare, "mount", "--bind", "/dev/null", "/dev/zero"], stderr=subprocess.DEVNULL).returncode:
+                [*unshare, "mount", "--bind", "/dev/null", "/dev/zero"],
+                stderr=subprocess.DEVNULL).returncode != 0:
             self.skipTest("no namespace of mounts can be made here")
         built = BUILD / "python/kinetri" / MODULE
         hidden = {str(pathlib.Path(path).resolve()) for name, path in libraries_of(built).items()

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Types in the signatures of the package."""
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Union
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from ._kinetri import Contact, Time
+    from ._response import Response
+
+#: Numbers that are taken exactly: lists of lists, arrays of any kind, tables.
+ArrayLike = npt.ArrayLike
+Floats = npt.NDArray[np.float64]
+Ids = npt.NDArray[np.uint32]
+#: Rows of `event_dtype`.
+Events = npt.NDArray[np.void]
+Vector = Union[Sequence[float], Floats]
+#: xmin, ymin, xmax, ymax
+Box = tuple[float, float, float, float]
+Path = Union[str, "os.PathLike[str]"]
+TimeLike = Union[float, Fraction, "np.integer[Any]", "np.floating[Any]", "Time"]
+#: Whether a bar is shown, or a function of the present time.
+Progress = Union[bool, Callable[[float], object]]
+#: What discs do when they touch.
+Collisions = Union[
+    str, Callable[["Contact"], Union["Response", tuple["ArrayLike | None", "ArrayLike | None"], None]], None]
