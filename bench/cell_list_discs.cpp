@@ -30,14 +30,15 @@ double exit_time(const std::vector<double>& bounds, std::uint16_t i, double x, d
 
 }  // namespace
 
-Cell_list_discs::Cell_list_discs(std::span<const Linear_motion_2> motions, const Box_2& box,
-                                 double radius)
-    : diameter_(2 * radius), squared_diameter_(diameter_ * diameter_) {
+Cell_list_discs::Cell_list_discs(std::span<const Linear_motion_2> motions,
+                                 std::span<const double> radii, const Box_2& box) {
   KINETRI_PRECONDITION(!motions.empty() && motions.size() < none, "too few or too many discs");
+  KINETRI_PRECONDITION(radii.size() == motions.size(), "another number of radii than of discs");
   const double width = box.xmax - box.xmin;
   const double height = box.ymax - box.ymin;
-  const double least_width = std::max(
-      diameter_, std::sqrt(discs_per_cell * width * height / static_cast<double>(motions.size())));
+  const double least_width =
+      std::max(2 * std::ranges::max(radii),
+               std::sqrt(discs_per_cell * width * height / static_cast<double>(motions.size())));
   column_bounds_ = bounds(box.xmin, box.xmax, least_width);
   row_bounds_ = bounds(box.ymin, box.ymax, least_width);
   stride_ = column_bounds_.size() + 1;
@@ -48,6 +49,7 @@ Cell_list_discs::Cell_list_discs(std::span<const Linear_motion_2> motions, const
     Disc& disc = discs_[id];
     disc.place = motions[id].position;
     disc.velocity = motions[id].velocity;
+    disc.radius = radii[id];
     disc.column = interval(column_bounds_, disc.place.x);
     disc.row = interval(row_bounds_, disc.place.y);
     enter(id);
@@ -112,7 +114,8 @@ double Cell_list_discs::collision_time(const Disc& p, const Disc& q) const {
   const double vy = q.velocity.y - p.velocity.y;
   const double approach = -(x * vx + y * vy);
   if (!(approach > 0)) return never;
-  const double gap = x * x + y * y - squared_diameter_;
+  const double contact = p.radius + q.radius;
+  const double gap = x * x + y * y - contact * contact;
   const double discriminant = approach * approach - (vx * vx + vy * vy) * gap;
   if (!(discriminant > 0)) return never;
   return p.time + std::max(0.0, gap / (approach + std::sqrt(discriminant)));
@@ -196,10 +199,14 @@ void Cell_list_discs::collide(std::uint32_t id) {
   const double y = q.place.y - p.place.y;
   const double impulse =
       ((q.velocity.x - p.velocity.x) * x + (q.velocity.y - p.velocity.y) * y) / (x * x + y * y);
-  p.velocity.x += impulse * x;
-  p.velocity.y += impulse * y;
-  q.velocity.x -= impulse * x;
-  q.velocity.y -= impulse * y;
+  const double mass_p = p.radius * p.radius;
+  const double mass_q = q.radius * q.radius;
+  const double part_p = impulse * (2 * mass_q / (mass_p + mass_q));
+  const double part_q = impulse * (2 * mass_p / (mass_p + mass_q));
+  p.velocity.x += part_p * x;
+  p.velocity.y += part_p * y;
+  q.velocity.x -= part_q * x;
+  q.velocity.y -= part_q * y;
   ++p.changes;
   ++q.changes;
   ++counters_.collisions;
@@ -246,7 +253,7 @@ long double Cell_list_discs::energy() const {
   for (const Disc& disc : discs_) {
     const long double x = disc.velocity.x;
     const long double y = disc.velocity.y;
-    sum += x * x + y * y;
+    sum += (x * x + y * y) * disc.radius * disc.radius;
   }
   return sum;
 }
@@ -254,19 +261,20 @@ long double Cell_list_discs::energy() const {
 double Cell_list_discs::deepest_overlap() const {
   std::vector<Disc> discs = discs_;
   for (Disc& disc : discs) move_to(disc, now_);
-  double least = diameter_;
+  double deepest = 0;
   for (std::size_t id = 0; id < discs.size(); ++id) {
     const Disc& disc = discs[id];
     for (std::size_t i = 0; i < 9; ++i) {
       const std::size_t near = cell(disc.column + i % 3, disc.row + i / 3);
       for (std::uint32_t other = cells_[near]; other != none; other = discs[other].next) {
         if (other == id) continue;
-        least = std::min(least, std::hypot(discs[other].place.x - disc.place.x,
-                                           discs[other].place.y - disc.place.y));
+        const double distance =
+            std::hypot(discs[other].place.x - disc.place.x, discs[other].place.y - disc.place.y);
+        deepest = std::max(deepest, 1 - distance / (disc.radius + discs[other].radius));
       }
     }
   }
-  return 1 - least / diameter_;
+  return deepest;
 }
 
 }  // namespace kinetri::bench

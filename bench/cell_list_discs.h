@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rival for colliding discs: event-driven molecular dynamics of equal hard discs in a box, in
+// The rival for colliding discs: event-driven molecular dynamics of hard discs in a box, in
 // doubles, certified by nothing, without a triangulation. It is what one writes who wants
 // collisions alone and takes them one at a time for granted: rounding decides which of two that
 // are nearly simultaneous comes first, and how far discs overlap.
 //
-// Cells at least one diameter wide say which discs may collide, so that a disc's events are its
-// collisions with those of the 3 x 3 cells around it, its passage to the next cell, and the wall. A
-// disc is moved only when it has an event. The queue holds one entry a disc, its next event, found
-// when its motion changed last. A collision whose partner has had another one since is not looked
-// for when that happens, but when its old time has come: whatever the disc meets is not earlier.
-// Sources: D. C. Rapaport, The event scheduling problem in molecular dynamic simulation, J. Comput.
-// Phys. 34 (1980); B. D. Lubachevsky, How to simulate billiards and similar systems, J. Comput.
-// Phys. 94 (1991); M. Marin, D. Risso, P. Cordero, Efficient algorithms for many-body hard particle
-// molecular dynamics, J. Comput. Phys. 109 (1993).
+// Cells at least as wide as the greatest diameter say which discs may collide, so that a disc's
+// events are its collisions with those of the 3 x 3 cells around it, its passage to the next cell,
+// and the wall. A disc is moved only when it has an event. The queue holds one entry a disc, its
+// next event, found when its motion changed last. A collision whose partner has had another one
+// since is not looked for when that happens, but when its old time has come: whatever the disc
+// meets is not earlier. Sources: D. C. Rapaport, The event scheduling problem in molecular dynamic
+// simulation, J. Comput. Phys. 34 (1980); B. D. Lubachevsky, How to simulate billiards and similar
+// systems, J. Comput. Phys. 94 (1991); M. Marin, D. Risso, P. Cordero, Efficient algorithms for
+// many-body hard particle molecular dynamics, J. Comput. Phys. 109 (1993).
 #ifndef KINETRI_BENCH_CELL_LIST_DISCS_H
 #define KINETRI_BENCH_CELL_LIST_DISCS_H
 
@@ -38,13 +38,14 @@ struct Cell_list_counters {
 };
 
 /// The discs, from time 0 on; their centres are reflected by the walls, and they collide
-/// elastically, with equal masses. Preconditions: at least one disc, with its centre in the box;
-/// epochs 0; no overlap.
+/// elastically, with the areas as masses. Preconditions: at least one disc, with its centre in the
+/// box; a positive radius for each; epochs 0; no overlap.
 class Cell_list_discs {
  public:
   using Pair = std::array<std::uint32_t, 2>;
 
-  Cell_list_discs(std::span<const Linear_motion_2> motions, const Box_2& box, double radius);
+  Cell_list_discs(std::span<const Linear_motion_2> motions, std::span<const double> radii,
+                  const Box_2& box);
 
   /// Executes all events up to `time`.
   void advance_to(double time);
@@ -54,10 +55,11 @@ class Cell_list_discs {
   /// From now on the discs of each collision are appended to `log`, the smaller id first.
   void log_collisions(std::vector<Pair>& log) { log_ = &log; }
 
-  /// The sum of squared speeds.
+  /// The sum of the squared speeds, each times the square of the radius.
   long double energy() const;
 
-  /// How far the two discs that overlap most do so now, in diameters; 0 if none do.
+  /// How far the two discs that overlap most, for their size, do so now: in sums of their radii; 0
+  /// if none do.
   double deepest_overlap() const;
 
  private:
@@ -68,6 +70,7 @@ class Cell_list_discs {
   struct alignas(64) Disc {
     Vector_2 place;
     Vector_2 velocity;
+    double radius = 0;
     double time = 0;
     std::uint32_t changes = 0;  // of its velocity
     std::uint32_t next = none;  // in its cell
@@ -105,8 +108,6 @@ class Cell_list_discs {
   void collide(std::uint32_t id);
   void cross(std::uint32_t id);
 
-  double diameter_;
-  double squared_diameter_;
   std::vector<double> column_bounds_;
   std::vector<double> row_bounds_;
   std::size_t stride_;                // of rows, which have an empty cell at either end

@@ -74,6 +74,11 @@ int main(int argc, char** argv) {
           .add_option("--area-fraction", setup.area_fraction,
                       "share of the plane that the discs cover (0.3)")
           ->check(CLI::Range(1e-6, most_area_fraction));
+      command
+          .add_option("--sizes", setup.size_ratio,
+                      "greatest radius over the least, of discs at random places (equal discs on a "
+                      "jittered lattice)")
+          ->check(CLI::Range(1.0, 1000.0));
     } else {
       command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")
           ->transform(CLI::CheckedTransformer(scenarios()));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "bench_discs.h"
 #include "cell_list_discs.h"
 #include "kinetri/kinetri.h"
 #include "kinetri/simulation/simulation_2.h"
@@ -14,44 +16,55 @@ namespace kinetri::bench {
 namespace {
 
 using nlohmann::json;
-using Simulation = Simulation_2<>;
-using Kinetic = Simulation::Triangulation;
 
 // Collisions by each disc, on average, before the two programs are compared: later than that,
 // rounding separates their paths.
 constexpr double collisions_to_compare = 2;
 
-// How far discs may overlap in doubles, in diameters.
+// How far discs may overlap in doubles, in sums of their radii.
 constexpr double most_overlap = 1e-9;
 
-struct Discs {
-  std::vector<Linear_motion_2> motions;
-  Box_2 box;
-  double radius = 0;
-
-  // The box is the square that the lattice's cells fill.
-  explicit Discs(const Setup& setup) : motions(setup.motions()) {
-    const double spacing = setup.options.spacing;
-    const double side = spacing * std::ceil(std::sqrt(static_cast<double>(motions.size())));
-    box = {-spacing / 2, -spacing / 2, side - spacing / 2, side - spacing / 2};
-    radius = spacing * std::sqrt(setup.area_fraction / std::numbers::pi);
-  }
-
-  Simulation_options options() const {
-    Simulation_options result;
-    result.box = box;
-    result.radius = radius;
-    result.response = collide_elastically;
+// As the simulation takes them: points with one radius for all, or discs.
+template <class Motion>
+std::vector<Motion> motions_of(const Bench_discs& discs) {
+  if constexpr (HasWeight<Motion>) {
+    std::vector<Motion> result;
+    for (std::size_t i = 0; i < discs.motions.size(); ++i) {
+      result.push_back({discs.motions[i], discs.radii[i], 0, 0});
+    }
     return result;
+  } else {
+    return discs.motions;
   }
-};
+}
+
+template <class Motion>
+Simulation_options options_of(const Bench_discs& discs) {
+  Simulation_options result;
+  result.box = discs.box;
+  result.response = collide_elastically;
+  result.refuses_overlaps = true;
+  if constexpr (HasWeight<Motion>) {
+    for (const double radius : discs.radii) result.masses.push_back(radius * radius);
+  } else {
+    result.radius = discs.radii.front();
+  }
+  return result;
+}
+
+template <class Simulation>
+Simulation simulation_of(const Bench_discs& discs) {
+  using Motion = typename Simulation::Motion;
+  return Simulation(motions_of<Motion>(discs), options_of<Motion>(discs));
+}
 
 // The contacts of a simulation, with the motions that they gave.
+template <class Simulation>
 class Contact_recorder : public Simulation::Observer {
  public:
   struct Change {
     Point_id id;
-    Linear_motion_2 motion;
+    typename Simulation::Motion motion;
   };
   struct Contact {
     Event_kind kind;
@@ -82,21 +95,26 @@ class Contact_recorder : public Simulation::Observer {
   std::vector<Contact> contacts_;
 };
 
+template <class Kinetic>
 std::uint64_t number_of(const Kinetic& triangulation, Event_kind kind) {
   return triangulation.counters().events[static_cast<std::size_t>(kind)];
 }
 
+template <class Kinetic>
 std::uint64_t number_of_flips(const Kinetic& triangulation) {
   return number_of(triangulation, Event_kind::flip) +
          number_of(triangulation, Event_kind::hull_insert) +
          number_of(triangulation, Event_kind::hull_remove);
 }
 
-long double energy(const Kinetic& triangulation) {
+template <class Simulation>
+long double energy(const Simulation& simulation) {
   long double sum = 0;
-  for (Point_id id = 0; id < triangulation.next_id(); ++id) {
-    const Vector_2 v = triangulation.motion(id).velocity;
-    sum += static_cast<long double>(v.x) * v.x + static_cast<long double>(v.y) * v.y;
+  for (Point_id id = 0; id < simulation.triangulation().next_id(); ++id) {
+    const Vector_2 v = simulation.triangulation().motion(id).velocity;
+    const long double x = v.x;
+    const long double y = v.y;
+    sum += (x * x + y * y) * simulation.mass(id);
   }
   return sum;
 }
@@ -114,11 +132,14 @@ struct Replay {
   double change_seconds = 0;
 };
 
-Replay replay(const Discs& discs, const std::vector<Contact_recorder::Contact>& contacts,
+template <class Simulation>
+Replay replay(const Bench_discs& discs,
+              const std::vector<typename Contact_recorder<Simulation>::Contact>& contacts,
               double until) {
-  Kinetic triangulation(discs.motions);
+  using Kinetic = typename Simulation::Triangulation;
+  Kinetic triangulation(motions_of<typename Simulation::Motion>(discs));
   Replay result;
-  std::vector<Kinetic::Change> changes;
+  std::vector<typename Kinetic::Change> changes;
   const Stopwatch watch;
   double last = watch.seconds();
   const auto lap = [&](double& seconds) {
@@ -146,8 +167,9 @@ Replay replay(const Discs& discs, const std::vector<Contact_recorder::Contact>& 
 }
 
 // Whether the two programs see the same collisions and contacts with walls up to `time`.
-void check_agreement(const Discs& discs, double time) {
-  Simulation simulation(discs.motions, discs.options());
+template <class Simulation>
+void check_agreement(const Bench_discs& discs, double time) {
+  auto simulation = simulation_of<Simulation>(discs);
   const Contact_recorder recorder(simulation);
   simulation.advance_to(time);
   std::vector<Cell_list_discs::Pair> exact;
@@ -156,7 +178,7 @@ void check_agreement(const Discs& discs, double time) {
     exact.push_back(edge_ids(contact.changes[0].id, contact.changes[1].id));
   }
   std::vector<Cell_list_discs::Pair> collisions;
-  Cell_list_discs cell_list(discs.motions, discs.box, discs.radius);
+  Cell_list_discs cell_list(discs.motions, discs.radii, discs.box);
   cell_list.log_collisions(collisions);
   cell_list.advance_to(time);
   // Nearly simultaneous ones may change places.
@@ -174,13 +196,13 @@ void check_agreement(const Discs& discs, double time) {
 }
 
 // The mean over as many runs as take 0.2 seconds.
-json measure_cell_list(const Setup& setup, const Discs& discs) {
+json measure_cell_list(const Setup& setup, const Bench_discs& discs) {
   constexpr double enough = 0.2;
   double total = 0;
   int runs = 0;
   json result;
   while (total < enough) {
-    Cell_list_discs cell_list(discs.motions, discs.box, discs.radius);
+    Cell_list_discs cell_list(discs.motions, discs.radii, discs.box);
     const long double energy_before = cell_list.energy();
     const Stopwatch watch;
     cell_list.advance_to(setup.until);
@@ -189,7 +211,7 @@ json measure_cell_list(const Setup& setup, const Discs& discs) {
     const double overlap = cell_list.deepest_overlap();
     if (overlap > most_overlap) {
       throw std::runtime_error("discs of the cell list overlap by " + std::to_string(overlap) +
-                               " of their diameter");
+                               " of the sum of their radii");
     }
     const Cell_list_counters& counters = cell_list.counters();
     result["baseline_collisions"] = counters.collisions;
@@ -207,14 +229,15 @@ json measure_cell_list(const Setup& setup, const Discs& discs) {
 }
 
 // One run of the simulation and its replay, and several of the cell list.
-json measure_round(const Setup& setup, const Discs& discs,
-                   const std::vector<Contact_recorder::Contact>& contacts) {
+template <class Simulation>
+json measure_round(const Setup& setup, const Bench_discs& discs,
+                   const std::vector<typename Contact_recorder<Simulation>::Contact>& contacts) {
   json result;
   double per_second = 0;
   {  // Freed before the cell list runs.
-    Simulation simulation(discs.motions, discs.options());
-    const Kinetic& triangulation = simulation.triangulation();
-    const long double energy_before = energy(triangulation);
+    auto simulation = simulation_of<Simulation>(discs);
+    const auto& triangulation = simulation.triangulation();
+    const long double energy_before = energy(simulation);
     const Stopwatch watch;
     simulation.advance_to(setup.until);
     const double seconds = watch.seconds();
@@ -231,8 +254,8 @@ json measure_round(const Setup& setup, const Discs& discs,
     result["exact_decided"] = certificates.exact_decided;
     result["collisions_per_second"] = per_second;
     result["flips_per_collision"] = ratio(flips, collisions);
-    result["energy_drift"] = drift(energy_before, energy(triangulation));
-    const Replay parts = replay(discs, contacts, setup.until);
+    result["energy_drift"] = drift(energy_before, energy(simulation));
+    const Replay parts = replay<Simulation>(discs, contacts, setup.until);
     if (parts.flips != number_of_flips(triangulation) ||
         parts.edges != triangulation.finite_edge_ids()) {
       throw std::runtime_error("the replay of the contacts has other flips than the simulation");
@@ -249,19 +272,26 @@ json measure_round(const Setup& setup, const Discs& discs,
   return result;
 }
 
-}  // namespace
-
-json measure_discs(const Setup& setup) {
-  const Discs discs(setup);
-  Simulation simulation(discs.motions, discs.options());
+template <class Simulation>
+json measure(const Setup& setup, const Bench_discs& discs) {
+  auto simulation = simulation_of<Simulation>(discs);
   const Contact_recorder recorder(simulation);
   simulation.advance_to(setup.until);
   const auto collisions =
       static_cast<double>(number_of(simulation.triangulation(), Event_kind::collision));
   const double to_compare = collisions_to_compare * static_cast<double>(discs.motions.size()) / 2;
-  check_agreement(discs, setup.until * std::min(1.0, ratio(to_compare, collisions)));
-  json result = median_round([&] { return measure_round(setup, discs, recorder.contacts()); });
+  check_agreement<Simulation>(discs, setup.until * std::min(1.0, ratio(to_compare, collisions)));
+  return median_round([&] { return measure_round<Simulation>(setup, discs, recorder.contacts()); });
+}
+
+}  // namespace
+
+json measure_discs(const Setup& setup) {
+  json result = setup.size_ratio ? measure<Simulation_2<Disc_kinetic_traits_2>>(
+                                       setup, discs_of_different_sizes(setup))
+                                 : measure<Simulation_2<>>(setup, equal_discs(setup));
   result["area_fraction"] = setup.area_fraction;
+  if (setup.size_ratio) result["size_ratio"] = *setup.size_ratio;
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "kinetri/simulation/scenarios.h"
@@ -26,6 +27,9 @@ struct Setup {
   Scenario_options options;
   double until = 10;
   double area_fraction = 0.3;  ///< of discs: the share of the plane that they cover
+  /// Of discs: the greatest radius over the least. If empty, all have one radius, and the
+  /// simulation is that of points.
+  std::optional<double> size_ratio = std::nullopt;
 
   std::vector<Linear_motion_2> motions() const { return make_scenario(scenario, options); }
 };

@@ -19,6 +19,13 @@ UNTIL = {100: 10, 1_000: 10, 10_000: 3, 100_000: 1, 1_000_000: 0.2}
 # discs are simulated for as much less time.
 DISCS_UNTIL = {0.1: 250, 0.3: 100, 0.5: 50}
 
+# The same for discs of different sizes that cover 0.3 of the plane, by the greatest radius over the
+# least: some 10 000 to 20 000 collisions.
+SIZES_UNTIL = {1: 20, 10: 20, 100: 40}
+
+# How long the events of points with weights are measured.
+WEIGHTS_UNTIL = {1_000: 3, 10_000: 1}
+
 SCENARIOS = ("uniform", "gaussian", "constant-speed", "one-mover", "lattice-jitter")
 
 
@@ -54,6 +61,7 @@ TURN_TENTH_OVER_REBUILD = 0.25
 INSERT_OVER_STATIC = 4
 ERASE_OVER_STATIC = 8
 COLLISIONS_OVER_CELL_LIST = 0.2
+EQUAL_DISCS_OVER_POINTS = 1.1
 ROUNDED_CELL_NANOSECONDS = 2000
 CLOSEST_PAIR_MILLISECONDS = {100_000: 30}
 
@@ -93,7 +101,7 @@ def build():
 
 def measurements(arguments):
     """(mode, scenario, points, runs) of each measurement; of discs, their area fraction is the
-    scenario."""
+    scenario, and of discs of different sizes the ratio of these."""
     runs = arguments.runs
     scenarios = ("uniform", "constant-speed") if arguments.quick else SCENARIOS
     sizes = (1_000, 10_000)
@@ -110,7 +118,7 @@ def measurements(arguments):
         yield "frames", "uniform", points, runs
     if arguments.large:
         yield "frames", "uniform", 100_000, min(runs, 3)
-    for mode in FIGURES:
+    for mode in ("start", "accelerated", "changes"):
         for points in (1_000, 10_000, 100_000):
             yield mode, "uniform", points, runs
     for points in (1_000, 10_000, 100_000):
@@ -120,6 +128,11 @@ def measurements(arguments):
     for points in sizes:
         for area_fraction in DISCS_UNTIL:
             yield "discs", area_fraction, points, min(runs, 2) if arguments.quick else runs
+    for points in sizes:
+        for size_ratio in SIZES_UNTIL:
+            yield "sizes", size_ratio, points, min(runs, 2) if arguments.quick else runs
+    for points in WEIGHTS_UNTIL:
+        yield "weights", "uniform", points, min(runs, 2) if arguments.quick else runs
     for points in (100, 1_000, 10_000):
         yield "paper-table", "uniform", points, 1
 
@@ -134,10 +147,15 @@ def measure(arguments):
                 f"[{number}/{len(todo)}] {mode} {scenario} n = {points}, run {run} of {runs}",
                 file=sys.stderr,
             )
-            command = [arguments.program, mode, "--points", points, "--seed", arguments.seed]
+            program_mode = "discs" if mode == "sizes" else mode
+            command = [arguments.program, program_mode, "--points", points, "--seed", arguments.seed]
             if mode == "discs":
                 until = DISCS_UNTIL[scenario] * 1_000 / points
                 command += ["--area-fraction", scenario, "--until", until]
+            elif mode == "sizes":
+                command += ["--sizes", scenario, "--until", SIZES_UNTIL[scenario] * 1_000 / points]
+            elif mode == "weights":
+                command += ["--until", WEIGHTS_UNTIL[points]]
             else:
                 command += ["--scenario", scenario, "--until", UNTIL[points]]
             done = subprocess.run(
@@ -234,10 +252,18 @@ CHANGE_FIGURES = (
     ("erasure: ns", "erase_ns", None),
     ("erasure / static removal", "erase_over_static", ERASE_OVER_STATIC),
 )
+# Of discs, an event of the regular triangulation.
+WEIGHT_FIGURES = (
+    ("event of discs of one size / of their centers", "equal_over_delaunay", EQUAL_DISCS_OVER_POINTS),
+    ("event of weights that differ / of points without", "unequal_over_delaunay", None),
+    ("event with half of the points hidden / without", "hiding_over_unequal", None),
+    ("share of hidden points", "hidden_share", None),
+)
 FIGURES = {
     "start": START_FIGURES,
     "accelerated": ACCELERATED_FIGURES,
     "changes": CHANGE_FIGURES,
+    "weights": WEIGHT_FIGURES,
 }
 
 ANSWER_FIGURES = (
@@ -286,6 +312,13 @@ def rows(results):
         elif mode == "discs":
             for what, key, target in DISC_FIGURES:
                 yield what, f"discs {scenario}", points, [run[key] for run in runs], target
+        elif mode == "sizes":
+            for what, key, target in DISC_FIGURES:
+                # The ratio must not fall as the sizes spread.
+                if target is not None:
+                    one_size = results[mode, min(SIZES_UNTIL), points]
+                    target = Target(">=", statistics.median(run[key] for run in one_size))
+                yield what, f"sizes 1:{scenario}", points, [run[key] for run in runs], target
 
 
 def number(value):
