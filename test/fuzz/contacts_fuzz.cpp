@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A tiny simulation of discs from bytes, some of which come, turn or go, beside the oracle that
-// looks at all pairs: the same contacts at the same exact times, and the same motions at the end.
+// A tiny simulation of discs from bytes, of one size or of any, with masses and radii that grow or
+// shrink, some of which come, turn or go, beside the oracle that looks at all pairs: the same
+// contacts at the same exact times, and the same motions at the end.
 #include <cmath>
 #include <vector>
 
@@ -51,6 +52,15 @@ void read(Numbers& numbers, Polynomial_motion_2& motion) {
   motion.jerk = numbers.vector(1);
 }
 
+template <class Centre>
+void read(Numbers& numbers, Basic_disc_motion_2<Centre>& disc) {
+  read(numbers, static_cast<Centre&>(disc));
+  disc.radius = std::abs(numbers.next(9)) / 4;
+  disc.growth = numbers.next(2) / 8;
+  // A radius that changes is rounded down at every contact, and may not become negative.
+  if (disc.radius + until * disc.growth <= disc.radius / 64) disc.growth = 0;
+}
+
 template <class Traits>
 void run(Fuzz_input& input) {
   using Motion = typename Traits::Motion;
@@ -58,11 +68,17 @@ void run(Fuzz_input& input) {
   const auto responses = static_cast<int>(named_responses.size());
   options.response =
       named_responses[static_cast<std::size_t>(input.integer(1, responses - 1))].response;
-  options.radius = input.integer(1, 8) / 4.0;
+  if (!HasWeight<Motion>) options.radius = input.integer(1, 8) / 4.0;
   if (input.integer(0, 1) == 0) options.box = Box_2{-size, -size, size, size};
+  if (options.box) options.rim_touches = input.integer(0, 3) == 0;
   Numbers numbers(input);
   std::vector<Motion> motions(static_cast<std::size_t>(input.integer(1, most_points)));
   for (Motion& motion : motions) read(numbers, motion);
+  if (input.integer(0, 1) == 0) {
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      options.masses.push_back(input.integer(1, 16) / 4.0);
+    }
+  }
   std::vector<test::All_pairs_change<Motion>> changes;
   auto next_id = static_cast<Point_id>(motions.size());
   for (double time = 0; !input.at_end() && time + 0.5 < until;) {
@@ -90,13 +106,21 @@ void run(Fuzz_input& input) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   kinetri::test::Fuzz_input input(data, size);
   try {
-    if (input.integer(0, 1) == 0) {
-      kinetri::run<kinetri::Linear_kinetic_traits_2>(input);
-    } else {
-      kinetri::run<kinetri::Polynomial_kinetic_traits_2>(input);
+    switch (input.integer(0, 3)) {
+      case 0:
+        kinetri::run<kinetri::Linear_kinetic_traits_2>(input);
+        break;
+      case 1:
+        kinetri::run<kinetri::Polynomial_kinetic_traits_2>(input);
+        break;
+      case 2:
+        kinetri::run<kinetri::Disc_kinetic_traits_2>(input);
+        break;
+      default:
+        kinetri::run<kinetri::Polynomial_disc_kinetic_traits_2>(input);
     }
   } catch (const kinetri::Coincident_trajectories_error&) {  // one trajectory twice
-  } catch (const kinetri::Outside_box_error&) {              // numbers with fractions, at the rim
+  } catch (const kinetri::Outside_box_error&) {              // numbers with fractions, or a rim
   }
   return 0;
 }

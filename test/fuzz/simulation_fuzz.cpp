@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A whole tiny simulation: points and a start from bytes, run with full audits, and once more
-// without filters; of few points also against the brute-force simulator.
+// A whole tiny run: points, or discs with weights, and a start from bytes, run with full audits,
+// and once more without filters; of few points also against the brute-force simulator.
 //
-// The first byte says how numbers are read: as small integers, one byte each, as such integers
-// times powers of two, two bytes each, or as any binary64 number. The second is the start.
+// The first byte says whether there are weights, the second how numbers are read: as small
+// integers, one byte each, as such integers times powers of two, two bytes each, or as any binary64
+// number. The third is the start.
 #include <bit>
 #include <cmath>
 #include <sstream>
@@ -49,7 +50,19 @@ double number(Fuzz_input& input, Numbers numbers) {
   }
 }
 
-bool has_twins(const std::vector<Linear_motion_2>& motions) {
+void read(Fuzz_input& input, Numbers numbers, Linear_motion_2& motion) {
+  for (double* const x :
+       {&motion.position.x, &motion.position.y, &motion.velocity.x, &motion.velocity.y}) {
+    *x = number(input, numbers);
+  }
+}
+void read(Fuzz_input& input, Numbers numbers, Disc_motion_2& disc) {
+  read(input, numbers, static_cast<Linear_motion_2&>(disc));
+  for (double* const x : {&disc.radius, &disc.growth, &disc.weight}) *x = number(input, numbers);
+}
+
+template <class Motion>
+bool has_twins(const std::vector<Motion>& motions) {
   for (std::size_t i = 0; i < motions.size(); ++i) {
     for (std::size_t j = i + 1; j < motions.size(); ++j) {
       if (same_trajectory(motions[i], motions[j])) return true;
@@ -58,9 +71,10 @@ bool has_twins(const std::vector<Linear_motion_2>& motions) {
   return false;
 }
 
-void check(const std::vector<Linear_motion_2>& motions, const Algebraic_number& start) {
-  test::Kinetic_delaunay kinetic(motions, start);
-  test::Kinetic_delaunay exact(motions, start, Linear_kinetic_traits_2::exact());
+template <class Traits>
+void check(const std::vector<typename Traits::Motion>& motions, const Algebraic_number& start) {
+  Kinetic_triangulation_2<Traits> kinetic(motions, start);
+  Kinetic_triangulation_2<Traits> exact(motions, start, Traits::exact());
   test::Event_recorder one(kinetic);
   test::Event_recorder other(exact);
   for (int i = 0; i < most_instants && kinetic.next_event_time(); ++i) {
@@ -74,30 +88,35 @@ void check(const std::vector<Linear_motion_2>& motions, const Algebraic_number& 
   require(problem.empty(), problem);
 }
 
+template <class Traits>
+void run(Fuzz_input& input) {
+  using Motion = typename Traits::Motion;
+  const Numbers numbers = read_numbers(input);
+  const Algebraic_number start(Rational(input.integer(-8, 8), 2));
+  std::vector<Motion> motions(static_cast<std::size_t>(input.integer(0, most_points)));
+  for (Motion& motion : motions) read(input, numbers, motion);
+  try {
+    check<Traits>(motions, start);
+    require(!has_twins(motions), "one trajectory twice, not refused");
+    if constexpr (!HasWeight<Motion>) {
+      if (motions.size() > points_for_brute_force(numbers)) return;
+      const std::string problem = test::difference_from_brute_force(motions, start);
+      require(problem.empty(), problem + "\n" + test::describe(motions));
+    }
+  } catch (const Coincident_trajectories_error&) {
+    require(has_twins(motions), "refused, though no trajectory is twice");
+  }
+}
+
 }  // namespace
 }  // namespace kinetri
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   kinetri::test::Fuzz_input input(data, size);
-  const auto numbers = kinetri::read_numbers(input);
-  const kinetri::Algebraic_number start(kinetri::Rational(input.integer(-8, 8), 2));
-  std::vector<kinetri::Linear_motion_2> motions;
-  for (int points = input.integer(0, kinetri::most_points); points > 0; --points) {
-    kinetri::Linear_motion_2 m;
-    for (double* const x : {&m.position.x, &m.position.y, &m.velocity.x, &m.velocity.y}) {
-      *x = kinetri::number(input, numbers);
-    }
-    motions.push_back(m);
-  }
-  try {
-    kinetri::check(motions, start);
-    kinetri::test::require(!kinetri::has_twins(motions), "one trajectory twice, not refused");
-    if (motions.size() <= kinetri::points_for_brute_force(numbers)) {
-      const auto problem = kinetri::test::difference_from_brute_force(motions, start);
-      kinetri::test::require(problem.empty(), problem + "\n" + kinetri::test::describe(motions));
-    }
-  } catch (const kinetri::Coincident_trajectories_error&) {
-    kinetri::test::require(kinetri::has_twins(motions), "refused, though no trajectory is twice");
+  if (input.integer(0, 1) == 0) {
+    kinetri::run<kinetri::Linear_kinetic_traits_2>(input);
+  } else {
+    kinetri::run<kinetri::Disc_kinetic_traits_2>(input);
   }
   return 0;
 }

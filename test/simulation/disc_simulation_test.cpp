@@ -21,6 +21,7 @@
 namespace kinetri {
 namespace {
 
+using test::count;
 using test::in_box;
 using test::Recorder;
 using Discs = Simulation_2<Disc_kinetic_traits_2>;
@@ -34,10 +35,6 @@ Simulation_options responding(Collision_response response) {
 Disc_motion_2 disc(const Vector_2& place, const Vector_2& velocity, double radius,
                    double growth = 0, double epoch = 0) {
   return {{place, velocity, epoch}, radius, growth, 0};
-}
-
-std::uint64_t count(const Discs& simulation, Event_kind kind) {
-  return simulation.triangulation().counters().events[static_cast<std::size_t>(kind)];
 }
 
 // ---- by hand ----
@@ -334,46 +331,6 @@ TEST(Discs_of_any_size, have_the_first_contacts_of_all_pairs) {
     EXPECT_TRUE(simulation.audit(Audit_level::delaunay).passed());
   }
   EXPECT_GT(contacts, 500u);
-}
-
-TEST(Discs_of_any_size, keep_energy_and_momentum) {
-  // Sizes and masses from 1 to 8 times the smallest, in free space, until they have dispersed.
-  std::vector<Disc_motion_2> motions;
-  Simulation_options options = responding(collide_elastically);
-  for (const Linear_motion_2& motion : test::discs_in_a_box(400, 0.2, 3)) {
-    const double radius = 0.5 * static_cast<double>(1 + motions.size() % 8);
-    motions.push_back({motion, radius, 0, 0});
-    options.masses.push_back(radius * radius);
-  }
-  Discs simulation(motions, options);
-  struct Sums {
-    long double energy = 0;
-    long double x = 0;
-    long double y = 0;
-  };
-  const auto sums = [&] {
-    Sums result;
-    for (Point_id id = 0; id < motions.size(); ++id) {
-      const Vector_2 v = simulation.triangulation().motion(id).velocity;
-      const auto mass = static_cast<long double>(simulation.mass(id));
-      result.energy +=
-          mass * (static_cast<long double>(v.x) * v.x + static_cast<long double>(v.y) * v.y);
-      result.x += mass * v.x;
-      result.y += mass * v.y;
-    }
-    return result;
-  };
-  const Sums before = sums();
-  simulation.advance_to(5.0);
-  const Sums after = sums();
-  std::printf("%llu collisions: energy changed by %.3Lg, momentum by %.3Lg, %.3Lg\n",
-              static_cast<unsigned long long>(count(simulation, Event_kind::collision)),
-              after.energy / before.energy - 1, after.x - before.x, after.y - before.y);
-  EXPECT_GT(count(simulation, Event_kind::collision), 300u);
-  EXPECT_LT(std::abs(after.energy / before.energy - 1), 1e-13L);
-  EXPECT_LT(std::abs(after.x - before.x), 1e-9L);
-  EXPECT_LT(std::abs(after.y - before.y), 1e-9L);
-  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
 }
 
 }  // namespace

@@ -122,7 +122,10 @@ std::string difference_from_all_pairs(
   };
 
   std::string problem = audit_problem(Audit_level::certificates);
-  for (const auto& [time, id, motion] : changes) {
+  for (const auto& change : changes) {
+    const double time = change.time;
+    const Point_id id = change.id;
+    const auto& motion = change.motion;
     if (!problem.empty() || is_pressed || compared >= most_contacts || time > until) break;
     problem = run_to(Algebraic_number(time));
     if (!problem.empty() || is_pressed || is_over || compared >= most_contacts) break;

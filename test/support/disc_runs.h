@@ -66,7 +66,8 @@ inline Simulation_options discs(const Box_2& box, double radius, Collision_respo
   return options;
 }
 
-inline Vector_2 velocity(const Simulation& simulation, Point_id id) {
+template <class Traits>
+Vector_2 velocity(const Simulation_2<Traits>& simulation, Point_id id) {
   return simulation.triangulation().motion(id).velocity;
 }
 
@@ -93,21 +94,24 @@ inline Box_2 box_of(std::size_t n) {
   return {-5, -5, side - 5, side - 5};
 }
 
-/// Sums over all points: of squared speeds, and of velocities.
+/// Sums over all points: of squared speeds, and of velocities, each times the mass.
 struct Conserved {
   long double energy = 0;
   long double momentum_x = 0;
   long double momentum_y = 0;
 };
 
-inline Conserved conserved(const Simulation& simulation) {
+template <class Traits>
+Conserved conserved(const Simulation_2<Traits>& simulation) {
   Conserved sum;
   for (Point_id id = 0; id < simulation.triangulation().next_id(); ++id) {
     if (!simulation.triangulation().contains(id)) continue;
-    const Vector_2 v = simulation.triangulation().motion(id).velocity;
-    sum.energy += static_cast<long double>(v.x) * v.x + static_cast<long double>(v.y) * v.y;
-    sum.momentum_x += v.x;
-    sum.momentum_y += v.y;
+    const Vector_2 v = velocity(simulation, id);
+    const long double mass = simulation.mass(id);
+    sum.energy +=
+        mass * (static_cast<long double>(v.x) * v.x + static_cast<long double>(v.y) * v.y);
+    sum.momentum_x += mass * v.x;
+    sum.momentum_y += mass * v.y;
   }
   return sum;
 }
@@ -193,7 +197,8 @@ inline std::string audited_run(Simulation& simulation, double until, Audit_level
   return problem(Audit_level::certificates);
 }
 
-inline std::uint64_t count(const Simulation& simulation, Event_kind kind) {
+template <class Traits>
+std::uint64_t count(const Simulation_2<Traits>& simulation, Event_kind kind) {
   return simulation.triangulation().counters().events[static_cast<std::size_t>(kind)];
 }
 

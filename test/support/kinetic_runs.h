@@ -95,14 +95,15 @@ std::string audited_run(Kinetic& kinetic, const std::optional<Algebraic_number>&
   return problem;
 }
 
-/// How two sequences of events differ: in number, kind, exact time, or edges.
+/// How two sequences of events differ: in number, kind, exact time, edges, or points.
 inline std::string difference(const std::vector<Kinetic_event>& one,
                               const std::vector<Kinetic_event>& other) {
   std::ostringstream text;
   for (std::size_t i = 0; i < one.size() && i < other.size(); ++i) {
     const Kinetic_event& a = one[i];
     const Kinetic_event& b = other[i];
-    if (a.kind != b.kind || a.time != b.time || a.removed != b.removed || a.added != b.added) {
+    if (a.kind != b.kind || a.time != b.time || a.removed != b.removed || a.added != b.added ||
+        a.point_a != b.point_a || a.point_b != b.point_b) {
       text << "event " << i << ": " << a << "; the other one: " << b;
       return text.str();
     }
