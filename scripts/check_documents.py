@@ -5,10 +5,11 @@
 - Every relative link in a Markdown file leads to a file, and to a heading of it where it names one.
 - The program in README.md is the one that test/install builds.
 - What stands in a block of a page of docs/guide stands, line by line, in an example that the page
-  links: ```cpp in the program, ```text in what it prints, ```cmake and ```csv in files that are
-  linked. The block may be indented less than there. ```sh is for commands, which are not checked.
-- Every program of examples/ is shown by a page of docs/guide: whole if it has at most 100 lines, and with
-  its whole output.
+  links: ```cpp or ```python in the program, ```text in what it prints, ```cmake and ```csv in files
+  that are linked. The block may be indented less than there. ```sh is for commands, which are not
+  checked.
+- Every program of examples/ and examples/python/ is shown by a page of docs/guide: whole if it has at
+  most 100 lines, and with its whole output.
 
 usage: check_documents.py [ROOT]
 
@@ -29,7 +30,8 @@ README_PROGRAM = pathlib.PurePath("test/install/consumer/main.cpp")
 
 # Where the lines of a block of the guide must stand: the ending of a linked file, which for what is
 # printed is that of the file beside the program.
-ENDINGS = {"cpp": ".cpp", "text": ".txt", "cmake": "CMakeLists.txt", "csv": ".csv"}
+PROGRAMS = {"cpp": ".cpp", "python": ".py"}
+ENDINGS = {**PROGRAMS, "text": ".txt", "cmake": "CMakeLists.txt", "csv": ".csv"}
 UNCHECKED = {"sh"}
 
 # A program with at most so many lines is shown whole.
@@ -127,7 +129,7 @@ def occurs(lines, text):
 def whole(file):
     """The lines of a file that shows it whole: all but the comment at the top of a program."""
     lines = file.read_text(encoding="utf-8").splitlines()
-    while file.suffix == ".cpp" and lines and lines[0].startswith("//"):
+    while file.suffix in PROGRAMS.values() and lines and lines[0].startswith(("//", "#!", "# ")):
         del lines[0]
     return lines
 
@@ -136,7 +138,7 @@ def block_problems(page, blocks, prose, shown):
     """What is wrong with the blocks of a page of the guide. Adds what it shows of each file: whether
     that is all of it."""
     linked = [split_target(page, target)[0] for _, target in links(prose)]
-    linked += [file.with_suffix(".txt") for file in linked if file.suffix == ".cpp"]
+    linked += [file.with_suffix(".txt") for file in linked if file.suffix in PROGRAMS.values()]
     for block in blocks:
         if block.language in UNCHECKED:
             continue
@@ -176,7 +178,7 @@ def check(root):
         if path == pathlib.PurePath("README.md"):
             problems += readme_problems(root, blocks)
         violations += [f"{path}:{line}: {problem}" for line, problem in problems]
-    for program in sorted(root.glob("examples/*.cpp")):
+    for program in sorted([*root.glob("examples/*.cpp"), *root.glob("examples/python/*.py")]):
         path = program.relative_to(root)
         output = program.with_suffix(".txt")
         length = len(program.read_text(encoding="utf-8").splitlines())

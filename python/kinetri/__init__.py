@@ -34,7 +34,7 @@ from .errors import (CoincidentTrajectoriesError, ContactError, ContactOverflowE
 from .events import event_dtype, event_kinds, to_dataframe
 from .pieces import run_in_pieces
 from .scenarios import packing, read_points, scenario
-from .sweeps import sweep
+from .sweeps import parameter_list, result_table, sweep
 from .tracks import Tracks
 
 __all__ = [
@@ -43,6 +43,6 @@ __all__ = [
     "KineticDelaunay", "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors",
     "NegativeRadiusError", "OutputError", "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page",
     "PreconditionError", "Response", "Simulation", "Snapshot", "SnapshotError", "Time", "Tracks",
-    "VoronoiCell", "WorkerError", "__version__", "event_dtype", "event_kinds", "packing", "read_points",
-    "respond", "run_in_pieces", "scenario", "sweep", "to_dataframe",
+    "VoronoiCell", "WorkerError", "__version__", "event_dtype", "event_kinds", "packing", "parameter_list",
+    "read_points", "respond", "result_table", "run_in_pieces", "scenario", "sweep", "to_dataframe",
 ]

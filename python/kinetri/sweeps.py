@@ -20,9 +20,31 @@ MOST_ATTEMPTS = 3
 
 def parameter_list(
         parameters: dict[str, Sequence[Any]] | Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The runs as dictionaries of arguments, in order.
+    """The runs of a sweep, in order.
 
-    Of a dictionary of sequences these are all combinations, the last name changing fastest.
+    For runs that `sweep` does not start itself, such as the tasks of a job array.
+
+    Parameters
+    ----------
+    parameters : dict of sequences, or iterable of dict
+        A dictionary of sequences stands for all combinations of their values, the last name changing
+        fastest.
+
+    Returns
+    -------
+    list of dict
+        The arguments of each run.
+
+    Raises
+    ------
+    PreconditionError
+        If it is neither.
+
+    Examples
+    --------
+    >>> import kinetri
+    >>> kinetri.parameter_list({"share": [0.1, 0.2], "seed": [1]})
+    [{'share': 0.1, 'seed': 1}, {'share': 0.2, 'seed': 1}]
     """
     if isinstance(parameters, dict):
         names = list(parameters)
@@ -110,7 +132,7 @@ def sweep(function: Callable[..., Any],
         list of dictionaries (rows), or a value (a row with the column `result`). It must be one that a
         process can import; functions of a notebook need cloudpickle, or a client.
     parameters : dict of sequences, or iterable of dict
-        A dictionary of sequences stands for all combinations of their values.
+        As in `parameter_list`.
     client : dask.distributed.Client, optional
         Where to run; by default on processes of this machine.
     workers : int, optional
@@ -134,10 +156,44 @@ def sweep(function: Callable[..., Any],
     Without a client, a script must have its call under ``if __name__ == "__main__":``, since the
     processes import it.
     """
+    runs = parameter_list(parameters)
+    return result_table(runs, map_tasks(function, runs, client, workers))
+
+
+def result_table(runs: Sequence[dict[str, Any]], results: Sequence[Any]) -> pd.DataFrame:
+    """The table that `sweep` makes of the results of its runs.
+
+    Parameters
+    ----------
+    runs : sequence of dict
+        The arguments of each run, as `parameter_list` gives them.
+    results : sequence
+        What the function gave for each of them: as in `sweep`.
+
+    Returns
+    -------
+    pandas.DataFrame
+        In the order of the runs: a column for each argument, then those of the results.
+
+    Raises
+    ------
+    PreconditionError
+        If there are not as many results as runs.
+
+    Examples
+    --------
+    >>> import kinetri
+    >>> runs = kinetri.parameter_list({"share": [0.1, 0.2], "seed": [1]})
+    >>> kinetri.result_table(runs, [{"pressure": 1.2}, {"pressure": 1.5}])
+       share  seed  pressure
+    0    0.1     1       1.2
+    1    0.2     1       1.5
+    """
     import pandas as pd
 
-    runs = parameter_list(parameters)
-    results = map_tasks(function, runs, client, workers)
+    if len(runs) != len(results):
+        raise PreconditionError(
+            f"there are {len(results)} results; expected one for each of {len(runs)} runs")
     tables = []
     for arguments, result in zip(runs, results):
         if isinstance(result, pd.DataFrame):

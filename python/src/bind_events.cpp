@@ -25,7 +25,8 @@ py::dict event_fields() {
     offsets.append(offset);
   };
   const py::object pair = py::make_tuple("u4", py::make_tuple(2));
-  add("kind", py::str("U" + std::to_string(std::tuple_size_v<Kind_text>)), offsetof(Event_row, kind));
+  add("kind", py::str("U" + std::to_string(std::tuple_size_v<Kind_text>)),
+      offsetof(Event_row, kind));
   add("time", py::str("f8"), offsetof(Event_row, time));
   add("time_lo", py::str("f8"), offsetof(Event_row, time_lo));
   add("time_hi", py::str("f8"), offsetof(Event_row, time_hi));

@@ -18,12 +18,13 @@ namespace kinetri::python {
 /// The kind of an event as NumPy keeps text: filled up with zeros.
 using Kind_text = std::array<char32_t, 12>;
 
-/// A row of the array of events, which NumPy sees as the fields of `kinetri.event_dtype`. There is no gap
-/// between its fields: NumPy leaves gaps out where it puts arrays together, and has another type then.
+/// A row of the array of events, which NumPy sees as the fields of `kinetri.event_dtype`. There is
+/// no gap between its fields: NumPy leaves gaps out where it puts arrays together, and has another
+/// type then.
 struct Event_row {
   Kind_text kind = {};
-  double time = 0;                     ///< rounded to nearest
-  double time_lo = 0;                  ///< the tightest binary64 bounds
+  double time = 0;     ///< rounded to nearest
+  double time_lo = 0;  ///< the tightest binary64 bounds
   double time_hi = 0;
   Edge_ids removed = {no_point, no_point};
   Edge_ids added = {no_point, no_point};

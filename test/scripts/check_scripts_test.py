@@ -288,6 +288,21 @@ class Documents(Tree):
                 prefix = "examples/p.cpp:1: no page of docs/guide shows "
                 self.assertEqual(found, [prefix + text for text in expected])
 
+    def test_a_python_program_is_shown_as_it_is(self):
+        program, page = '"""What."""\nf()\n', "[q](../../examples/python/q.py)\n"
+        self.write("examples/python/q.py", LICENCE.replace("//", "#") + program)
+        self.write("examples/python/q.txt", self.OUTPUT)
+        whole = f"```python\n{program}```\n```text\n{self.OUTPUT}```\n"
+        self.assertEqual(self.problems("docs/guide/q.md", page + whole), [])
+        prefix = "examples/python/q.py:1: no page of docs/guide shows "
+        for text, expected in ((page, [prefix + "it"]),
+                               (page + "```python\nf()\n```\n", [prefix + "the whole of its 3 lines"]),
+                               (page + f"```python\n{program}```\n", [prefix + "the whole of q.txt"]),
+                               (page + whole + "```python\ng()\n```\n",
+                                ["docs/guide/q.md:11: a python block that does not stand in q.py"])):
+            with self.subTest(text=text):
+                self.assertEqual(self.problems("docs/guide/q.md", text), expected)
+
     def test_links_that_lead_somewhere_pass(self):
         text = """
 # A *name*, with `code()`

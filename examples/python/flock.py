@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A flock: each bird looks at its neighbors in the triangulation and steers, ten times a second."""
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+import kinetri
+
+SIGHT = 15.0  # metres: neighbors farther away are not seen
+NEAR = 2.0  # metres: who is nearer is too near
+SLOWEST, FASTEST = 4.0, 8.0  # metres a second
+STEP = 0.1  # seconds
+
+
+def seen(flock):
+    """Who sees whom: for each edge that is short enough, both directions; and the vector from a to b."""
+    places = flock.positions()
+    edges = flock.edges()
+    vectors = places[edges[:, 1]] - places[edges[:, 0]]
+    edges = edges[np.sqrt((vectors**2).sum(axis=1)) < SIGHT]
+    a = np.concatenate((edges[:, 0], edges[:, 1]))
+    b = np.concatenate((edges[:, 1], edges[:, 0]))
+    return a, b, places[b] - places[a]
+
+
+def sums(birds, values, size):
+    """For each bird the sum of its rows."""
+    return np.column_stack([np.bincount(birds, column, size) for column in values.T])
+
+
+def steer(flock):
+    """The new velocities: as the neighbors fly, towards them, not too near, and towards the field."""
+    a, b, vectors = seen(flock)
+    places, velocities = flock.positions(), flock.velocities()
+    size = len(places)
+    number = np.maximum(np.bincount(a, minlength=size), 1)[:, None]
+    distances = np.sqrt((vectors**2).sum(axis=1))[:, None]
+    align = sums(a, velocities[b] - velocities[a], size) / number
+    gather = sums(a, vectors, size) / number
+    part = -sums(a, vectors / distances * np.maximum(NEAR - distances, 0), size)
+    home = -places * (np.sqrt((places**2).sum(axis=1))[:, None] > 60)
+    velocities = velocities + STEP * (4.0 * align + 0.3 * gather + 8.0 * part + 0.02 * home)
+    speeds = np.sqrt((velocities**2).sum(axis=1))[:, None]
+    return velocities * (np.clip(speeds, SLOWEST, FASTEST) / speeds)
+
+
+def order(flock):
+    """1 if all birds fly in one direction, about 0 if each flies in its own."""
+    velocities = flock.velocities()
+    directions = velocities / np.sqrt((velocities**2).sum(axis=1))[:, None]
+    return np.sqrt((directions.mean(axis=0) ** 2).sum())
+
+
+def groups(flock):
+    """The number of parts that do not see one another."""
+    a, b, _ = seen(flock)
+    size = flock.next_id
+    return connected_components(coo_array((np.ones(len(a)), (a, b)), shape=(size, size)))[0]
+
+
+def main():
+    positions, velocities = kinetri.scenario("constant-speed", 200, seed=4, side=60, speed=5)
+    flock = kinetri.KineticDelaunay(positions - 30, velocities)
+    birds = flock.ids
+    print("seconds  events  order  groups  nearest")
+    events = 0
+    for step in range(121):
+        if step % 20 == 0:
+            nearest = flock.nearest_neighbors().distances.min()
+            print(f"{step * STEP:7.0f} {events:7d} {order(flock):6.2f} {groups(flock):7d} {nearest:8.2f}")
+        flock.set_velocities(birds, steer(flock))
+        events += flock.advance_to((step + 1) * STEP)
+    print("audit passed:", bool(flock.audit()))
+
+
+if __name__ == "__main__":
+    main()
