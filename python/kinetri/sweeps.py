@@ -104,7 +104,8 @@ def map_on_processes(tasks: list[bytes], workers: int | None = None) -> list[Any
     if remaining:
         raise WorkerError(
             f"{len(remaining)} of {len(tasks)} runs ended without a result, {MOST_ATTEMPTS} times: their "
-            "processes were killed; expected enough memory for a run on each processor, or fewer workers")
+            "processes were killed, or could not begin; expected enough memory for a run on each processor, "
+            "or fewer workers; and, in a script, the call below if __name__ == '__main__':")
     return [results[i] for i in range(len(tasks))]
 
 

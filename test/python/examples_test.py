@@ -72,6 +72,15 @@ def test_a_table_has_a_result_for_each_run():
         kinetri.result_table(runs, [{"b": 3}])
 
 
+def test_a_script_that_begins_again_in_each_process_gets_told_so(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text("import kinetri\nkinetri.sweep(kinetri.scenario, [{'kind': 'uniform'}], workers=1)\n")
+    run = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=300, check=False)
+    assert run.returncode == 1
+    assert "WorkerError: 1 of 1 runs" in run.stderr
+    assert "the call below if __name__ == '__main__':" in run.stderr
+
+
 def test_pictures_are_made(tmp_path):
     pytest.importorskip("matplotlib")
     assert output("gallery", str(tmp_path)) == ""

@@ -23,8 +23,11 @@ class Overlap_observer {
 
  protected:
   Overlap_observer() = default;
+  /// @{
+  /// For the copies of derived classes.
   Overlap_observer(const Overlap_observer&) = default;
   Overlap_observer& operator=(const Overlap_observer&) = default;
+  /// @}
 };
 
 }  // namespace kinetri
