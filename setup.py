@@ -32,6 +32,15 @@ def version():
     return re.search(r"^project\(Kinetri VERSION ([0-9.]+) ", text, re.MULTILINE).group(1)
 
 
+def numpy():
+    """The NumPy that the module runs with: pybind11 before 2.12 knows the arrays of NumPy 1 alone."""
+    try:
+        import pybind11
+    except ImportError:
+        return "numpy < 2"  # Not known: Debian's, which is older.
+    return "numpy" if pybind11.version_info[:2] >= (2, 12) else "numpy < 2"
+
+
 def jobs():
     """How many compilers to run at once."""
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
@@ -80,6 +89,6 @@ class CmakeBuild(build_ext):
             sys.exit(f"{' '.join(map(str, command))} ended with {error.returncode}; its messages are above")
 
 
-setup(version=version(), cmdclass={"build_ext": CmakeBuild},
+setup(version=version(), install_requires=[numpy()], cmdclass={"build_ext": CmakeBuild},
       # What CMake compiles it from, CMake knows.
       ext_modules=[Extension("kinetri._kinetri", sources=[])])

@@ -60,6 +60,12 @@ if(KINETRI_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next}~), \
 python3-numpy")
+  # And, like everything that uses NumPy's binary interface, for one version of that.
+  if(EXISTS /usr/share/numpy3/versions)
+    file(STRINGS /usr/share/numpy3/versions abi REGEX "^abi [0-9]+$")
+    string(REPLACE "abi " ", python3-numpy-abi" abi "${abi}")
+    string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${abi}")
+  endif()
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS
     "python3-distributed, python3-matplotlib, python3-pandas, python3-tqdm")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA

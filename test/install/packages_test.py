@@ -110,6 +110,8 @@ class Packages(unittest.TestCase):
                              set(depends))
         self.assertFalse([name for name in depends if not name.startswith(("lib", "python3"))
                           or name.endswith("-dev") or name.startswith("kinetri")])
+        if pathlib.Path("/usr/share/numpy3/versions").exists():
+            self.assertRegex(" ".join(depends), r"\bpython3-numpy-abi\d+\b")
         major, minor = map(int, run(PYTHON, "-c",
                                     "import sys; print(*sys.version_info[:2])").split())
         self.assertIn(f"python3 (>= {major}.{minor}~), python3 (<< {major}.{minor + 1}~)",
