@@ -101,7 +101,8 @@ function(kinetri_install_documents destination)
     DESTINATION ${destination} ${ARGN})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${destination} ${ARGN}
     FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${destination} ${ARGN})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${destination} ${ARGN}
+    PATTERN "__pycache__" EXCLUDE)
 endfunction()
 kinetri_install_documents(${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}

@@ -11,7 +11,6 @@ import pytest
 import kinetri
 
 EXAMPLES = pathlib.Path(os.environ["KINETRI_SOURCE_DIR"], "examples", "python")
-NEEDED = {"flock": "scipy", "crowd_density": "pandas", "many_runs": "pandas", "first_run": "pandas"}
 WITH_ARGUMENTS = {"gallery", "slurm_array"}
 
 
@@ -33,8 +32,6 @@ def expected(name):
 
 @pytest.mark.parametrize("name", sorted(file.stem for file in EXAMPLES.glob("*.txt")))
 def test_an_example_prints_what_is_beside_it(name):
-    if name in NEEDED:
-        pytest.importorskip(NEEDED[name])
     assert output(name) == expected(name)
 
 
