@@ -3,13 +3,17 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 #include "kinetri/base/check.h"
@@ -25,14 +29,17 @@ double seconds_since(Clock::time_point start) {
 }
 
 // The motion of each point over time: each of its motions, with the time from which on it holds.
-class Path_recorder : public Simulation_2<>::Observer {
+template <class Traits>
+class Path_recorder : public Event_observer {
  public:
+  using Motion = typename Traits::Motion;
+
   struct Piece {
     double from;
-    Linear_motion_2 motion;
+    Motion motion;
   };
 
-  explicit Path_recorder(Simulation_2<>& simulation)
+  explicit Path_recorder(Simulation_2<Traits>& simulation)
       : simulation_(simulation), paths_(simulation.triangulation().number_of_points()) {
     for (Point_id id = 0; id < paths_.size(); ++id) add(id, 0);
     simulation.add_observer(*this);
@@ -53,6 +60,13 @@ class Path_recorder : public Simulation_2<>::Observer {
   }
   void rewind() { present_.assign(paths_.size(), 0); }
 
+  double radius(Point_id id) const {
+    if constexpr (HasWeight<Motion>) {
+      return paths_[id].front().motion.radius;
+    } else {
+      return simulation_.options().radius;
+    }
+  }
   bool moves(Point_id id) const { return paths_[id].front().motion.velocity != Vector_2{}; }
   std::size_t size() const { return paths_.size(); }
   std::uint64_t edge_changes() const { return edge_changes_; }
@@ -62,17 +76,18 @@ class Path_recorder : public Simulation_2<>::Observer {
     paths_[id].push_back({time, simulation_.triangulation().motion(id)});
   }
 
-  const Simulation_2<>& simulation_;
+  const Simulation_2<Traits>& simulation_;
   std::vector<std::vector<Piece>> paths_;  // by point id
   std::vector<std::size_t> present_;       // which piece, by point id
   std::uint64_t edge_changes_ = 0;
 };
 
 // The discrete approach: a triangulation of the places at one step after another.
+template <class Traits>
 class Discrete_run {
  public:
-  Discrete_run(Path_recorder& paths, double diameter)
-      : paths_(paths), squared_diameter_(diameter * diameter), vertices_(paths.size()) {
+  explicit Discrete_run(Path_recorder<Traits>& paths)
+      : paths_(paths), vertices_(paths.size()), places_(paths.size()) {
     paths_.rewind();
     const auto start = Clock::now();
     for (Point_id id = 0; id < paths_.size(); ++id) insert(id, 0, {});
@@ -86,9 +101,11 @@ class Discrete_run {
     const auto start = Clock::now();
     for (Point_id id = 0; id < paths_.size(); ++id) {
       if (!paths_.moves(id)) continue;
-      // Its new place is near to its neighbors of before.
+      // Its new place is near to where it was.
       const auto face = vertices_[id]->face();
-      const auto neighbor = face->vertex(Triangulation::ccw(face->index(vertices_[id])));
+      const auto neighbor = is_hidden(vertices_[id])
+                                ? face->vertex(0)
+                                : face->vertex(Triangulation::ccw(face->index(vertices_[id])));
       triangulation_.remove(vertices_[id]);
       insert(id, time, neighbor->face());
     }
@@ -102,14 +119,36 @@ class Discrete_run {
 
  private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Triangulation = CGAL::Delaunay_triangulation_2<
+  using Delaunay = CGAL::Delaunay_triangulation_2<
       Kernel, CGAL::Triangulation_data_structure_2<
                   CGAL::Triangulation_vertex_base_with_info_2<Point_id, Kernel>>>;
+  using Regular = CGAL::Regular_triangulation_2<
+      Kernel, CGAL::Triangulation_data_structure_2<
+                  CGAL::Triangulation_vertex_base_with_info_2<
+                      Point_id, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>,
+                  CGAL::Regular_triangulation_face_base_2<Kernel>>>;
+  static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
+  using Triangulation = std::conditional_t<has_radii, Regular, Delaunay>;
 
-  void insert(Point_id id, double time, Triangulation::Face_handle near_by) {
+  static bool is_hidden(typename Triangulation::Vertex_handle v) {
+    if constexpr (has_radii) {
+      return v->is_hidden();
+    } else {
+      return false;
+    }
+  }
+
+  void insert(Point_id id, double time, typename Triangulation::Face_handle near_by) {
     const Vector_2 place = paths_.place(id, time);
-    vertices_[id] = triangulation_.insert({place.x, place.y}, near_by);
+    const Kernel::Point_2 point(place.x, place.y);
+    if constexpr (has_radii) {
+      const double radius = paths_.radius(id);
+      vertices_[id] = triangulation_.insert({point, radius * radius}, near_by);
+    } else {
+      vertices_[id] = triangulation_.insert(point, near_by);
+    }
     vertices_[id]->info() = id;
+    places_[id] = point;
   }
 
   // Compares edges and overlaps with those of the step before.
@@ -121,7 +160,8 @@ class Discrete_run {
       const auto b = face->vertex(Triangulation::ccw(i));
       const Edge_ids ids = edge_ids(a->info(), b->info());
       edges.insert(ids);
-      if (CGAL::squared_distance(a->point(), b->point()) <= squared_diameter_) {
+      const double reach = paths_.radius(ids[0]) + paths_.radius(ids[1]);
+      if (CGAL::squared_distance(places_[ids[0]], places_[ids[1]]) <= reach * reach) {
         overlaps.insert(ids);
       }
     }
@@ -135,10 +175,10 @@ class Discrete_run {
     overlaps_ = std::move(overlaps);
   }
 
-  Path_recorder& paths_;
-  double squared_diameter_;
+  Path_recorder<Traits>& paths_;
   Triangulation triangulation_;
-  std::vector<Triangulation::Vertex_handle> vertices_;  // by point id
+  std::vector<typename Triangulation::Vertex_handle> vertices_;  // by point id
+  std::vector<Kernel::Point_2> places_;                          // by point id
   std::set<Edge_ids> edges_;
   std::set<Edge_ids> overlaps_;
   std::uint64_t edge_changes_ = 0;
@@ -146,51 +186,90 @@ class Discrete_run {
   double seconds_ = 0;
 };
 
-}  // namespace
+// Discs that do not overlap, in the cells of a grid.
+class Apart {
+ public:
+  Apart(double side, double greatest_radius, std::size_t discs) : side_(side) {
+    const double most = std::sqrt(static_cast<double>(discs));
+    const double least_width = 2.001 * greatest_radius;  // more than the diameter, rounded
+    cells_in_row_ =
+        static_cast<std::size_t>(std::max(1.0, std::floor(std::min(most, side / least_width))));
+    cells_.resize(cells_in_row_ * cells_in_row_);
+  }
 
-Simulation_options experiment_options(const Experiment_setting& setting) {
-  Simulation_options result;
-  result.box = Box_2{0, 0, setting.side, setting.side};
-  result.radius = setting.diameter / 2;
-  result.response = setting.response;
+  // Adds the disc, unless it overlaps one of the others, or almost does.
+  bool add(const Disc_motion_2& disc) {
+    const std::size_t column = cell(disc.position.x);
+    const std::size_t row = cell(disc.position.y);
+    // Those in other cells are at least the greatest diameter away.
+    for (std::size_t r = row - (row > 0 ? 1 : 0); r < std::min(row + 2, cells_in_row_); ++r) {
+      for (std::size_t c = column - (column > 0 ? 1 : 0); c < std::min(column + 2, cells_in_row_);
+           ++c) {
+        for (const Disc_motion_2& other : cells_[r * cells_in_row_ + c]) {
+          if (do_almost_overlap(disc, other)) return false;
+        }
+      }
+    }
+    cells_[row * cells_in_row_ + column].push_back(disc);
+    return true;
+  }
+
+ private:
+  std::size_t cell(double coordinate) const {
+    const double index = std::floor(coordinate / side_ * static_cast<double>(cells_in_row_));
+    return std::min(static_cast<std::size_t>(index), cells_in_row_ - 1);
+  }
+
+  // The factor is more than all roundings.
+  static bool do_almost_overlap(const Disc_motion_2& a, const Disc_motion_2& b) {
+    const double x = a.position.x - b.position.x;
+    const double y = a.position.y - b.position.y;
+    const double reach = a.radius + b.radius;
+    return x * x + y * y <= reach * reach * (1 + 0x1p-40);
+  }
+
+  double side_;
+  std::size_t cells_in_row_ = 1;
+  std::vector<std::vector<Disc_motion_2>> cells_;  // row by row
+};
+
+Scenario_options uniform_options(const Experiment_setting& setting) {
+  Scenario_options result;
+  result.points = setting.points;
+  result.seed = setting.seed;
+  result.side = setting.side;
+  result.speed = setting.speed;
   return result;
 }
 
-std::vector<Linear_motion_2> experiment_motions(const Experiment_setting& setting) {
-  KINETRI_PRECONDITION(
-      setting.movers <= setting.points,
-      "more points move than there are; expected as many movers as points, or fewer");
-  Scenario_options scenario;
-  scenario.points = setting.points;
-  scenario.seed = setting.seed;
-  scenario.side = setting.side;
-  scenario.speed = setting.speed;
-  std::vector<Linear_motion_2> motions = make_scenario(Scenario::uniform, scenario);
-  for (std::size_t i = setting.movers; i < motions.size(); ++i) motions[i].velocity = {};
-  return motions;
+// Calls `function` with the traits and the motions of the setting.
+template <class Function>
+auto with_points(const Experiment_setting& setting, Function function) {
+  if (setting.has_sizes()) return function(Disc_kinetic_traits_2(), experiment_discs(setting));
+  return function(Linear_kinetic_traits_2(), experiment_motions(setting));
 }
 
-Experiment_result run_experiment(const Experiment_setting& setting) {
-  const std::vector<Linear_motion_2> motions = experiment_motions(setting);
+template <class Traits>
+Experiment_result run(const std::vector<typename Traits::Motion>& motions,
+                      const Experiment_setting& setting) {
   const auto start = Clock::now();
-  Simulation_2<> simulation(motions, experiment_options(setting));
+  Simulation_2<Traits> simulation(motions, experiment_options(setting));
   simulation.advance_to(setting.duration);
   const double seconds = seconds_since(start);
   return {simulation.triangulation().counters(), simulation.contact_counters(),
           simulation.certificate_counters(), seconds};
 }
 
-std::vector<Discrete_comparison> compare_with_discrete_steps(const Experiment_setting& setting,
-                                                             const std::vector<double>& steps) {
-  Experiment_setting passing = setting;
-  passing.response = log_contact;
-  const std::vector<Linear_motion_2> motions = experiment_motions(passing);
+template <class Traits>
+std::vector<Discrete_comparison> compare(const std::vector<typename Traits::Motion>& motions,
+                                         const Experiment_setting& passing,
+                                         const std::vector<double>& steps) {
   Discrete_comparison kinetic;
-  kinetic.kinetic_seconds = run_experiment(passing).seconds;
+  kinetic.kinetic_seconds = run<Traits>(motions, passing).seconds;
 
-  Simulation_2<> simulation(motions, experiment_options(passing));
+  Simulation_2<Traits> simulation(motions, experiment_options(passing));
   simulation.advance_to(0.0);  // discs that overlap at the start are no contacts to be missed
-  Path_recorder paths(simulation);
+  Path_recorder<Traits> paths(simulation);
   const Triangulation_counters before = simulation.triangulation().counters();
   simulation.advance_to(passing.duration);
   const Triangulation_counters& after = simulation.triangulation().counters();
@@ -199,14 +278,15 @@ std::vector<Discrete_comparison> compare_with_discrete_steps(const Experiment_se
     return after.events[i] - before.events[i];
   };
   kinetic.contacts = count(Event_kind::collision);
-  kinetic.topologic_events =
-      count(Event_kind::flip) + count(Event_kind::hull_insert) + count(Event_kind::hull_remove);
+  kinetic.topologic_events = count(Event_kind::flip) + count(Event_kind::hull_insert) +
+                             count(Event_kind::hull_remove) + count(Event_kind::hide) +
+                             count(Event_kind::reveal);
   kinetic.edge_changes = paths.edge_changes();
 
   std::vector<Discrete_comparison> result;
   for (const double step : steps) {
     KINETRI_PRECONDITION(step > 0, "a time step is not greater than 0");
-    Discrete_run run(paths, passing.diameter);
+    Discrete_run<Traits> run(paths);
     const auto number = static_cast<std::uint64_t>(std::floor(passing.duration / step));
     for (std::uint64_t i = 1; i <= number; ++i) run.go_to(static_cast<double>(i) * step);
     Discrete_comparison comparison = kinetic;
@@ -220,6 +300,81 @@ std::vector<Discrete_comparison> compare_with_discrete_steps(const Experiment_se
     result.push_back(comparison);
   }
   return result;
+}
+
+}  // namespace
+
+double Experiment_setting::covered_share() const {
+  const double small = diameter / 2;
+  const double large = small * size_ratio;
+  const auto number_of_large = static_cast<double>(points / 2);
+  const double number_of_small = static_cast<double>(points) - number_of_large;
+  return std::numbers::pi * (number_of_small * small * small + number_of_large * large * large) /
+         (side * side);
+}
+
+Simulation_options experiment_options(const Experiment_setting& setting) {
+  Simulation_options result;
+  result.box = Box_2{0, 0, setting.side, setting.side};
+  result.radius = setting.has_sizes() ? 0 : setting.diameter / 2;
+  result.refuses_overlaps = setting.has_sizes();
+  result.response = setting.response;
+  return result;
+}
+
+std::vector<Linear_motion_2> experiment_motions(const Experiment_setting& setting) {
+  KINETRI_PRECONDITION(
+      setting.movers <= setting.points,
+      "more points move than there are; expected as many movers as points, or fewer");
+  std::vector<Linear_motion_2> motions = make_scenario(Scenario::uniform, uniform_options(setting));
+  for (std::size_t i = setting.movers; i < motions.size(); ++i) motions[i].velocity = {};
+  return motions;
+}
+
+// The large discs get their places first. The discs of twice their radii about those that have
+// places cover less than the box, as long as the share is at most a quarter: there is always room.
+std::vector<Disc_motion_2> experiment_discs(const Experiment_setting& setting) {
+  KINETRI_PRECONDITION(setting.size_ratio >= 1, "the size ratio of an experiment is less than 1");
+  KINETRI_PRECONDITION(setting.covered_share() <= greatest_covered_share,
+                       "discs of two sizes cover more than a quarter of the box of an experiment");
+  const double small = setting.diameter / 2;
+  const double large = small * setting.size_ratio;
+  std::vector<Disc_motion_2> result;
+  for (const Linear_motion_2& motion : experiment_motions(setting)) {
+    result.push_back({motion, result.size() % 2 == 0 ? small : large, 0, 0});
+  }
+  Apart apart(setting.side, large, result.size());
+  Scenario_options more = uniform_options(setting);
+  for (const std::size_t first : {std::size_t{1}, std::size_t{0}}) {
+    std::vector<std::size_t> waiting;
+    for (std::size_t id = first; id < result.size(); id += 2) waiting.push_back(id);
+    for (;;) {
+      std::erase_if(waiting, [&](std::size_t id) { return apart.add(result[id]); });
+      if (waiting.empty()) break;
+      more.points = waiting.size();
+      more.seed += 0x9e3779b97f4a7c15;  // far from the seeds that users take
+      const std::vector<Linear_motion_2> places = make_scenario(Scenario::uniform, more);
+      for (std::size_t i = 0; i < waiting.size(); ++i) {
+        result[waiting[i]].position = places[i].position;
+      }
+    }
+  }
+  return result;
+}
+
+Experiment_result run_experiment(const Experiment_setting& setting) {
+  return with_points(setting, [&]<class Traits>(const Traits& /*traits*/, const auto& motions) {
+    return run<Traits>(motions, setting);
+  });
+}
+
+std::vector<Discrete_comparison> compare_with_discrete_steps(const Experiment_setting& setting,
+                                                             const std::vector<double>& steps) {
+  Experiment_setting passing = setting;
+  passing.response = log_contact;
+  return with_points(passing, [&]<class Traits>(const Traits& /*traits*/, const auto& motions) {
+    return compare<Traits>(motions, passing, steps);
+  });
 }
 
 }  // namespace kinetri

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/simulation/simulation_options.h"
 
 namespace kinetri {
@@ -22,9 +23,16 @@ struct Wave_setting {
   double spacing = 10;       ///< distance of neighbors in the lattice
   double speed = 10;         ///< of the moving row
   double diameter = 0.1;     ///< of the points, which exchange velocities when they touch
-  double jitter = 0;         ///< greatest offset of a point in y; with 0 the lattice is exact
-  std::uint64_t seed = 1;    ///< of the offsets
+  /// The diameter of every second point, as the fields of a chessboard alternate, over that of the
+  /// others: 1 or more.
+  double size_ratio = 1;
+  double jitter = 0;       ///< greatest offset of a point in y; with 0 the lattice is exact
+  std::uint64_t seed = 1;  ///< of the offsets
 
+  /// Whether there are points of two sizes.
+  bool has_sizes() const { return size_ratio != 1; }
+  /// The diameter of the greatest point.
+  double greatest_diameter() const { return diameter * size_ratio; }
   /// The width of the box, which extends the lattice by half a spacing on each side.
   double width() const { return static_cast<double>(columns) * spacing; }
   /// The height of the box, which extends the lattice by half a spacing on each side.
@@ -33,12 +41,17 @@ struct Wave_setting {
 
 /// The points, row by row from y = 0 upward. The first row moves upward, all others rest.
 /// Preconditions: columns and rows > 0, with fewer than 2^32 - 1 points; spacing, speed and
-/// diameter from 1e-100 to 1e100; the diameter less than the spacing; the jitter in that range or
-/// 0, and less than half of the gap between the discs of two neighbors in a column.
+/// diameter from 1e-100 to 1e100; the size ratio at least 1; the greatest diameter less than the
+/// spacing; the jitter in that range or 0, and less than half of the gap between two such discs
+/// that are neighbors in a column.
 std::vector<Linear_motion_2> wave_motions(const Wave_setting& setting);
 
-/// The options of the wave: a reflecting box, and discs that exchange velocities. Preconditions as
-/// for wave_motions.
+/// The same points with their radii. Preconditions as for wave_motions.
+std::vector<Disc_motion_2> wave_discs(const Wave_setting& setting);
+
+/// The options of the wave: a reflecting box, and discs that exchange velocities. They are for
+/// wave_discs if there are points of two sizes, and else for wave_motions. Preconditions as for
+/// wave_motions.
 Simulation_options wave_options(const Wave_setting& setting);
 
 }  // namespace kinetri

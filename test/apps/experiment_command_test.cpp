@@ -104,6 +104,41 @@ TEST_F(Experiment, runs_a_single_one) {
   EXPECT_NE(read("run.html").find("experiment: 20 points, 50 % moving, seed 3"), std::string::npos);
 }
 
+TEST_F(Experiment, of_two_sizes_has_columns_for_discs_that_are_hidden) {
+  const Arguments setting = {"--radius", "0.5", "--sizes", "6", "--collisions", "log"};
+  Arguments all = setting;
+  all.insert(all.end(), {"--output", "r", "--no-plots", "--compare", "--quiet"});
+  const Outcome outcome = experiment(all);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rows = table(read("r/experiment.csv"));
+  ASSERT_EQ(rows.size(), 1 + 22u);
+  Arguments one = {"experiment", "--points", "20",      "--until", "1",       "--single", "100",
+                   "--seed",     "2",        "--stats", "s",       "--audit", "events"};
+  one.insert(one.end(), setting.begin(), setting.end());
+  EXPECT_EQ(run(one).exit_code, 0);
+  const auto stats = nlohmann::json::parse(read("s"));
+  std::size_t kinds = 0;
+  for (std::size_t i = 0; i < rows[0].size(); ++i) {
+    if (!stats["events"].contains(rows[0][i])) continue;
+    EXPECT_EQ(stats["events"][rows[0][i]], std::stoi(rows.back()[i])) << rows[0][i];
+    ++kinds;
+  }
+  EXPECT_EQ(kinds, 8u);
+  EXPECT_GT(stats["events"]["collision"], 0);
+  EXPECT_GT(stats["events"]["hide"], 0);
+  EXPECT_EQ(table(read("r/comparison.csv")).size(), 1 + 16u);
+}
+
+TEST_F(Experiment, of_one_size_is_as_without_sizes) {
+  for (const std::string sizes : {"", "1"}) {
+    Arguments arguments = {"experiment", "--points", "20",       "--single",
+                           "100",        "--quiet",  "--events", "e" + sizes};
+    if (!sizes.empty()) arguments.insert(arguments.end(), {"--sizes", sizes});
+    EXPECT_EQ(run(arguments).exit_code, 0);
+  }
+  EXPECT_EQ(read("e"), read("e1"));
+}
+
 TEST_F(Experiment, needs_no_gnuplot_for_tables) {
   test::Process_input input;
   input.environment = {"PATH=/nowhere"};

@@ -133,7 +133,9 @@ def meaning_cases():
     yield case("wave --rows 0", option="--rows")
     yield case("wave --rows 1000000 --columns 2", columns=2, rows=1000000, most=1000000)
     yield case("wave --radius 5", radius=5, half=5)
+    yield case("wave --radius 1 --sizes 5", radius=5, half=5)
     yield case("wave --jitter 5", jitter=5, room=4.921875)
+    yield case("experiment --output r --sizes 16", small=0.5, large=8, share=1.01)
     yield simulate("--edges p.csv", option="--edges", path="p.csv")
     yield case("resume c --until 3 --checkpoint c", files={"c": checkpoint()}, option="--checkpoint",
                path="c")

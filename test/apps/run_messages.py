@@ -168,8 +168,10 @@ def run_cases():
     yield case("simulate d.csv --until 2 --collisions elastic --radius 1 --edges old.csv",
                files={"d.csv": fast}, file="d.csv", line=2, a=0, time=0)
     shrinking = "x,y,vx,vy,radius,growth\n9,0,0,0,1,0\n0,0,1,0,1,-0.25\n"
-    yield case("simulate d.csv --until 10 --collisions stop --edges old.csv", files={"d.csv": shrinking},
-               file="d.csv", line=3, a=1, time=4)
+    for response in ("stop", "remove"):  # nothing is written, at the start neither
+        yield case(f"simulate d.csv --until 10 --collisions {response} --edges old.csv --events e.csv "
+                   "--initial-edges i.csv --stats s.json --checkpoint c --html h.html --frames f --vtu v",
+                   files={"d.csv": shrinking}, file="d.csv", line=3, a=1, time=4)
     yield case("resume c --until 10 --edges old.csv", a=1, time=4,
                files={"c": checkpoint(shrinking, "--until 3 --collisions log")})
     yield case("simulate d.csv --until 12 --box 0,0,9,9 --max-events 2 --edges e.csv "

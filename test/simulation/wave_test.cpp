@@ -13,7 +13,8 @@ namespace kinetri {
 namespace {
 
 // The rows, counted from below, in which points move.
-std::multiset<std::size_t> moving_rows(const Simulation_2<>& simulation, std::size_t columns) {
+template <class Simulation>
+std::multiset<std::size_t> moving_rows(const Simulation& simulation, std::size_t columns) {
   std::multiset<std::size_t> result;
   const auto& triangulation = simulation.triangulation();
   for (Point_id id = 0; id < triangulation.next_id(); ++id) {
@@ -47,6 +48,31 @@ TEST(Wave, runs_from_row_to_row_and_back) {
   }
   // All contacts of one row happen at one exact time.
   EXPECT_EQ(simulation.contact_counters().most_at_one_time, 5u);
+  simulation.advance_to(20.0);
+  EXPECT_EQ(moving_rows(simulation, 5).size(), 5u);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
+// From one row to the next it is 8 - 2: a point of the radius 0.5 beside one of 1.5.
+TEST(Wave, of_two_sizes_runs_from_row_to_row) {
+  Wave_setting setting;
+  setting.columns = 5;
+  setting.rows = 4;
+  setting.spacing = 8;
+  setting.speed = 8;
+  setting.diameter = 1;
+  setting.size_ratio = 3;
+  const auto discs = wave_discs(setting);
+  EXPECT_EQ(discs[0].radius, 0.5);
+  EXPECT_EQ(discs[1].radius, 1.5);
+  EXPECT_EQ(discs[5].radius, 1.5);
+  EXPECT_EQ(discs[6].radius, 0.5);
+  Simulation_2<Disc_kinetic_traits_2> simulation(discs, wave_options(setting));
+  for (std::size_t row = 0; row < 4; ++row) {
+    simulation.advance_to((6 * static_cast<double>(row) + 1) / 8);
+    EXPECT_EQ(moving_rows(simulation, 5), (std::multiset<std::size_t>{row, row, row, row, row}));
+    EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+  }
   simulation.advance_to(20.0);
   EXPECT_EQ(moving_rows(simulation, 5).size(), 5u);
   EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
@@ -102,11 +128,17 @@ TEST(Wave, refuses_what_is_no_lattice) {
   refused(size, [](Wave_setting& s) { s.spacing = 0; });
   refused(size, [](Wave_setting& s) { s.speed = 1e200; });
   refused(size, [](Wave_setting& s) { s.diameter = s.spacing; });
+  refused(size, [](Wave_setting& s) { s.size_ratio = 0.5; });
+  refused(size, [](Wave_setting& s) { s.size_ratio = s.spacing / s.diameter; });
   const char* const jitter =
       "the jitter of a wave is out of range; expected 0, or a number from 1e-100 on and less than "
       "half of the room between neighbors";
   refused(jitter, [](Wave_setting& s) { s.jitter = -1; });
   refused(jitter, [](Wave_setting& s) { s.jitter = 5; });
+  refused(jitter, [](Wave_setting& s) {
+    s.size_ratio = 10;
+    s.jitter = 4.5;
+  });
 }
 
 }  // namespace

@@ -13,6 +13,9 @@ namespace kinetri::app {
 double scenario_size_argument(std::string_view option, std::string_view text,
                               bool zero_allowed = false);
 
+/// The value of --sizes, the radius of some discs over that of the others. Throws Usage_error.
+double size_ratio_argument(std::string_view text);
+
 /// The value of --seed. Throws Usage_error.
 std::uint64_t seed_argument(std::string_view text);
 

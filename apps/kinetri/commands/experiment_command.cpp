@@ -4,13 +4,16 @@
 #include <span>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
 #include "commands/collisions_option.h"
 #include "commands/commands.h"
 #include "commands/common_arguments.h"
 #include "commands/run_options.h"
+#include "io/text.h"
 #include "outputs/gnuplot.h"
 #include "runs/experiment_run.h"
 #include "runs/simulation_run.h"
+#include "simulation/experiment.h"
 #include "sources/generated_source.h"
 
 namespace kinetri::app {
@@ -29,6 +32,7 @@ struct Experiment_options {
   std::string until = "10";
   std::string speed = "5";
   std::string radius = "0.5";
+  std::string sizes = "1";
   std::optional<std::string> side;
   std::string collisions = "swap";
   bool compare = false;
@@ -49,6 +53,14 @@ Experiment_run experiment_run(const Experiment_options& options) {
   result.radius = scenario_size_argument("--radius", options.radius);
   result.side = options.side ? scenario_size_argument("--side", *options.side)
                              : 10 * std::sqrt(static_cast<double>(result.points));
+  result.size_ratio = size_ratio_argument(options.sizes);
+  const double share = experiment_setting(result).covered_share();
+  if (result.size_ratio != 1 && !(share <= greatest_covered_share)) {
+    throw Usage_error(joined("--sizes: discs of the radii ", result.radius, " and ",
+                             result.radius * result.size_ratio, " cover ", significant(share, 3),
+                             " of the box; expected at most ", greatest_covered_share,
+                             ": smaller discs, or a larger --side"));
+  }
   result.collisions = collisions_argument(options.collisions, all_but_none);
   return result;
 }
@@ -119,6 +131,8 @@ Command experiment_command() {
   result.add("--until", &options->until, "T", "Length of each run (default 10)");
   result.add("--speed", &options->speed, "V", "Largest component of a velocity (default 5)");
   result.add("--radius", &options->radius, "R", "Radius of the discs (default 0.5)");
+  result.add("--sizes", &options->sizes, "RATIO",
+             "Radius of every second disc over that of the others, from 1 to 1000 (default 1)");
   result.add("--side", &options->side, "L", "Side of the box (default 10 sqrt(N))");
   add_collisions_option(result, options->collisions, all_but_none,
                         "What happens when two discs touch (default swap), see kinetri simulate");
@@ -128,13 +142,17 @@ Command experiment_command() {
       "The defaults are those of the paper: 100 discs of diameter 1 in a box of 100 x 100, of "
       "which "
       "0 %, 10 %, ..., 100 % move, for 10 units of time.",
+      "With --sizes the triangulation is the regular one of the discs. No two of them overlap at "
+      "the "
+      "start, and they cover at most a quarter of the box; of one size, random discs may overlap.",
       "The directory of --output gets experiment.csv (a row for each run), runtime.svg and .png, "
       "events.svg and .png, and with --compare comparison.csv, comparison.svg and .png. The "
       "options "
       "under \"Outputs\", --audit and --exact-only are for --single.",
       "Exit codes: see kinetri simulate."};
   result.examples = {"kinetri experiment --output results --compare",
-                     "kinetri experiment --single 50 --seed 3 --html run.html"};
+                     "kinetri experiment --single 50 --seed 3 --html run.html",
+                     "kinetri experiment --output results --sizes 4"};
   result.run = [options](const Command& /*program*/) {
     if (!options->single) return run_experiments(experiment_plan(*options));
     const auto source = experiment_source(single_run(*options));

@@ -136,7 +136,7 @@ Exit_code generate_packing(const Packing_arguments& given) {
   if (given.side) options.side = scenario_size_argument("--side", *given.side);
   options.speed = scenario_size_argument("--speed", given.speed, true);
   options.share = size_argument("--share", given.share, 1e-9, 0.9, false);
-  options.size_ratio = size_argument("--sizes", given.sizes, 1, 1000, false);
+  options.size_ratio = size_ratio_argument(given.sizes);
   std::optional<double> growth;
   if (given.growth) growth = scenario_size_argument("--growth", *given.growth);
 

@@ -22,6 +22,7 @@ struct Wave_options {
   std::string spacing = "10";
   std::optional<std::string> speed;
   std::optional<std::string> radius;
+  std::string sizes = "1";
   std::string jitter = "0";
   std::string seed = "1";
   std::optional<std::string> height;
@@ -53,8 +54,14 @@ Wave_setting wave_setting(const Wave_options& options) {
     throw Usage_error(joined("--radius: ", radius, " makes neighbors overlap; expected less than ",
                              result.spacing / 2, ", half of --spacing"));
   }
+  result.size_ratio = size_ratio_argument(options.sizes);
+  if (!(result.greatest_diameter() < result.spacing)) {
+    throw Usage_error(joined("--sizes: points of the radius ", radius * result.size_ratio,
+                             " overlap their neighbors; expected a radius of less than ",
+                             result.spacing / 2, ", half of --spacing"));
+  }
   result.jitter = scenario_size_argument("--jitter", options.jitter, true);
-  const double room = (result.spacing - result.diameter) / 2;
+  const double room = (result.spacing - result.greatest_diameter()) / 2;
   if (!(result.jitter < room)) {
     throw Usage_error(joined("--jitter: ", options.jitter,
                              " lets neighbors overlap; expected less than ", room,
@@ -93,6 +100,9 @@ Command wave_command() {
   result.add("--radius", &options->radius, "R",
              "Radius of the points, which exchange velocities when they touch (default: 1/128 of "
              "the spacing)");
+  result.add("--sizes", &options->sizes, "RATIO",
+             "Radius of every second point, as the fields of a chessboard alternate, over that of "
+             "the others, from 1 to 1000 (default 1)");
   result.add("--jitter", &options->jitter, "D",
              "Largest random offset of a point in y (default 0: the lattice is exact)");
   result.add("--seed", &options->seed, "S", "Seed of the random offsets (default 1)");
@@ -111,7 +121,8 @@ Command wave_command() {
       "of --html the height of a point is a Gaussian of its distance to the moving row.",
       "Exit codes: see kinetri simulate."};
   result.examples = {"kinetri wave --html wave.html",
-                     "kinetri wave --columns 60 --rows 40 --jitter 2 --html wave.html --audit end"};
+                     "kinetri wave --columns 60 --rows 40 --jitter 2 --html wave.html --audit end",
+                     "kinetri wave --radius 0.5 --sizes 4 --html wave.html"};
   result.run = [options](const Command& /*program*/) {
     const auto source = wave_source(wave_run(*options));
     return run_simulation(run_settings(options->run), *source);

@@ -201,10 +201,11 @@ void Experiments::write() const {
 }
 
 void Experiments::write_runs(std::ostream& out) const {
-  // Those that happen: discs are equal, so that none is hidden, and points neither come nor go.
-  constexpr std::array kinds = {Event_kind::rebuild,     Event_kind::hull_insert,
-                                Event_kind::hull_remove, Event_kind::flip,
-                                Event_kind::wall,        Event_kind::collision};
+  // Those that happen: points neither come nor go, and of discs of one size none is hidden.
+  std::vector<Event_kind> kinds = {Event_kind::rebuild,     Event_kind::hull_insert,
+                                   Event_kind::hull_remove, Event_kind::flip,
+                                   Event_kind::wall,        Event_kind::collision};
+  if (setting_.has_sizes()) kinds.insert(kinds.end(), {Event_kind::hide, Event_kind::reveal});
   out << "movers_percent,seed,points,seconds";
   for (const Event_kind kind : kinds) {
     const std::string_view text = name(kind);

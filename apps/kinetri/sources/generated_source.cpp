@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "cli/text.h"
@@ -17,7 +18,8 @@ namespace {
 
 struct Generated_run {
   std::string title;
-  std::vector<Linear_motion_2> motions;  // at time 0, distinct, and inside of the box
+  // At time 0, distinct, and inside of the box: points, or discs of two sizes.
+  std::variant<std::vector<Linear_motion_2>, std::vector<Disc_motion_2>> motions;
   Simulation_options options;
   std::string response;  // its name in `named_responses`
   double until = 0;
@@ -31,13 +33,20 @@ class Generated_source final : public Run_source {
   std::string path() const override { return {}; }
   std::string title() const override { return run_.title; }
   void read() override {}
-  std::size_t number_of_points() const override { return run_.motions.size(); }
+  std::size_t number_of_points() const override {
+    return std::visit([](const auto& motions) { return motions.size(); }, run_.motions);
+  }
   double from() const override { return 0; }
   std::optional<double> until() const override { return run_.until; }
   std::string response() const override { return run_.response; }
   Any_simulation make_simulation(Arithmetic arithmetic) const override {
-    return std::make_unique<Any_simulation::Linear>(run_.motions, run_.options, from(),
-                                                    Linear_kinetic_traits_2(arithmetic));
+    return std::visit(
+        [&]<class Motion>(const std::vector<Motion>& motions) -> Any_simulation {
+          using Traits = Basic_kinetic_traits_2<Motion>;
+          return std::make_unique<Simulation_2<Traits>>(motions, run_.options, from(),
+                                                        Traits(arithmetic));
+        },
+        run_.motions);
   }
   void describe(Viewer_settings& settings) const override {
     Run_source::describe(settings);
@@ -52,9 +61,15 @@ class Generated_source final : public Run_source {
 
 std::unique_ptr<Run_source> wave_source(const Wave_run& run) {
   const Wave_setting& setting = run.setting;
-  return std::make_unique<Generated_source>(Generated_run{
-      joined("wave of ", setting.columns, " x ", setting.rows, " points"), wave_motions(setting),
-      wave_options(setting), "swap", run.until, Wave_shape{run.height, run.width}});
+  Generated_run result;
+  result.title = joined("wave of ", setting.columns, " x ", setting.rows, " points");
+  result.motions = wave_motions(setting);
+  if (setting.has_sizes()) result.motions = wave_discs(setting);
+  result.options = wave_options(setting);
+  result.response = "swap";
+  result.until = run.until;
+  result.wave = Wave_shape{run.height, run.width};
+  return std::make_unique<Generated_source>(std::move(result));
 }
 
 Experiment_setting experiment_setting(const Experiment_run& run) {
@@ -65,6 +80,7 @@ Experiment_setting experiment_setting(const Experiment_run& run) {
   result.side = run.side;
   result.speed = run.speed;
   result.diameter = 2 * run.radius;
+  result.size_ratio = run.size_ratio;
   result.duration = run.duration;
   result.response = run.collisions.response;
   return result;
@@ -72,11 +88,15 @@ Experiment_setting experiment_setting(const Experiment_run& run) {
 
 std::unique_ptr<Run_source> experiment_source(const Experiment_run& run) {
   const Experiment_setting setting = experiment_setting(run);
-  return std::make_unique<Generated_source>(
-      Generated_run{joined("experiment: ", counted(run.points, "point"), ", ", run.percentage,
-                           " % moving, seed ", run.seed),
-                    experiment_motions(setting), experiment_options(setting),
-                    std::string(run.collisions.name), run.duration});
+  Generated_run result;
+  result.title = joined("experiment: ", counted(run.points, "point"), ", ", run.percentage,
+                        " % moving, seed ", run.seed);
+  result.motions = experiment_motions(setting);
+  if (setting.has_sizes()) result.motions = experiment_discs(setting);
+  result.options = experiment_options(setting);
+  result.response = run.collisions.name;
+  result.until = run.duration;
+  return std::make_unique<Generated_source>(std::move(result));
 }
 
 }  // namespace kinetri::app

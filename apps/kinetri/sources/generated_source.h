@@ -38,6 +38,7 @@ struct Experiment_run {
   double side = 100;
   double speed = 5;
   double radius = 0.5;
+  double size_ratio = 1;  ///< radius of the discs of odd ids over `radius`
   double duration = 10;
   Named_response collisions = named_responses.front();
 };
