@@ -93,7 +93,8 @@ Command tracks_command() {
       "--max-gap", &options->longest_gap, "T",
       "An id that is not observed for longer than this leaves, and comes back as a new point");
   result.add("--closest", &options->closest, "K",
-             "Write the K closest approaches of Delaunay neighbors to standard output, as CSV");
+             "Write the K closest approaches of neighbors to standard output, as CSV; of discs of "
+             "different sizes those of the least gaps between rims");
   add_collisions_option(result, options->collisions, none_and_log, collisions_help(none_and_log));
   result.add("--radius", &options->radius, "R",
              "Radius of all discs around the points, if TRACKS has no column radius");
