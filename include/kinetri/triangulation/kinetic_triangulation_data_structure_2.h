@@ -96,12 +96,13 @@ using Kinetic_triangulation_data_structure_2 =
     CGAL::Triangulation_data_structure_2<Kinetic_vertex_base_2<InstantaneousTraits>,
                                          Kinetic_face_base_2<InstantaneousTraits>>;
 
-/// The same for a regular triangulation: faces hold the vertices that they hide.
+/// The same for a regular triangulation: faces hold the vertices that they hide, in a second cache
+/// line.
 template <class InstantaneousTraits>
 using Kinetic_regular_data_structure_2 = CGAL::Triangulation_data_structure_2<
     Kinetic_regular_vertex_base_2<InstantaneousTraits>,
-    Kinetic_face_base_2<InstantaneousTraits,
-                        CGAL::Regular_triangulation_face_base_2<InstantaneousTraits>>>;
+    CGAL::Regular_triangulation_face_base_2<InstantaneousTraits,
+                                            Kinetic_face_base_2<InstantaneousTraits>>>;
 
 }  // namespace kinetri
 

@@ -4,14 +4,25 @@
 #ifndef KINETRI_TRIANGULATION_DETAIL_PREFETCH_H
 #define KINETRI_TRIANGULATION_DETAIL_PREFETCH_H
 
+#include <cstddef>
+#include <cstdint>
+
 #include "kinetri/base/compiler.h"
 
 namespace kinetri::detail {
 
-/// Prefetches the vertex or face of a handle, if there is one.
+/// Prefetches the vertex or face of a handle, if there is one: all of a vertex, and of a face the
+/// first cache line, which has all but the hidden points.
 template <class Handle>
 KINETRI_ALWAYS_INLINE void prefetch(Handle handle) {
+  constexpr std::size_t line = 64;
   prefetch_address(handle.operator->());
+  if constexpr (requires { handle->point(); }) {
+    const auto address = reinterpret_cast<std::uintptr_t>(handle.operator->());
+    for (std::size_t i = line; i < sizeof(*handle); i += line) {
+      prefetch_address(reinterpret_cast<const void*>(address + i));
+    }
+  }
 }
 
 /// Prefetches the vertices and the neighbors of a face.
