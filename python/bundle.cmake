@@ -21,7 +21,7 @@ if(strip)
   execute_process(COMMAND ${strip} --strip-unneeded "${folder}/${name}" COMMAND_ERROR_IS_FATAL ANY)
 endif()
 
-# Those that the C and C++ compilers bring, and that Python and NumPy need as well.
+# Left out are those of the C and C++ compilers, which Python and NumPy need as well.
 file(GET_RUNTIME_DEPENDENCIES MODULES "${module}" RESOLVED_DEPENDENCIES_VAR libraries
   UNRESOLVED_DEPENDENCIES_VAR missing
   PRE_EXCLUDE_REGEXES "^(ld-linux|linux-vdso|lib(c|m|dl|rt|pthread|gcc_s|stdc[+][+])[.]so)")
