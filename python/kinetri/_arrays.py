@@ -20,32 +20,52 @@ def _shape_text(shape: Sequence[int | str]) -> str:
     return "(" + ", ".join(str(n) for n in shape) + ("," if len(shape) == 1 else "") + ")"
 
 
+def _as_array(name: str, value: ArrayLike, expected: str) -> npt.NDArray[Any]:
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
+        raise PreconditionError(
+            f"{name} is masked at [{_first(np.asarray(value.mask))}]; expected no masked numbers")
+    try:
+        return np.asarray(value)
+    except (ValueError, TypeError):
+        raise PreconditionError(f"{name} is no array of numbers; expected {expected}") from None
+
+
+def _differs(array: npt.NDArray[Any], result: Floats) -> npt.NDArray[np.bool_]:
+    """Where the array, as float64, is another number."""
+    differs: npt.NDArray[np.bool_] = result.astype(array.dtype) != array
+    if array.dtype.kind == "f":
+        differs &= ~np.isnan(result)
+    else:
+        # Beyond the range of the integers, where a conversion back has no meaning.
+        info = np.iinfo(array.dtype)
+        differs |= result >= 2.0 ** (info.bits - (info.min < 0))
+    return differs
+
+
 def float_array(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Floats:
     """The numbers as float64, C-contiguous, of that shape; None in `shape` is any length.
 
     Integers and other kinds of float are taken where float64 has the same number.
     """
-    array = np.asarray(value)
+    shape_text = _shape_text(["n" if n is None else n for n in shape])
+    array = _as_array(name, value, f"real numbers of shape {shape_text}")
     if array.dtype.kind not in "iuf" and array.size > 0:
         raise PreconditionError(
-            f"{name} is an array of {array.dtype}; expected real numbers of shape "
-            f"{_shape_text(['n' if n is None else n for n in shape])}")
-    if array.size == 0 and 0 in [n for n in shape if n is not None] + [0] and array.ndim < len(shape):
-        array = np.empty([0 if n is None else n for n in shape])
+            f"{name} is an array of {array.dtype}; expected real numbers of shape {shape_text}")
+    if array.shape == (0,) and shape in ((None, 2), (0, 2)):  # no rows, as a list
+        array = np.empty((0, 2))
     if array.ndim != len(shape) or any(
             n is not None and n != m for n, m in zip(shape, array.shape)):
         raise PreconditionError(
-            f"{name} has the shape {_shape_text(array.shape)}; expected "
-            f"{_shape_text(['n' if n is None else n for n in shape])}")
-    result = np.ascontiguousarray(array, dtype=np.float64)
-    if array.dtype != np.float64:
-        wrong = result.astype(array.dtype) != array if array.dtype.kind == "f" else (
-            np.abs(result) > 2.0**53)
-        wrong &= ~np.isnan(result)
-        if np.any(wrong):
-            raise PreconditionError(
-                f"{name}[{_first(wrong)}] is {array[tuple(np.argwhere(wrong)[0])]}, which float64 may "
-                "round; expected numbers that are exact in float64")
+            f"{name} has the shape {_shape_text(array.shape)}; expected {shape_text}")
+    with np.errstate(over="ignore", invalid="ignore"):
+        result = np.ascontiguousarray(array, dtype=np.float64)
+        wrong = _differs(array, result) if array.dtype.kind in "iuf" and array.dtype != np.float64 \
+            else np.zeros(array.shape, dtype=bool)
+    if np.any(wrong):
+        raise PreconditionError(
+            f"{name}[{_first(wrong)}] is {str(array[tuple(np.argwhere(wrong)[0])])}, which float64 "
+            "rounds; expected numbers that are exact in float64")
     if not np.all(np.isfinite(result)):
         wrong = ~np.isfinite(result)
         raise PreconditionError(
@@ -63,16 +83,31 @@ def point_array(name: str, value: ArrayLike, size: int | None = None) -> Floats:
     return float_array(name, value, (size, 2))
 
 
+def rows(name: str, value: ArrayLike, size: int | None = None, copies: int = 1) -> Floats:
+    """The same; two numbers are a row, which is taken `copies` times."""
+    array = _as_array(name, value, "real numbers of shape (n, 2)")
+    if array.shape == (2,):
+        array = np.broadcast_to(array, (copies, 2))
+    return point_array(name, array, size)
+
+
 def column(name: str, value: ArrayLike, size: int) -> Floats:
     """One number for each of `size` points: a number is that of all."""
-    if np.ndim(value) == 0:
-        return np.full(size, float_array(name, np.asarray([value]), (1,))[0])
+    if _is_number(name, value):
+        return np.full(size, one_number(name, value))
     return float_array(name, value, (size,))
+
+
+def check_not_negative(name: str, values: Floats | None) -> None:
+    """Raises an error if one of the numbers is less than 0."""
+    if values is not None and np.any(values < 0):
+        i = int(np.argmax(values < 0))
+        raise PreconditionError(f"{name}[{i}] is {values[i]}; expected at least 0")
 
 
 def id_array(name: str, value: ArrayLike) -> Ids:
     """Ids as uint32, of shape (n,). A single id is an array of one."""
-    array = np.atleast_1d(np.asarray(value))
+    array = np.atleast_1d(_as_array(name, value, "ids: integers of shape (n,)"))
     if array.size == 0:
         array = array.astype(np.uint32)
     if array.dtype.kind not in "iu" or array.ndim != 1:
@@ -97,11 +132,26 @@ def one_id(name: str, value: Any) -> int:
     return result
 
 
+def count(name: str, value: Any) -> int:
+    """A whole number from 0 on as an int."""
+    try:
+        result = operator.index(value)
+    except TypeError:
+        raise PreconditionError(f"{name} is {value!r}; expected a whole number") from None
+    if not 0 <= result < 2**64:
+        raise PreconditionError(f"{name} is {result}; expected a whole number from 0 on")
+    return result
+
+
+def _is_number(name: str, value: ArrayLike) -> bool:
+    return _as_array(name, value, "a number").ndim == 0
+
+
 def one_number(name: str, value: Any) -> float:
     """A finite number as a float that is the same number."""
-    if np.ndim(value) != 0:
+    if not _is_number(name, value):
         raise PreconditionError(f"{name} is {value!r}; expected a number")
-    return float(float_array(name, np.asarray([value]), (1,))[0])
+    return float(float_array(name, [value], (1,))[0])
 
 
 def box_tuple(name: str, value: ArrayLike | None) -> Box | None:

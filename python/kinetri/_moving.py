@@ -10,12 +10,13 @@ import numpy as np
 
 from . import _arrays, _kinetri
 from ._arrays import NO_POINT
+from ._kinetri import Time
 from ._page import Page
 from ._progress import progress_bar
 from ._response import engine_response
 from ._snapshot import Snapshot
 from ._types import ArrayLike, Box, Collisions, Events, Floats, Ids, Path, Progress, TimeLike
-from .errors import PreconditionError
+from .errors import PreconditionError, SnapshotError
 from .events import take
 
 _Points = TypeVar("_Points", bound="MovingPoints")
@@ -109,7 +110,20 @@ def _columns(size: int, **values: tuple[ArrayLike | None, bool]) -> dict[str, Fl
             result[name] = _arrays.point_array(name, value, size)
         else:
             result[name] = _arrays.column(name, value, size)
+    _arrays.check_not_negative("radius", result["radius"])
     return result
+
+
+def _vectors(positions: ArrayLike, velocities: ArrayLike | None, acceleration: ArrayLike | None,
+             jerk: ArrayLike | None, size: int | None = None) -> tuple[Floats, Any, Any, Any]:
+    """The columns of some of the points; those of one point may be two numbers each."""
+    places = _arrays.rows("positions", positions, size)
+
+    def column(name: str, vectors: ArrayLike | None) -> Floats | None:
+        return None if vectors is None else _arrays.rows(name, vectors, len(places))
+
+    return (places, column("velocities", velocities), column("acceleration", acceleration),
+            column("jerk", jerk))
 
 
 def _motions(positions: ArrayLike, velocities: ArrayLike | None, acceleration: ArrayLike | None,
@@ -193,7 +207,7 @@ class MovingPoints:
         -------
         array of float64, shape (n,)
             By id; exact where nothing grows, else rounded. 0 of points without discs, NaN where there
-            is no point.
+            is no point. Of a `KineticRegular`, less than 0 where a radius has shrunk below.
         """
         return self._engine.radii()
 
@@ -347,6 +361,7 @@ class MovingPoints:
             self.advance_to(until)
 
     def _advance(self, until: TimeLike, observer: _kinetri.Observer | None, progress: Progress) -> int:
+        until = Time(until)
         if not progress:
             return self._engine.advance(until, observer, None)
         with progress_bar(progress, float(self.time), float(until)) as show:
@@ -366,12 +381,16 @@ class MovingPoints:
         motions = [self._engine.motion(id) for id in ids.tolist() if self._engine.contains(id)]
         if len(motions) < len(ids):
             return values
+        radii = [m["radius"] if m["growth"] == 0 else m["radius"] + m["growth"] * (now - m["epoch"])
+                 for m in motions]
+        # The weight is the square of the radius: it does not have to be less than 0.
+        signs = [-1 if radius < 0 and isinstance(self, KineticRegular) else 1 for radius in radii]
         if values["radius"] is None:
-            kept["radius"] = [m["radius"] if m["growth"] == 0 else
-                              m["radius"] + m["growth"] * (now - m["epoch"]) for m in motions]
-        for name in ("growth", "weight"):
-            if values[name] is None:
-                kept[name] = [m[name] for m in motions]
+            kept["radius"] = [abs(radius) for radius in radii]
+        if values["growth"] is None:
+            kept["growth"] = [sign * m["growth"] for sign, m in zip(signs, motions)]
+        if values["weight"] is None:
+            kept["weight"] = [m["weight"] for m in motions]
         return kept
 
     def set_velocities(self, ids: ArrayLike, velocities: ArrayLike) -> None:
@@ -395,16 +414,18 @@ class MovingPoints:
             If two points would be at one place at all times. Nothing has changed then.
         """
         ids = _arrays.id_array("ids", ids)
-        if np.ndim(velocities) == 1 and np.size(velocities) == 2:
-            velocities = np.broadcast_to(velocities, (len(ids), 2))
-        self._engine.set_velocities(ids, _arrays.point_array("velocities", velocities, len(ids)))
+        if velocities is None:
+            raise PreconditionError("velocities is None; expected two numbers for each point")
+        self._engine.set_velocities(
+            ids, _arrays.rows("velocities", velocities, len(ids), copies=len(ids)))
 
     def _set_motions(self, ids: ArrayLike, positions: ArrayLike, velocities: ArrayLike,
                      acceleration: ArrayLike | None, jerk: ArrayLike | None,
                      **sizes: ArrayLike | None) -> None:
         ids = _arrays.id_array("ids", ids)
-        positions = _arrays.point_array("positions", positions, len(ids))
         sizes = {"radius": None, "growth": None, "weight": None, **sizes}
+        positions, velocities, acceleration, jerk = _vectors(
+            positions, velocities, acceleration, jerk, len(ids))
         motions, _ = _motions(positions, velocities, acceleration, jerk,
                               **self._kept(ids, sizes), epoch=self._epoch())
         self._engine.set_motions(ids, motions)
@@ -412,10 +433,9 @@ class MovingPoints:
     def _insert(self, positions: ArrayLike, velocities: ArrayLike | None, acceleration: ArrayLike | None,
                 jerk: ArrayLike | None, masses: ArrayLike | None = None,
                 **sizes: ArrayLike | None) -> Ids:
-        positions = np.atleast_2d(np.asarray(positions))
-        if velocities is not None:
-            velocities = np.atleast_2d(np.asarray(velocities))
         sizes = {"radius": None, "growth": None, "weight": None, **sizes}
+        positions, velocities, acceleration, jerk = _vectors(
+            positions, velocities, acceleration, jerk)
         motions, size = _motions(positions, velocities, acceleration, jerk, **sizes,
                                  epoch=self._epoch())
         if masses is not None:
@@ -585,7 +605,7 @@ class MovingPoints:
         AuditReport
             True if nothing is wrong.
         """
-        return AuditReport(self._engine.audit(level))
+        return AuditReport(self._engine.audit(str(level)))
 
     def statistics(self) -> dict[str, Any]:
         """Counts since the start.
@@ -606,7 +626,11 @@ class MovingPoints:
         Snapshot
             It can be pickled; `restore()` makes an object that goes on as this one would.
         """
-        return Snapshot(type(self), self._engine.snapshot("none"))
+        return self._snapshot("none")
+
+    def _snapshot(self, response: str) -> Snapshot:
+        attributes = {name: value for name, value in vars(self).items() if name != "_engine"}
+        return Snapshot(type(self), self._engine.snapshot(response), attributes)
 
     def save(self, path: Path) -> None:
         """Writes the state to a checkpoint file, whole or not at all.
@@ -641,23 +665,33 @@ class MovingPoints:
         SnapshotError
             If the state is not one of this class.
         """
-        return cls._around(_kinetri.load(str(path), False, None)[0])
+        engine = _kinetri.load(str(path), False, None)[0]
+        kind = KineticRegular if engine.kind()[1] else KineticDelaunay
+        if issubclass(cls, KineticRegular) != issubclass(kind, KineticRegular):
+            raise SnapshotError(f"{path}: the state is that of a {kind.__name__}; expected that of a "
+                                f"{cls.__name__}")
+        return cls._around(engine)
 
     @classmethod
-    def _around(cls: type[_Points], engine: _kinetri.Engine) -> _Points:
+    def _around(cls: type[_Points], engine: _kinetri.Engine, **attributes: Any) -> _Points:
         result = cls.__new__(cls)
         result._engine = engine
+        vars(result).update(attributes)
         return result
 
     @classmethod
-    def _restored(cls: type[_Points], snapshot: Snapshot) -> _Points:
-        return cls._around(_kinetri.restore(snapshot.state, False, None))
+    def _restored(cls: type[_Points], state: bytes, attributes: dict[str, Any]) -> _Points:
+        return cls._around(_kinetri.restore(state, False, None), **attributes)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Snapshot.restore, (self.snapshot(),)
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__} of {len(self)} points at t = {float(self.time):.6g}>"
+        name = type(self).__name__
+        try:
+            return f"<{name} of {len(self)} points at t = {float(self.time):.6g}>"
+        except PreconditionError as error:  # in use, or left within an instant
+            return f"<{name}: {error}>"
 
     # ---- pictures ----
 
@@ -685,7 +719,8 @@ class MovingPoints:
         Page
             `save(path)` writes it to a file that any browser opens.
         """
-        recorder = self._engine.recorder(float(until), most_events)
+        until = Time(until)
+        recorder = self._engine.recorder(float(until), _arrays.count("most_events", most_events))
         self._advance(until, recorder, progress)
         content = self._engine.page(recorder, title or repr(self)[1:-1], list(names or []),
                                     *self._engine.box_and_radius())
@@ -725,7 +760,7 @@ class KineticDelaunay(MovingPoints):
     acceleration, jerk : array_like of float, shape (n, 2), optional
         The second and third derivatives at `start`.
     start : float or Time
-        The time at which the run begins.
+        The time at which the run begins. Positions are those at `float(start)`.
 
     Raises
     ------
@@ -746,6 +781,7 @@ class KineticDelaunay(MovingPoints):
 
     def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
                  jerk: ArrayLike | None = None, start: TimeLike = 0.0) -> None:
+        start = Time(start)
         motions, _ = _motions(positions, velocities, acceleration, jerk, None, None, None, float(start))
         is_polynomial = acceleration is not None or jerk is not None
         self._engine = _kinetri.make_triangulation(motions, is_polynomial, False, start)
@@ -790,11 +826,11 @@ class KineticDelaunay(MovingPoints):
         ids : int or array of ids, shape (n,)
             The points, each named once.
         positions : array_like of float, shape (n, 2)
-            Where they are at `float(self.time)`.
+            Where they are at `float(self.time)`. Of one point, here and below, (2,) will do.
         velocities : array_like of float, shape (n, 2)
             Their velocities there.
         acceleration, jerk : array_like of float, shape (n, 2), optional
-            Only if the object was made with one of them.
+            Only if the object was made with one of them; 0 by default.
 
         Raises
         ------
@@ -839,7 +875,7 @@ class KineticRegular(KineticDelaunay):
     radius : float or array_like of float, shape (n,), optional
         Of the discs at `start`; the weight is its square.
     growth : float or array_like of float, shape (n,), optional
-        Of the radius, per unit of time.
+        Of the radius, per unit of time. A radius that shrinks goes on below 0; the weight is its square.
     weight : float or array_like of float, shape (n,), optional
         Added to the square of the radius; of either sign.
 
@@ -862,6 +898,7 @@ class KineticRegular(KineticDelaunay):
                  growth: ArrayLike | None = None, weight: ArrayLike | None = None,
                  acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
                  start: TimeLike = 0.0) -> None:
+        start = Time(start)
         motions, _ = _motions(positions, velocities, acceleration, jerk, radius, growth, weight,
                               float(start))
         is_polynomial = acceleration is not None or jerk is not None
@@ -957,6 +994,7 @@ class Simulation(MovingPoints):
                  box: ArrayLike | None = None, rim: bool = False, collisions: Collisions = None,
                  refuse_overlaps: bool | None = None, acceleration: ArrayLike | None = None,
                  jerk: ArrayLike | None = None, start: TimeLike = 0.0) -> None:
+        start = Time(start)
         size = len(_arrays.point_array("positions", positions))
         if radius is not None:
             radius = _arrays.column("radius", radius, size)
@@ -1080,6 +1118,7 @@ class Simulation(MovingPoints):
     def _scheduled(self, time: TimeLike, position: ArrayLike, velocity: ArrayLike,
                    acceleration: ArrayLike | None, jerk: ArrayLike | None, radius: float | None,
                    growth: float | None) -> _kinetri.Motions:
+        time = Time(time)
         one = {"positions": position, "velocities": velocity, "acceleration": acceleration, "jerk": jerk}
         vectors: Any = {name: None if value is None else
                         _arrays.float_array(name, value, (2,)).reshape(1, 2) for name, value in one.items()}
@@ -1151,7 +1190,7 @@ class Simulation(MovingPoints):
 
     def snapshot(self) -> Snapshot:
         """The whole state, with the response; see `MovingPoints.snapshot`."""
-        return Snapshot(type(self), self._engine.snapshot(self._response_name()), self.collisions)
+        return self._snapshot(self._response_name())
 
     def save(self, path: Path) -> None:
         """Writes the state to a checkpoint file; see `MovingPoints.save`.
@@ -1179,13 +1218,9 @@ class Simulation(MovingPoints):
         """
         response = ... if collisions is ... else engine_response(collisions)
         engine, name = _kinetri.load(str(path), True, response)
-        result = cls._around(engine)
-        result.collisions = name if collisions is ... else collisions
-        return result
+        return cls._around(engine, collisions=name if collisions is ... else collisions)
 
     @classmethod
-    def _restored(cls: type[_Simulation], snapshot: Snapshot) -> _Simulation:
-        result = cls._around(
-            _kinetri.restore(snapshot.state, True, engine_response(snapshot._collisions)))
-        result.collisions = snapshot._collisions
-        return result
+    def _restored(cls: type[_Simulation], state: bytes, attributes: dict[str, Any]) -> _Simulation:
+        response = engine_response(attributes["collisions"])
+        return cls._around(_kinetri.restore(state, True, response), **attributes)

@@ -21,7 +21,7 @@ def draw(points: MovingPoints, ax: Any, ids: bool, style: dict[str, Any]) -> Any
     there = ~np.isnan(places[:, 0])
     style = {"color": "0.55", "linewidth": 0.8, "zorder": 1, **style}
     ax.add_collection(LineCollection(places[points.edges()], **style))
-    radii = points.radii()[there]
+    radii = np.abs(points.radii()[there])
     if np.any(radii > 0):
         ax.add_collection(EllipseCollection(
             2 * radii, 2 * radii, np.zeros_like(radii), offsets=places[there], units="xy",

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ._moving import MovingPoints
-    from ._types import Collisions
 
 
 class Snapshot:
@@ -22,11 +21,10 @@ class Snapshot:
         The content of a checkpoint file.
     """
 
-    def __init__(self, restorer: type[MovingPoints], state: bytes,
-                 collisions: Collisions = None) -> None:
+    def __init__(self, restorer: type[MovingPoints], state: bytes, attributes: dict[str, Any]) -> None:
         self._restorer = restorer
         self.state = state
-        self._collisions = collisions
+        self._attributes = attributes  # those that the engine does not have
 
     def restore(self) -> Any:
         """A new object with this state.
@@ -36,7 +34,7 @@ class Snapshot:
         KineticDelaunay, KineticRegular or Simulation
             Of the class that the snapshot was taken of.
         """
-        return self._restorer._restored(self)
+        return self._restorer._restored(self.state, self._attributes)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Snapshot):

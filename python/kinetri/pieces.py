@@ -8,7 +8,6 @@ from the end of the one before it.
 """
 from __future__ import annotations
 
-import operator
 import warnings
 from collections.abc import Sequence
 from typing import Any
@@ -122,7 +121,7 @@ def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, unt
     until = _arrays.one_number("until", until)
     if until < start:
         raise PreconditionError(f"until is {until}; expected at least start, which is {start}")
-    pieces = operator.index(pieces)
+    pieces = _arrays.count("pieces", pieces)
     if pieces < 1:
         raise PreconditionError(f"pieces is {pieces}; expected at least 1")
     positions = _arrays.point_array("positions", positions)

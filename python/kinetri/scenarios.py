@@ -2,13 +2,11 @@
 """Points to begin with: of files, and made up."""
 from __future__ import annotations
 
-import operator
 from typing import Any
 
 from . import _kinetri
-from ._arrays import one_number
+from ._arrays import count, one_number
 from ._types import Floats, Path
-from .errors import PreconditionError
 
 
 def read_points(path: Path) -> dict[str, Any]:
@@ -32,16 +30,6 @@ def read_points(path: Path) -> dict[str, Any]:
         The message names file and line.
     """
     return _kinetri.read_points(str(path))
-
-
-def _count(name: str, value: Any) -> int:
-    try:
-        result = operator.index(value)
-    except TypeError:
-        raise PreconditionError(f"{name} is {value!r}; expected a whole number") from None
-    if not 0 <= result < 2**64:
-        raise PreconditionError(f"{name} is {result}; expected a whole number from 0 on")
-    return result
 
 
 def scenario(kind: str, points: int = 100, *, seed: int = 1, side: float | None = None,
@@ -77,7 +65,7 @@ def scenario(kind: str, points: int = 100, *, seed: int = 1, side: float | None 
     >>> len(kd)
     1000
     """
-    return _kinetri.scenario(kind, _count("points", points), _count("seed", seed),
+    return _kinetri.scenario(kind, count("points", points), count("seed", seed),
                              None if side is None else one_number("side", side),
                              one_number("speed", speed), one_number("spacing", spacing),
                              one_number("jitter", jitter), movers)
@@ -121,7 +109,7 @@ def packing(points: int = 1000, *, share: float = 0.8, sizes: float = 1.0, seed:
     >>> sim.advance_to(0.1) > 0
     True
     """
-    return _kinetri.packing(_count("points", points), one_number("share", share),
-                            one_number("sizes", sizes), _count("seed", seed),
+    return _kinetri.packing(count("points", points), one_number("share", share),
+                            one_number("sizes", sizes), count("seed", seed),
                             None if side is None else one_number("side", side),
                             one_number("speed", speed))

@@ -72,9 +72,25 @@ def _dumps(value: Any) -> bytes:
     return bytes(cloudpickle.dumps(value))
 
 
-def _call(task: bytes) -> Any:
-    function, arguments = pickle.loads(task)
+def _called(function: Callable[..., Any], arguments: dict[str, Any]) -> Any:
     return function(**arguments)
+
+
+def _call(task: bytes) -> Any:
+    return _called(*pickle.loads(task))
+
+
+def _map_on_client(function: Callable[..., Any], argument_list: list[dict[str, Any]],
+                   client: Any) -> list[Any]:
+    from distributed.scheduler import KilledWorker
+
+    # Every task is one of its own, even where two are equal; dask runs it again where a worker is killed.
+    # The arguments are one of `submit`, which has names of its own.
+    futures = [client.submit(_called, function, arguments, pure=False) for arguments in argument_list]
+    try:
+        return list(client.gather(futures))
+    except KilledWorker as error:
+        raise WorkerError(f"{error}; expected enough memory for a run on each worker") from error
 
 
 def map_on_processes(tasks: list[bytes], workers: int | None = None) -> list[Any]:
@@ -113,10 +129,7 @@ def map_tasks(function: Callable[..., Any], argument_list: list[dict[str, Any]],
               workers: int | None) -> list[Any]:
     """The results of function(**arguments), in order, on a client or on processes."""
     if client is not None:
-        # Every task is one of its own, even where two are equal; a worker that is killed is replaced.
-        futures = [client.submit(function, **arguments, pure=False, retries=MOST_ATTEMPTS - 1)
-                   for arguments in argument_list]
-        return list(client.gather(futures))
+        return _map_on_client(function, argument_list, client)
     tasks = [_dumps((function, arguments)) for arguments in argument_list]
     return map_on_processes(tasks, workers)
 

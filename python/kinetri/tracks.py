@@ -90,6 +90,8 @@ class Tracks:
         if t.dtype.kind == "M":
             if np.any(np.isnat(t)):
                 raise PreconditionError(f"t[{int(np.argmax(np.isnat(t)))}] is not a time; expected dates")
+            if np.datetime_data(t.dtype)[0] in "YM":  # which have no length
+                t = t.astype("datetime64[s]")
             origin = t.min() if len(t) > 0 else None
             t = (t - origin) / np.timedelta64(1, "s") if origin is not None else np.empty(0)
         t = _arrays.float_array("t", t, (None,))
@@ -165,9 +167,8 @@ class Tracks:
         times = df[t]
         if getattr(times.dtype, "tz", None) is not None:
             times = times.dt.tz_convert("UTC").dt.tz_localize(None)
-        return cls.from_arrays(times.to_numpy(), df[id].to_numpy(), df[x].to_numpy(), df[y].to_numpy(),
-                               radius=None if radius is None else df[radius].to_numpy(),
-                               max_gap=max_gap)
+        return cls.from_arrays(_values(times), _values(df[id]), _values(df[x]), _values(df[y]),
+                               radius=None if radius is None else _values(df[radius]), max_gap=max_gap)
 
     @classmethod
     def read(cls, path: Path, *, fps: float | None = None, max_gap: float | None = None) -> Tracks:
@@ -249,12 +250,8 @@ class Tracks:
             self._times, self._places, self._offsets, self._radii, start, until, self._max_gap,
             _arrays.box_tuple("box", box), bool(rim),
             0.0 if radius is None else _arrays.one_number("radius", radius), engine_response(collisions))
-        result = TracksSimulation._around(engine)
-        result.collisions = collisions
-        result.tracks = self
-        result.end = until
-        result.stays = stays
-        return result
+        return TracksSimulation._around(engine, collisions=collisions, tracks=self, end=until,
+                                        stays=stays)
 
     def record(self, *, start: float | None = None, until: float | None = None,
                progress: Progress = False) -> Events:
@@ -371,17 +368,43 @@ class TracksSimulation(Simulation):
         object
             One of `tracks.labels`.
         """
-        return self.tracks.labels[self.stays[_arrays.one_id("id", id), 0]]
+        id = _arrays.one_id("id", id)
+        if id >= len(self.stays):
+            raise PreconditionError(f"there is no point {id}; expected one of the {len(self.stays)} stays")
+        return self.tracks.labels[self.stays[id, 0]]
 
     def _closest(self, number: int, progress: Progress) -> tuple[Ids, Floats, Floats]:
-        watch = _kinetri.Closest(self._engine, _arrays.one_id("number", number))
+        watch = _kinetri.Closest(self._engine, _arrays.count("number", number))
         self._advance(self.end, None, progress)
         return watch.take()
 
 
+def _values(column: Any) -> Any:
+    """A column of pandas as an array: nullable numbers too, with NaN where there is none."""
+    if getattr(column.dtype, "numpy_dtype", None) is None:
+        return column.to_numpy()
+    if column.isna().any():
+        return column.to_numpy(dtype=np.float64, na_value=np.nan)
+    return column.to_numpy(dtype=column.dtype.numpy_dtype)
+
+
+def _is_missing(name: Any) -> bool:
+    try:
+        return name is None or bool(name != name)
+    except TypeError:  # pandas.NA
+        return True
+
+
 def _things(names: npt.NDArray[Any], times: Floats) -> tuple[list[Any], npt.NDArray[np.int64]]:
     """The distinct names in the order of their first observation, and the index of each row's."""
-    distinct, thing = np.unique(names, return_inverse=True)
+    if names.dtype.kind in "fOmM":
+        for i, name in enumerate(names):
+            if _is_missing(name):
+                raise PreconditionError(f"id[{i}] is {name}; expected a number or a text")
+    try:
+        distinct, thing = np.unique(names, return_inverse=True)
+    except TypeError:
+        raise PreconditionError("id has numbers and texts; expected one kind of name") from None
     first = np.full(len(distinct), np.inf)
     np.minimum.at(first, thing, times)
     order = np.lexsort((np.arange(len(distinct)), first))

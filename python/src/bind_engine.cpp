@@ -254,10 +254,12 @@ std::string location_name(Location_2::Kind kind) {
   return "outside_convex_hull";
 }
 
-void check_contains(const Engine& engine, Point_id id) {
-  if (engine.contains(id)) return;
-  throw Precondition_error("there is no point " + std::to_string(id) +
-                           "; expected an id that has been given and not been erased");
+void check_contains(const Engine& engine, std::span<const Point_id> ids) {
+  for (const Point_id id : ids) {
+    if (engine.contains(id)) continue;
+    throw Precondition_error("there is no point " + std::to_string(id) +
+                             "; expected an id that has been given and not been erased");
+  }
 }
 
 // Adds a member that asks the engine, without the GIL, and converts the answer with it.
@@ -284,7 +286,7 @@ void bind_present(py::class_<Moving, std::shared_ptr<Moving>>& type) {
       .def("motion",
            [](Moving& moving, Point_id id) {
              return motion_fields(moving.with_engine([&](Engine& e) {
-               check_contains(e, id);
+               check_contains(e, {&id, 1});
                return e.motion(id);
              }));
            })
@@ -342,22 +344,31 @@ void bind_time_and_changes(py::class_<Moving, std::shared_ptr<Moving>>& type) {
            })
       .def("erase",
            [](Moving& moving, const Ids& ids) {
-             moving.with_engine([&](Engine& e) { e.erase(span_of(ids)); });
+             moving.with_engine([&](Engine& e) {
+               check_contains(e, span_of(ids));
+               e.erase(span_of(ids));
+             });
            })
       .def("set_motions",
            [](Moving& moving, const Ids& ids, const Motions& motions) {
-             moving.with_engine([&](Engine& e) { e.set_motions(span_of(ids), motions.columns()); });
+             moving.with_engine([&](Engine& e) {
+               check_contains(e, span_of(ids));
+               e.set_motions(span_of(ids), motions.columns());
+             });
            })
       .def("set_velocities",
            [](Moving& moving, const Ids& ids, const Array<double>& velocities) {
              moving.with_engine([&](Engine& e) {
-               for (const Point_id id : span_of(ids)) check_contains(e, id);
+               check_contains(e, span_of(ids));
                e.set_velocities(span_of(ids), span_of(velocities));
              });
            })
       .def("set_masses",
            [](Moving& moving, const Ids& ids, const Array<double>& masses) {
-             moving.with_engine([&](Engine& e) { e.set_masses(span_of(ids), span_of(masses)); });
+             moving.with_engine([&](Engine& e) {
+               check_contains(e, span_of(ids));
+               e.set_masses(span_of(ids), span_of(masses));
+             });
            })
       .def("schedule_insert",
            [](Moving& moving, const py::object& time, const Motions& motion, double mass) {
@@ -391,12 +402,17 @@ void bind_answers(py::class_<Moving, std::shared_ptr<Moving>>& type) {
            })
       .def("neighbors",
            [](Moving& moving, Point_id id) {
-             return array_of<Point_id>(
-                 moving.with_engine([&](Engine& e) { return e.neighbors(id); }));
+             return array_of<Point_id>(moving.with_engine([&](Engine& e) {
+               check_contains(e, {&id, 1});
+               return e.neighbors(id);
+             }));
            })
       .def("voronoi_cell",
            [](Moving& moving, Point_id id) {
-             return cell_fields(moving.with_engine([&](Engine& e) { return e.voronoi_cell(id); }));
+             return cell_fields(moving.with_engine([&](Engine& e) {
+               check_contains(e, {&id, 1});
+               return e.voronoi_cell(id);
+             }));
            })
       .def("voronoi_areas",
            [](Moving& moving, const Array<double>& polygon) {

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <compare>
+#include <ios>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,16 +14,25 @@
 
 #include "bindings.h"
 #include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/base/error.h"
 
 namespace kinetri::python {
 namespace {
 
+// Both by hexadecimal digits, of which Python takes any number.
 py::object python_integer(const Integer& value) {
-  return py::reinterpret_steal<py::object>(PyLong_FromString(value.str().c_str(), nullptr, 10));
+  const std::string digits =
+      (value < 0 ? "-" : "") + abs(value).str(0, std::ios_base::hex | std::ios_base::showbase);
+  return py::reinterpret_steal<py::object>(PyLong_FromString(digits.c_str(), nullptr, 0));
 }
 
 Integer integer_of(py::handle value) {
-  return Integer(py::cast<std::string>(py::str(value)));
+  const py::int_ number(py::reinterpret_borrow<py::object>(value));
+  std::string digits = py::cast<std::string>(py::str("{:#x}").format(number));
+  const bool is_negative = digits.front() == '-';
+  if (is_negative) digits.erase(0, 1);
+  const Integer result(digits);
+  return is_negative ? -result : result;
 }
 
 Rational rational_of(py::handle value) {
@@ -37,14 +48,25 @@ bool is_fraction(py::handle value) {
   return py::hasattr(value, "numerator") && py::hasattr(value, "denominator");
 }
 
+// The infinity or NaN that the value is, if it is one: a float, or a scalar of NumPy.
+std::optional<double> not_finite(py::handle value) {
+  if (PyFloat_Check(value.ptr()) != 0) {
+    const double number = PyFloat_AS_DOUBLE(value.ptr());
+    return std::isfinite(number) ? std::nullopt : std::optional(number);
+  }
+  if (is_fraction(value) || !py::hasattr(value, "as_integer_ratio")) return std::nullopt;
+  const double rounded = py::cast<py::float_>(value);
+  if (std::isfinite(rounded)) return std::nullopt;
+  // A finite number may be beyond the range of binary64.
+  if (std::isnan(rounded) || value.equal(py::float_(rounded))) return rounded;
+  return std::nullopt;
+}
+
 // The order of a time and another number; unordered with a NaN; none with what is no number.
 std::optional<std::partial_ordering> order(const Algebraic_number& time, py::handle other) {
-  if (PyFloat_Check(other.ptr()) != 0) {
-    const double value = PyFloat_AS_DOUBLE(other.ptr());
-    if (std::isnan(value)) return std::partial_ordering::unordered;
-    if (std::isinf(value)) {
-      return value > 0 ? std::partial_ordering::less : std::partial_ordering::greater;
-    }
+  if (const std::optional<double> value = not_finite(other)) {
+    if (std::isnan(*value)) return std::partial_ordering::unordered;
+    return *value > 0 ? std::partial_ordering::less : std::partial_ordering::greater;
   }
   const std::optional<Algebraic_number> number = exact_number(other);
   if (!number) return std::nullopt;
@@ -68,6 +90,23 @@ std::string representation(const Algebraic_number& time) {
   const auto [lower, upper] = time.tight_interval();
   if (lower == upper) return "Time(" + text(lower) + ")";
   return "<Time between " + text(lower) + " and " + text(upper) + ">";
+}
+
+// The number as a rational one, if it is. A root p / q of a polynomial has a q that divides the
+// leading coefficient, and two such numbers are at least 1 / |coefficient| apart.
+std::optional<Rational> rational_value(const Algebraic_number& time) {
+  if (time.is_known_rational()) return time.rational();
+  const Integer leading = abs(time.polynomial().leading_coefficient());
+  time.refine_to(Rational(1, 2 * leading));
+  const auto [lower, upper] = time.isolating_interval();
+  const Rational scaled = (lower + upper) / 2 * leading;
+  // The integer nearest to it.
+  const Rational shifted = scaled + Rational(1, 2);
+  Integer nearest = numerator(shifted) / denominator(shifted);
+  if (nearest > shifted) --nearest;
+  const Rational candidate(nearest, leading);
+  if (time == Algebraic_number(candidate)) return candidate;
+  return std::nullopt;
 }
 
 // What a number that pickle has kept is made of again.
@@ -98,6 +137,7 @@ std::optional<Algebraic_number> exact_number(py::handle value) {
   if (is_fraction(value)) return Algebraic_number(rational_of(value));
   // NumPy's other scalars know the integer ratio that they are.
   if (py::hasattr(value, "as_integer_ratio")) {
+    if (const auto number = not_finite(value)) return Algebraic_number(*number);  // throws
     const auto ratio = py::cast<py::tuple>(value.attr("as_integer_ratio")());
     return Algebraic_number(Rational(integer_of(ratio[0]), integer_of(ratio[1])));
   }
@@ -106,8 +146,8 @@ std::optional<Algebraic_number> exact_number(py::handle value) {
 
 Algebraic_number time_of(py::handle value) {
   if (auto result = exact_number(value)) return *std::move(result);
-  throw py::type_error("a time is " + py::cast<std::string>(py::repr(value)) +
-                       "; expected a float, an int, a fractions.Fraction or a kinetri.Time");
+  throw Precondition_error("a time is " + py::cast<std::string>(py::repr(value)) +
+                           "; expected a float, an int, a fractions.Fraction or a kinetri.Time");
 }
 
 void bind_time(py::module_& module) {
@@ -143,19 +183,22 @@ Examples
       .def_property_readonly(
           "fraction",
           [](const Algebraic_number& time) -> py::object {
-            if (!time.is_known_rational()) return py::none();
-            return fraction(time.rational());
+            const std::optional<Rational> value = rational_value(time);
+            return value ? fraction(*value) : py::none();
           },
-          "fractions.Fraction or None: the time, if it is known to be rational.")
+          "fractions.Fraction or None: the time, if it is a rational number.")
       .def("__lt__", comparison([](std::partial_ordering o) { return o < 0; }))
       .def("__le__", comparison([](std::partial_ordering o) { return o <= 0; }))
       .def("__gt__", comparison([](std::partial_ordering o) { return o > 0; }))
       .def("__ge__", comparison([](std::partial_ordering o) { return o >= 0; }))
       .def("__eq__", comparison([](std::partial_ordering o) { return o == 0; }))
       .def("__ne__", comparison([](std::partial_ordering o) { return o != 0; }))
-      // Equal times, and the float equal to a time, have one nearest binary64 number.
+      // As that of the int, float or Fraction that is equal to it.
       .def("__hash__",
-           [](const Algebraic_number& time) { return py::hash(py::float_(time.to_double())); })
+           [](const Algebraic_number& time) {
+             const std::optional<Rational> value = rational_value(time);
+             return py::hash(value ? fraction(*value) : py::float_(time.to_double()));
+           })
       .def("__repr__", representation)
       .def(py::pickle([](const Algebraic_number& time) { return state(time); },
                       [](const py::tuple& kept) { return restored(kept); }));

@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include "gil_release.h"
 #include "kinetri/algebra/algebraic_number.h"
 
 namespace kinetri::python {
@@ -24,7 +25,7 @@ void bind_files(py::module_& module);
 /// What the function gives, called without the GIL.
 template <class Function>
 auto without_gil(const Function& function) {
-  const py::gil_scoped_release no_gil;
+  const Gil_release no_gil;
   return function();
 }
 

@@ -101,7 +101,9 @@ class Engine_of final : public Engine {
   Point_id next_id() const override { return kinetic().next_id(); }
   bool contains(Point_id id) const override { return kinetic().contains(id); }
   Polynomial_disc_motion_2 motion(Point_id id) const override {
-    return general_motion(kinetic().motion(id));
+    Polynomial_disc_motion_2 result = general_motion(kinetic().motion(id));
+    if constexpr (is_simulation && !HasWeight<Motion>) result.radius = core_->options().radius;
+    return result;
   }
   double mass(Point_id id) const override {
     if constexpr (is_simulation) return core_->mass(id);
@@ -328,10 +330,6 @@ void Engine_of<Core, Traits>::erase(std::span<const Point_id> ids) {
     std::ranges::sort(sorted);
     KINETRI_PRECONDITION(std::ranges::adjacent_find(sorted) == sorted.end(),
                          "a point is named twice; expected each id once");
-    for (const Point_id id : ids) {
-      KINETRI_PRECONDITION(contains(id),
-                           "there is no point " + std::to_string(id) + " to be erased");
-    }
     for (const Point_id id : sorted) core_->erase(id);
   } else {
     core_->erase(ids);
@@ -364,6 +362,12 @@ template <template <class> class Core, class Traits>
 void Engine_of<Core, Traits>::set_masses(std::span<const Point_id> ids,
                                          std::span<const double> masses) {
   if constexpr (is_simulation) {
+    // All or nothing.
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      KINETRI_PRECONDITION(masses[i] > 0, "the mass of point " + std::to_string(ids[i]) + " is " +
+                                              std::to_string(masses[i]) +
+                                              "; expected one greater than 0");
+    }
     for (std::size_t i = 0; i < ids.size(); ++i) core_->set_mass(ids[i], masses[i]);
   } else {
     refuse("the points of a triangulation have no masses; expected a Simulation");
@@ -393,7 +397,8 @@ std::vector<double> Engine_of<Core, Traits>::radii() const {
   for (Point_id id = 0; id < next_id(); ++id) {
     if (!contains(id)) continue;
     if constexpr (HasWeight<Motion>) {
-      result[id] = std::max(rounded_radius(kinetic().motion(id), now), 0.0);
+      result[id] = rounded_radius(kinetic().motion(id), now);
+      if constexpr (is_simulation) result[id] = std::max(result[id], 0.0);  // it is not less
     } else if constexpr (is_simulation) {
       result[id] = core_->options().radius;
     } else {

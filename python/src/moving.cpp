@@ -63,7 +63,7 @@ std::size_t Moving::advance(const Algebraic_number* until, Event_observer* obser
   bool is_done = false;
   while (!is_done) {
     {
-      const py::gil_scoped_release no_gil;
+      const Gil_release no_gil;
       const auto deadline = Clock::now() + most_time;
       for (int steps = 1; !is_done; ++steps) {
         const std::size_t more = guarded_step(until);
@@ -84,7 +84,7 @@ std::size_t Moving::step(const Algebraic_number* until, Event_observer* observer
   std::size_t events = 0;
   {
     const Use use(*this, observer);
-    const py::gil_scoped_release no_gil;
+    const Gil_release no_gil;
     events = guarded_step(until);
   }
   raise_if_interrupted();

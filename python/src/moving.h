@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "engine.h"
+#include "gil_release.h"
 #include "response.h"
 
 namespace kinetri::python {
@@ -27,7 +28,7 @@ class Moving {
   template <class Function>
   decltype(auto) with_engine(const Function& function) {
     const Use use(*this);
-    const pybind11::gil_scoped_release no_gil;
+    const Gil_release no_gil;
     return function(*engine_);
   }
 

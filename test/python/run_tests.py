@@ -7,12 +7,19 @@ usage: run_tests.py FILE
 import importlib.util
 import sys
 
-missing = [name for name in ("pytest", "hypothesis", "pandas", "scipy")
-           if importlib.util.find_spec(name) is None]
-if missing:
-    print("skipped: not installed:", ", ".join(missing))
-    sys.exit(77)
 
-import pytest  # noqa: E402
 
-sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", "-W", "error", *sys.argv[1:]]))
+def main():
+    missing = [name for name in ("pytest", "hypothesis", "pandas", "scipy")
+               if importlib.util.find_spec(name) is None]
+    if missing:
+        print("skipped: not installed:", ", ".join(missing))
+        return 77
+    import pytest
+
+    return pytest.main(["-q", "-p", "no:cacheprovider", "-W", "error", *sys.argv[1:]])
+
+
+# Processes that tests start import this file.
+if __name__ == "__main__":
+    sys.exit(main())
