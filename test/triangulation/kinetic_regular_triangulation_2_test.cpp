@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -296,6 +297,10 @@ class Changing_discs {
         case 3:
           if (all.empty()) return "nothing";
           kinetic_.set_motion(one(), random_disc());
+          if (const std::array<Point_id, 2> two = {one(), one()}; two[0] != two[1]) {
+            const std::array<Disc_motion_2, 2> motions = {random_disc(), random_disc()};
+            kinetic_.set_motions(two, motions);
+          }
           return "jump";
         case 4: {  // another velocity, and growth, from where it is
           if (all.empty()) return "nothing";
@@ -349,6 +354,19 @@ TEST(Kinetic_regular_triangulation, stays_that_of_CGAL_through_changes_of_all_ki
 }
 
 // ---- snapshots ----
+
+TEST(Kinetic_regular_triangulation, hides_a_point_in_the_place_of_one_of_two_that_jump) {
+  const std::vector<Disc_motion_2> discs = {disc(1, 1, 0, 1, 0), disc(0, 1, -1, 1, 1),
+                                            disc(0, 0, -1, -1, 0), disc(1, 1, 1, -1, 1),
+                                            disc(1, 0, -1, 0, 2)};
+  Kinetic kinetic(discs.begin(), discs.end());
+  // The last one comes to the place of point 1, and is heavier.
+  const std::array<Point_id, 2> ids = {3, 4};
+  const std::array<Disc_motion_2, 2> motions = {disc(1, 1, -1, 0, 1), disc(0, 1, -1, 1, 2)};
+  kinetic.set_motions(ids, motions);
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  EXPECT_TRUE(kinetic.is_hidden(1));
+}
 
 TEST(Kinetic_regular_triangulation, goes_on_from_a_snapshot_as_it_would_have) {
   std::mt19937_64 random(5);

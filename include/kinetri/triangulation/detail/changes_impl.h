@@ -411,9 +411,12 @@ bool Kinetic_triangulation_2<Traits>::make_jumps(std::span<const Jump> jumps, bo
     are_located = false;
     if (!change.motion) set_point(change);
   }
+  for (const Jump& jump : jumps) {
+    if (jump.change.motion) set_point(jump.change);
+  }
+  const std::uint64_t reconstructions = counters_.reconstructions;
   for (const auto& [change, location, near] : jumps) {
     if (!change.motion) continue;
-    set_point(change);
     const Vertex_handle v = vertices_[change.point];
     const Face_handle start = near == Vertex_handle() ? Face_handle() : near->face();
     const Location there = are_located ? location : locate(v->point(), start);
@@ -423,6 +426,9 @@ bool Kinetic_triangulation_2<Traits>::make_jumps(std::span<const Jump> jumps, bo
       put_in(v, there);
     }
     execute_due_events();
+    // All points are in a triangulation that has been rebuilt, as where one hides a lighter one in
+    // its place.
+    if (counters_.reconstructions != reconstructions) return true;
     are_located = false;
   }
   return true;
