@@ -996,6 +996,7 @@ class Simulation(MovingPoints):
                  jerk: ArrayLike | None = None, start: TimeLike = 0.0) -> None:
         start = Time(start)
         size = len(_arrays.point_array("positions", positions))
+        given: Any = (radius, growth)
         if radius is not None:
             radius = _arrays.column("radius", radius, size)
         if growth is not None:
@@ -1003,12 +1004,14 @@ class Simulation(MovingPoints):
         if isinstance(mass, str):
             mass = self._masses_by_name(mass, radius)
         masses = None if mass is None else _arrays.column("mass", mass, size)
-        grows = growth is not None and bool(np.any(growth != 0))
-        differs = grows or (radius is not None and bool(np.any(radius != radius[:1])))
+        # Also where there are no points yet.
+        grows = growth is not None and bool(np.any(np.asarray(given[1]) != 0))
+        differs = grows or (radius is not None and (
+            bool(np.any(radius != radius[:1])) or np.shape(given[0]) == (0,)))
         common_radius = 0.0
         if not differs:
-            if radius is not None and size > 0:
-                common_radius = float(radius[0])
+            if radius is not None:
+                common_radius = float(np.ravel(given[0])[0])
             radius = growth = None
         motions, _ = _motions(positions, velocities, acceleration, jerk,
                               radius if differs else None, growth, None, float(start))

@@ -145,6 +145,19 @@ def test_an_error_of_a_response_comes_out_with_the_events_before():
     assert snapshot.restore().step(until=0.1) == 0
 
 
+def test_a_simulation_without_points_at_first():
+    for radius, growth, later in ((1, None, {}), (1, 0, {}), ([], None, {"radius": 1}),
+                                  (2, 0.5, {"radius": 1}), ([], [], {"radius": 1})):
+        sim = kinetri.Simulation([], [], radius=radius, growth=growth, collisions="elastic")
+        assert len(sim) == 0 and sim.energy() == 0 and sim.radii().shape == (0,)
+        sim.insert(*HEAD_ON, **later)
+        assert sim.radii().tolist() == [1, 1]
+        sim.advance_to(5)
+        assert sim.velocities().tolist() == [[-1, 0], [1, 0]]
+    with pytest.raises(kinetri.PreconditionError, match="radius is 0"):
+        kinetri.Simulation([], [], collisions="elastic")
+
+
 def test_radii_are_not_negative():
     with pytest.raises(kinetri.PreconditionError, match=r"radius\[1\] is -1.0; expected at least 0"):
         kinetri.Simulation(*HEAD_ON, radius=[1, -1])
