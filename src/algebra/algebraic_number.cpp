@@ -37,7 +37,7 @@ double Root_source::certain_value_at(double /*high*/, double /*low*/) const {
   return 0;
 }
 
-std::optional<double> Root_source::rounded(const Double_interval& /*bracket*/) const {
+std::optional<Rounding> Root_source::rounded(const Double_interval& /*bracket*/) const {
   return std::nullopt;
 }
 

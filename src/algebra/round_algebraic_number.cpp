@@ -52,6 +52,13 @@ std::optional<Double_interval> Algebraic_number::tighten_by_source() const {
   std::int64_t below = ordinal(present.lower);
   std::int64_t above = ordinal(present.upper);
   if (below + 1 == above) return present;
+  if (const std::optional<Rounding> rounding = source_->rounded(present)) {
+    source_->narrow(rounding->bounds);
+    present = interval();
+    below = ordinal(present.lower);
+    above = ordinal(present.upper);
+    if (below + 1 == above) return present;
+  }
   double value_below = source_->certain_value_at(present.lower, 0);
   double value_above = source_->certain_value_at(present.upper, 0);
   if (value_below == 0 || value_above == 0) return std::nullopt;
@@ -89,10 +96,9 @@ double Algebraic_number::to_double() const {
   if (is_binary64()) return bounds_.lower;
   const Double_interval present = interval();  // before the representation, as in representation()
   if (source_->representation_.load(std::memory_order_acquire) == nullptr) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (const std::optional<double> nearest = source_->rounded(present)) {
-      source_->narrow({std::nextafter(*nearest, -infinity), std::nextafter(*nearest, infinity)});
-      return *nearest;
+    if (const std::optional<Rounding> rounding = source_->rounded(present)) {
+      source_->narrow(rounding->bounds);
+      return rounding->nearest;
     }
   }
   const Double_interval tight = tight_interval();

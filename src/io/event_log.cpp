@@ -24,8 +24,9 @@ void append_point(std::string& line, const std::optional<Point_id>& point) {
 }  // namespace
 
 std::string time_fields(const Algebraic_number& time) {
+  const double nearest = time.to_double();  // mostly the bounds are known then
   const Double_interval interval = time.tight_interval();
-  return joined(time.to_double(), ',', interval.lower, ',', interval.upper);
+  return joined(nearest, ',', interval.lower, ',', interval.upper);
 }
 
 Event_log_writer::Event_log_writer(std::ostream& out) : out_(out) {

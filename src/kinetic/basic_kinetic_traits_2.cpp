@@ -12,6 +12,7 @@
 #include "filter/disc_filter.h"
 #include "filter/filter.h"
 #include "filter/precise_filter.h"
+#include "filter/weighted_differences.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 
@@ -35,6 +36,16 @@ struct In_circle_root : Root_source {
   }
   double certain_value_at(double high, double low) const override {
     return precise_in_circle(p, q, r, s, high, low);
+  }
+  std::optional<Rounding> rounded(const Double_interval& bracket) const override {
+    if constexpr (is_linear<Motion>) {
+      if constexpr (HasWeight<Motion>) {
+        if (!have_same_weight_numbers(std::array{&p, &q, &r, &s})) return std::nullopt;
+      }
+      return rounded_in_circle(p, q, r, s, bracket);
+    } else {
+      return std::nullopt;
+    }
   }
   Motion p, q, r, s;
 };
@@ -64,7 +75,7 @@ struct Contact_root : Root_source {
   double certain_value_at(double high, double low) const override {
     return precise_contact(p, q, diameter, high, low);
   }
-  std::optional<double> rounded(const Double_interval& bracket) const override {
+  std::optional<Rounding> rounded(const Double_interval& bracket) const override {
     if constexpr (is_linear<Motion>) {
       return rounded_contact(p, q, diameter, bracket);
     } else {

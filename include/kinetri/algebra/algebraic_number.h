@@ -34,6 +34,12 @@
 
 namespace kinetri {
 
+/// A number, rounded.
+struct Rounding {
+  double nearest = 0;      ///< the nearest binary64 number, ties to even
+  Double_interval bounds;  ///< binary64 numbers that enclose it: `nearest`, or one beside it
+};
+
 /// What a number is the root of. Its polynomial is only made when it is needed: where binary64
 /// intervals decide, it never is. Each object belongs to one number. Both functions may be called
 /// by several threads at once.
@@ -51,10 +57,11 @@ class Root_source {
   /// making the polynomial. Used to round the number.
   virtual double certain_value_at(double high, double low) const;
 
-  /// The binary64 number nearest to the number, ties to even, given that the number is strictly
-  /// between the bounds of `bracket`, which are finite. None where it is not certain without making
-  /// the polynomial.
-  virtual std::optional<double> rounded(const Double_interval& bracket) const;
+  /// The number rounded, given that it is strictly between the bounds of `bracket`, which are
+  /// finite. None where it is not certain without making the polynomial. The number is strictly
+  /// between the bounds of the result, which are the binary64 numbers before and after `nearest`,
+  /// or `nearest` and one of these.
+  virtual std::optional<Rounding> rounded(const Double_interval& bracket) const;
 
  protected:
   Root_source();

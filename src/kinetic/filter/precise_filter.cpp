@@ -215,11 +215,33 @@ double precise_contact(const Motion& p, const Motion& q, double diameter, double
                  units * (places.size() * places.terms() + terms * terms));
 }
 
-// One step of Newton's method from within the bracket, which is so small that the step errs by far
-// less than half a unit in the last place; docs/MATH.md, section 8, has the bounds.
+// One step of Newton's method from `origin`, which is in the bracket of the root: what `value` and
+// `slope` say of it there, whose errors are at most `error` and, with what the second derivative
+// changes within the bracket, `slope_error`. So small a step errs by far less than half a unit in
+// the last place; docs/MATH.md, section 8, has the bounds.
+std::optional<Rounding> newton_rounding(double origin, double value, double error, double slope,
+                                        double slope_error) {
+  const double least_slope = std::abs(slope) - slope_error;
+  if (!(least_slope > 0x1p-20 * std::abs(slope))) return std::nullopt;
+  const double step = -value / slope;
+  const Double_double root = exact_sum(origin, step);
+  const double distance = 2 * (error + std::abs(step) * slope_error) / least_slope +
+                          8 * unit_roundoff * (std::abs(step) + std::abs(root.low)) +
+                          std::numeric_limits<double>::min();
+  const double nearest = root.high + (root.low - distance);
+  if (nearest != root.high + (root.low + distance) || !std::isfinite(nearest)) return std::nullopt;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Rounding result = {nearest,
+                     {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)}};
+  // On which side of `nearest` it is: mostly that of the rest.
+  if (nearest == root.high && root.low > distance) result.bounds.lower = nearest;
+  if (nearest == root.high && root.low < -distance) result.bounds.upper = nearest;
+  return result;
+}
+
 template <class Motion>
-std::optional<double> rounded_contact(const Motion& p, const Motion& q, double diameter,
-                                      const Double_interval& bracket) {
+std::optional<Rounding> rounded_contact(const Motion& p, const Motion& q, double diameter,
+                                        const Double_interval& bracket) {
   const double width = bracket.upper - bracket.lower;
   const double origin = bracket.lower + 0.5 * width;
   const Places<2, Linear_motion_2> places({&p, &q}, {origin});
@@ -241,16 +263,49 @@ std::optional<double> rounded_contact(const Motion& p, const Motion& q, double d
       32 * unit_roundoff *
           ((places.size() + unit_roundoff * places.terms()) * speed + terms * std::abs(growth)) +
       width * speed * speed;
-  const double least_slope = std::abs(slope) - slope_error;
-  if (!(least_slope > 0x1p-20 * std::abs(slope))) return std::nullopt;
-  const double step = -value.high / slope;
-  const Double_double root = exact_sum(origin, step);
-  const double distance = 2 * (error + std::abs(step) * slope_error) / least_slope +
-                          8 * unit_roundoff * (std::abs(step) + std::abs(root.low)) +
-                          std::numeric_limits<double>::min();
-  const double nearest = root.high + (root.low - distance);
-  if (nearest != root.high + (root.low + distance) || !std::isfinite(nearest)) return std::nullopt;
-  return nearest;
+  return newton_rounding(origin, value.high, error, slope, slope_error);
+}
+
+std::optional<Rounding> rounded_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
+                                          const Linear_motion_2& r, const Linear_motion_2& s,
+                                          const Double_interval& bracket) {
+  const double width = bracket.upper - bracket.lower;
+  const double origin = bracket.lower + 0.5 * width;
+  const Places<4, Linear_motion_2> places({&p, &q, &r, &s}, {origin});
+  // The differences to s, in binary64, and their derivatives.
+  std::array<double, 3> x;
+  std::array<double, 3> y;
+  std::array<double, 3> vx;
+  std::array<double, 3> vy;
+  double speed = 0;
+  const std::array<const Linear_motion_2*, 3> others = {&p, &q, &r};
+  for (std::size_t i = 0; i < 3; ++i) {
+    x[i] = places.relative(i).x.high;
+    y[i] = places.relative(i).y.high;
+    vx[i] = others[i]->velocity.x - s.velocity.x;
+    vy[i] = others[i]->velocity.y - s.velocity.y;
+    speed = std::max({speed, std::abs(vx[i]), std::abs(vy[i])});
+  }
+  if (!places.is_in_range() || !is_precise() || !is_in_range(speed)) return std::nullopt;
+  const Double_double value = places.squared_length(0) * places.cross(1, 2) +
+                              places.squared_length(1) * places.cross(2, 0) +
+                              places.squared_length(2) * places.cross(0, 1);
+  double slope = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    slope += 2 * (x[i] * vx[i] + y[i] * vy[i]) * (x[j] * y[k] - y[j] * x[k]);
+    slope += (x[i] * x[i] + y[i] * y[i]) *
+             ((vx[j] * y[k] - vy[j] * x[k]) + (x[j] * vy[k] - y[j] * vx[k]));
+  }
+  const double size = places.size();
+  const double terms = places.terms();
+  const double error = 4096 * unit * (size * size) * (size * terms);
+  const double greatest = size + 2 * speed * width;
+  const double slope_error =
+      (1024 * unit_roundoff * size + 0x1p-80 * terms) * (size * size) * speed +
+      128 * (greatest * greatest) * (speed * speed) * width;
+  return newton_rounding(origin, value.high, error, slope, slope_error);
 }
 
 template double precise_orientation(const Linear_motion_2&, const Linear_motion_2&,
@@ -266,9 +321,9 @@ KINETRI_INSTANTIATE(Polynomial_motion_2);
 KINETRI_INSTANTIATE(Disc_motion_2);
 KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
 #undef KINETRI_INSTANTIATE
-template std::optional<double> rounded_contact(const Linear_motion_2&, const Linear_motion_2&,
-                                               double, const Double_interval&);
-template std::optional<double> rounded_contact(const Disc_motion_2&, const Disc_motion_2&, double,
-                                               const Double_interval&);
+template std::optional<Rounding> rounded_contact(const Linear_motion_2&, const Linear_motion_2&,
+                                                 double, const Double_interval&);
+template std::optional<Rounding> rounded_contact(const Disc_motion_2&, const Disc_motion_2&, double,
+                                                 const Double_interval&);
 
 }  // namespace kinetri

@@ -9,6 +9,7 @@
 
 #include <optional>
 
+#include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/base/double_interval.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
@@ -27,12 +28,17 @@ double precise_orientation(const Motion& p, const Motion& q, const Motion& r, do
 template <class Motion>
 double precise_contact(const Motion& p, const Motion& q, double diameter, double high, double low);
 
-/// The binary64 number nearest to the only root of contact_polynomial between the bounds of
-/// `bracket`, where it is certain. Cost: about that of one value.
-/// `Motion` is Linear_motion_2 or Disc_motion_2.
+/// @{
+/// The only root of contact_polynomial or in_circle_polynomial between the bounds of `bracket`,
+/// rounded, where it is certain. Cost: about that of one value. `Motion` is Linear_motion_2 or
+/// Disc_motion_2.
 template <class Motion>
-std::optional<double> rounded_contact(const Motion& p, const Motion& q, double diameter,
-                                      const Double_interval& bracket);
+std::optional<Rounding> rounded_contact(const Motion& p, const Motion& q, double diameter,
+                                        const Double_interval& bracket);
+std::optional<Rounding> rounded_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
+                                          const Linear_motion_2& r, const Linear_motion_2& s,
+                                          const Double_interval& bracket);
+/// @}
 
 }  // namespace kinetri
 

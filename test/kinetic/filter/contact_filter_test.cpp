@@ -210,7 +210,9 @@ TEST(Rounded_contact, beside_the_middle_of_two_numbers_is_the_nearest_or_unknown
         ++cases;
         decided += rounded.has_value();
         if (rounded) {
-          ASSERT_EQ(*rounded, to_double(time)) << late << ", " << diameter;
+          ASSERT_EQ(rounded->nearest, to_double(time)) << late << ", " << diameter;
+          ASSERT_LT(rounded->bounds.lower, Algebraic_number(time));
+          ASSERT_GT(rounded->bounds.upper, Algebraic_number(time));
         }
         const Linear_kinetic_traits_2 traits;
         const Algebraic_number contact = traits.contact_failure(

@@ -8,8 +8,10 @@
 
 #include <array>
 #include <cfenv>
+#include <cmath>
 #include <limits>
 
+#include "kinetic/filter/precise_filter.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/certificates.h"
@@ -84,6 +86,49 @@ TEST_P(Linear_filter, after_a_flip_never_contradicts_exact_arithmetic) {
   }
 }
 
+// The exact failure time is what it is rounded to, or the rounding says nothing.
+void expect_true_rounding(const Rounding& rounding, const Algebraic_number& time) {
+  EXPECT_EQ(rounding.nearest, time.to_double());
+  EXPECT_LT(rounding.bounds.lower, time);
+  EXPECT_GT(rounding.bounds.upper, time);
+  EXPECT_TRUE(rounding.bounds.lower == rounding.nearest ||
+              std::nextafter(rounding.bounds.lower, time.interval().upper + 1) == rounding.nearest);
+  EXPECT_TRUE(rounding.bounds.upper == rounding.nearest ||
+              std::nextafter(rounding.bounds.upper, time.interval().lower - 1) == rounding.nearest);
+}
+
+TEST_P(Linear_filter, rounds_a_failure_time_to_what_it_is_exactly_or_not_at_all) {
+  constexpr unsigned seed = 317;
+  test::Certificates source(seed);
+  int failures = 0;
+  int rounded = 0;
+  const int cases = 3000 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const auto m = source.next(GetParam());
+    SCOPED_TRACE(test::describe({m.begin(), m.end()}));
+    const double t = source.time(GetParam());
+    const Filter_result result = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
+    if (result.kind != Filter_result::Kind::fails) continue;
+    const auto exact =
+        first_root_after(in_circle_polynomial(Moving_point_2(m[0]), Moving_point_2(m[1]),
+                                              Moving_point_2(m[2]), Moving_point_2(m[3])),
+                         t);
+    ASSERT_TRUE(exact);
+    ++failures;
+    const auto rounding = test::in_mode(test::rounding_mode(i), [&] {
+      return rounded_in_circle(m[0], m[1], m[2], m[3], result.bounds);
+    });
+    if (!rounding) continue;
+    ++rounded;
+    expect_true_rounding(*rounding, exact->value);
+    if (HasFailure()) return;
+  }
+  if (GetParam() == 0) {
+    EXPECT_GT(failures, cases / 50);
+    EXPECT_GT(rounded, failures / 5) << "one of four rounding modes is the one it knows";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Flavors, Linear_filter, testing::Range(0, test::Certificates::flavors),
                          test::flavor_name);
 
@@ -105,6 +150,42 @@ TEST(Linear_filter, decides_far_from_the_origin_where_epochs_differ) {
   };
   EXPECT_EQ(result(0).kind, Filter_result::Kind::holds);
   EXPECT_EQ(result(0.5).kind, Filter_result::Kind::holds);
+}
+
+// The step of Newton's method errs, the more the smaller the circle is: beside the middle of two
+// binary64 numbers, and beside one of them, it may be on the wrong side.
+TEST(Rounded_in_circle, beside_the_middle_of_two_numbers_and_beside_a_number_is_true_or_unknown) {
+  int decided = 0;
+  int tight = 0;
+  int cases = 0;
+  for (int exponent = -40; exponent <= 0; exponent += 4) {
+    const double d = std::ldexp(1.0, exponent);
+    for (int k = 1; k <= 60; ++k) {
+      for (const double part : {0x1p-53, 0x1p-52}) {
+        for (const double sign : {-1.0, 0.0, 1.0}) {
+          // The last one comes to the circle about (-d, 0) at the time 1 + late, in the origin.
+          const double late = part * (1 + sign * std::ldexp(1.0, -k));
+          const std::array<Linear_motion_2, 4> m = {{{{-d, d}, {0, 0}, 0},
+                                                     {{-2 * d, 0}, {0, 0}, 0},
+                                                     {{-d, -d}, {0, 0}, 0},
+                                                     {{late, 0}, {-1, 0}, 1}}};
+          const Algebraic_number time(1 + to_rational(late));
+          const auto rounding =
+              rounded_in_circle(m[0], m[1], m[2], m[3], {1 - 0x1p-50, 1 + 0x1p-50});
+          ++cases;
+          if (!rounding) continue;
+          ++decided;
+          tight += rounding->bounds.lower == rounding->nearest ||
+                   rounding->bounds.upper == rounding->nearest;
+          SCOPED_TRACE(testing::Message() << late << ", " << d);
+          expect_true_rounding(*rounding, time);
+          if (HasFailure()) return;
+        }
+      }
+    }
+  }
+  EXPECT_GT(decided, cases / 5);
+  EXPECT_GT(tight, cases / 10);
 }
 
 }  // namespace
