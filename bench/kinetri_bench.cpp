@@ -40,6 +40,7 @@ const std::map<std::string, Mode> modes = {
     {"steps", {measure_steps, "turns and looks at each step, against a rebuild at each step"}},
     {"answers",
      {measure_answers, "Voronoi cells, areas, nearest neighbors, positions, the closest pair"}},
+    {"arrays", {measure_arrays, "construction, turns and a recorded run, as Python has them", 1}},
     {"memory", {measure_memory, "peak memory of construction and run"}},
     {"frames", {measure_frames, "frame rates from which on the kinetic way is faster"}},
     {"lattice-row",

@@ -42,11 +42,20 @@ def _differs(array: npt.NDArray[Any], result: Floats) -> npt.NDArray[np.bool_]:
     return differs
 
 
+def _is_float_array(array: npt.NDArray[Any], shape: tuple[int | None, ...]) -> bool:
+    """Whether it is one of finite float64 and of that shape: mostly, so there is no need to look on."""
+    return (array.dtype == np.float64 and array.ndim == len(shape)
+            and all(n is None or n == m for n, m in zip(shape, array.shape))
+            and bool(np.isfinite(array).all()))
+
+
 def float_array(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Floats:
     """The numbers as float64, C-contiguous, of that shape; None in `shape` is any length.
 
     Integers and other kinds of float are taken where float64 has the same number.
     """
+    if isinstance(value, np.ndarray) and _is_float_array(value, shape):
+        return np.ascontiguousarray(value)
     shape_text = _shape_text(["n" if n is None else n for n in shape])
     array = _as_array(name, value, f"real numbers of shape {shape_text}")
     if array.dtype.kind not in "iuf" and array.size > 0:
@@ -107,6 +116,9 @@ def check_not_negative(name: str, values: Floats | None) -> None:
 
 def id_array(name: str, value: ArrayLike) -> Ids:
     """Ids as uint32, of shape (n,). A single id is an array of one."""
+    if (isinstance(value, np.ndarray) and value.dtype == np.uint32 and value.ndim == 1 and value.size > 0
+            and value.max() < NO_POINT):
+        return np.ascontiguousarray(value)
     array = np.atleast_1d(_as_array(name, value, "ids: integers of shape (n,)"))
     if array.size == 0:
         array = array.astype(np.uint32)
