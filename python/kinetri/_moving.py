@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from types import EllipsisType
-from typing import Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -18,6 +18,9 @@ from ._snapshot import Snapshot
 from ._types import ArrayLike, Box, Collisions, Events, Floats, Ids, Path, Progress, TimeLike
 from .errors import PreconditionError, SnapshotError
 from .events import take
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _Points = TypeVar("_Points", bound="MovingPoints")
 _Simulation = TypeVar("_Simulation", bound="Simulation")
@@ -1077,6 +1080,50 @@ class Simulation(MovingPoints):
             Nothing has changed then.
         """
         self._set_motions(ids, positions, velocities, acceleration, jerk, radius=radius, growth=growth)
+
+    def closest(self, number: int = 10, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and gives the closest approaches on the way.
+
+        Parameters
+        ----------
+        number : int
+            How many.
+        until : time
+            As in `advance_to`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            a, b (ids), time, time_lo, time_hi, distance, and gap if there are discs: the pairs with the
+            least gaps between their rims while they were neighbors, in the exact order of the gaps (of
+            points: of the distances), with the first time at which each pair was nearest. Each number is
+            the float64 nearest to the exact one. The first pair is the closest one of all.
+
+        Raises
+        ------
+        PreconditionError
+            If points accelerate; or if discs have radii of their own, and `collisions` is None: then
+            overlaps are not followed; 'log' is enough.
+        """
+        import pandas as pd
+
+        number = _arrays.one_id("number", number)
+        if number == 0:
+            raise PreconditionError("number is 0; expected at least 1")
+        if self._engine.kind()[1] and self.collisions in (None, "none"):
+            raise PreconditionError(
+                "discs have radii of their own, and collisions is None; expected 'log' or another "
+                "response, without which overlaps are not followed")
+        watch = _kinetri.Closest(self._engine, number)
+        self._advance(until, None, progress)
+        points, times, distances, gaps = watch.take()
+        table = {"a": points[:, 0], "b": points[:, 1], "time": times[:, 0], "time_lo": times[:, 1],
+                 "time_hi": times[:, 2], "distance": distances}
+        if self._engine.kind()[1] or self._engine.box_and_radius()[1] > 0:
+            table["gap"] = gaps
+        return pd.DataFrame(table)
 
     def set_masses(self, ids: ArrayLike, masses: ArrayLike) -> None:
         """Gives points other masses from now on.

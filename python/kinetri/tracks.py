@@ -273,14 +273,14 @@ class Tracks:
         return simulation.record(simulation.end, progress=progress)
 
     def closest(self, number: int = 10, *, start: float | None = None, until: float | None = None,
-                progress: Progress = False) -> pd.DataFrame:
+                radius: float | None = None, progress: Progress = False) -> pd.DataFrame:
         """The closest approaches of all things.
 
         Parameters
         ----------
         number : int
             How many.
-        start, until : float, optional
+        start, until, radius : float, optional
             As in `simulation`.
         progress : bool or callable
             As in `Simulation.advance_to`.
@@ -288,10 +288,8 @@ class Tracks:
         Returns
         -------
         pandas.DataFrame
-            a, b (labels), time, time_lo, time_hi, distance: the pairs that came nearest to each other
-            while they were neighbors, in the exact order of their distances, with the first time at
-            which each pair was nearest. `distance` is the float64 nearest to the exact one. Where times
-            are dates there is a column `date` beside.
+            As of `Simulation.closest`, with labels for ids. Where times are dates there is a column
+            `date` beside.
 
         Examples
         --------
@@ -301,17 +299,14 @@ class Tracks:
            a  b  time  time_lo  time_hi  distance
         0  a  b   2.0      2.0      2.0       3.0
         """
-        import pandas as pd
-
-        simulation = self.simulation(start=start, until=until)
-        rows = simulation._closest(number, progress)
-        points, times, distances = rows
-        labels = [[simulation.label(id) for id in points[:, i]] for i in (0, 1)]
-        table = {"a": labels[0], "b": labels[1], "time": times[:, 0], "time_lo": times[:, 1],
-                 "time_hi": times[:, 2], "distance": distances}
+        collisions = "log" if radius is not None or self._radii is not None else None
+        simulation = self.simulation(start=start, until=until, radius=radius, collisions=collisions)
+        table = simulation.closest(number, until=simulation.end, progress=progress)
+        for name in ("a", "b"):
+            table[name] = [simulation.label(id) for id in table[name]]
         if self.origin is not None:
-            table["date"] = self.dates(times[:, 0])
-        return pd.DataFrame(table)
+            table["date"] = self.dates(table["time"])
+        return table
 
     def dates(self, times: ArrayLike) -> npt.NDArray[np.datetime64]:
         """Times as dates.
@@ -372,11 +367,6 @@ class TracksSimulation(Simulation):
         if id >= len(self.stays):
             raise PreconditionError(f"there is no point {id}; expected one of the {len(self.stays)} stays")
         return self.tracks.labels[self.stays[id, 0]]
-
-    def _closest(self, number: int, progress: Progress) -> tuple[Ids, Floats, Floats]:
-        watch = _kinetri.Closest(self._engine, _arrays.count("number", number))
-        self._advance(self.end, None, progress)
-        return watch.take()
 
 
 def _values(column: Any) -> Any:

@@ -164,22 +164,24 @@ class Closest {
       : moving_(std::move(moving)),
         watch_(moving_->with_engine([&](Engine& e) { return e.watch_closest(number); })) {}
 
-  /// The ids of the pairs, the times (nearest, lower, upper), and the distances.
+  /// The ids of the pairs, the times (nearest, lower, upper), the distances and the gaps.
   py::tuple take() {
     const std::vector<Approach> approaches =
         moving_->with_engine([&](Engine&) { return watch_->approaches(); });
     std::vector<Edge_ids> pairs;
     std::vector<std::array<double, 3>> times;
     std::vector<double> distances;
+    std::vector<double> gaps;
     for (const Approach& approach : approaches) {
       const auto [lower, upper] = approach.time.tight_interval();
       pairs.push_back(approach.points);
       times.push_back({approach.time.to_double(), lower, upper});
       distances.push_back(approach.distance);
+      gaps.push_back(approach.gap);
     }
-    return py::make_tuple(array_of<Point_id>(std::move(pairs), 2),
-                          array_of<double>(std::move(times), 3),
-                          array_of<double>(std::move(distances)));
+    return py::make_tuple(
+        array_of<Point_id>(std::move(pairs), 2), array_of<double>(std::move(times), 3),
+        array_of<double>(std::move(distances)), array_of<double>(std::move(gaps)));
   }
 
  private:

@@ -166,7 +166,7 @@ class Engine_of final : public Engine {
   }
 
   std::unique_ptr<Closest_watch> watch_closest(std::size_t number) override {
-    if constexpr (std::is_same_v<Core<Traits>, Simulation_2<>>) {
+    if constexpr (is_simulation && HasLinearMotion<Traits>) {
       return std::make_unique<Closest_watch_of<Traits>>(*core_, number);
     }
     refuse("closest approaches are those of a simulation of points that move along straight lines");

@@ -124,7 +124,7 @@ TEST_P(Linear_filter, rounds_a_failure_time_to_what_it_is_exactly_or_not_at_all)
     if (HasFailure()) return;
   }
   if (GetParam() == 0) {
-    EXPECT_GT(failures, cases / 50);
+    EXPECT_GT(failures, cases / 100);
     EXPECT_GT(rounded, failures / 5) << "one of four rounding modes is the one it knows";
   }
 }
