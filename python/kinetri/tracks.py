@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _arrays, _kinetri
 from ._moving import Simulation
 from ._response import engine_response
-from ._types import ArrayLike, Collisions, Events, Floats, Ids, Path, Progress
+from ._types import ArrayLike, Collisions, Events, Floats, Path, Progress
 from .errors import InputError, PreconditionError
 
 if TYPE_CHECKING:
