@@ -1109,7 +1109,7 @@ class Simulation(MovingPoints):
         """
         import pandas as pd
 
-        number = _arrays.one_id("number", number)
+        number = _arrays.count("number", number)
         if number == 0:
             raise PreconditionError("number is 0; expected at least 1")
         if self._engine.kind()[1] and self.collisions in (None, "none"):

@@ -53,8 +53,9 @@ def test_tracks_with_radii_have_gaps_and_labels():
     tracks = kinetri.Tracks.from_arrays([0, 4, 0, 4, 0, 4], list("aabbcc"), [0, 4, 4, 0, 9, 9],
                                         [0, 0, 3, 3, 1, 1], radius=[1, 1, 0.5, 0.5, 4, 4])
     table = tracks.closest(2)
-    assert table[["a", "b", "gap"]].values.tolist()[0] == ["a", "c", float(np.sqrt(26) - 5)]
-    assert tracks.closest(1)["distance"][0] == float(np.sqrt(26))
+    root = decimal.Decimal(26).sqrt()
+    assert table[["a", "b", "gap"]].values.tolist()[0] == ["a", "c", float(root - 5)]
+    assert tracks.closest(1)["distance"][0] == float(root)
 
 
 def test_discs_of_any_size_need_a_response():
