@@ -97,8 +97,8 @@ nlohmann::json measure_changes(const Setup& setup);
 /// the distance of neighbors.
 nlohmann::json measure_steps(const Setup& setup);
 
-/// Seconds of a construction, of one change of the velocities of 1000 points, and of a run that keeps
-/// a row for each event.
+/// Seconds of a construction, of one change of the velocities of 1000 points, and of a run that
+/// keeps a row for each event.
 nlohmann::json measure_arrays(const Setup& setup);
 
 /// Nanoseconds for each point of answers about all points at one time: Voronoi cells and their

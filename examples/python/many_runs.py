@@ -41,7 +41,7 @@ def main():
     if "--dask" in sys.argv:
         from dask.distributed import Client
 
-        with Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
+        with Client(n_workers=2, threads_per_worker=1, dashboard_address=":0") as client:
             table = kinetri.sweep(study, PARAMETERS, client)
     else:
         table = kinetri.sweep(study, PARAMETERS)
