@@ -31,6 +31,9 @@ CODE = re.compile(r"`([^`]+)`")
 # [text](target), not that of an image.
 LINK = re.compile(r"(?<!!)\[([^]]+)\]\((?!https?:)([^)#]*)(#[^)]*)?\)")
 
+# An image with the folders of its file.
+IMAGE = re.compile(r"(!\[[^]]*\]\()(?!https?:)[^)]*/([^)/]+\))")
+
 
 def header(lines, layer):
     """The lines of a public header of the layer."""
@@ -97,7 +100,8 @@ def document(lines, path, root):
         elif not is_code and (heading := HEADING.match(line)):
             lines[i] = f"{line} {{#{name(path, slug(heading.group(1)))}}}"
         elif not is_code:
-            lines[i] = CODE.sub(code, LINK.sub(link, line))
+            # Doxygen finds an image by its name alone, below IMAGE_PATH.
+            lines[i] = CODE.sub(code, IMAGE.sub(r"\1\2", LINK.sub(link, line)))
     return lines
 
 

@@ -78,6 +78,10 @@ class Filter(Tree):
         self.assert_filtered("A.md", "[licence](LICENSE) ![p](p.png) [w](https://a.b/c.html#d)\n",
                              "licence ![p](p.png) [w](https://a.b/c.html#d)\n")
 
+    def test_a_picture_is_named_without_its_folders(self):
+        self.assert_filtered("docs/A.md", "![p](../gallery/p.png) ![q](https://a.b/q.png)\n",
+                             "![p](p.png) ![q](https://a.b/q.png)\n")
+
     def test_code_with_an_apostrophe_gets_double_marks(self):
         self.assert_filtered("A.md", "`a` don't `f, f'` it's `b`\n", "`a` don't ``f, f'`` it's `b`\n")
 
