@@ -7,6 +7,7 @@
 
 #include <exception>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "bindings.h"
@@ -18,12 +19,23 @@
 namespace kinetri::python {
 namespace {
 
+// The message without what is for readers of the C++ code: the condition, and where it stands.
+std::string plain_message(std::string message) {
+  constexpr std::string_view begin = "precondition violated: ";
+  const std::size_t end = message.rfind(" (expected ");
+  if (message.starts_with(begin) && end != std::string::npos && message.ends_with(")")) {
+    message.resize(end);
+    message.erase(0, begin.size());
+  }
+  return message;
+}
+
 // Raises the class `name` of kinetri.errors, with these attributes.
 template <class... Attributes>
 void raise(const char* name, const Error& error,
            const std::pair<const char*, Attributes>&... attributes) {
   const py::object type = py::module_::import("kinetri.errors").attr(name);
-  const py::object exception = type(error.what());
+  const py::object exception = type(plain_message(error.what()));
   (py::setattr(exception, attributes.first, py::cast(attributes.second)), ...);
   PyErr_SetObject(type.ptr(), exception.ptr());
 }

@@ -334,3 +334,12 @@ def test_the_number_that_is_refused_is_shown_in_full():
 def test_fractions_are_not_rounded_in_silence():
     with pytest.raises(kinetri.PreconditionError, match="array of object"):
         triangulation([[fractions.Fraction(1, 3), 0]], [[0, 0]])
+
+
+def test_a_message_of_the_library_says_what_is_wrong_and_nothing_of_its_code():
+    kd = kinetri.KineticDelaunay([[0, 0]], [[0, 0]])
+    kd.advance_to(1)
+    with pytest.raises(kinetri.PreconditionError) as caught:
+        kd.advance_to(0)
+    assert str(caught.value) == ("the time to advance to is in the past; take the present one or a later "
+                                 "one, or call reverse first")
