@@ -143,6 +143,21 @@ def _motions(positions: ArrayLike, velocities: ArrayLike | None, acceleration: A
                             columns["radius"], columns["growth"], columns["weight"], epoch), size
 
 
+def _triangulation(positions: ArrayLike, velocities: ArrayLike | None, acceleration: ArrayLike | None,
+                   jerk: ArrayLike | None, start: TimeLike, epoch: float | None = None,
+                   sizes: tuple[ArrayLike | None, ArrayLike | None, ArrayLike | None] | None = None,
+                   ) -> _kinetri.Engine:
+    """The engine of a triangulation: a regular one if there are sizes (radius, growth, weight).
+
+    The epoch of the motions is that of the start, unless another one is given.
+    """
+    start = Time(start)
+    motions, _ = _motions(positions, velocities, acceleration, jerk, *(sizes or (None, None, None)),
+                          float(start) if epoch is None else epoch)
+    is_polynomial = acceleration is not None or jerk is not None
+    return _kinetri.make_triangulation(motions, is_polynomial, sizes is not None, start)
+
+
 class MovingPoints:
     """What `KineticDelaunay`, `KineticRegular` and `Simulation` have in common.
 
@@ -784,18 +799,13 @@ class KineticDelaunay(MovingPoints):
 
     def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
                  jerk: ArrayLike | None = None, start: TimeLike = 0.0) -> None:
-        start = Time(start)
-        motions, _ = _motions(positions, velocities, acceleration, jerk, None, None, None, float(start))
-        is_polynomial = acceleration is not None or jerk is not None
-        self._engine = _kinetri.make_triangulation(motions, is_polynomial, False, start)
+        self._engine = _triangulation(positions, velocities, acceleration, jerk, start)
 
     @classmethod
     def _at(cls, positions: Floats, velocities: Floats, acceleration: Floats | None, jerk: Floats | None,
             epoch: float, start: TimeLike) -> KineticDelaunay:
         """The points at the time `start`, with motions of another epoch."""
-        motions, _ = _motions(positions, velocities, acceleration, jerk, None, None, None, epoch)
-        is_polynomial = acceleration is not None or jerk is not None
-        return cls._around(_kinetri.make_triangulation(motions, is_polynomial, False, start))
+        return cls._around(_triangulation(positions, velocities, acceleration, jerk, start, epoch))
 
     def next_event_time(self) -> _kinetri.Time | None:
         """The exact time of the next event.
@@ -901,11 +911,8 @@ class KineticRegular(KineticDelaunay):
                  growth: ArrayLike | None = None, weight: ArrayLike | None = None,
                  acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
                  start: TimeLike = 0.0) -> None:
-        start = Time(start)
-        motions, _ = _motions(positions, velocities, acceleration, jerk, radius, growth, weight,
-                              float(start))
-        is_polynomial = acceleration is not None or jerk is not None
-        self._engine = _kinetri.make_triangulation(motions, is_polynomial, True, start)
+        self._engine = _triangulation(positions, velocities, acceleration, jerk, start,
+                                      sizes=(radius, growth, weight))
 
     def hidden_points(self) -> Ids:
         """The points that others hide.

@@ -35,11 +35,6 @@ def take(table: _kinetri.EventTable) -> Events:
     return table.take(event_dtype)
 
 
-def empty_events() -> Events:
-    """An array without events."""
-    return np.empty(0, dtype=event_dtype)
-
-
 def to_dataframe(events: Events) -> pd.DataFrame:
     """A table with a column for each number of the events.
 
