@@ -3,7 +3,7 @@
 // Lesson 4, recorded tracks: three people and a dog in a park, each observed now and then. Who came
 // near whom, and when?
 #include <kinetri/io/tracks_file.h>
-#include <kinetri/simulation/closest_approaches.h>
+#include <kinetri/observers/closest_approaches.h>
 #include <kinetri/simulation/tracks.h>
 
 #include <iostream>

@@ -20,7 +20,7 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/kinetic/certificate_counters.h"
 #include "kinetri/kinetic/disc_motion_2.h"
-#include "kinetri/simulation/closest_approaches.h"
+#include "kinetri/observers/closest_approaches.h"
 #include "kinetri/simulation/recording.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/tracks.h"

@@ -23,7 +23,7 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
-#include "kinetri/simulation/closest_approaches.h"
+#include "kinetri/observers/closest_approaches.h"
 #include "kinetri/simulation/growth.h"
 #include "outputs/frame_outputs.h"
 #include "outputs/run_outputs.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The closest approaches of points or discs, over a run.
-#ifndef KINETRI_SIMULATION_CLOSEST_APPROACHES_H
-#define KINETRI_SIMULATION_CLOSEST_APPROACHES_H
+#ifndef KINETRI_OBSERVERS_CLOSEST_APPROACHES_H
+#define KINETRI_OBSERVERS_CLOSEST_APPROACHES_H
 
 #include <concepts>
 #include <cstddef>
@@ -119,4 +119,4 @@ extern template class Closest_approaches<Disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SIMULATION_CLOSEST_APPROACHES_H
+#endif  // KINETRI_OBSERVERS_CLOSEST_APPROACHES_H

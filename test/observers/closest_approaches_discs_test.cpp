@@ -13,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-#include "kinetri/simulation/closest_approaches.h"
+#include "kinetri/observers/closest_approaches.h"
 #include "kinetri/simulation/tracks.h"
 #include "support/multiplier.h"
 #include "support/precondition_error.h"

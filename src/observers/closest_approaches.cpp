@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/simulation/closest_approaches.h"
+#include "kinetri/observers/closest_approaches.h"
 
 #include <CGAL/FPU.h>
 #include <CGAL/Interval_nt.h>
