@@ -87,6 +87,17 @@ struct Contact_root : Root_source {
 };
 
 template <class Motion>
+struct Distance_root : Root_source {
+  using Point = Basic_moving_point_2<Motion>;
+  Distance_root(const Point& a, const Point& b, const Point& c, const Point& d)
+      : p(a.motion()), q(b.motion()), r(c.motion()), s(d.motion()) {}
+  Polynomial polynomial() const override {
+    return distance_comparison_polynomial(Point(p), Point(q), Point(r), Point(s));
+  }
+  Motion p, q, r, s;
+};
+
+template <class Motion>
 struct Wall_root : Root_source {  // of polynomial motion; else the root is rational
   using Point = Basic_moving_point_2<Motion>;
   Wall_root(const Point& a, const Wall_2& w) : p(a.motion()), wall(w) {}
@@ -404,6 +415,38 @@ Time Basic_kinetic_traits_2<Motion>::contact_failure(const Point_2& p, const Poi
                                                      double diameter,
                                                      const Double_interval& bounds) const {
   return Time(std::make_shared<Contact_root<Motion>>(p, q, diameter), bounds);
+}
+
+template <class Motion>
+Certificate Basic_kinetic_traits_2<Motion>::apart_certificate(const Point_2& p, const Point_2& q,
+                                                              double range, const Time& t) const {
+  const Polynomial distance = contact_polynomial(p, q, range);
+  if (sign_at(distance, t) != CGAL::POSITIVE) {
+    return {Certificate::Kind::fails, t.interval(), std::make_unique<Time>(t), true,
+            Certificate::Means::exact};
+  }
+  std::optional<Real_root> touch = first_root_after(distance, t);
+  return exact_certificate(touch ? std::optional(std::move(touch->value)) : std::nullopt, true);
+}
+
+template <class Motion>
+Certificate Basic_kinetic_traits_2<Motion>::near_certificate(const Point_2& p, const Point_2& q,
+                                                             double range, const Time& t) const {
+  return exact_certificate(-contact_polynomial(p, q, range), t);
+}
+
+template <class Motion>
+Certificate Basic_kinetic_traits_2<Motion>::closer_certificate(const Point_2& p, const Point_2& q,
+                                                               const Point_2& r, const Point_2& s,
+                                                               const Time& t) const {
+  return exact_certificate(distance_comparison_polynomial(p, q, r, s), t);
+}
+
+template <class Motion>
+Time Basic_kinetic_traits_2<Motion>::closer_failure(const Point_2& p, const Point_2& q,
+                                                    const Point_2& r, const Point_2& s,
+                                                    const Double_interval& bounds) const {
+  return Time(std::make_shared<Distance_root<Motion>>(p, q, r, s), bounds);
 }
 
 template <class Motion>

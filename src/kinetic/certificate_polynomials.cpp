@@ -176,6 +176,14 @@ Polynomial contact_polynomial(const Point& p, const Point& q, double diameter) {
 }
 
 template <class Point>
+Polynomial distance_comparison_polynomial(const Point& p, const Point& q, const Point& r,
+                                          const Point& s) {
+  const Vector v = difference(p.trajectory(), q.trajectory());
+  const Vector u = difference(r.trajectory(), s.trajectory());
+  return squared_length(u) * (v.w * v.w) - squared_length(v) * (u.w * u.w);
+}
+
+template <class Point>
 Polynomial wall_polynomial(const Point& p, const Wall_2& wall) {
   const Trajectory_2 path = p.trajectory();
   const Radius rim = wall.rim ? radius(p) : Radius();
@@ -222,20 +230,22 @@ Trajectory_2 weighted_circumcenter_trajectory(const Point& p, const Point& q, co
   return circle_center(a, u, v, lift(u), lift(v));
 }
 
-#define KINETRI_INSTANTIATE(Point)                                                         \
-  template Polynomial x_difference(const Point&, const Point&);                            \
-  template Polynomial y_difference(const Point&, const Point&);                            \
-  template Polynomial orientation_polynomial(const Point&, const Point&, const Point&);    \
-  template Polynomial in_circle_polynomial(const Point&, const Point&, const Point&,       \
-                                           const Point&);                                  \
-  template Polynomial distance_difference(const Point&, const Point&, const Point&);       \
-  template Polynomial scalar_product_polynomial(const Point&, const Point&, const Point&); \
-  template Polynomial contact_polynomial(const Point&, const Point&, double);              \
-  template Polynomial wall_polynomial(const Point&, const Wall_2&);                        \
-  template Polynomial weight_difference(const Point&, const Point&);                       \
-  template Polynomial power_distance_difference(const Point&, const Point&, const Point&); \
-  template Polynomial segment_polynomial(const Point&, const Point&, const Point&);        \
-  template Trajectory_2 circumcenter_trajectory(const Point&, const Point&, const Point&); \
+#define KINETRI_INSTANTIATE(Point)                                                             \
+  template Polynomial x_difference(const Point&, const Point&);                                \
+  template Polynomial y_difference(const Point&, const Point&);                                \
+  template Polynomial orientation_polynomial(const Point&, const Point&, const Point&);        \
+  template Polynomial in_circle_polynomial(const Point&, const Point&, const Point&,           \
+                                           const Point&);                                      \
+  template Polynomial distance_difference(const Point&, const Point&, const Point&);           \
+  template Polynomial scalar_product_polynomial(const Point&, const Point&, const Point&);     \
+  template Polynomial contact_polynomial(const Point&, const Point&, double);                  \
+  template Polynomial distance_comparison_polynomial(const Point&, const Point&, const Point&, \
+                                                     const Point&);                            \
+  template Polynomial wall_polynomial(const Point&, const Wall_2&);                            \
+  template Polynomial weight_difference(const Point&, const Point&);                           \
+  template Polynomial power_distance_difference(const Point&, const Point&, const Point&);     \
+  template Polynomial segment_polynomial(const Point&, const Point&, const Point&);            \
+  template Trajectory_2 circumcenter_trajectory(const Point&, const Point&, const Point&);     \
   template Trajectory_2 weighted_circumcenter_trajectory(const Point&, const Point&, const Point&)
 KINETRI_INSTANTIATE(Moving_point_2);
 KINETRI_INSTANTIATE(Basic_moving_point_2<Polynomial_motion_2>);

@@ -103,7 +103,7 @@ class Basic_kinetic_traits_2 {
   /// @}
 
   /// @{
-  /// As ContactKineticTraits_2 says. Polynomials of degree 2d (discs) and d (walls).
+  /// As ContactKineticTraits_2 says. Polynomials of degree 2d (discs, distances) and d (walls).
   Certificate contact_certificate(const Point_2& p, const Point_2& q, double diameter,
                                   const Time& t) const;
   Certificate next_contact_certificate(const Point_2& p, const Point_2& q, double diameter,
@@ -112,6 +112,14 @@ class Basic_kinetic_traits_2 {
   Time contact_failure(const Point_2& p, const Point_2& q, double diameter,
                        const Double_interval& bounds) const;
   Time wall_failure(const Point_2& p, const Wall_2& wall, const Double_interval& bounds) const;
+  Certificate apart_certificate(const Point_2& p, const Point_2& q, double range,
+                                const Time& t) const;
+  Certificate near_certificate(const Point_2& p, const Point_2& q, double range,
+                               const Time& t) const;
+  Certificate closer_certificate(const Point_2& p, const Point_2& q, const Point_2& r,
+                                 const Point_2& s, const Time& t) const;
+  Time closer_failure(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s,
+                      const Double_interval& bounds) const;
   bool do_approach(const Point_2& p, const Point_2& q, const Time& t) const;
   bool has_approach_speed(const Point_2& p, const Point_2& q, const Time& t) const;
   bool has_approach_speed(const Point_2& p, const Wall_2& wall, const Time& t) const;

@@ -84,6 +84,12 @@ Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point
 template <class Point>
 Polynomial contact_polynomial(const Point& p, const Point& q, double diameter);
 
+/// Sign of |r-s|^2 - |p-q|^2: positive where r and s are farther apart than p and q; radii and
+/// weights do not count. Degree 2d.
+template <class Point>
+Polynomial distance_comparison_polynomial(const Point& p, const Point& q, const Point& r,
+                                          const Point& s);
+
 /// Sign of the distance from p, or from its rim if the wall is one for rims, to the exact bound of
 /// the wall: positive inside, zero at the bound.
 /// Precondition: the numbers of the wall are finite.

@@ -45,6 +45,23 @@ namespace kinetri {
 /// Only the first contact of a pair matters. `next_contact_certificate` gives the first contact
 /// after the discs have been apart once, from t on: for discs that a response has left in contact.
 ///
+/// Certificates of distances, for who asks which points are near. What they are about is closed: at
+/// most `range` apart includes a touch. Discs with radii of their own are apart by the gap between
+/// their rims.
+///
+/// | Function | Result |
+/// |---|---|
+/// | `apart_certificate(p, q, range, t)` | fails at the first time at which they are at most
+/// `range` apart | | `near_certificate(p, q, range, t)` | fails when they are farther apart than
+/// `range` | | `contact_failure(p, q, range, bounds)` | the failure time of both, from bounds | |
+/// `closer_certificate(p, q, r, s, t)` | fails when p and q are farther apart than r and s | |
+/// `closer_failure(p, q, r, s, bounds)` | the failure time, from bounds |
+///
+/// `apart_certificate` fails, unlike the others, where its polynomial is zero without being
+/// negative after that: at a touch from outside, be it of no duration, and at `t` itself if they
+/// are not farther apart than `range` at `t`. The others fail at the infimum of the times after t
+/// at which their condition is violated. `closer_certificate` is about the points, without radii.
+///
 /// And what responses need of a motion, with binary64 numbers (see Linear_motion_2):
 /// `rounded_place(motion, t)`, `rounded_velocity(motion, t)`,
 /// `with_velocity_at(motion, velocity, t)`, `at_rest_at(motion, t)`, `is_at_rest(motion)`, and
@@ -58,6 +75,10 @@ concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.next_contact_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
   { traits.wall_certificate(p, wall, t) } -> std::same_as<Certificate>;
   { traits.contact_failure(p, p, 1.0, bounds) } -> std::same_as<Algebraic_number>;
+  { traits.apart_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
+  { traits.near_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
+  { traits.closer_certificate(p, p, p, p, t) } -> std::same_as<Certificate>;
+  { traits.closer_failure(p, p, p, p, bounds) } -> std::same_as<Algebraic_number>;
   { traits.wall_failure(p, wall, bounds) } -> std::same_as<Algebraic_number>;
   { traits.do_approach(p, p, t) } -> std::same_as<bool>;
   { traits.has_approach_speed(p, p, t) } -> std::same_as<bool>;

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What observers of distances have in common: they follow the edges of a triangulation and the
+// motions of its points, and have events of their own between those of the triangulation.
+//
+// One time t at which something happens to the triangulation, as the observer sees it:
+//   1. `advance(t)`: the observer executes its own events at or before t. The graph is what it was
+//      before t. It is still right at t itself, since edges are those of a Delaunay triangulation
+//      in the limit, and motions are continuous up to t.
+//   2. `change(...)`: the graph is what it is just after t, when all events of that time have
+//      happened. What was removed and came back within t is no change.
+// So the observer never sees a triangulation within an instant.
+#ifndef KINETRI_OBSERVERS_EDGE_FOLLOWER_H
+#define KINETRI_OBSERVERS_EDGE_FOLLOWER_H
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri {
+
+/// The points of a triangulation as they move from now on, and the finite edges between them. A
+/// copy, which is brought up to date once for each instant.
+template <class Traits>
+class Neighbor_graph {
+ public:
+  using Point_2 = typename Traits::Point_2;  ///< of the traits
+
+  /// Whether there is a point with the id. A hidden point is one, without neighbors.
+  bool contains(Point_id id) const { return id < nodes_.size() && nodes_[id].point.has_value(); }
+  /// The point, with its motion. Precondition: contains(id).
+  const Point_2& point(Point_id id) const { return *nodes_[id].point; }
+  /// The neighbors of a point, in no order. Precondition: contains(id).
+  std::span<const Point_id> neighbors(Point_id id) const { return nodes_[id].neighbors; }
+  /// Whether the two have an edge. O(degree).
+  bool is_edge(const Edge_ids& edge) const {
+    return edge[0] < nodes_.size() &&
+           std::ranges::find(nodes_[edge[0]].neighbors, edge[1]) != nodes_[edge[0]].neighbors.end();
+  }
+  /// More than any id so far.
+  Point_id next_id() const { return static_cast<Point_id>(nodes_.size()); }
+
+ private:
+  template <ContactKineticTraits_2>
+  friend class Edge_follower;
+
+  struct Node {
+    std::optional<Point_2> point;
+    std::vector<Point_id> neighbors;
+  };
+
+  void set_point(Point_id id, const std::optional<Point_2>& point);
+  void add(const Edge_ids& edge);
+  void remove(const Edge_ids& edge);
+
+  std::vector<Node> nodes_;  // by id
+};
+
+/// The base of such observers. A class that derives from it reads the graph in its constructor, and
+/// again when `advance` and `change` are called. The triangulation must outlive this object, and
+/// must not be reversed meanwhile.
+///
+/// Cost: O(1) amortized for each edge that changes, and one exact comparison of times an event.
+/// Memory: O(n).
+template <ContactKineticTraits_2 Traits>
+class Edge_follower : private Event_observer {
+ public:
+  using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
+  using Motion = typename Traits::Motion;                 ///< of the traits
+  using Point_2 = typename Traits::Point_2;               ///< of the traits
+  using Time = Algebraic_number;                          ///< of events
+
+  Edge_follower(const Edge_follower&) = delete;
+  Edge_follower& operator=(const Edge_follower&) = delete;
+
+  /// Brings this object to the current time of the triangulation. Functions that give answers do
+  /// so themselves. Precondition: not called by an observer within an event.
+  void update();
+
+ protected:
+  /// A point that has changed in an instant.
+  struct Changed_point {
+    Point_id id;
+    std::optional<Point_2> before;  ///< none if it has come
+  };
+
+  /// @{
+  /// Observes from the current time on.
+  explicit Edge_follower(Simulation_2<Traits>& simulation);
+  explicit Edge_follower(Triangulation& triangulation);
+  /// @}
+  ~Edge_follower() override;
+
+  /// Executes the observer's own events at or before `time`, which is not before any earlier one.
+  virtual void advance(const Time& time) = 0;
+
+  /// Something has changed at `time`, up to which advance() has been called. The edges are sorted;
+  /// `removed` were in the graph before and are not now, `added` are now and were not before. The
+  /// points are sorted by id: they have other motions, have come or have gone (so that the graph
+  /// does not contain them). A time may come more than once.
+  virtual void change(const Time& time, std::span<const Edge_ids> removed,
+                      std::span<const Edge_ids> added, std::span<const Changed_point> points) = 0;
+
+  const Triangulation& triangulation() const { return *triangulation_; }
+  const Neighbor_graph<Traits>& graph() const { return graph_; }
+  const Traits& traits() const { return triangulation_->traits(); }
+
+ private:
+  void start();
+  void begin_instant(const Time& time);
+  void finish_instant();
+  void before_event(const Event& event) override;
+  void after_event(const Event& event) override;
+
+  const Triangulation* triangulation_;
+  std::function<void()> stop_observing_;
+  Neighbor_graph<Traits> graph_;
+  Time instant_;  // advance() has been called up to here
+  // What has changed since, at that time: how often an edge has come less how often it has gone;
+  // the points, as they are now.
+  std::map<Edge_ids, int> changed_edges_;
+  std::map<Point_id, std::optional<Point_2>> changed_points_;
+};
+
+extern template class Neighbor_graph<Linear_kinetic_traits_2>;
+extern template class Neighbor_graph<Polynomial_kinetic_traits_2>;
+extern template class Neighbor_graph<Disc_kinetic_traits_2>;
+extern template class Neighbor_graph<Polynomial_disc_kinetic_traits_2>;
+extern template class Edge_follower<Linear_kinetic_traits_2>;
+extern template class Edge_follower<Polynomial_kinetic_traits_2>;
+extern template class Edge_follower<Disc_kinetic_traits_2>;
+extern template class Edge_follower<Polynomial_disc_kinetic_traits_2>;
+
+}  // namespace kinetri
+
+#endif  // KINETRI_OBSERVERS_EDGE_FOLLOWER_H
