@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "kinetri/base/check.h"
-
 namespace kinetri {
 
 // ---- the graph ----
@@ -25,9 +23,7 @@ template <class Traits>
 void Neighbor_graph<Traits>::remove(const Edge_ids& edge) {
   const auto remove_from = [this](Point_id id, Point_id other) {
     std::vector<Point_id>& neighbors = nodes_[id].neighbors;
-    const auto found = std::ranges::find(neighbors, other);
-    KINETRI_PRECONDITION(found != neighbors.end(), "an edge goes that was not there");
-    *found = neighbors.back();
+    *std::ranges::find(neighbors, other) = neighbors.back();
     neighbors.pop_back();
   };
   remove_from(edge[0], edge[1]);
