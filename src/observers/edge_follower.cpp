@@ -87,13 +87,17 @@ void Edge_follower<Traits>::finish_instant() {
     if (change > 0) added.push_back(edge);
   }
   std::vector<Changed_point> points;
-  for (const Edge_ids& edge : removed) graph_.remove(edge);
-  for (const auto& [id, point] : std::exchange(changed_points_, {})) {
+  const auto changed_points = std::exchange(changed_points_, {});
+  for (const auto& [id, point] : changed_points) {
     const auto before = graph_.contains(id) ? std::optional(graph_.point(id)) : std::nullopt;
     if (!before && !point) continue;  // it has come and gone
     if (before && point && before->motion() == point->motion()) continue;
     points.push_back({id, before});
-    graph_.set_point(id, point);
+  }
+  before_change(removed, points);
+  for (const Edge_ids& edge : removed) graph_.remove(edge);
+  for (const Changed_point& changed : points) {
+    graph_.set_point(changed.id, changed_points.at(changed.id));
   }
   for (const Edge_ids& edge : added) graph_.add(edge);
   change(instant_, removed, added, points);

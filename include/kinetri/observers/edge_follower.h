@@ -7,7 +7,10 @@
 //   1. `advance(t)`: the observer executes its own events at or before t. The graph is what it was
 //      before t. It is still right at t itself, since edges are those of a Delaunay triangulation
 //      in the limit, and motions are continuous up to t.
-//   2. `change(...)`: the graph is what it is just after t, when all events of that time have
+//   2. `before_change(...)`: the graph is still that. What depends on motions that change leaves
+//   the
+//      observer's queue, which orders entries by these motions.
+//   3. `change(...)`: the graph is what it is just after t, when all events of that time have
 //      happened. What was removed and came back within t is no change.
 // So the observer never sees a triangulation within an instant.
 #ifndef KINETRI_OBSERVERS_EDGE_FOLLOWER_H
@@ -98,6 +101,12 @@ class Edge_follower : private Event_observer {
 
   /// Executes the observer's own events at or before `time`, which is not before any earlier one.
   virtual void advance(const Time& time) = 0;
+
+  /// change() is about to be called with these edges and points; the graph is as it was. Entries of
+  /// a queue whose times follow from motions that change must go now: afterwards their exact times
+  /// cannot be made any more.
+  virtual void before_change(std::span<const Edge_ids> /*removed*/,
+                             std::span<const Changed_point> /*points*/) {}
 
   /// Something has changed at `time`, up to which advance() has been called. The edges are sorted;
   /// `removed` were in the graph before and are not now, `added` are now and were not before. The
