@@ -1123,13 +1123,11 @@ class Simulation(MovingPoints):
             raise PreconditionError(
                 "discs have radii of their own, and collisions is None; expected 'log' or another "
                 "response, without which overlaps are not followed")
-        watch = _kinetri.Closest(self._engine, number)
+        watch = _kinetri.Watch(self._engine, "closest", number, 0.0)
         self._advance(until, None, progress)
-        points, times, distances, gaps = watch.take()
-        table = {"a": points[:, 0], "b": points[:, 1], "time": times[:, 0], "time_lo": times[:, 1],
-                 "time_hi": times[:, 2], "distance": distances}
-        if self._engine.kind()[1] or self._engine.box_and_radius()[1] > 0:
-            table["gap"] = gaps
+        table = watch.table()
+        if not self._engine.kind()[1] and self._engine.box_and_radius()[1] == 0:
+            del table["gap"]
         return pd.DataFrame(table)
 
     def set_masses(self, ids: ArrayLike, masses: ArrayLike) -> None:

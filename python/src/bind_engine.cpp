@@ -157,36 +157,37 @@ py::bytes page(Moving& moving, const Event_observer& recorder, const std::string
   }));
 }
 
-/// The closest approaches of a run from now on.
-class Closest {
+/// The answer to a question about a run from now on.
+class Moving_watch {
  public:
-  Closest(std::shared_ptr<Moving> moving, std::size_t number)
-      : moving_(std::move(moving)),
-        watch_(moving_->with_engine([&](Engine& e) { return e.watch_closest(number); })) {}
+  Moving_watch(std::shared_ptr<Moving> moving, const std::string& about, std::size_t number,
+               double range)
+      : moving_(std::move(moving)), watch_(moving_->with_engine([&](Engine& e) {
+          return e.watch({about, number, range});
+        })) {}
 
-  /// The ids of the pairs, the times (nearest, lower, upper), the distances and the gaps.
-  py::tuple take() {
-    const std::vector<Approach> approaches =
-        moving_->with_engine([&](Engine&) { return watch_->approaches(); });
-    std::vector<Edge_ids> pairs;
-    std::vector<std::array<double, 3>> times;
-    std::vector<double> distances;
-    std::vector<double> gaps;
-    for (const Approach& approach : approaches) {
-      const auto [lower, upper] = approach.time.tight_interval();
-      pairs.push_back(approach.points);
-      times.push_back({approach.time.to_double(), lower, upper});
-      distances.push_back(approach.distance);
-      gaps.push_back(approach.gap);
+  /// By name the columns, in their order.
+  py::dict table() {
+    Answer_table table = moving_->with_engine([&](Engine&) { return watch_->table(); });
+    py::dict result;
+    for (auto& [name, column] : table.columns()) {
+      result[py::str(name)] = std::visit([](auto& values) { return values_of(values); }, column);
     }
-    return py::make_tuple(
-        array_of<Point_id>(std::move(pairs), 2), array_of<double>(std::move(times), 3),
-        array_of<double>(std::move(distances)), array_of<double>(std::move(gaps)));
+    return result;
   }
 
  private:
+  template <class Value>
+  static py::object values_of(std::vector<Value>& values) {
+    if constexpr (std::is_same_v<Value, std::string>) {
+      return py::cast(values);
+    } else {
+      return array_of<Value>(std::move(values));
+    }
+  }
+
   std::shared_ptr<Moving> moving_;
-  std::unique_ptr<Closest_watch> watch_;  // goes before the engine
+  std::unique_ptr<Watch> watch_;  // goes before the engine
 };
 
 py::dict statistics(const Statistics& statistics) {
@@ -501,9 +502,9 @@ void bind_engine(py::module_& module) {
     }));
   });
   module.def("make_simulation", make_moving_simulation);
-  py::class_<Closest>(module, "Closest")
-      .def(py::init<std::shared_ptr<Moving>, std::size_t>())
-      .def("take", &Closest::take);
+  py::class_<Moving_watch>(module, "Watch")
+      .def(py::init<std::shared_ptr<Moving>, const std::string&, std::size_t, double>())
+      .def("table", &Moving_watch::table);
   module.def("make_tracks", make_moving_tracks);
   module.def("restore",
              [](const py::bytes& state, bool is_simulation, const py::object& collisions) {

@@ -20,13 +20,13 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/kinetic/certificate_counters.h"
 #include "kinetri/kinetic/disc_motion_2.h"
-#include "kinetri/observers/closest_approaches.h"
 #include "kinetri/simulation/recording.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/tracks.h"
 #include "kinetri/triangulation/audit.h"
 #include "kinetri/triangulation/queries_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
+#include "watch.h"
 
 namespace kinetri::python {
 
@@ -60,17 +60,6 @@ struct Statistics {
   Certificate_counters certificates;                   ///< of topology and of contacts
   std::uint64_t instants = 0;                          ///< distinct times of failures
   std::uint64_t reconstructions = 0;                   ///< of the whole triangulation
-};
-
-/// Sees the closest approaches of a run, as long as it exists.
-class Closest_watch {
- public:
-  Closest_watch() = default;
-  Closest_watch(const Closest_watch&) = delete;
-  Closest_watch& operator=(const Closest_watch&) = delete;
-  virtual ~Closest_watch() = default;
-  /// As Closest_approaches gives them.
-  virtual std::vector<Approach> approaches() = 0;
 };
 
 /// The triangulation or simulation. Functions throw what those of Kinetic_triangulation_2 and
@@ -125,8 +114,8 @@ class Engine {
   /// Precondition: the observer is a recorder() of this engine.
   virtual Recording recording(const Event_observer& recorder) const = 0;
 
-  /// Of a simulation of points with constant velocities. It must end before the engine does.
-  virtual std::unique_ptr<Closest_watch> watch_closest(std::size_t number) = 0;
+  /// As watch.h says.
+  virtual std::unique_ptr<Watch> watch(const Question& question) = 0;
 
   // ---- answers, at the current time ----
   virtual std::optional<Point_id> nearest_vertex(const Vector_2& place) const = 0;

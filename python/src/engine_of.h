@@ -71,17 +71,6 @@ Polynomial_disc_motion_2 general_motion(const Motion& motion) {
   }
 }
 
-template <class Traits>
-class Closest_watch_of final : public Closest_watch {
- public:
-  Closest_watch_of(Simulation_2<Traits>& simulation, std::size_t number)
-      : closest_(simulation, number) {}
-  std::vector<Approach> approaches() override { return closest_.approaches(); }
-
- private:
-  Closest_approaches<Traits> closest_;
-};
-
 /// `Core` is Kinetic_triangulation_2 or Simulation_2, with `Traits`.
 template <template <class> class Core, class Traits>
 class Engine_of final : public Engine {
@@ -165,11 +154,8 @@ class Engine_of final : public Engine {
     return dynamic_cast<const Recorder<Traits>&>(recorder).recording();
   }
 
-  std::unique_ptr<Closest_watch> watch_closest(std::size_t number) override {
-    if constexpr (is_simulation && HasLinearMotion<Traits>) {
-      return std::make_unique<Closest_watch_of<Traits>>(*core_, number);
-    }
-    refuse("closest approaches are those of a simulation of points that move along straight lines");
+  std::unique_ptr<Watch> watch(const Question& question) override {
+    return python::watch(*core_, question);
   }
 
   // ---- answers ----

@@ -5,9 +5,12 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
 #include "io/text.h"
 #include "outputs/gnuplot.h"
 
@@ -25,7 +28,38 @@ constexpr double smallest_share = 1e-9;
 constexpr const char* outputs_heading = "Outputs";
 constexpr const char* run_heading = "Run and display";
 
+// The options that need --range.
+std::string ranged_outputs() {
+  std::vector<std::string> result;
+  for (const Output_row& row : output_table) {
+    if (row.has_range) result.emplace_back(row.option);
+  }
+  return separated(result, ", ");
+}
+
+// The value of --range, which some outputs need, and the others do not.
+double range_argument(const Run_options& options) {
+  bool is_needed = false;
+  for (const Output_row& row : output_table) {
+    if (!row.has_range || !options.outputs[row.output]) continue;
+    is_needed = true;
+    if (options.range) continue;
+    throw Usage_error(joined(row.option, ": how far apart is near? expected --range R as well"));
+  }
+  if (!options.range) return 0;
+  if (!is_needed) {
+    throw Usage_error(joined("--range: nothing asks what is near; expected one of ",
+                             ranged_outputs(), " as well"));
+  }
+  const double range = number_argument("--range", *options.range);
+  if (range < 0) {
+    throw Usage_error(joined("--range: ", *options.range, " is negative; expected 0 or more"));
+  }
+  return range;
+}
+
 void add_outputs(Command& command, Run_options& options, std::initializer_list<Output> requested) {
+  bool has_range = false;
   for (const Output_row& row : output_table) {
     const bool is_requested =
         std::find(requested.begin(), requested.end(), row.output) != requested.end();
@@ -36,7 +70,15 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
         .add(short_is_free ? row.names : row.option, &options.outputs[row.output], row.type,
              row.help)
         .heading = outputs_heading;
+    has_range = has_range || row.has_range;
   }
+  if (!has_range) return;
+  command
+      .add("--range", &options.range, "R",
+           joined("For ", ranged_outputs(),
+                  ": near is what is at most this far apart; of discs, "
+                  "what has at most this gap between the rims"))
+      .heading = outputs_heading;
 }
 
 }  // namespace
@@ -96,6 +138,7 @@ void add_run_options(Command& command, Run_options& options,
 Run_settings run_settings(const Run_options& options) {
   Run_settings result;
   result.outputs = options.outputs;
+  result.answers.range = range_argument(options);
   if (options.frames_per_time) {
     const std::string& option = options.frames_per_time_option;
     if (!result.outputs[Output::frames] && !result.outputs[Output::vtu]) {

@@ -62,9 +62,9 @@ Tracks_settings tracks_settings(const Tracks_options& options) {
 Run_settings settings_of_run(const Tracks_options& options) {
   Run_settings result = run_settings(options.run);
   if (!options.closest) return result;
-  result.closest =
+  result.answers.closest =
       static_cast<std::size_t>(count_argument("--closest", *options.closest, most_approaches));
-  if (result.closest == 0) {
+  if (result.answers.closest == 0) {
     throw Usage_error("--closest: 0 approaches show nothing; expected 1 or more");
   }
   result.outputs[Output::closest] = "-";

@@ -42,6 +42,7 @@ struct Output_row {
   const char* type;    ///< "DIR" if it is a directory; else it is a file
   const char* help;
   Offered offered = Offered::by_every_run;
+  bool has_range = false;  ///< whether --range says what is near
 
   bool is_directory() const { return type[0] == 'D'; }
 };

@@ -4,11 +4,11 @@
 #ifndef KINETRI_APPS_RUN_SETTINGS_H
 #define KINETRI_APPS_RUN_SETTINGS_H
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "answers/answer_settings.h"
 #include "cli/progress.h"
 #include "outputs/output_table.h"
 
@@ -28,8 +28,8 @@ struct Frame_rate {
 
 struct Run_settings {
   Output_paths outputs;
-  std::optional<Frame_rate> frame_rate;      ///< without one, there are 101 frames
-  std::size_t closest = 0;                   ///< how many closest approaches to write
+  std::optional<Frame_rate> frame_rate;  ///< without one, there are 101 frames
+  Answer_settings answers;
   std::uint64_t max_events = 1'000'000'000;  ///< the run stops after the instant with more
   std::optional<double> until_share;         ///< the run ends where the discs cover this share
   Audit_mode audit = Audit_mode::none;

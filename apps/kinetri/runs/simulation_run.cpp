@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <ostream>
@@ -14,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "answers/answer.h"
 #include "cli/arguments.h"
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
@@ -23,7 +23,6 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
-#include "kinetri/observers/closest_approaches.h"
 #include "kinetri/simulation/growth.h"
 #include "outputs/frame_outputs.h"
 #include "outputs/run_outputs.h"
@@ -75,7 +74,6 @@ class Simulation_run {
 
  private:
   void build();
-  void follow_approaches();
   std::uint64_t number_of_events() const {
     return simulation_.visit(
         [](const auto& s) { return s.triangulation().counters().number_of_events(); });
@@ -99,7 +97,6 @@ class Simulation_run {
   void write_ids(std::ostream& out);
   void write_state(std::ostream& out);
   void write_page(std::ostream& out);
-  void write_approaches(std::ostream& out);
   void write_plot(std::ostream& out);
   void write_statistics(std::ostream& out);
   void summarize() const;
@@ -113,9 +110,8 @@ class Simulation_run {
   std::optional<Event_log_writer> log_;
   Any_simulation simulation_;
   std::optional<Viewer_output> viewer_;
-  std::function<std::vector<Approach>()> approaches_;  // where they are asked for
+  std::vector<Followed_answer> answers_;
   std::optional<Frame_outputs> frames_;
-  bool has_gaps_ = false;  // beside distances
   std::unique_ptr<Run_sampler> sampler_;
   std::optional<Jam_watch> jam_watch_;  // if discs grow, and have to make room for each other
   bool jammed_ = false;
@@ -178,22 +174,10 @@ void Simulation_run::build() {
     simulation_.visit([this](auto& s) { s.add_observer(*log_); });
   }
   if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_, statistics_.until);
-  if (settings_.closest > 0) follow_approaches();
+  answers_ = follow_answers(outputs_, settings_.answers, simulation_, source_);
   if (frames_) frames_->start(source_, simulation_, statistics_.until);
   if (sampler_) sampler_->start(statistics_.until, simulation_);
   statistics_.seconds.write += stopwatch_.lap();
-}
-
-// Asked for with recorded tracks only, which do not accelerate.
-void Simulation_run::follow_approaches() {
-  simulation_.visit([this]<class Traits>(Simulation_2<Traits>& s) {
-    if constexpr (HasLinearMotion<Traits>) {
-      has_gaps_ = HasWeight<typename Traits::Motion>;
-      approaches_ = [closest = std::make_shared<Closest_approaches<Traits>>(s, settings_.closest)] {
-        return closest->approaches();
-      };
-    }
-  });
 }
 
 // The time at which the run ends as it goes now.
@@ -335,16 +319,6 @@ void Simulation_run::report_early_end() const {
   }
 }
 
-void Simulation_run::write_approaches(std::ostream& out) {
-  out << "id_a,id_b,time,time_lo,time_hi,distance" << (has_gaps_ ? ",gap\n" : "\n");
-  for (const Approach& approach : approaches_()) {
-    out << joined(source_.name(approach.points[0]), ",", source_.name(approach.points[1]), ",",
-                  time_fields(approach.time), ",", approach.distance);
-    if (has_gaps_) out << joined(",", approach.gap);
-    out << '\n';
-  }
-}
-
 void Simulation_run::write_edges_now(std::ostream& out) {
   write_edges(out,
               simulation_.visit([](const auto& s) { return s.triangulation().finite_edge_ids(); }));
@@ -382,11 +356,10 @@ void Simulation_run::write_outputs() {
   };
   // The plot and the statistics say how long writing the others took. The edges at the start and
   // the events have been written before.
-  constexpr std::array<Writer, 7> writers = {{{Output::edges, &Simulation_run::write_edges_now},
+  constexpr std::array<Writer, 6> writers = {{{Output::edges, &Simulation_run::write_edges_now},
                                               {Output::ids, &Simulation_run::write_ids},
                                               {Output::checkpoint, &Simulation_run::write_state},
                                               {Output::html, &Simulation_run::write_page},
-                                              {Output::closest, &Simulation_run::write_approaches},
                                               {Output::plot, &Simulation_run::write_plot},
                                               {Output::stats, &Simulation_run::write_statistics}}};
   simulation_.visit([&](const auto& s) {
@@ -396,6 +369,7 @@ void Simulation_run::write_outputs() {
     statistics_.contacts = s.contact_counters();
   });
   if (frames_) frames_->finish();
+  for (const auto& [output, answer] : answers_) answer->write(outputs_.stream(output));
   for (const auto& [output, write] : writers) {
     statistics_.seconds.write += stopwatch_.lap();
     if (outputs_.has(output)) (this->*write)(outputs_.stream(output));

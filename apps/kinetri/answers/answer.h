@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The answers to questions about a run: each is an observer of the simulation, which follows the
+// run from its start on, and a table that is written at the end. An answer has a row in
+// outputs/output_table.h, a row in answers.cpp and a source here.
+#ifndef KINETRI_APPS_ANSWER_H
+#define KINETRI_APPS_ANSWER_H
+
+#include <iosfwd>
+#include <memory>
+#include <vector>
+
+#include "answers/answer_settings.h"
+#include "outputs/run_outputs.h"
+#include "sources/any_simulation.h"
+#include "sources/run_source.h"
+
+namespace kinetri::app {
+
+/// Follows a run from its construction on. The simulation must outlive it.
+class Answer {
+ public:
+  virtual ~Answer() = default;
+  Answer(const Answer&) = delete;
+  Answer& operator=(const Answer&) = delete;
+
+  /// Writes the answer up to now.
+  virtual void write(std::ostream& out) = 0;
+
+ protected:
+  Answer() = default;
+};
+
+/// One answer, with where it goes.
+struct Followed_answer {
+  Output output;
+  std::unique_ptr<Answer> answer;
+};
+
+/// Follows what the outputs ask for. `source` must outlive the result. Throws Usage_error if a
+/// question has no answer for this kind of motion.
+std::vector<Followed_answer> follow_answers(Run_outputs& outputs, const Answer_settings& settings,
+                                            const Any_simulation& simulation,
+                                            const Run_source& source);
+
+/// @{
+/// Those that there are.
+std::unique_ptr<Answer> closest_answer(const Answer_settings& settings,
+                                       const Any_simulation& simulation, const Run_source& source);
+/// @}
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_ANSWER_H

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the questions about a run are.
+#ifndef KINETRI_APPS_ANSWER_SETTINGS_H
+#define KINETRI_APPS_ANSWER_SETTINGS_H
+
+#include <cstddef>
+
+namespace kinetri::app {
+
+/// What is asked. A question without its output is not asked.
+struct Answer_settings {
+  std::size_t closest = 0;  ///< how many closest approaches
+  double range = 0;         ///< what is near: at most this far apart
+};
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_ANSWER_SETTINGS_H

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "answers/answer.h"
+
+namespace kinetri::app {
+namespace {
+
+struct Answer_row {
+  Output output;
+  std::unique_ptr<Answer> (*follow)(const Answer_settings&, const Any_simulation&,
+                                    const Run_source&);
+};
+
+constexpr std::array<Answer_row, 1> answers = {{
+    {Output::closest, &closest_answer},
+}};
+
+}  // namespace
+
+std::vector<Followed_answer> follow_answers(Run_outputs& outputs, const Answer_settings& settings,
+                                            const Any_simulation& simulation,
+                                            const Run_source& source) {
+  std::vector<Followed_answer> result;
+  for (const auto& [output, follow] : answers) {
+    if (outputs.has(output)) result.push_back({output, follow(settings, simulation, source)});
+  }
+  return result;
+}
+
+}  // namespace kinetri::app
