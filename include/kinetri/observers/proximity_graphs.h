@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Gabriel graph and the relative neighborhood graph of moving points: filters of the edges of
+// a kinetic Delaunay triangulation.
+//
+// Both graphs are those of the points alone, whichever Delaunay triangulation of cocircular points
+// there is: every edge of the relative neighborhood graph is one of the Gabriel graph, and each of
+// these is in every Delaunay triangulation. The edge from a point to a nearest neighbor, and a
+// minimum spanning tree, are in both.
+#ifndef KINETRI_OBSERVERS_PROXIMITY_GRAPHS_H
+#define KINETRI_OBSERVERS_PROXIMITY_GRAPHS_H
+
+#include <vector>
+
+#include "kinetri/events/event.h"
+#include "kinetri/triangulation/queries_2.h"
+
+namespace kinetri {
+
+/// Whether the points a and b of `edge` are neighbors in the Gabriel graph just after the current
+/// time, exactly: no other point is inside of the circle whose diameter is ab, or on it. So |ac|^2
+/// + |bc|^2 > |ab|^2 for each other point c. False for points without an edge.
+///
+/// Cost: that of finding the edge, O(degree), and the signs of two polynomials. Precondition: the
+/// triangulation contains both.
+///
+/// Source: K. R. Gabriel, R. R. Sokal, A new statistical approach to geographic variation analysis,
+/// Systematic Zoology 18, 1969. That the points opposite of the edge suffice: D. W. Matula, R. R.
+/// Sokal, Properties of Gabriel graphs relevant to geographic variation research and the clustering
+/// of points in the plane, Geographical Analysis 12, 1980.
+template <class Traits>
+requires HasNearestNeighbors<Traits>
+bool is_gabriel_edge(const Kinetic_triangulation_2<Traits>& triangulation, const Edge_ids& edge);
+
+/// Whether the points a and b of `edge` are relative neighbors just after the current time,
+/// exactly: no other point c is nearer to both than they are to each other, max(|ac|, |bc|) <
+/// |ab|. False for points without an edge.
+///
+/// Cost: that of is_gabriel_edge and, if it is true, a comparison of distances for each point that
+/// is nearer to one end than the other end is, and for the neighbors of these. That is O(1) for
+/// most edges of points that are spread evenly, and O(n) at worst. Precondition: the triangulation
+/// contains both.
+///
+/// Source: G. T. Toussaint, The relative neighbourhood graph of a finite planar set, Pattern
+/// Recognition 12, 1980.
+template <class Traits>
+requires HasNearestNeighbors<Traits>
+bool is_relative_neighbor_edge(const Kinetic_triangulation_2<Traits>& triangulation,
+                               const Edge_ids& edge);
+
+/// @{
+/// All edges for which the function above is true, sorted. Cost: that of the function for each
+/// edge of the triangulation.
+template <class Traits>
+requires HasNearestNeighbors<Traits> std::vector<Edge_ids> gabriel_edges(
+    const Kinetic_triangulation_2<Traits>& triangulation);
+template <class Traits>
+requires HasNearestNeighbors<Traits> std::vector<Edge_ids> relative_neighbor_edges(
+    const Kinetic_triangulation_2<Traits>& triangulation);
+/// @}
+
+#define KINETRI_PROXIMITY_GRAPHS(declaration, Traits)                                        \
+  declaration bool is_gabriel_edge(const Kinetic_triangulation_2<Traits>&, const Edge_ids&); \
+  declaration bool is_relative_neighbor_edge(const Kinetic_triangulation_2<Traits>&,         \
+                                             const Edge_ids&);                               \
+  declaration std::vector<Edge_ids> gabriel_edges(const Kinetic_triangulation_2<Traits>&);   \
+  declaration std::vector<Edge_ids> relative_neighbor_edges(const Kinetic_triangulation_2<Traits>&)
+KINETRI_PROXIMITY_GRAPHS(extern template, Linear_kinetic_traits_2);
+KINETRI_PROXIMITY_GRAPHS(extern template, Polynomial_kinetic_traits_2);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_OBSERVERS_PROXIMITY_GRAPHS_H

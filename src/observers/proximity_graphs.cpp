@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/observers/proximity_graphs.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "kinetri/kinetic/certificate_polynomials.h"
+#include "kinetri/triangulation/detail/incident.h"
+
+namespace kinetri {
+namespace {
+
+template <class Traits>
+class Edge_tests {
+ public:
+  using Kinetic = Kinetic_triangulation_2<Traits>;
+  using Topology = typename Kinetic::Triangulation;
+  using Vertex_handle = typename Kinetic::Vertex_handle;
+  using Edge = typename Kinetic::Edge;
+
+  explicit Edge_tests(const Kinetic& kinetic)
+      : kinetic_(kinetic), topology_(kinetic.triangulation()) {}
+
+  // Points on the side of r that are within the circle whose diameter is pq are within the circle
+  // through p, q and r as well, if r is outside of the first one. The second circle is empty. And
+  // no third point is between p and q, where they have an edge.
+  bool is_gabriel(const Edge& edge) const {
+    if (topology_.dimension() < 2) return true;
+    const auto [face, i] = edge;
+    const Vertex_handle p = face->vertex(Topology::cw(i));
+    const Vertex_handle q = face->vertex(Topology::ccw(i));
+    return sees_acute_angle(face->vertex(i), p, q) &&
+           sees_acute_angle(topology_.mirror_vertex(face, i), p, q);
+  }
+
+  // The points nearer to p than q is are connected with p by edges among themselves (docs/MATH.md,
+  // section 8). So all of them are found, and among them who is nearer to q than p is.
+  bool is_relative_neighbor(const Edge& edge) const {
+    if (!is_gabriel(edge)) return false;
+    if (topology_.dimension() < 2) return true;
+    const auto [face, i] = edge;
+    const Vertex_handle p = face->vertex(Topology::cw(i));
+    const Vertex_handle q = face->vertex(Topology::ccw(i));
+    std::vector<Vertex_handle> within = {p};
+    std::unordered_set<Point_id> seen = {p->point().id(), q->point().id()};
+    bool is_empty = true;
+    for (std::size_t next = 0; next < within.size() && is_empty; ++next) {
+      detail::for_each_neighbor(topology_, within[next], [&](Vertex_handle r) {
+        if (!seen.insert(r->point().id()).second || !is_nearer(p, r, q)) return;
+        within.push_back(r);
+        if (is_nearer(q, r, p)) is_empty = false;
+      });
+    }
+    return is_empty;
+  }
+
+  // The test of an edge that is named by its ends.
+  template <class Test>
+  bool test(const Edge_ids& ids, const Test& is_edge_of_graph) const {
+    typename Kinetic::Face_handle face;
+    int i = 0;
+    return ids[0] != ids[1] &&
+           topology_.is_edge(kinetic_.vertex(ids[0]), kinetic_.vertex(ids[1]), face, i) &&
+           is_edge_of_graph(Edge(face, i));
+  }
+
+  // The edges that pass a test, sorted.
+  template <class Test>
+  std::vector<Edge_ids> all(const Test& is_edge_of_graph) const {
+    std::vector<Edge_ids> result;
+    for (const Edge& edge : topology_.finite_edges()) {
+      if (!is_edge_of_graph(edge)) continue;
+      const auto& [face, i] = edge;
+      result.push_back(edge_ids(face->vertex(Topology::cw(i))->point().id(),
+                                face->vertex(Topology::ccw(i))->point().id()));
+    }
+    std::ranges::sort(result);
+    return result;
+  }
+
+ private:
+  bool sees_acute_angle(Vertex_handle r, Vertex_handle p, Vertex_handle q) const {
+    return topology_.is_infinite(r) ||
+           sign_just_after(scalar_product_polynomial(p->point(), r->point(), q->point()),
+                           kinetic_.current_time()) == CGAL::POSITIVE;
+  }
+
+  // Whether r is nearer to p than q is.
+  bool is_nearer(Vertex_handle p, Vertex_handle r, Vertex_handle q) const {
+    return topology_.geom_traits().compare_distance_2_object()(p->point(), r->point(),
+                                                               q->point()) == CGAL::SMALLER;
+  }
+
+  const Kinetic& kinetic_;
+  const Topology& topology_;
+};
+
+}  // namespace
+
+template <class Traits>
+requires HasNearestNeighbors<Traits>
+bool is_gabriel_edge(const Kinetic_triangulation_2<Traits>& triangulation, const Edge_ids& edge) {
+  const Edge_tests<Traits> tests(triangulation);
+  return tests.test(edge, [&](const auto& e) { return tests.is_gabriel(e); });
+}
+
+template <class Traits>
+requires HasNearestNeighbors<Traits>
+bool is_relative_neighbor_edge(const Kinetic_triangulation_2<Traits>& triangulation,
+                               const Edge_ids& edge) {
+  const Edge_tests<Traits> tests(triangulation);
+  return tests.test(edge, [&](const auto& e) { return tests.is_relative_neighbor(e); });
+}
+
+template <class Traits>
+requires HasNearestNeighbors<Traits> std::vector<Edge_ids> gabriel_edges(
+    const Kinetic_triangulation_2<Traits>& triangulation) {
+  const Edge_tests<Traits> tests(triangulation);
+  return tests.all([&](const auto& e) { return tests.is_gabriel(e); });
+}
+
+template <class Traits>
+requires HasNearestNeighbors<Traits> std::vector<Edge_ids> relative_neighbor_edges(
+    const Kinetic_triangulation_2<Traits>& triangulation) {
+  const Edge_tests<Traits> tests(triangulation);
+  return tests.all([&](const auto& e) { return tests.is_relative_neighbor(e); });
+}
+
+KINETRI_PROXIMITY_GRAPHS(template, Linear_kinetic_traits_2);
+KINETRI_PROXIMITY_GRAPHS(template, Polynomial_kinetic_traits_2);
+
+}  // namespace kinetri
