@@ -8,8 +8,7 @@
 //      before t. It is still right at t itself, since edges are those of a Delaunay triangulation
 //      in the limit, and motions are continuous up to t.
 //   2. `before_change(...)`: the graph is still that. What depends on motions that change leaves
-//   the
-//      observer's queue, which orders entries by these motions.
+//      the observer's queue, which orders entries by these motions.
 //   3. `change(...)`: the graph is what it is just after t, when all events of that time have
 //      happened. What was removed and came back within t is no change.
 // So the observer never sees a triangulation within an instant.

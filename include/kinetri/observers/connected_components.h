@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which points are connected at a range, over time.
+#ifndef KINETRI_OBSERVERS_CONNECTED_COMPONENTS_H
+#define KINETRI_OBSERVERS_CONNECTED_COMPONENTS_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "kinetri/events/event_scheduler.h"
+#include "kinetri/observers/dynamic_connectivity.h"
+#include "kinetri/observers/edge_follower.h"
+
+namespace kinetri {
+
+/// What a Component_event tells. Each but `start` changes the number of components by one.
+enum class Component_event_kind : std::uint8_t {
+  start,   ///< what the components are at the start; the first event, and no other one
+  merge,   ///< two components become one
+  split,   ///< a component becomes two
+  insert,  ///< a point comes, as a component of its own; what it joins then is told by merges
+  erase,   ///< a point goes that is a component of its own; what it left is told by splits before
+};
+
+/// The number of kinds.
+inline constexpr std::size_t component_event_kinds = 5;
+
+/// The kind's name in files: "start", "merge", ...
+std::string_view name(Component_event_kind kind);
+
+/// A change of the components at one exact time.
+struct Component_event {
+  Algebraic_number time;                                    ///< exact
+  Component_event_kind kind = Component_event_kind::start;  ///< what happens
+  /// Of a merge or split, the pair of points whose link joins the two components, or joined them:
+  /// they are at the distance of the range exactly, unless one of them has come, goes, or jumps at
+  /// that time; then they are within the range on the one side of the time on which both are there.
+  /// Of an insert or erase, the point and no_point. Of a start none.
+  Edge_ids points = {no_point, no_point};
+  /// The numbers of points in the component of either: of a merge, before it; of a split, after it.
+  std::array<std::size_t, 2> sizes = {0, 0};
+  std::size_t components = 0;  ///< the number of components after the event
+  std::size_t largest = 0;     ///< the number of points in the largest one after it
+};
+
+/// Times from the first to the last, both included.
+struct Time_interval {
+  Algebraic_number begin;  ///< the first one
+  Algebraic_number end;    ///< the last one; not before `begin`
+};
+
+/// An observer that keeps the connected components of the graph in which two points are linked
+/// while they are at most `range` apart, and tells every merge and split with its exact time.
+///
+/// All of it is closed. Two points are linked also at the moment at which they touch the range from
+/// outside: then a merge and a split have the same time. A point that comes or goes at a time is
+/// there at that time, and one that jumps is there at both of its places. So at each time there are
+/// first the inserts and merges, then the splits and erasures, and between them the components are
+/// those of the time itself. Which link it is that joins or splits, if several begin or end at one
+/// time, follows from their ids.
+///
+/// The links of edges of the triangulation have the same components as all links (docs/MATH.md,
+/// section 12). Cost: for each edge that comes, and each edge of a point that gets another motion,
+/// a certificate; for each time at which an edge crosses the range, an event of a queue and a
+/// change of Dynamic_connectivity. A flip changes no component. Memory: O(n + events).
+///
+/// A question is answered for just after the current time, with what has happened so far: what
+/// changes afterwards at the same time comes later in the order.
+template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+class Connected_components : public Edge_follower<Traits> {
+  static_assert(!HasWeight<typename Traits::Motion>, "of points, or discs of one radius");
+
+ public:
+  using typename Edge_follower<Traits>::Triangulation;
+  using typename Edge_follower<Traits>::Time;
+  using Component = Dynamic_connectivity::Component;  ///< names one until the next event
+
+  /// @{
+  /// Observes from the current time on; the object must not outlive what it observes.
+  /// Precondition: the range is at least 0 and finite.
+  Connected_components(Simulation_2<Traits>& simulation, double range);
+  Connected_components(Triangulation& triangulation, double range);
+  /// @}
+
+  /// The range.
+  double range() const { return range_; }
+
+  /// All events up to the current time, in their order. The reference is valid, and refers to the
+  /// same events, until this object is used again after the triangulation has gone on.
+  const std::vector<Component_event>& events();
+
+  /// The components just after the current time.
+  const Dynamic_connectivity& components();
+
+  /// @{
+  /// The functions of Dynamic_connectivity of these names, just after the current time.
+  Component component(Point_id id) { return components().component(id); }
+  std::size_t size_of(Point_id id) { return components().size_of(id); }
+  bool are_connected(Point_id a, Point_id b) { return components().are_connected(a, b); }
+  std::size_t number_of_components() { return components().number_of_components(); }
+  std::size_t largest() { return components().largest(); }
+  /// @}
+
+  /// Notes from the current time on when the two points are connected. They need not be there yet.
+  /// Cost: O(1) for each pair and event. Precondition: they differ.
+  void watch(const Edge_ids& points);
+  /// The times since watch(points), up to the current one, at which the two were connected, in
+  /// their order and disjoint. Precondition: watch() has been called for the pair.
+  std::vector<Time_interval> connected_intervals(const Edge_ids& points);
+
+ private:
+  using typename Edge_follower<Traits>::Changed_point;
+  using Kind = Component_event_kind;
+
+  // In the order in which they are executed at one time.
+  enum class Entry_kind : std::uint8_t { begin, end };
+
+  // The time at which a link begins or ends, or up to which it certainly does not.
+  struct Entry : detail::Scheduled {
+    Edge_ids edge = {no_point, no_point};
+    Entry_kind kind = Entry_kind::begin;
+    bool is_event = false;
+  };
+
+  struct Queue_policy {
+    const Connected_components& components;
+
+    Time entry_time(const Entry& entry) const;
+    bool precedes(const Entry& a, const Entry& b) const;
+    bool is_recheck(const Entry& entry) const { return !entry.is_event; }
+    static void prefetch(const Entry&) {}
+    static void prefetch_more(const Entry&) {}
+    static void prefetch_first(const Entry&) {}
+  };
+
+  struct Watched_pair {
+    Edge_ids points;
+    std::optional<Time> since = std::nullopt;  // if they are connected
+    std::vector<Time_interval> intervals = {};
+  };
+
+  // An edge that has an entry.
+  struct Scheduled_edge {
+    Point_id other;  // the greater id
+    Queue_handle event;
+  };
+
+  // Which entries of the last time are due.
+  enum class Due : std::uint8_t { begins, all };
+
+  void start();
+  void look();
+  void advance(const Time& time) override;
+  void before_change(std::span<const Edge_ids> removed,
+                     std::span<const Changed_point> points) override;
+  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
+              std::span<const Changed_point> points) override;
+  void execute_until(const Time& time, Due due);
+  void execute(const Entry& entry, const Time& time);
+
+  bool is_linked(const Edge_ids& edge) const { return connectivity_.is_edge(edge); }
+  void link(const Edge_ids& edge, const Time& time);
+  void cut(const Edge_ids& edge, const Time& time);
+  void report(Kind kind, const Time& time, const Edge_ids& points = {no_point, no_point},
+              const std::array<std::size_t, 2>& sizes = {0, 0});
+  void look_at_watched(const Time& time);
+  std::vector<Edge_ids> edges_of(std::span<const Changed_point> points) const;
+
+  void schedule(const Edge_ids& edge, const Time& time);
+  void push(const Edge_ids& edge, Entry_kind kind, Certificate certificate);
+  void unschedule(const Edge_ids& edge);
+  Queue_handle forget(const Edge_ids& edge);
+
+  double range_;
+  Dynamic_connectivity connectivity_;
+  std::vector<Component_event> events_;
+  std::vector<Watched_pair> watched_;
+  Queue_policy policy_{*this};
+  detail::Event_scheduler<Entry, Queue_policy> queue_{policy_};
+  std::vector<std::vector<Scheduled_edge>> scheduled_;  // by the smaller id
+};
+
+extern template class Connected_components<Linear_kinetic_traits_2>;
+extern template class Connected_components<Polynomial_kinetic_traits_2>;
+
+}  // namespace kinetri
+
+#endif  // KINETRI_OBSERVERS_CONNECTED_COMPONENTS_H
