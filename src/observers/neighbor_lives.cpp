@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/observers/neighbor_lives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "kinetri/algebra/real_roots.h"
+#include "kinetri/base/check.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
+
+namespace kinetri {
+namespace {
+
+// The place that is equally near to the three points.
+template <class Point>
+Trajectory_2 center(const Point& p, const Point& q, const Point& r) {
+  if constexpr (HasWeight<typename Point::Motion>) {
+    return weighted_circumcenter_trajectory(p, q, r);
+  } else {
+    return circumcenter_trajectory(p, q, r);
+  }
+}
+
+// Negative where two places are nearer to each other than `distance`, positive where they are
+// farther apart.
+Polynomial distance_polynomial(const Trajectory_2& a, const Trajectory_2& b, double distance) {
+  const Rational exact = to_rational(distance);
+  const Polynomial x = a.x * b.w - b.x * a.w;
+  const Polynomial y = a.y * b.w - b.y * a.w;
+  const Polynomial w = a.w * b.w;
+  const Integer one = denominator(exact);
+  const Integer length = numerator(exact);
+  return primitive_part((x * x + y * y) * Integer(one * one) - w * w * Integer(length * length));
+}
+
+}  // namespace
+
+const char* name(Life_limit limit) {
+  switch (limit) {
+    case Life_limit::run:
+      return "run";
+    case Life_limit::point:
+      return "point";
+    default:
+      return "exchange";
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+Neighbor_lives<Traits>::Neighbor_lives(Simulation_2<Traits>& simulation,
+                                       std::optional<double> ridge_threshold)
+    : Base(simulation), threshold_(ridge_threshold) {
+  start();
+}
+
+template <ContactKineticTraits_2 Traits>
+Neighbor_lives<Traits>::Neighbor_lives(Triangulation& triangulation,
+                                       std::optional<double> ridge_threshold)
+    : Base(triangulation), threshold_(ridge_threshold) {
+  start();
+}
+
+template <ContactKineticTraits_2 Traits>
+void Neighbor_lives<Traits>::start() {
+  KINETRI_PRECONDITION(!threshold_ || (std::isfinite(*threshold_) && *threshold_ > 0),
+                       "the threshold of ridges is not positive and finite");
+  now_ = this->triangulation().current_time();
+  std::vector<Edge_ids> edges;
+  for (Point_id id = 0; id < this->graph().next_id(); ++id) {
+    if (!this->graph().contains(id)) continue;
+    presences_.emplace(id, Presence{now_, std::nullopt});
+    for (const Point_id other : this->graph().neighbors(id)) {
+      if (id < other) edges.push_back({id, other});
+    }
+  }
+  std::ranges::sort(edges);
+  for (const Edge_ids& edge : edges) {
+    Present present;
+    present.index = lives_.size();
+    present.since = now_;
+    if (threshold_) present.opposite = opposite(edge);
+    present_.emplace(edge, std::move(present));
+    lives_.push_back({{edge, now_, now_}});
+  }
+}
+
+// ---- answers ----
+
+template <ContactKineticTraits_2 Traits>
+std::vector<Neighbor_life> Neighbor_lives<Traits>::lives() {
+  this->update();
+  const Time& now = this->triangulation().current_time();
+  const std::vector<bool> is_short = short_lives();
+  std::vector<Neighbor_life> result;
+  for (Index i = 0; i < lives_.size(); ++i) {
+    Neighbor_life life = lives_[i].life;
+    if (!lives_[i].has_ended) life.end = now;
+    life.is_short = is_short[i];
+    if (life.begin != life.end) result.push_back(std::move(life));
+  }
+  std::ranges::stable_sort(result, [](const Neighbor_life& a, const Neighbor_life& b) {
+    return std::tie(a.begin, a.points) < std::tie(b.begin, b.points);
+  });
+  return result;
+}
+
+template <ContactKineticTraits_2 Traits>
+std::vector<Point_exchanges> Neighbor_lives<Traits>::exchanges() {
+  this->update();
+  const Time& now = this->triangulation().current_time();
+  std::map<Point_id, Point_exchanges> of_points;
+  for (const auto& [id, presence] : presences_) {
+    of_points[id] = {id, presence.from, presence.until.value_or(now)};
+  }
+  const std::vector<bool> is_short = short_lives();
+  const auto is_short_too = [&](Index i) { return i != none && is_short[i]; };
+  for (Index i = 0; i < lives_.size(); ++i) {
+    const auto& [life, has_ended, replaced, replaced_by] = lives_[i];
+    for (const Point_id id : life.points) {
+      Point_exchanges& counts = of_points[id];
+      if (life.begins_by == Life_limit::exchange) {
+        ++counts.gained;
+        if (is_short[i] || is_short_too(replaced)) ++counts.short_ones;
+      }
+      if (life.ends_by == Life_limit::exchange) {
+        ++counts.lost;
+        if (is_short[i] || is_short_too(replaced_by)) ++counts.short_ones;
+      }
+    }
+  }
+  std::vector<Point_exchanges> result;
+  for (const auto& [id, counts] : of_points) result.push_back(counts);
+  return result;
+}
+
+// Of each life, whether it is short up to now.
+template <ContactKineticTraits_2 Traits>
+std::vector<bool> Neighbor_lives<Traits>::short_lives() const {
+  std::vector<bool> result(lives_.size(), false);
+  for (Index i = 0; i < lives_.size(); ++i) result[i] = lives_[i].life.is_short;
+  if (!threshold_) return result;
+  const Time& now = this->triangulation().current_time();
+  for (const auto& [edge, present] : present_) {
+    result[present.index] = !present.is_long && !reaches_threshold(edge, present, now);
+  }
+  return result;
+}
+
+// ---- what happens ----
+
+template <ContactKineticTraits_2 Traits>
+void Neighbor_lives<Traits>::before_change(std::span<const Edge_ids> removed,
+                                           std::span<const Changed_point> points) {
+  const auto& graph = this->graph();
+  neighbors_before_.clear();
+  for (const Changed_point& changed : points) {
+    if (!changed.before) continue;
+    const auto neighbors = graph.neighbors(changed.id);
+    neighbors_before_.emplace_back(changed.id,
+                                   std::vector<Point_id>(neighbors.begin(), neighbors.end()));
+    if (!threshold_) continue;
+    // The ridges that depend on the motion: of its edges, and of those opposite of it.
+    for (const Point_id other : neighbors) {
+      end_piece(edge_ids(changed.id, other));
+      for (const Point_id third : common_neighbors(changed.id, other)) {
+        end_piece(edge_ids(other, third));
+      }
+    }
+  }
+  ended_.clear();
+  for (const Edge_ids& edge : removed) {
+    end_piece(edge);
+    ended_.insert(present_.extract(edge));
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+void Neighbor_lives<Traits>::change(const Time& time, std::span<const Edge_ids> removed,
+                                    std::span<const Edge_ids> added,
+                                    std::span<const Changed_point> points) {
+  const auto& graph = this->graph();
+  now_ = time;
+  // Who has come or gone, and their neighbors.
+  std::set<Point_id> near;
+  for (const auto& [id, neighbors] : neighbors_before_) {
+    if (graph.contains(id)) continue;
+    near.insert(id);
+    near.insert(neighbors.begin(), neighbors.end());
+    presences_.at(id).until = time;
+  }
+  for (const Changed_point& changed : points) {
+    if (changed.before) continue;
+    near.insert(changed.id);
+    const auto neighbors = graph.neighbors(changed.id);
+    near.insert(neighbors.begin(), neighbors.end());
+    presences_.insert_or_assign(changed.id, Presence{time, std::nullopt});
+  }
+  const auto limit = [&](const Edge_ids& edge) {
+    return near.contains(edge[0]) && near.contains(edge[1]) ? Life_limit::point
+                                                            : Life_limit::exchange;
+  };
+  for (const Edge_ids& edge : removed) {
+    const Present& present = ended_.at(edge);
+    Life& ended = lives_[present.index];
+    ended.has_ended = true;
+    ended.life.end = time;
+    ended.life.ends_by = limit(edge);
+    ended.life.is_short = threshold_.has_value() && !present.is_long;
+  }
+  for (const Edge_ids& edge : added) {
+    Present present;
+    present.index = lives_.size();
+    present.since = time;
+    present_.emplace(edge, std::move(present));
+    lives_.push_back({{edge, time, time, limit(edge)}});
+  }
+  if (threshold_) follow_opposites(removed, added);
+}
+
+// The triangles at edges whose ends have lost or got an edge, or are at the side of one: all those
+// that may have changed. (Those that turn over while no edge changes are flat at that time, and the
+// ridges of their edges infinite.)
+template <ContactKineticTraits_2 Traits>
+void Neighbor_lives<Traits>::follow_opposites(std::span<const Edge_ids> removed,
+                                              std::span<const Edge_ids> added) {
+  const auto& graph = this->graph();
+  std::set<Point_id> around;
+  for (const auto& edges : {removed, added}) {
+    for (const Edge_ids& edge : edges) {
+      if (!graph.contains(edge[0]) || !graph.contains(edge[1])) continue;
+      around.insert(edge.begin(), edge.end());
+      const auto between = common_neighbors(edge[0], edge[1]);
+      around.insert(between.begin(), between.end());
+    }
+  }
+  // Of a point that has gone, the ends of its edges.
+  for (const Edge_ids& edge : removed) {
+    for (const Point_id id : edge) {
+      if (graph.contains(id)) around.insert(id);
+    }
+  }
+  for (const Point_id id : around) {
+    for (const Point_id other : graph.neighbors(id)) {
+      if (other < id || !around.contains(other)) continue;
+      const Edge_ids edge = {id, other};
+      const Opposite now = opposite(edge);
+      Present& present = present_.at(edge);
+      if (present.opposite == now) continue;
+      if (present.since != now_) end_piece(edge);
+      present.opposite = now;
+      present.since = now_;
+    }
+  }
+  for (const Edge_ids& edge : added) {
+    const Present& present = present_.at(edge);
+    const auto replaced = ended_.find(present.opposite);
+    if (replaced == ended_.end() || replaced->second.opposite != edge) continue;
+    lives_[present.index].replaced = replaced->second.index;
+    lives_[replaced->second.index].replaced_by = present.index;
+  }
+}
+
+// ---- ridges ----
+
+template <ContactKineticTraits_2 Traits>
+std::vector<Point_id> Neighbor_lives<Traits>::common_neighbors(Point_id a, Point_id b) const {
+  const auto of_b = this->graph().neighbors(b);
+  std::vector<Point_id> result;
+  std::ranges::copy_if(this->graph().neighbors(a), std::back_inserter(result),
+                       [&](Point_id id) { return std::ranges::find(of_b, id) != of_b.end(); });
+  return result;
+}
+
+// The third points of the triangles at an edge just after now. On each side it is the common
+// neighbor whose circle has no other one inside. There is no doubt where several are on one circle:
+// two of them with edges to both ends would have edges that cross.
+template <ContactKineticTraits_2 Traits>
+auto Neighbor_lives<Traits>::opposite(const Edge_ids& edge) const -> Opposite {
+  const auto& graph = this->graph();
+  const auto instantaneous = this->traits().instantaneous_traits(Instant{now_, Time_side::after});
+  const auto orientation = instantaneous.orientation_2_object();
+  const auto side_of_circle = instantaneous.side_of_oriented_circle_2_object();
+  Opposite result = {no_point, no_point};
+  const std::vector<Point_id> candidates = common_neighbors(edge[0], edge[1]);
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    const Point_2& p = graph.point(edge[side]);
+    const Point_2& q = graph.point(edge[1 - side]);
+    for (const Point_id id : candidates) {
+      const Point_2& r = graph.point(id);
+      if (orientation(p, q, r) != CGAL::LEFT_TURN) continue;
+      if (result[side] == no_point ||
+          side_of_circle(p, q, graph.point(result[side]), r) == CGAL::ON_POSITIVE_SIDE) {
+        result[side] = id;
+      }
+    }
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+// The quadrilateral of the edge, or a motion of it, ends now.
+template <ContactKineticTraits_2 Traits>
+void Neighbor_lives<Traits>::end_piece(const Edge_ids& edge) {
+  if (!threshold_) return;
+  const auto found = present_.find(edge);
+  if (found == present_.end()) return;
+  Present& present = found->second;
+  if (!present.is_long) present.is_long = reaches_threshold(edge, present, now_);
+  present.since = now_;
+}
+
+// Whether the ridge is as long as the threshold at a time since the present piece began.
+template <ContactKineticTraits_2 Traits>
+bool Neighbor_lives<Traits>::reaches_threshold(const Edge_ids& edge, const Present& present,
+                                               const Time& until) const {
+  if (present.since == until) return false;
+  if (present.opposite[1] == no_point) return true;
+  const auto& graph = this->graph();
+  const auto center_at = [&](Point_id id) {
+    return center(graph.point(edge[0]), graph.point(edge[1]), graph.point(id));
+  };
+  const Polynomial excess = distance_polynomial(center_at(present.opposite[0]),
+                                                center_at(present.opposite[1]), *threshold_);
+  if (sign_at(excess, until) != CGAL::NEGATIVE) return true;
+  if (sign_at(excess, present.since) != CGAL::NEGATIVE) return true;
+  if (excess.sign_at(simplest_between(present.since, until)) != CGAL::NEGATIVE) return true;
+  const auto root = first_root_after(excess, present.since);
+  return root && root->value < until;
+}
+
+template class Neighbor_lives<Linear_kinetic_traits_2>;
+template class Neighbor_lives<Polynomial_kinetic_traits_2>;
+template class Neighbor_lives<Disc_kinetic_traits_2>;
+template class Neighbor_lives<Polynomial_disc_kinetic_traits_2>;
+
+}  // namespace kinetri
