@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Finds the libraries that are seen through the public headers. Used by the build and, installed, by
-# KinetriConfig.cmake, so that an installed library names no path of the machine it was built on.
+# Finds the libraries that are seen through the public headers, and those that the library is linked with
+# where they are. Used by the build and, installed, by KinetriConfig.cmake, so that an installed library
+# names no path of the machine it was built on.
 #
 # Defines Boost::headers, CGAL::CGAL, TBB::tbb, Kinetri::gmp and Kinetri::mpfr; sets kinetri_missing to what is
-# wrong, or to "".
+# wrong, or to "". Sets KINETRI_OPTIONAL_LIBRARIES to those of sqlite and expat that are there, and defines
+# Kinetri::sqlite and Kinetri::expat. An installed library needs those that kinetri_needed names.
 set(kinetri_missing "")
 
 # CGAL reports a dozen details of its own configuration, and warns about every build that is not a
@@ -48,4 +50,34 @@ foreach(name IN ITEMS gmp mpfr)
     endif()
   endif()
 endforeach()
+
+# kinetri_optional(NAME HEADER LIBRARY PACKAGE): a library that Kinetri can be built without, but does not
+# work without where it was built with it.
+set(KINETRI_OPTIONAL_LIBRARIES "")
+macro(kinetri_optional name header library package)
+  string(TOUPPER ${name} variable)
+  if(NOT DEFINED kinetri_needed)
+    option(KINETRI_WITH_${variable} "Read tracks with the library ${library}, where it is" ON)
+    mark_as_advanced(KINETRI_WITH_${variable})
+  endif()
+  if((DEFINED kinetri_needed AND "${name}" IN_LIST kinetri_needed) OR
+      (NOT DEFINED kinetri_needed AND KINETRI_WITH_${variable}))
+    find_path(KINETRI_${variable}_INCLUDE_DIR ${header})
+    find_library(KINETRI_${variable}_LIBRARY ${library})
+    mark_as_advanced(KINETRI_${variable}_INCLUDE_DIR KINETRI_${variable}_LIBRARY)
+    if(KINETRI_${variable}_INCLUDE_DIR AND KINETRI_${variable}_LIBRARY)
+      if(NOT TARGET Kinetri::${name})
+        add_library(Kinetri::${name} UNKNOWN IMPORTED)
+        set_target_properties(Kinetri::${name} PROPERTIES
+          IMPORTED_LOCATION "${KINETRI_${variable}_LIBRARY}"
+          INTERFACE_INCLUDE_DIRECTORIES "${KINETRI_${variable}_INCLUDE_DIR}")
+      endif()
+      list(APPEND KINETRI_OPTIONAL_LIBRARIES ${name})
+    elseif(DEFINED kinetri_needed)
+      string(APPEND kinetri_missing "${library} was not found (Debian: ${package}). ")
+    endif()
+  endif()
+endmacro()
+kinetri_optional(sqlite sqlite3.h sqlite3 libsqlite3-dev)
+kinetri_optional(expat expat.h expat libexpat1-dev)
 string(STRIP "${kinetri_missing}" kinetri_missing)

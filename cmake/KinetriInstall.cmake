@@ -50,7 +50,11 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri DESTINATION ${CMAKE_INST
 install(FILES ${PROJECT_BINARY_DIR}/include/kinetri/version.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri COMPONENT development)
 
-# find_package(Kinetri).
+# find_package(Kinetri). Who links a static library needs those that it is linked with.
+set(kinetri_needed "")
+if(NOT BUILD_SHARED_LIBS)
+  set(kinetri_needed "${KINETRI_OPTIONAL_LIBRARIES}")
+endif()
 install(EXPORT KinetriTargets NAMESPACE Kinetri:: DESTINATION ${package_dir} COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/KinetriConfig.cmake.in
   ${generated_dir}/KinetriConfig.cmake INSTALL_DESTINATION ${package_dir}
@@ -66,6 +70,10 @@ install(FILES ${generated_dir}/KinetriConfig.cmake ${generated_dir}/KinetriConfi
 file(RELATIVE_PATH pkgconfig_to_prefix /prefix/${pkgconfig_dir} /prefix)
 string(REGEX REPLACE "/$" "" pkgconfig_to_prefix "${pkgconfig_to_prefix}")
 set(pkgconfig_requires "gmp mpfr tbb")
+foreach(name IN LISTS kinetri_needed)
+  string(APPEND pkgconfig_requires " ${name}")
+endforeach()
+string(REPLACE " sqlite" " sqlite3" pkgconfig_requires "${pkgconfig_requires}")
 set(pkgconfig_cflags " ${CMAKE_CXX20_STANDARD_COMPILE_OPTION}")
 get_target_property(cgal_definitions CGAL::CGAL INTERFACE_COMPILE_DEFINITIONS)
 if("CGAL_USE_GMPXX=1" IN_LIST cgal_definitions)

@@ -46,6 +46,12 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkinetri-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libboost-dev, libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libtbb-dev")
+foreach(dependency IN ITEMS sqlite=libsqlite3-dev expat=libexpat1-dev)
+  string(REGEX MATCH "^([a-z]+)=(.*)$" dependency ${dependency})
+  if(CMAKE_MATCH_1 IN_LIST KINETRI_OPTIONAL_LIBRARIES)
+    string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", ${CMAKE_MATCH_2}")
+  endif()
+endforeach()
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "cmake, pkg-config")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "A C++20 library on top of CGAL's Delaunay_triangulation_2. This package holds

@@ -50,7 +50,7 @@ LIBRARIES = {
     "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/"),
     "simulation": ("CGAL/",),
     "observers": NUMBER_TYPES + ("CGAL/", "boost/geometry", "boost/math/quadrature/"),
-    "io": ("nlohmann/", "fmt/", "boost/crc.hpp"),
+    "io": ("nlohmann/", "fmt/", "boost/crc.hpp", "sqlite3.h", "expat.h"),
     "apps": ("CLI/",),
     "python": ("pybind11/",),
 }

@@ -25,8 +25,8 @@ kinetri_misused() {
 # kinetri_packages PURPOSE: the Debian packages needed, as `package` or, where a program
 # that came from elsewhere will do as well, `package=program`.
 kinetri_packages() {
-  printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libgmp-dev \
-    libmpfr-dev libtbb-dev nlohmann-json3-dev
+  printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libexpat1-dev \
+    libgmp-dev libmpfr-dev libsqlite3-dev libtbb-dev nlohmann-json3-dev
   # Either build tool will do; Ninja is the one to install.
   command -v make >/dev/null || printf '%s\n' ninja-build=ninja
   if [[ $1 != demo ]]; then

@@ -60,13 +60,22 @@ std::vector<std::string_view> words_of(std::string_view text) {
 
 void find_columns(std::string_view comment, Comment_signs& signs) {
   const std::string text = simplified(comment);
-  const std::vector<std::string_view> words = words_of(text);
+  std::vector<std::string_view> words = words_of(text);
+  const auto label = std::find_if(words.rbegin(), words.rend(),
+                                  [](std::string_view word) { return word.ends_with(':'); });
+  words.erase(words.begin(), label.base());
   for (std::size_t i = 0; i + 4 <= words.size(); ++i) {
     std::array<Name, 4> names;
     for (std::size_t k = 0; k < 4; ++k) names[k] = name_of(words[i + k]);
     constexpr std::array<Name, 4> expected = {Name::frame, Name::id, Name::x, Name::y};
     if (!std::is_permutation(names.begin(), names.end(), expected.begin())) continue;
     signs.has_expected_order = names == expected;
+    const auto index = [&names](Name name) {
+      return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    signs.columns = {index(Name::frame), index(Name::id), index(Name::x), index(Name::y)};
+    signs.words_before = i;
+    signs.words = words.size();
     signs.column_names = joined(words[i], ' ', words[i + 1], ' ', words[i + 2], ' ', words[i + 3]);
     return;
   }
@@ -88,6 +97,58 @@ void find_frame_rate(std::string_view comment, Comment_signs& signs) {
     if (parsed.problem.empty()) signs.frame_rate = parsed.value;
     return;
   }
+}
+
+std::optional<Length_unit> unit_of(std::string_view word) {
+  struct Unit_name {
+    std::string_view name;
+    Length_unit unit;
+  };
+  constexpr std::array<Unit_name, 15> names = {{{"m", Length_unit::metre},
+                                                {"meter", Length_unit::metre},
+                                                {"meters", Length_unit::metre},
+                                                {"metre", Length_unit::metre},
+                                                {"metres", Length_unit::metre},
+                                                {"cm", Length_unit::centimetre},
+                                                {"centimeter", Length_unit::centimetre},
+                                                {"centimeters", Length_unit::centimetre},
+                                                {"centimetre", Length_unit::centimetre},
+                                                {"centimetres", Length_unit::centimetre},
+                                                {"mm", Length_unit::millimetre},
+                                                {"millimeter", Length_unit::millimetre},
+                                                {"millimeters", Length_unit::millimetre},
+                                                {"millimetre", Length_unit::millimetre},
+                                                {"millimetres", Length_unit::millimetre}}};
+  const auto found = std::find_if(names.begin(), names.end(),
+                                  [word](const Unit_name& unit) { return unit.name == word; });
+  return found == names.end() ? std::nullopt : std::optional(found->unit);
+}
+
+// The unit behind x or y, with or without `in` between; or else one behind `in` or `unit`.
+void find_unit(std::string_view comment, Comment_signs& signs) {
+  std::string text = in_lower_case(comment);
+  std::ranges::replace_if(
+      text, [](char c) { return (c < 'a' || c > 'z') && (c < '0' || c > '9'); }, ' ');
+  const std::vector<std::string_view> words = words_of(text);
+  std::vector<Length_unit> of_places;
+  std::vector<Length_unit> others;
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    const bool is_place = words[i] == "x" || words[i] == "y";
+    const std::size_t next = is_place && words[i + 1] == "in" ? i + 2 : i + 1;
+    const auto unit = next < words.size() ? unit_of(words[next]) : std::nullopt;
+    if (!unit) continue;
+    const bool is_of_z = i > 0 && words[i - 1] == "z";
+    if (is_place) {
+      of_places.push_back(*unit);
+    } else if ((words[i] == "in" && !is_of_z) || words[i] == "unit" || words[i] == "units") {
+      others.push_back(*unit);
+    }
+  }
+  const std::vector<Length_unit>& units = of_places.empty() ? others : of_places;
+  if (units.empty()) return;
+  signs.unit = units.front();
+  signs.has_two_units = std::count(units.begin(), units.end(), units.front()) !=
+                        static_cast<std::ptrdiff_t>(units.size());
 }
 
 // ---- rows ----
@@ -138,6 +199,7 @@ Comment_signs signs_in_comment(std::string_view comment) {
   Comment_signs signs;
   find_columns(comment, signs);
   find_frame_rate(comment, signs);
+  find_unit(comment, signs);
   return signs;
 }
 

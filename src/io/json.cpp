@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only source of the library that takes in nlohmann-json, which takes seconds to compile.
+// Beside tracks/geojson.cpp the only source of the library that takes in nlohmann-json, which takes
+// seconds to compile.
 #include <nlohmann/json.hpp>
 
 #include "json_value.h"

@@ -74,8 +74,7 @@ Table_reader::Table_reader(std::istream& in, const std::string& name, const Tabl
 }
 
 std::optional<std::string_view> Table_reader::next() {
-  while (auto line = next_of_any_kind()) {
-    if (line_ == 1 && line->starts_with("\xEF\xBB\xBF")) line->remove_prefix(3);
+  while (const auto line = next_line()) {
     if (line->starts_with('#')) {
       if (on_comment_) on_comment_(line->substr(1));
       continue;
@@ -199,8 +198,7 @@ double Table_reader::number(std::string_view field, std::string_view column) con
   return parsed.value;
 }
 
-// The next line, blank or comment or not, without its line end.
-std::optional<std::string_view> Table_reader::next_of_any_kind() {
+std::optional<std::string_view> Table_reader::next_line() {
   ++line_;
   std::size_t searched = 0;
   for (;;) {
@@ -220,8 +218,10 @@ std::optional<std::string_view> Table_reader::next_of_any_kind() {
   return without_return(last);
 }
 
+// Without a byte order mark as well.
 std::string_view Table_reader::without_return(std::string_view line) const {
   if (line.size() > longest_line) fail_too_long();
+  if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
   if (line.ends_with('\r')) line.remove_suffix(1);
   return line;
 }

@@ -84,6 +84,9 @@ class Table_reader {
  public:
   Table_reader(std::istream& in, const std::string& name, const Table_kind& kind);
 
+  /// The next line, blank or comment or not; else as next().
+  std::optional<std::string_view> next_line();
+
   /// The number of the last line, counted from 1.
   std::size_t line() const { return line_; }
 
@@ -131,7 +134,6 @@ class Table_reader {
 
  private:
   std::string_view take_csv_field(std::optional<std::string_view>& rest);
-  std::optional<std::string_view> next_of_any_kind();
   std::string_view without_return(std::string_view line) const;
   bool fill();
   [[noreturn]] void fail_too_long() const;

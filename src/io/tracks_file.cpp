@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/io/tracks_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <iostream>
-#include <map>
-#include <optional>
-#include <span>
-#include <string_view>
+#include <streambuf>
 #include <utility>
 
-#include "frame_columns.h"
+#include "io/tracks/local_projection.h"
+#include "io/tracks/tracks_readers.h"
 #include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
 #include "text.h"
@@ -22,242 +18,144 @@
 namespace kinetri {
 namespace {
 
-constexpr Table_kind tracks_kind = {"tracks", "observation"};
+constexpr std::size_t head_size = std::size_t{1} << 16U;
 
-enum Column : std::size_t { t, id, x, y, radius, column_count };
-constexpr std::size_t required_columns = radius;
-constexpr std::array<std::string_view, column_count> rows_columns = {"t", "id", "x", "y", "radius"};
-// In the order of the fields.
-constexpr std::array<std::string_view, required_columns> frames_columns = {"frame", "id", "x", "y"};
-constexpr std::string_view expected_columns =
-    "expected a header line with the columns t,id,x,y and optionally radius, in any order";
-
-constexpr std::string_view expected_order =
-    "; expected frame, id, x and y in this order: exchange the first two columns, for example with "
-    "awk '{ print $2, $1, $3, $4 }'";
-constexpr std::string_view or_confirm =
-    ", or, if this is their order, add the line '# frame id x y' above the rows";
-
-bool earlier(const Track_observation& a, const Track_observation& b) {
-  return a.time < b.time;
+[[noreturn]] void fail_to_read(const std::string& name) {
+  throw Input_error(name, 1, "reading failed; expected a readable file of tracks");
 }
 
-class Tracks_reader {
+// Gives the beginning of a stream, which was read to recognize its format, and then the rest.
+class Replayed_buffer : public std::streambuf {
  public:
-  Tracks_reader(std::istream& in, const std::string& name)
-      : table_(in, name, tracks_kind), name_(name) {}
+  Replayed_buffer(std::string head, std::istream& rest) : piece_(std::move(head)), rest_(rest) {
+    setg(piece_.data(), piece_.data(), piece_.data() + piece_.size());
+  }
 
-  Tracks_file read(Tracks_format format, double fps) {
-    if (format == Tracks_format::rows) {
-      read_rows();
-      return tracks();
-    }
-    read_frames(fps);
-    Tracks_file result = tracks();
-    if (!is_order_confirmed_) {
-      if (const auto sign = sign_in_rows(result.tracks)) {
-        throw Input_error(name_, 0,
-                          joined(*sign, ", as if the first two columns were exchanged",
-                                 expected_order, or_confirm));
-      }
-    }
-    return result;
+ protected:
+  int_type underflow() override {
+    piece_.resize(head_size);
+    rest_.read(piece_.data(), static_cast<std::streamsize>(piece_.size()));
+    // An exception makes the stream of this buffer bad as well.
+    if (rest_.bad()) throw std::ios_base::failure("reading failed");
+    const auto end = static_cast<std::size_t>(rest_.gcount());
+    setg(piece_.data(), piece_.data(), piece_.data() + end);
+    return end == 0 ? traits_type::eof() : traits_type::to_int_type(*gptr());
   }
 
  private:
-  // The fields of one row, as they come.
-  struct Row {
-    std::string_view id;
-    std::array<double, column_count> values = {};
-  };
-
-  void read_rows() {
-    const std::vector<std::size_t> columns =
-        table_.read_header(rows_columns, required_columns, expected_columns);
-    result_.has_radii = std::find(columns.begin(), columns.end(), radius) != columns.end();
-    while (const auto line = table_.next()) {
-      Row row;
-      std::size_t fields = 0;
-      for_each_field_between_commas(*line, [&](std::string_view field) {
-        if (fields < columns.size()) read_field(row, field, columns[fields], rows_columns);
-        ++fields;
-      });
-      table_.check_number_of_fields(fields, columns.size());
-      add(row, row.values[t]);
-    }
-  }
-
-  void read_frames(double fps) {
-    table_.watch_comments([this, fps](std::string_view comment) { heed(comment, fps); });
-    while (const auto line = table_.next()) {
-      Row row;
-      std::size_t fields = 0;
-      for_each_field_between_blanks(*line, [&](std::string_view field) {
-        if (fields < frames_columns.size()) read_field(row, field, fields, frames_columns);
-        ++fields;
-      });
-      if (fields != frames_columns.size()) {
-        table_.fail(joined("the row has ", fields, fields == 1 ? " field" : " fields",
-                           "; expected 4, frame, id, x and y, separated by tabs or blanks"));
-      }
-      if (!is_order_confirmed_ && frame_rate_line_ > 0) fail_for_frame_rate();
-      add(row, time_of_frame(row.values[t], fps));
-    }
-  }
-
-  // What a comment of a file of frames says must agree with how it is read.
-  void heed(std::string_view comment, double fps) {
-    const Comment_signs signs = signs_in_comment(comment);
-    if (!signs.column_names.empty() && !signs.has_expected_order) {
-      table_.fail(
-          joined("the comment names the columns '", signs.column_names, "'", expected_order));
-    }
-    if (!signs.column_names.empty()) is_order_confirmed_ = true;
-    if (!signs.frame_rate) return;
-    if (*signs.frame_rate != fps) {
-      table_.fail(joined("the comment gives ", *signs.frame_rate,
-                         " frames a second, but the file is read with ", fps,
-                         "; expected the same rate"));
-    }
-    frame_rate_line_ = table_.line();
-  }
-
-  [[noreturn]] void fail_for_frame_rate() const {
-    throw Input_error(name_, frame_rate_line_,
-                      joined("the comment gives a frame rate, as in files whose columns are id, "
-                             "frame, x and y",
-                             expected_order, or_confirm));
-  }
-
-  void read_field(Row& row, std::string_view field, std::size_t column,
-                  std::span<const std::string_view> names) const {
-    if (column != id) {
-      row.values[column] = table_.number(field, names[column]);
-      if (column == radius && row.values[radius] < 0) {
-        table_.fail(joined("the radius ", row.values[radius], " is negative; expected at least 0"));
-      }
-    } else if (field.empty()) {
-      table_.fail(joined("the column ", names[column], " is empty; expected any text"));
-    } else {
-      row.id = field;
-    }
-  }
-
-  double time_of_frame(double frame, double fps) const {
-    const double time = frame / fps;
-    if (!std::isfinite(time) || (time == 0 && frame != 0)) {
-      table_.fail(joined("the time of the frame ", frame, " at ", fps,
-                         " frames a second is out of the range of binary64; expected 0, or a "
-                         "magnitude from 4.9e-324 to 1.8e308"));
-    }
-    return time;
-  }
-
-  void add(const Row& row, double time) {
-    auto found = rows_.find(row.id);
-    if (found == rows_.end()) {
-      found = rows_.emplace(row.id, Track{"", {}, row.values[radius]}).first;
-    }
-    expect_radius(row, found->second);
-    std::vector<Track_observation>& observations = found->second.observations;
-    observations.push_back({time, {row.values[x], row.values[y]}, table_.line()});
-    if (observations.size() > 1 && earlier(observations.back(), observations.end()[-2])) {
-      ++result_.rows_out_of_order;
-    }
-  }
-
-  void expect_radius(const Row& row, const Track& track) const {
-    if (row.values[radius] == track.radius) return;
-    table_.fail(joined("id ", quoted(row.id), " has the radius ", row.values[radius], ", but ",
-                       track.radius, " in line ", track.observations.front().line,
-                       "; expected one radius for each id"));
-  }
-
-  Tracks_file tracks() {
-    for (auto& [track_id, track] : rows_) {
-      std::vector<Track_observation>& observations = track.observations;
-      if (!std::is_sorted(observations.begin(), observations.end(), earlier)) {
-        std::stable_sort(observations.begin(), observations.end(), earlier);
-      }
-      drop_doubled(track_id, observations);
-      result_.observations += observations.size();
-    }
-    if (conflict_) fail_at_two_places();
-    result_.tracks.reserve(rows_.size());
-    while (!rows_.empty()) {
-      auto node = rows_.extract(rows_.begin());
-      result_.tracks.push_back(std::move(node.mapped()));
-      result_.tracks.back().id = std::move(node.key());
-    }
-    std::sort(result_.tracks.begin(), result_.tracks.end(), [](const Track& a, const Track& b) {
-      const Track_observation& first_a = a.observations.front();
-      const Track_observation& first_b = b.observations.front();
-      return first_a.time != first_b.time ? first_a.time < first_b.time
-                                          : first_a.line < first_b.line;
-    });
-    return std::move(result_);
-  }
-
-  // One id at two places at one time.
-  struct Conflict {
-    std::string_view id;
-    Track_observation first;
-    Track_observation second;  // in a later line
-  };
-
-  // Keeps, of the rows at one time, the one that comes first in the file.
-  void drop_doubled(std::string_view track_id, std::vector<Track_observation>& observations) {
-    std::size_t kept = 1;
-    for (std::size_t i = 1; i < observations.size(); ++i) {
-      const Track_observation& last = observations[kept - 1];
-      const Track_observation& next = observations[i];
-      if (last.time != next.time) {
-        observations[kept++] = next;
-      } else if (last.place == next.place) {
-        ++result_.doubled_rows;
-      } else if (!conflict_ || next.line < conflict_->second.line) {
-        conflict_ = {track_id, last, next};
-      }
-    }
-    observations.resize(kept);
-  }
-
-  [[noreturn]] void fail_at_two_places() const {
-    const auto& [conflict_id, first, second] = *conflict_;
-    throw Input_error(
-        name_, second.line,
-        joined("id ", quoted(conflict_id), " is at two places at t = ", second.time, ": at (",
-               second.place.x, ", ", second.place.y, "), and at (", first.place.x, ", ",
-               first.place.y, ") in line ", first.line, "; expected one"));
-  }
-
-  Table_reader table_;
-  const std::string& name_;
-  // The rows of each id: a tree, and not a hash, so that no input makes the search slow.
-  std::map<std::string, Track, std::less<>> rows_;  // the tracks without their ids
-  std::optional<Conflict> conflict_;                // the one whose second line comes first
-  bool is_order_confirmed_ = false;                 // by a comment that names the columns
-  std::size_t frame_rate_line_ = 0;  // of a comment that gives the rate; 0 if there is none
-  Tracks_file result_;
+  std::string piece_;
+  std::istream& rest_;
 };
+
+std::string_view without_byte_order_mark(std::string_view head) {
+  if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
+  return head;
+}
+
+bool has_named_columns(Tracks_format format) {
+  return format == Tracks_format::table || format == Tracks_format::geojson;
+}
+
+// The reader of a file that begins so.
+const Tracks_reader& reader_of(std::string_view head, const Tracks_input& input) {
+  const std::span<const Tracks_reader> readers = tracks_readers();
+  const auto reader = [&](Tracks_format format) -> const Tracks_reader& {
+    return readers[static_cast<std::size_t>(format)];
+  };
+  const auto of_format = [&](Tracks_format format) { return reader(format).recognizes(head); };
+  if (const std::string foreign = foreign_format(head); !foreign.empty()) {
+    throw Input_error(input.name, 0, foreign);
+  }
+  // Those that are recognized by their first bytes come last in the table.
+  for (std::size_t i = readers.size(); i-- > 0;) {
+    const Tracks_format format = readers[i].name.format;
+    if (!of_format(format)) continue;
+    const bool is_table = format == Tracks_format::rows || format == Tracks_format::automatic;
+    if (input.options.columns.is_empty() || has_named_columns(format)) return readers[i];
+    if (is_table) return reader(Tracks_format::table);
+    throw Input_error(input.name, 0,
+                      joined("seems to be of the format ", readers[i].name.name,
+                             ", whose columns have names already; expected no --columns"));
+  }
+  return reader(input.options.columns.is_empty() ? Tracks_format::rows : Tracks_format::table);
+}
+
+Tracks_file projected(Tracks_file file, const Tracks_input& input) {
+  if (input.options.projection == Tracks_projection::local) project_locally(file, input.name);
+  return file;
+}
+
+Tracks_file read_recognized(const Tracks_input& input) {
+  std::string head(head_size, '\0');
+  input.in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (input.in.bad()) fail_to_read(input.name);
+  head.resize(static_cast<std::size_t>(input.in.gcount()));
+  const Tracks_reader& reader = reader_of(without_byte_order_mark(head), input);
+  Replayed_buffer buffer(std::move(head), input.in);
+  std::istream whole(&buffer);
+  return reader.read({whole, input.name, input.options});
+}
+
+Tracks_file read_as(Tracks_format format, const Tracks_input& input) {
+  const Tracks_reader& reader = tracks_readers()[static_cast<std::size_t>(format)];
+  if (!input.options.columns.is_empty() && !has_named_columns(format)) {
+    throw Input_error(input.name, 0,
+                      joined("is read in the format ", reader.name.name,
+                             ", whose columns have names already; expected no --columns, or "
+                             "--format table"));
+  }
+  return reader.read(input);
+}
+
+Tracks_file_options options_of(Tracks_format format, double fps) {
+  Tracks_file_options options;
+  options.format = format;
+  if (format != Tracks_format::rows) options.fps = fps;
+  return options;
+}
 
 }  // namespace
 
-Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format format,
-                        double fps) {
-  KINETRI_PRECONDITION(format == Tracks_format::rows || (std::isfinite(fps) && fps > 0),
+std::span<const Tracks_format_name> tracks_formats() {
+  static const std::vector<Tracks_format_name> all = [] {
+    std::vector<Tracks_format_name> names;
+    for (const Tracks_reader& reader : tracks_readers()) names.push_back(reader.name);
+    return names;
+  }();
+  return all;
+}
+
+Input_error tracks_error(const std::string& name, std::string_view place_name, std::size_t line,
+                         const std::string& message) {
+  if (line == 0 || place_name == "line") return Input_error(name, line, message);
+  return Input_error(name, 0, joined(place_name, ' ', line, ": ", message));
+}
+
+Tracks_file read_tracks(std::istream& in, const std::string& name,
+                        const Tracks_file_options& options) {
+  KINETRI_PRECONDITION(!options.fps || (std::isfinite(*options.fps) && *options.fps > 0),
                        "the number of frames a second is not a finite number greater than 0");
   // A stream that has failed before would look like a file without frames.
-  if (in.fail()) {
-    throw Input_error(name, 1, "reading failed; expected a readable file of tracks");
-  }
-  return Tracks_reader(in, name).read(format, fps);
+  if (in.fail()) fail_to_read(name);
+  const Tracks_input input = {in, name, options};
+  return projected(options.format == Tracks_format::automatic ? read_recognized(input)
+                                                              : read_as(options.format, input),
+                   input);
+}
+
+Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format format,
+                        double fps) {
+  return read_tracks(in, name, options_of(format, fps));
+}
+
+Tracks_file read_tracks_file(const std::string& path, const Tracks_file_options& options) {
+  if (path == "-") return read_tracks(std::cin, "standard input", options);
+  std::ifstream in = open_table(path, tracks_kind);
+  return read_tracks(in, path, options);
 }
 
 Tracks_file read_tracks_file(const std::string& path, Tracks_format format, double fps) {
-  if (path == "-") return read_tracks(std::cin, "standard input", format, fps);
-  std::ifstream in = open_table(path, tracks_kind);
-  return read_tracks(in, path, format, fps);
+  return read_tracks_file(path, options_of(format, fps));
 }
 
 }  // namespace kinetri

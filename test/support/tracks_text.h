@@ -21,6 +21,12 @@ inline Tracks_file tracks_of(const std::string& text, Tracks_format format, doub
   return read_tracks(in, "t.csv", format, fps);
 }
 
+/// By content, or as the options say.
+inline Tracks_file read_options(const std::string& text, const Tracks_file_options& options) {
+  std::istringstream in(text);
+  return read_tracks(in, "t.csv", options);
+}
+
 /// fps has no meaning for rows, and so even this one is no mistake.
 inline Tracks_file rows(const std::string& text) {
   return tracks_of(text, Tracks_format::rows, 0);
@@ -44,6 +50,9 @@ inline std::string shown(const Tracks_file& file) {
 
 inline std::string rows_error(const std::string& text) {
   return message_of<Input_error>([&] { rows(text); });
+}
+inline std::string read_options_error(const std::string& text, const Tracks_file_options& options) {
+  return message_of<Input_error>([&] { read_options(text, options); });
 }
 inline std::string frames_error(const std::string& text, double fps = 25) {
   return message_of<Input_error>([&] { frames(text, fps); });

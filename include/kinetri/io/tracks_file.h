@@ -1,20 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files of recorded tracks: where things that move, each with an id, were seen at which times. Two
-// formats; the rows of either may stand in any order, and blank lines and lines that begin with #
+// Files of recorded tracks: where things that move, each with an id, were seen at which times. The
+// rows of a file may stand in any order. The formats:
+//
+//   rows     comma separated, a header line naming the columns t, id, x, y and optionally radius,
+//   of
+//            a disc about what moves, in any order; an id is any text without commas, which is not
+//            quoted: quotation marks belong to the id; all rows of an id have the same radius
+//   frames   no header; four fields `frame id x y` separated by tabs or blanks, the form of some
+//            public data sets of pedestrians; a frame is a finite number, an id any text
+//   ids      no header; fields `id frame x y`, and others behind them that are ignored (z),
+//   separated
+//            by tabs or blanks, the form of other public data sets of pedestrians
+//   table    any table with a header line whose columns Track_columns names, separated by commas,
+//            semicolons, tabs or blanks; fields may be quoted (RFC 4180)
+//   jupedsim a database of SQLite as JuPedSim writes it, of version 1, 2 or 3
+//   sumo     XML with floating-car data, as SUMO writes it: fcd-export
+//   lammps   a text dump of LAMMPS with the columns id and x y, xu yu, xs ys or xsu ysu
+//   xyz      XYZ, plain or extended, several frames one behind the other
+//   geojson  GeoJSON: points with properties for id and time, lines with a time for each place
+//
+// In those of lines of fields, rows to geojson excluded, blank lines and lines that begin with #
 // are skipped.
 //
-//   rows    comma separated, a header line naming the columns t, id, x, y and optionally radius, of
-//           a disc about what moves, in any order; an id is any text without commas, which is not
-//           quoted: quotation marks belong to the id; all rows of an id have the same radius
-//   frames  no header; four fields `frame id x y` separated by tabs or blanks, the form of some
-//           public data sets of pedestrians; a frame is a finite number, an id any text
+// Files with rows `frame id x y` and with rows `id frame x y` look alike. What tells them apart is
+// a sign: a comment that names the columns; a comment that gives a frame rate, which files of ids
+// have; whole numbers as ids that never repeat, while a frame does; or places that make sense only
+// in the other order. Tracks_format::automatic takes the order that the signs are for, and refuses
+// a file without a sign, or with signs for both. The formats frames and ids refuse a file with a
+// sign of the other order. A comment line `# frame id x y` or `# id frame x y` confirms the order:
+// with it, only a comment that contradicts it is refused.
 //
-// Other public data sets of pedestrians have rows `id frame x y`. A file of the format `frames`
-// that shows a sign of that order is refused: a comment that names the columns in another order; a
-// comment that gives a frame rate; whole numbers as ids that never repeat, while a frame does; or
-// places that make sense only in the other order. A comment line `# frame id x y` confirms the
-// order: with it, only a comment that contradicts it is refused.
+// A column of times, and a time in GeoJSON, is a number, or a date and time in ISO 8601 (such as
+// 2024-05-01T12:00:00.5Z); all of a file are of one kind. Dates become seconds since the earliest
+// of the file, rounded to nearest.
 //
 // An id is its text: 1 and 1.0 are two ids. Numbers are read as those of files of points are
 // (kinetri/io/points_file.h).
@@ -23,24 +42,87 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "kinetri/base/error.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri {
 
 /// A format of such files.
 enum class Tracks_format {
-  rows,    ///< t, id, x, y below a header
-  frames,  ///< frame, id, x, y
+  automatic,  ///< the one that the content shows
+  rows,       ///< t, id, x, y below a header
+  frames,     ///< frame, id, x, y
+  ids,        ///< id, frame, x, y
+  table,      ///< columns that are named by Track_columns
+  jupedsim,   ///< SQLite
+  sumo,       ///< XML
+  lammps,     ///< dumps
+  xyz,        ///< frames of atoms
+  geojson,    ///< JSON
+};
+
+/// A format as users see it.
+struct Tracks_format_name {
+  Tracks_format format;
+  std::string_view name;         ///< "rows"
+  std::string_view description;  ///< a phrase without a period at its end
+};
+
+/// All formats, in the order of the enumerators.
+std::span<const Tracks_format_name> tracks_formats();
+
+/// Which columns of a table, or properties in GeoJSON, mean what. Empty: not named.
+struct Track_columns {
+  std::string t = {};
+  std::string id = {};
+  std::string x = {};
+  std::string y = {};
+  std::string radius = {};
+
+  bool is_empty() const {
+    return t.empty() && id.empty() && x.empty() && y.empty() && radius.empty();
+  }
+};
+
+/// What becomes of places in degrees of longitude and latitude.
+enum class Tracks_projection {
+  refused,  ///< files that have degrees by their standard, or in columns with such names, are
+            ///< refused
+  none,     ///< they are places as they are: x is the longitude, y the latitude
+  /// x and y are degrees, and become metres on a sphere with the mean radius R = 6371008.8 m of the
+  /// earth, equirectangular about the middle of the data (l, p), which is that of their bounding
+  /// box: x = R cos(p) (x - l), y = R (y - p), angles in radians (J. P. Snyder, Map projections: a
+  /// working manual, U.S. Geological Survey Professional Paper 1395, 1987, section 12). Distances
+  /// of places that are d radians of latitude from the middle are wrong by a factor of about d
+  /// tan(p).
+  local,
+};
+
+/// How a file of tracks is read.
+struct Tracks_file_options {
+  Tracks_format format = Tracks_format::automatic;
+  /// Frames in a unit of time, for files whose times are numbers of frames (also the column t of
+  /// a table, a timestep of LAMMPS). Finite and greater than 0. Without it the file's own rate is
+  /// taken, or else 1.
+  std::optional<double> fps = std::nullopt;
+  Track_columns columns =
+      {};  ///< for the formats table and geojson; makes `automatic` one of the two
+  Tracks_projection projection = Tracks_projection::refused;
 };
 
 /// Something was seen at a place.
 struct Track_observation {
-  double time = 0;       ///< when
-  Vector_2 place;        ///< where
-  std::size_t line = 0;  ///< where the observation stands in the file, counted from 1
+  double time = 0;  ///< when
+  Vector_2 place;   ///< where
+  /// Where the observation stands in the file, counted from 1: the line, or what
+  /// Tracks_file::place_name says.
+  std::size_t line = 0;
 };
 
 /// All that was seen of one id.
@@ -62,36 +144,66 @@ struct Tracks_file {
   /// Rows, doubled ones included, whose time is earlier than that of the row before it in the file
   /// that has the same id.
   std::size_t rows_out_of_order = 0;
+  Tracks_format format = Tracks_format::rows;  ///< the one that was read, never `automatic`
+  /// What Track_observation::line counts: "line", "row" (of the table trajectory_data), "feature".
+  std::string_view place_name = "line";
+  /// The rate by which numbers of frames were divided; none if the file has times.
+  std::optional<double> frame_rate;
+  /// The date and time of t = 0 in ISO 8601, that of the earliest observation; empty if times are
+  /// numbers.
+  std::string origin;
+  /// The area in which people walk as WKT, which JuPedSim writes with tracks; else empty.
+  std::string walkable_area;
+  /// What a user should know of how the file was read, in phrases without a period at the end.
+  std::vector<std::string> remarks;
 };
 
-/// Reads tracks from `in`, line by line: beyond the result it needs memory for one line, which may
-/// have up to 2^20 bytes, for the doubled rows, and for sorting. Accepts LF and CRLF line ends, a
-/// byte order mark, and blanks around fields. No rows, in the format `rows` below a header, are no
-/// tracks, and valid.
+/// Reads tracks from `in`. Lines may have up to 2^20 bytes, and are read one by one: beyond the
+/// result that needs memory for one line, for the doubled rows, and for sorting; where `automatic`
+/// has to tell frames from ids, for the tracks in both orders. Databases and JSON are read whole.
+/// Accepts LF and CRLF line ends, a byte order mark, and blanks around fields. No rows, where there
+/// is a header if the format has one, are no tracks, and valid.
 ///
-/// `fps` is for the format `frames` alone: the time is frame / fps, rounded to nearest. Rows whose
-/// frames differ by so little that their times are equal are rows at one time. Precondition: in
-/// that format `fps` is finite and greater than 0.
+/// Times of frames are frame / fps, rounded to nearest. Rows whose frames differ by so little that
+/// their times are equal are rows at one time. Where a comment of the formats frames and ids says
+/// that places are in centimetres or millimetres they become metres: x / 100 or x / 1000, rounded
+/// to nearest. Scaled places of LAMMPS are computed from the box with three roundings. A third
+/// coordinate is ignored; remarks say so.
 ///
-/// Throws Input_error `name:line: ...` for everything else: no header; a column that is unknown,
+/// Throws Input_error `name:line: ...`, or with the place in other words where there are no lines,
+/// for everything else, such as: a format that is not recognized, or is ambiguous, or for which the
+/// library was built without its library (SQLite, expat); no header; a column that is unknown,
 /// missing or named twice; a row with too few or too many fields; a field that is empty, or not a
 /// number where one is needed (see parse_number); a time that is out of the range of binary64; a
 /// negative radius, or two radii of one id, naming both lines; one id at two places at one time,
-/// naming both lines; a stream that fails. Of several ids that are at
-/// two places the one whose second place comes first in the file is named. In the format `frames`
-/// also for a comment that names the columns in another order, or gives another rate than `fps`;
-/// and, where no comment confirms the order of the columns, for a sign that the ids stand in the
-/// first one (see above; without a line where the rows show it). The names `id`, `frame`, `x` and
-/// `y` in a comment have variants such as `PersID`, `fr` and `x/m`.
+/// naming both lines; a frame rate, unit or order of columns in the file that contradicts the
+/// options, or another in it; degrees, unless a projection is chosen; atoms that jump through the
+/// boundary of a periodic box; a stream that fails; a file that ends too early. Of several ids that
+/// are at two places the one whose second place comes first in the file is named.
+///
+/// Precondition: `fps`, if there is one, is finite and greater than 0.
 ///
 /// Cost: O(n log n) for n rows, and O(log n) comparisons of an id with others per row, for every
 /// input.
+Tracks_file read_tracks(std::istream& in, const std::string& name,
+                        const Tracks_file_options& options);
+
+/// The same for a format, in which `fps` is given for frames (and ignored for rows). Precondition:
+/// the format is rows, or `fps` is finite and greater than 0.
 Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format format,
                         double fps = 0);
 
+/// @{
 /// Reads the file `path`, or standard input if it is "-". Throws as read_tracks, and Input_error
 /// without a line if the path is a directory or cannot be opened.
+Tracks_file read_tracks_file(const std::string& path, const Tracks_file_options& options);
 Tracks_file read_tracks_file(const std::string& path, Tracks_format format, double fps = 0);
+/// @}
+
+/// The error that something is wrong with the observation at `line` of the file that was read from
+/// `name`: "name:line: message", or "name: row line: message".
+Input_error tracks_error(const std::string& name, std::string_view place_name, std::size_t line,
+                         const std::string& message);
 
 }  // namespace kinetri
 

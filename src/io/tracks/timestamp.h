@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Dates with times in ISO 8601, as exact numbers of seconds.
+#ifndef KINETRI_SRC_IO_TRACKS_TIMESTAMP_H
+#define KINETRI_SRC_IO_TRACKS_TIMESTAMP_H
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace kinetri {
+
+/// An instant in the calendar, exact to 10^-18 s. Without a zone it is local time, of which nobody
+/// knows where; such instants compare with others of the kind only.
+struct Timestamp {
+  std::int64_t seconds = 0;      ///< since 1970-01-01T00:00:00; in UTC if there is a zone
+  std::int64_t attoseconds = 0;  ///< behind that, from 0 to below 10^18
+  bool has_zone = false;
+
+  friend auto operator<=>(const Timestamp&, const Timestamp&) = default;
+};
+
+/// A timestamp read from text, or what is wrong with the text.
+struct Parsed_timestamp {
+  Timestamp value;
+  /// Empty if `value` is the instant. Else the second half of a message that begins with the text.
+  std::string_view problem;
+};
+
+/// Whether the text begins as a date does, with a year and a month: `2024-05-`.
+bool looks_like_timestamp(std::string_view text);
+
+/// The instant that `text` is: YYYY-MM-DD, optionally followed by T or a blank and hh:mm, :ss, a
+/// point or comma with up to 18 digits, and Z, +hh:mm, +hhmm or +hh (or -). Leap seconds are
+/// problems.
+Parsed_timestamp parse_timestamp(std::string_view text);
+
+/// The binary64 number nearest to the seconds from `a` to `b`. Precondition: a <= b, and both have
+/// a zone or neither has.
+double seconds_between(const Timestamp& a, const Timestamp& b);
+
+/// The timestamp in ISO 8601, with as many digits of a second as it needs, and Z for UTC.
+std::string text_of(const Timestamp& timestamp);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_IO_TRACKS_TIMESTAMP_H

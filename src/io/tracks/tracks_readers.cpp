@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tracks_readers.h"
+
+#include <array>
+#include <cmath>
+
+#include "io/text.h"
+#include "kinetri/base/error.h"
+#include "kinetri/io/points_file.h"
+
+namespace kinetri {
+namespace {
+
+bool recognizes_nothing(std::string_view /*head*/) {
+  return false;
+}
+
+constexpr std::array<Tracks_reader, 10> readers = {{
+    {{Tracks_format::automatic, "auto", "the format that the content shows"},
+     has_bare_columns,
+     read_frames_or_ids},
+    {{Tracks_format::rows, "rows", "CSV with the columns t,id,x,y and optionally radius"},
+     has_columns_of_rows,
+     read_rows},
+    {{Tracks_format::frames, "frames", "lines of frame id x y, without a header"},
+     recognizes_nothing,
+     read_frames},
+    {{Tracks_format::ids, "ids", "lines of id frame x y, and z, without a header"},
+     recognizes_nothing,
+     read_ids},
+    {{Tracks_format::table, "table", "a table whose columns --columns names"},
+     recognizes_nothing,
+     read_table},
+    {{Tracks_format::jupedsim, "jupedsim", "a database of SQLite that JuPedSim wrote"},
+     is_sqlite,
+     read_jupedsim},
+    {{Tracks_format::sumo, "sumo", "XML with floating-car data of SUMO"}, is_xml, read_sumo},
+    {{Tracks_format::lammps, "lammps", "a text dump of LAMMPS"}, is_lammps, read_lammps},
+    {{Tracks_format::xyz, "xyz", "frames of atoms as XYZ"}, is_xyz, read_xyz},
+    {{Tracks_format::geojson, "geojson", "points or lines with times as GeoJSON"},
+     is_json,
+     read_geojson},
+}};
+
+// Files that hold other files, or tables that nothing here reads.
+struct Foreign_format {
+  std::string_view magic;
+  std::string_view is;
+  std::string_view expected;
+};
+constexpr std::array<Foreign_format, 7> foreign_formats = {{
+    {"\x1f\x8b", "is compressed by gzip", "the file that gunzip makes of it"},
+    {"\xFD"
+     "7zXZ",
+     "is compressed by xz", "the file that unxz makes of it"},
+    {"\x28\xB5\x2F\xFD", "is compressed by zstd", "the file that unzstd makes of it"},
+    {"BZh", "is compressed by bzip2", "the file that bunzip2 makes of it"},
+    {"PK\x03\x04", "is an archive of zip, or a workbook of a spreadsheet",
+     "a table exported as CSV"},
+    {"\x89HDF", "is a file of HDF5", "a table exported as text"},
+    {"PAR1", "is a file of Parquet", "a table exported as CSV"},
+}};
+
+}  // namespace
+
+std::span<const Tracks_reader> tracks_readers() {
+  return readers;
+}
+
+std::string foreign_format(std::string_view head) {
+  for (const auto& [magic, is, expected] : foreign_formats) {
+    if (head.starts_with(magic)) return joined(is, "; expected ", expected);
+  }
+  return {};
+}
+
+Parsed_time parse_time(std::string_view field, std::string_view column) {
+  Parsed_time result;
+  if (field.empty()) {
+    result.problem = joined("the column ", column, " is empty; expected a number");
+    return result;
+  }
+  std::string_view problem;
+  if (looks_like_timestamp(field)) {
+    const Parsed_timestamp parsed = parse_timestamp(field);
+    result.value.date = parsed.value;
+    problem = parsed.problem;
+  } else {
+    const Parsed_number parsed = parse_number(field);
+    result.value.number = parsed.value;
+    problem = parsed.problem;
+  }
+  if (!problem.empty()) {
+    result.problem = joined("the column ", column, " is ", quoted(field), ", which ", problem);
+  }
+  return result;
+}
+
+Parsed_time time_of_frame(double frame, double fps) {
+  Parsed_time result;
+  result.value.number = frame / fps;
+  if (!std::isfinite(result.value.number) || (result.value.number == 0 && frame != 0)) {
+    result.problem = joined("the time of the frame ", frame, " at ", fps,
+                            " frames a second is out of the range of binary64; expected 0, or a "
+                            "magnitude from 4.9e-324 to 1.8e308");
+  }
+  return result;
+}
+
+double frame_rate(const Tracks_file_options& options, std::optional<double> of_file) {
+  return options.fps.value_or(of_file.value_or(1));
+}
+
+void note_frame_rate(Tracks_file& file, const Tracks_input& input, std::optional<double> of_file,
+                     std::string_view frames) {
+  file.frame_rate = frame_rate(input.options, of_file);
+  if (input.options.fps) return;
+  file.remarks.push_back(of_file
+                             ? joined(*of_file, ' ', frames, " a second, as the file says")
+                             : joined("times are numbers of ", frames,
+                                      ", since the file has no rate of them and --fps gives none"));
+}
+
+void expect_projection(const Tracks_input& input, std::size_t line, std::string_view what) {
+  if (input.options.projection != Tracks_projection::refused) return;
+  throw Input_error(input.name, line,
+                    joined(what,
+                           " in degrees of longitude and latitude, between which distances "
+                           "mean nothing; expected --projection local, which makes them "
+                           "metres about the middle of the data, --projection none, which "
+                           "takes degrees as they are, or a file with projected places"));
+}
+
+}  // namespace kinetri

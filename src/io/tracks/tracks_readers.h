@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The readers of tracks, one for each format, and how the content of a file shows its format. A
+// reader is a function from the file to its tracks; the table of them is in tracks_readers.cpp.
+#ifndef KINETRI_SRC_IO_TRACKS_TRACKS_READERS_H
+#define KINETRI_SRC_IO_TRACKS_TRACKS_READERS_H
+
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/text_table.h"
+#include "io/tracks/tracks_builder.h"
+#include "kinetri/io/tracks_file.h"
+
+namespace kinetri {
+
+inline constexpr Table_kind tracks_kind = {"tracks", "observation"};
+
+/// What a reader reads.
+struct Tracks_input {
+  std::istream& in;
+  const std::string& name;  ///< of the file, for messages
+  const Tracks_file_options& options;
+};
+
+struct Tracks_reader {
+  Tracks_format_name name;
+  /// Whether a file that begins so is of the format. `head` is the whole file or its first 2^16
+  /// bytes, without a byte order mark.
+  bool (*recognizes)(std::string_view head);
+  /// Reads the file. Throws Input_error.
+  Tracks_file (*read)(const Tracks_input& input);
+};
+
+/// All readers, in the order of Tracks_format. The first one, `automatic`, recognizes rows of which
+/// only all of them tell whether they are frames or ids.
+std::span<const Tracks_reader> tracks_readers();
+
+/// @{
+/// The readers.
+Tracks_file read_rows(const Tracks_input& input);
+Tracks_file read_frames(const Tracks_input& input);
+Tracks_file read_ids(const Tracks_input& input);
+Tracks_file read_frames_or_ids(const Tracks_input& input);
+Tracks_file read_table(const Tracks_input& input);
+Tracks_file read_jupedsim(const Tracks_input& input);
+Tracks_file read_sumo(const Tracks_input& input);
+Tracks_file read_lammps(const Tracks_input& input);
+Tracks_file read_xyz(const Tracks_input& input);
+Tracks_file read_geojson(const Tracks_input& input);
+/// @}
+
+/// @{
+/// What they recognize.
+bool has_columns_of_rows(std::string_view head);
+bool has_bare_columns(std::string_view head);
+bool is_sqlite(std::string_view head);
+bool is_xml(std::string_view head);
+bool is_lammps(std::string_view head);
+bool is_xyz(std::string_view head);
+bool is_json(std::string_view head);
+/// @}
+
+/// What a file that begins so is, and what was expected, if it is of a known format that nothing
+/// here reads; else empty.
+std::string foreign_format(std::string_view head);
+
+// ---- what readers have in common ----
+
+/// Calls function(line) for each line of `head` that is neither blank nor a comment, without its
+/// line end, until it returns false. The last line may be cut.
+template <class Function>
+void for_each_line_of_head(std::string_view head, Function function) {
+  while (!head.empty()) {
+    const std::size_t end = head.find('\n');
+    std::string_view line = head.substr(0, end);
+    head.remove_prefix(end == std::string_view::npos ? head.size() : end + 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with('#') || trimmed(line).empty()) continue;
+    if (!function(line)) return;
+  }
+}
+
+/// A time, or what is wrong: a whole message.
+struct Parsed_time {
+  Row_time value;
+  std::string problem;
+};
+
+/// The time of a field that is a number or a date. `column` names it in messages.
+Parsed_time parse_time(std::string_view field, std::string_view column);
+
+/// The time of a frame, frame / fps.
+Parsed_time time_of_frame(double frame, double fps);
+
+/// The rate that frames are divided by: that of the options, or of the file, or 1.
+double frame_rate(const Tracks_file_options& options, std::optional<double> of_file);
+
+/// Notes in `file` the rate that its frames were divided by: from where it is (see frame_rate), and
+/// what `frames` are, such as "frames".
+void note_frame_rate(Tracks_file& file, const Tracks_input& input, std::optional<double> of_file,
+                     std::string_view frames);
+
+/// Throws Input_error unless the options say what becomes of degrees. `what` is in degrees.
+void expect_projection(const Tracks_input& input, std::size_t line, std::string_view what);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_IO_TRACKS_TRACKS_READERS_H

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tracks as XYZ: frames of a number of atoms, a line of comment, and a line `element x y z` for
+// each atom. Extended XYZ says in its comment which fields are what
+// (Properties=species:S:1:pos:R:3), the box (Lattice="..", pbc="T T F"), and often a time.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frames_of_atoms.h"
+#include "io/text.h"
+#include "kinetri/base/error.h"
+#include "kinetri/io/points_file.h"
+
+namespace kinetri {
+namespace {
+
+// The value of `key=value` or of `key="value"` in a comment; keys are compared without regard to
+// case.
+std::optional<std::string_view> value_of(std::string_view comment, std::string_view key) {
+  const std::string lower = in_lower_case(comment);
+  for (std::size_t at = lower.find(key); at != std::string::npos; at = lower.find(key, at + 1)) {
+    const std::size_t behind = at + key.size();
+    const bool is_word = at == 0 || is_blank(lower[at - 1]);
+    if (!is_word || behind >= lower.size() || lower[behind] != '=') continue;
+    std::string_view rest = comment.substr(behind + 1);
+    if (!rest.empty() && (rest.front() == '"' || rest.front() == '\'')) {
+      const std::size_t end = rest.find(rest.front(), 1);
+      return rest.substr(1, end == std::string_view::npos ? end : end - 1);
+    }
+    return rest.substr(0, rest.find_first_of(" \t"));
+  }
+  return std::nullopt;
+}
+
+// The number behind `Timestep:` or `Step:`, as LAMMPS and others write it.
+std::optional<double> step_of(std::string_view comment) {
+  std::optional<double> result;
+  bool is_next = false;
+  for_each_field_between_blanks(comment, [&](std::string_view word) {
+    if (is_next && !result) {
+      const Parsed_number parsed = parse_number(word);
+      if (parsed.problem.empty()) result = parsed.value;
+    }
+    const std::string lower = in_lower_case(word);
+    is_next = lower == "timestep:" || lower == "step:";
+  });
+  return result;
+}
+
+// How the times of a file are given.
+enum class Times { times, steps, frames };
+
+// Where fields of an atom are.
+struct Columns {
+  std::size_t place = 1;
+  std::optional<std::size_t> id;
+  std::optional<std::size_t> species = 0;
+  std::size_t least_fields = 4;
+};
+
+class Xyz_reader {
+ public:
+  explicit Xyz_reader(const Tracks_input& input)
+      : input_(input), lines_(input), builder_(input.name) {}
+
+  Tracks_file read() {
+    while (const auto line = lines_.next()) {
+      if (line->empty()) continue;
+      read_frame(lines_.count(*line));
+    }
+    Tracks_file result = builder_.finish();
+    widths_.expect_no_jumps(result, input_.name,
+                            "expected places that go on beyond the box, or pbc=\"F F F\" in the "
+                            "comments if these do");
+    result.format = Tracks_format::xyz;
+    if (times_ != Times::times) {
+      note_frame_rate(result, input_, std::nullopt,
+                      times_ == Times::steps ? "timesteps" : "frames");
+    }
+    if (!has_ids_) result.remarks.push_back("ids are the numbers of atoms in a frame, from 0 on");
+    result.remarks.push_back("the third coordinate of the atoms is left out");
+    return result;
+  }
+
+ private:
+  void read_frame(std::size_t atoms) {
+    // The line is gone with the next one.
+    const std::string comment(lines_.expect("a comment"));
+    const Columns columns = columns_of(comment);
+    const double time = time_of(comment);
+    add_widths(comment);
+    if (frame_ > 0 && columns.id.has_value() != has_ids_) {
+      lines_.fail(
+          "the atoms of some frames have ids, and those of others have not; expected ids in "
+          "all or in none");
+    }
+    if (!columns.id) expect_number_of_atoms(atoms);
+    for (std::size_t i = 0; i < atoms; ++i) {
+      const auto& fields = lines_.atom(i, atoms, columns.least_fields);
+      const std::string index = joined(i);
+      if (!columns.id && columns.species) expect_species(i, fields[*columns.species]);
+      builder_.add({columns.id ? fields[*columns.id] : std::string_view(index),
+                    {time},
+                    {lines_.number(fields[columns.place], "x"),
+                     lines_.number(fields[columns.place + 1], "y")},
+                    lines_.line()});
+    }
+    ++frame_;
+    has_ids_ = columns.id.has_value();
+  }
+
+  Columns columns_of(std::string_view comment) {
+    Columns result;
+    const auto properties = value_of(comment, "properties");
+    if (!properties) return result;
+    std::vector<std::string_view> parts;
+    for (std::string_view rest = *properties;;) {
+      const std::size_t colon = rest.find(':');
+      parts.push_back(rest.substr(0, colon));
+      if (colon == std::string_view::npos) break;
+      rest.remove_prefix(colon + 1);
+    }
+    std::optional<std::size_t> place;
+    std::size_t field = 0;
+    result.species.reset();
+    for (std::size_t i = 0; i + 3 <= parts.size(); i += 3) {
+      const std::string name = in_lower_case(parts[i]);
+      const Parsed_number number = parse_number(parts[i + 2]);
+      constexpr double most_fields = 1000;
+      if (!number.problem.empty() || !(number.value >= 1 && number.value <= most_fields)) {
+        fail_for_properties(*properties);
+      }
+      const auto fields = static_cast<std::size_t>(number.value);
+      if (name == "pos" && parts[i + 1] == "R" && fields >= 2) place = field;
+      if (name == "id" && fields == 1) result.id = field;
+      if (name == "species" && fields == 1) result.species = field;
+      field += fields;
+    }
+    if (!place || parts.size() % 3 != 0) fail_for_properties(*properties);
+    result.place = *place;
+    result.least_fields = field;
+    return result;
+  }
+
+  [[noreturn]] void fail_for_properties(std::string_view properties) const {
+    lines_.fail(
+        joined("the properties are ", quoted(properties),
+               "; expected names, types and numbers of fields with pos:R:3 among them, such "
+               "as species:S:1:pos:R:3"));
+  }
+
+  double time_of(std::string_view comment) {
+    double result = static_cast<double>(frame_);
+    Times times = Times::frames;
+    if (const auto time = value_of(comment, "time")) {
+      result = lines_.number(*time, "Time");
+      times = Times::times;
+    } else if (const auto step = step_of(comment)) {
+      result = *step;
+      times = Times::steps;
+    }
+    if (frame_ > 0 && times != times_) {
+      lines_.fail(
+          "the comments of some frames give times or timesteps, and those of others do not; "
+          "expected the same in all");
+    }
+    times_ = times;
+    if (times == Times::times) return result;
+    const Parsed_time time = time_of_frame(result, frame_rate(input_.options, std::nullopt));
+    if (!time.problem.empty()) lines_.fail(time.problem);
+    return time.value.number;
+  }
+
+  // Of a box whose sides are parallel to the axes; in another one nobody can tell.
+  void add_widths(std::string_view comment) {
+    const auto lattice = value_of(comment, "lattice");
+    if (!lattice) return;
+    std::vector<double> numbers;
+    for_each_field_between_blanks(*lattice, [&](std::string_view field) {
+      numbers.push_back(lines_.number(field, "Lattice"));
+    });
+    if (numbers.size() != 9) {
+      lines_.fail(joined("the lattice has ", numbers.size(), " numbers; expected 9"));
+    }
+    std::vector<std::string_view> flags;
+    for_each_field_between_blanks(value_of(comment, "pbc").value_or("T T T"),
+                                  [&](std::string_view flag) { flags.push_back(flag); });
+    const bool is_rectangle =
+        numbers[1] == 0 && numbers[2] == 0 && numbers[3] == 0 && numbers[5] == 0;
+    for (std::size_t i = 0; is_rectangle && i < 2; ++i) {
+      const bool is_periodic = i < flags.size() && (flags[i] == "T" || flags[i] == "1");
+      if (is_periodic && numbers[4 * i] > 0) widths_.add(i, numbers[4 * i]);
+    }
+  }
+
+  // Only the order of atoms says which is which.
+  void expect_number_of_atoms(std::size_t atoms) {
+    if (frame_ > 0 && atoms != atoms_) {
+      lines_.fail(joined("the frame has ", atoms, " atoms, but the first one ", atoms_,
+                         ", and atoms have no ids; expected the same atoms in all frames, or "
+                         "extended XYZ with id:I:1 in its properties"));
+    }
+    atoms_ = atoms;
+  }
+
+  void expect_species(std::size_t atom, std::string_view species) {
+    if (atom == species_.size()) species_.emplace_back(species);
+    if (species_[atom] == species) return;
+    lines_.fail(joined("atom ", atom, " of the frame is ", quoted(species), ", but ",
+                       quoted(species_[atom]),
+                       " in the first one; expected atoms in the same order in all frames"));
+  }
+
+  const Tracks_input& input_;
+  Atom_lines lines_;
+  Tracks_builder builder_;
+  Periodic_widths widths_;
+  std::size_t frame_ = 0;
+  std::size_t atoms_ = 0;
+  bool has_ids_ = false;
+  Times times_ = Times::frames;
+  std::vector<std::string> species_;  // of the atoms of a frame, if they have no ids
+};
+
+}  // namespace
+
+bool is_xyz(std::string_view head) {
+  const std::string_view first = trimmed(head.substr(0, head.find_first_of("\r\n")));
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !first.empty() && std::all_of(first.begin(), first.end(), is_digit);
+}
+
+Tracks_file read_xyz(const Tracks_input& input) {
+  return Xyz_reader(input).read();
+}
+
+}  // namespace kinetri

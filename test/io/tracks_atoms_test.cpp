@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Dumps of LAMMPS, and XYZ.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinetri/io/tracks_file.h"
+#include "support/tracks_text.h"
+
+namespace kinetri {
+namespace {
+
+using test::read_options;
+using test::read_options_error;
+using test::shown;
+
+std::string error_of(const std::string& text) {
+  return read_options_error(text, {});
+}
+
+// ---- LAMMPS ----
+
+// A frame in a box from 0 to 10 and from -4 to 4, with periodic boundaries in x.
+std::string frame(int timestep, const std::string& columns, const std::vector<std::string>& atoms,
+                  const std::string& flags = "pp ff pp") {
+  std::string result = "ITEM: TIMESTEP\n" + std::to_string(timestep) + "\nITEM: NUMBER OF ATOMS\n" +
+                       std::to_string(atoms.size()) + "\nITEM: BOX BOUNDS " + flags +
+                       "\n0 1e1\n-4 4\n-0.5 0.5\nITEM: ATOMS " + columns + "\n";
+  for (const std::string& atom : atoms) result += atom + "\n";
+  return result;
+}
+
+TEST(Read_tracks_lammps, reads_places_of_every_kind) {
+  const std::string expected =
+      "7: 0 (1.5, -2) line 10 100 (2, -2) line 21; 3: 0 (9.5, 0.5) line 11 100 (12.5, 1) line 22";
+  for (const auto& [columns, atoms] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"id type xu yu zu", {"7 1 1.5 -2 0", "3 1 9.5 .5 0", "7 1 2 -2 0", "3 1 12.5 1 0"}},
+           {"y vx x id iy ix",
+            {"-2 0 1.5 7 0 0", "0.5 0 9.5 3 0 0", "-2 0 2 7 0 0", "1 0 2.5 3 0 1"}},
+           {"id xsu ysu", {"7 0.15 0.25", "3 0.95 0.5625", "7 0.2 0.25", "3 1.25 0.625"}},
+           {"id xs ys ix iy",
+            {"7 0.15 0.25 0 0", "3 0.95 0.5625 0 0", "7 0.2 0.25 0 0", "3 0.25 0.625 1 0"}},
+           // What is unwrapped counts if both are there.
+           {"id x y xu yu", {"7 0 0 1.5 -2", "3 0 0 9.5 0.5", "7 0 0 2 -2", "3 2.5 1 12.5 1"}}}) {
+    SCOPED_TRACE(columns);
+    const Tracks_file file = read_options(
+        frame(0, columns, {atoms[0], atoms[1]}) + frame(100, columns, {atoms[2], atoms[3]}), {});
+    EXPECT_EQ(shown(file), expected);
+    EXPECT_EQ(file.format, Tracks_format::lammps);
+  }
+}
+
+TEST(Read_tracks_lammps, timesteps_are_divided_by_the_rate) {
+  const std::string text = frame(0, "id x y", {"7 1.5 -2"}) + frame(10, "id x y", {"7 2 -2"});
+  const Tracks_file file = read_options(text, {.fps = 25});
+  EXPECT_EQ(shown(file), "7: 0 (1.5, -2) line 10 0.4 (2, -2) line 20");
+  EXPECT_EQ(file.frame_rate, 25);
+  EXPECT_EQ(
+      read_options(text, {}).remarks,
+      std::vector<std::string>{"times are numbers of timesteps, since the file has no rate of "
+                               "them and --fps gives none"});
+  const auto timed = [](const std::string& time) {
+    return "ITEM: UNITS\nlj\nITEM: TIMESTEP\n100\n" + time +
+           "ITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS id x y\n7 1 2\n";
+  };
+  EXPECT_EQ(shown(read_options(timed("ITEM: TIME\n0.25\n"), {})), "7: 0.25 (1, 2) line 10");
+  EXPECT_FALSE(read_options(timed("ITEM: TIME\n0.25\n"), {}).frame_rate);
+  EXPECT_EQ(error_of(timed("ITEM: TIME\n0.25\n") + timed("")),
+            "t.csv:17: some frames have ITEM: TIME, and others have not; expected it in all or in "
+            "none");
+}
+
+TEST(Read_tracks_lammps, jumps_through_the_boundary_are_refused) {
+  const auto two = [](const std::string& a, const std::string& b, const std::string& flags) {
+    return error_of(frame(0, "id x y", {a}, flags) + frame(1, "id x y", {b}, flags));
+  };
+  EXPECT_EQ(two("7 9.5 0", "7 0.25 0", "pp ff pp"),
+            "t.csv:20: atom '7' goes 9.25 since line 10, more than half of the periodic box, which "
+            "is 10 wide: it left on one side and came in on the other; expected a dump with xu yu, "
+            "or with x y ix iy, and enough frames");
+  EXPECT_NE(two("7 5 3.5", "7 5 -1", "ff pp pp"), "");
+  EXPECT_EQ(two("7 5 3.5", "7 5 -1", "pp ff pp"), "");
+  EXPECT_EQ(two("7 9.5 0", "7 0.25 0", "ff pp pp"), "");
+  EXPECT_EQ(two("7 9.5 0", "7 4.5 0", "pp pp pp"), "");
+  EXPECT_NE(two("7 9.5 0", "7 4.25 0", "xy xz yz pp pp pp"), "");
+}
+
+TEST(Read_tracks_lammps, errors_name_the_line) {
+  for (const auto& [text, message] : {
+           std::pair{std::string("ITEM: TIMESTEP\nzero\n"),
+                     "2: the column TIMESTEP is 'zero', which is not a number; expected a decimal "
+                     "or hexadecimal floating point number such as -1.5, 2e-3 or 0x1.8p3"},
+           {"ITEM: TIMESTEP\n", "2: the file ends in the middle of a frame; expected a timestep"},
+           {"ITEM: TIMESTEP\n0\n", "3: the file ends in the middle of a frame; expected its atoms"},
+           {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n-1\n",
+            "4: the number of atoms is '-1'; expected a whole number"},
+           {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1000000000\nITEM: ATOMS id x y\n1 2 3\n",
+            "7: the file ends after 1 of the 1000000000 atoms of a frame; expected all of them"},
+           {"ITEM: ATOMS id x y\n",
+            "1: the atoms come before their timestep or number; expected ITEM: TIMESTEP and ITEM: "
+            "NUMBER OF ATOMS above"},
+           {frame(0, "type x y", {"1 2 3"}),
+            "9: the atoms have no id; expected id, and x y, xu yu, xs ys or xsu ysu, in ITEM: "
+            "ATOMS"},
+           {frame(0, "id xu y", {"1 2 3"}),
+            "9: the atoms have no places; expected id, and x y, xu yu, xs ys or xsu ysu, in ITEM: "
+            "ATOMS"},
+           {frame(0, "id x y", {"1 2"}), "10: the atom has 2 fields; expected at least 3"},
+           {frame(0, "id x y", {"1 2 nan"}),
+            "10: the column y is 'nan', which is not finite; expected a finite number"},
+           {frame(0, "id x y", {"1 2 3", "1 2 4"}),
+            "11: id '1' is at two places at t = 0: at (2, 4), and at (2, 3) in line 10; expected "
+            "one"},
+           {frame(0, "id xs ys", {"1 2 3"}, "xy xz yz pp pp pp"),
+            "9: scaled places and images need a box that is a rectangle; expected xu yu, or x y "
+            "without ix iy, or such a box"},
+           {"ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS pp pp pp\n4 3\n",
+            "4: the bounds of the box are no two numbers of which the second is the greater; "
+            "expected the lower and the upper bound"},
+           {"ITEM: NOTHING\n",
+            "1: the section is 'NOTHING'; expected TIMESTEP, TIME, UNITS, NUMBER OF ATOMS, BOX "
+            "BOUNDS or ATOMS"},
+           {frame(0, "id x y", {"1 2 3"}) + "1 2 3\n",
+            "11: the line is '1 2 3'; expected ITEM: and a section"},
+       }) {
+    EXPECT_EQ(error_of(text), "t.csv:" + std::string(message));
+  }
+}
+
+// ---- XYZ ----
+
+TEST(Read_tracks_xyz, atoms_are_known_by_their_order) {
+  const Tracks_file file = read_options(
+      "2\n# any comment\nAr 1.5 -2 0\nNe\t0.1 1e-300 0\n\n 2 \n\nAr 2 -2 0 9\nNe 3 4 "
+      "0 9\n",
+      {.fps = 25});
+  EXPECT_EQ(shown(file),
+            "0: 0 (1.5, -2) line 3 0.04 (2, -2) line 8; 1: 0 (0.1, 1e-300) line 4 0.04 (3, 4) line "
+            "9");
+  EXPECT_EQ(file.format, Tracks_format::xyz);
+  EXPECT_EQ(file.frame_rate, 25);
+  EXPECT_EQ(file.remarks,
+            (std::vector<std::string>{"ids are the numbers of atoms in a frame, from 0 on",
+                                      "the third coordinate of the atoms is left out"}));
+}
+
+TEST(Read_tracks_xyz, extended_files_say_where_fields_are) {
+  const std::string properties = "Properties=id:I:1:velo:R:2:pos:R:3:species:S:1 ";
+  const Tracks_file file =
+      read_options("2\n" + properties + "Time=0.5\n7 0 0 1 2 3 Ar\n8 0 0 4 5 6 Ar\n1\n" +
+                       properties + "time=\"1.5\" note='a b'\n8 0 0 4 6 6 Ar\n",
+                   {});
+  EXPECT_EQ(shown(file), "7: 0.5 (1, 2) line 3; 8: 0.5 (4, 5) line 4 1.5 (4, 6) line 7");
+  EXPECT_FALSE(file.frame_rate);
+}
+
+TEST(Read_tracks_xyz, timesteps_in_comments_are_times) {
+  const Tracks_file file = read_options(
+      "1\nAtoms. Timestep: 100\nAr 1 2 0\n1\nAtoms. Timestep: 300\nAr 3 4 0\n", {.fps = 100});
+  EXPECT_EQ(shown(file), "0: 1 (1, 2) line 3 3 (3, 4) line 6");
+}
+
+TEST(Read_tracks_xyz, errors_name_the_line) {
+  for (const auto& [text, message] : {
+           std::pair{std::string("1\n"),
+                     "2: the file ends in the middle of a frame; expected a comment"},
+           {"1000000000\n\nAr 1 2 3\n",
+            "4: the file ends after 1 of the 1000000000 atoms of a frame; expected all of them"},
+           {"99999999999999999999999\n\n",
+            "1: the number of atoms is '99999999999999999999999'; expected a whole number"},
+           {"1\n\nAr 1 2\n", "3: the atom has 3 fields; expected at least 4"},
+           {"1\n\nAr 1 two 3\n",
+            "3: the column y is 'two', which is not a number; expected a decimal or hexadecimal "
+            "floating point number such as -1.5, 2e-3 or 0x1.8p3"},
+           {"1\n\nAr 1 2 3\nAr 1 2 3\n",
+            "4: the number of atoms is 'Ar 1 2 3'; expected a whole number"},
+           {"1\n\nAr 1 2 3\n2\n\nAr 1 2 3\nAr 4 5 6\n",
+            "5: the frame has 2 atoms, but the first one 1, and atoms have no ids; expected the "
+            "same atoms in all frames, or extended XYZ with id:I:1 in its properties"},
+           {"2\n\nAr 1 2 3\nNe 4 5 6\n2\n\nNe 1 2 3\nAr 4 5 6\n",
+            "7: atom 0 of the frame is 'Ne', but 'Ar' in the first one; expected atoms in the same "
+            "order in all frames"},
+           {"1\nTime=1\nAr 1 2 3\n1\n\nAr 1 2 3\n",
+            "5: the comments of some frames give times or timesteps, and those of others do not; "
+            "expected the same in all"},
+           {"1\nProperties=species:S:1\nAr\n",
+            "2: the properties are 'species:S:1'; expected names, types and numbers of fields with "
+            "pos:R:3 among them, such as species:S:1:pos:R:3"},
+           {"1\nProperties=pos:R:1e9\nAr\n",
+            "2: the properties are 'pos:R:1e9'; expected names, types and numbers of fields with "
+            "pos:R:3 among them, such as species:S:1:pos:R:3"},
+           {"1\nProperties=pos:R:3\n1 2 3\n1\nProperties=id:I:1:pos:R:3\n0 1 2 3\n",
+            "5: the atoms of some frames have ids, and those of others have not; expected ids in "
+            "all or in none"},
+           {"1\nLattice=\"1 2 3\"\nAr 1 2 3\n", "2: the lattice has 3 numbers; expected 9"},
+           {"1\nLattice=\"10 0 0 0 10 0 0 0 10\"\nAr 1 2 3\n1\n\nAr 8 2 3\n",
+            "6: atom '0' goes 7 since line 3, more than half of the periodic box, which is 10 "
+            "wide: "
+            "it left on one side and came in on the other; expected places that go on beyond the "
+            "box, or pbc=\"F F F\" in the comments if these do"},
+       }) {
+    EXPECT_EQ(error_of(text), "t.csv:" + std::string(message));
+  }
+  EXPECT_EQ(
+      error_of("1\nLattice=\"10 0 0 0 10 0 0 0 10\" pbc=\"F T T\"\nAr 1 2 3\n1\n\nAr 8 2 3\n"), "");
+}
+
+}  // namespace
+}  // namespace kinetri
