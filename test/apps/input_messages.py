@@ -2,10 +2,12 @@
 """Cases of the messages about input: command lines, and files of points and tracks."""
 from message_case import DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, simulate, tracks
 
+FORMATS = "auto, rows, frames, ids, table, jupedsim, sumo, lammps, xyz or geojson"
 COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion, manual or help"
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice, lattice-jitter or packing"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
-TRACKS_COLUMNS = "t,id,x,y and optionally radius, in any order"
+TRACKS_COLUMNS = ("t,id,x,y and optionally radius, in any order, or --columns t=NAME,id=NAME,x=NAME,y=NAME "
+                  "for the names in another table, or a file in one of the formats that --format lists")
 
 
 def usage_cases():
@@ -74,7 +76,7 @@ def number_cases():
                                   ("--progress", "loud", "auto, always or never"),
                                   ("--collisions", "bump", "none, log, swap, elastic, stop or remove")):
         yield simulate(f"{option} {word}", option=option, text=word, choices=choices)
-    yield case("tracks t.csv --format xml", option="--format", text="xml", choices="rows or frames")
+    yield case("tracks t.csv --format xml", option="--format", text="xml", choices=FORMATS)
     yield case("experiment --output r --collisions none", option="--collisions", text="none",
                choices="log, swap, elastic, stop or remove")
     yield case("generate lattice --points 5 --movers two", option="--movers", text="two",
@@ -116,7 +118,11 @@ def meaning_cases():
     yield case("tracks t.csv --collisions log", option="--collisions", file="t.csv")
     discs = "t,id,x,y,radius\n0,a,0,0,1\n1,a,1,0,1\n"
     yield case("tracks r.csv --collisions log --radius 1", files={"r.csv": discs}, file="r.csv")
-    yield case("tracks t.csv --fps 25")
+    yield case("tracks t.csv --fps 25", file="t.csv")
+    yield case("tracks t.csv --columns t=t,name,x=x", piece="name")
+    yield case("tracks t.csv --columns t=t,t=u", column="t")
+    yield case("tracks t.csv --columns ''")
+    yield case("tracks t.csv --format rows --columns t=t,id=id,x=x,y=y", file="t.csv", format="rows")
     yield simulate("--fps 5", option="--fps,--frames-per-time")
     yield simulate("--frames-per-time 5", option="--fps,--frames-per-time")
     yield case("tracks t.csv --frames-per-time 5", option="--frames-per-time")
@@ -179,9 +185,19 @@ def table_cases():
     yield points("x;y;vx;vy\n1,5;2;3;4\n", line=2, column="x", text="1,5")
     yield tracks("# id frame x y\n1 1 0 0\n", "--format frames", line=1, columns="id frame x y")
     for comment in ("# framerate: 16 fps", "# frame rate = 16"):
-        yield tracks(f"{comment}\n1 1 0 0\n", "--format frames", line=1, rate=16, fps=1)
+        yield tracks(f"{comment}\n1 1 0 0\n", "--format frames --fps 1", line=1, rate=16, fps=1)
         yield tracks(f"1 1 0 0\n{comment}\n2 1 0 1\n", "--format frames --fps 16", line=2)
     yield tracks("1 7 0 0\n1 8 1 0\n1 9 2 0\n", "--format frames", n=3)
+    yield tracks("7 1 0 0\n8 1 1 0\n9 1 2 0\n", "--format ids", n=3)
+    yield tracks("0 1 2 3\n1 0 4 5\n", frames="id '1' in frame '0', then id '0' in frame '1'",
+                 ids="id '0' in frame '1', then id '1' in frame '0'")
+    yield tracks("PK\3\4 and so on", what="is an archive of zip, or a workbook of a spreadsheet",
+                 expected="a table exported as CSV")
+    named = "--columns t=time,id=name,x=lon,y=lat"
+    yield tracks("time,name,lon,lat\n", named, x="lon", y="lat")
+    yield tracks("time,lon,lat\n", named + " --projection none", line=1, column="name",
+                 columns="'time', 'lon', 'lat'")
+    yield tracks("time,name\n", "--columns t=time,id=name", column="x")
     walk = "".join(f"{person} {frame} {frame} {9 * person}\n" for person in range(4) for frame in range(5))
     yield tracks(walk, "--format frames", distance=9, other=1)
     yield points("\n# c\nx,y,x,vx,vy\n", line=3, column="x", columns=POINTS_COLUMNS)

@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "cli/arguments.h"
 #include "commands/collisions_option.h"
 #include "commands/commands.h"
 #include "commands/run_options.h"
+#include "io/text.h"
 #include "runs/simulation_run.h"
 #include "sources/tracks_source.h"
 
 namespace kinetri::app {
 namespace {
 
-// In the order of the enumerators that they name.
-constexpr std::array<std::string_view, 2> formats = {"rows", "frames"};
+// In the order of the enumerators that they name, without the first one.
+constexpr std::array<std::string_view, 2> projections = {"none", "local"};
 constexpr std::span<const Named_response> none_and_log =
     std::span<const Named_response>(named_responses).first(2);
 constexpr std::uint64_t most_approaches = 1'000'000;
@@ -23,7 +28,9 @@ constexpr std::uint64_t most_approaches = 1'000'000;
 // The options' values as they stand on the command line.
 struct Tracks_options {
   std::string tracks;
-  std::string format = "rows";
+  std::string format = "auto";
+  std::optional<std::string> columns;
+  std::optional<std::string> projection;
   std::optional<std::string> fps;
   std::optional<std::string> from;
   std::optional<std::string> until;
@@ -34,18 +41,68 @@ struct Tracks_options {
   Run_options run;
 };
 
+// In the order of the enumerators.
+std::vector<std::string_view> format_names() {
+  std::vector<std::string_view> result;
+  for (const Tracks_format_name& format : tracks_formats()) result.push_back(format.name);
+  return result;
+}
+
+// What the option says of the file's formats.
+std::string format_help() {
+  std::string result;
+  for (const auto& [format, name, description] : tracks_formats()) {
+    result += joined(result.empty() ? "" : "; ", name,
+                     format == Tracks_format::automatic ? " (default): " : ": ", description);
+  }
+  return result;
+}
+
+Track_columns columns_argument(const std::string& text) {
+  constexpr std::string_view expected =
+      "; expected t=NAME,id=NAME,x=NAME,y=NAME and optionally radius=NAME";
+  Track_columns result;
+  const std::array<std::pair<std::string_view, std::string*>, 5> columns = {
+      {{"t", &result.t},
+       {"id", &result.id},
+       {"x", &result.x},
+       {"y", &result.y},
+       {"radius", &result.radius}}};
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view piece = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(rest.size(), piece.size() + 1));
+    const std::size_t equals = piece.find('=');
+    const auto found = std::ranges::find_if(
+        columns, [&](const auto& column) { return column.first == piece.substr(0, equals); });
+    if (equals == std::string_view::npos || equals + 1 == piece.size() || found == columns.end()) {
+      throw Usage_error(joined("--columns: '", piece, "' names no column", expected));
+    }
+    if (!found->second->empty()) {
+      throw Usage_error(joined("--columns: ", found->first, " is named twice", expected));
+    }
+    *found->second = piece.substr(equals + 1);
+  }
+  if (result.is_empty()) throw Usage_error(joined("--columns: no column is named", expected));
+  return result;
+}
+
+Tracks_file_options reading_options(const Tracks_options& options) {
+  Tracks_file_options result;
+  const std::vector<std::string_view> names = format_names();
+  result.format = static_cast<Tracks_format>(choice_argument("--format", options.format, names));
+  if (options.columns) result.columns = columns_argument(*options.columns);
+  if (options.projection) {
+    result.projection = static_cast<Tracks_projection>(
+        1 + choice_argument("--projection", *options.projection, projections));
+  }
+  if (options.fps) result.fps = positive_argument("--fps", *options.fps);
+  return result;
+}
+
 Tracks_settings tracks_settings(const Tracks_options& options) {
   Tracks_settings result;
   result.tracks = options.tracks;
-  result.format = static_cast<Tracks_format>(choice_argument("--format", options.format, formats));
-  if (options.fps) {
-    if (result.format != Tracks_format::frames) {
-      throw Usage_error(
-          "--fps: rows have times; expected --format frames as well, or no --fps "
-          "(--frames-per-time is the rate of --frames and --vtu)");
-    }
-    result.fps = positive_argument("--fps", *options.fps);
-  }
+  result.reading = reading_options(options);
   if (options.from) result.from = number_argument("--from", *options.from);
   if (options.until) result.until = number_argument("--until", *options.until);
   if (options.longest_gap) {
@@ -79,13 +136,18 @@ Command tracks_command() {
   result.name = "tracks";
   result.summary = "Keep the Delaunay triangulation of recorded trajectories";
   result.add_required("TRACKS", &options->tracks, "FILE", "The observations; - is standard input");
+  result.add("--format", &options->format, choice_type(format_names()), format_help());
   result.add(
-      "--format", &options->format, choice_type(formats),
-      "rows (default): CSV with the columns t,id,x,y and optionally radius; frames: lines of "
-      "frame id x y, without a header");
+      "--columns", &options->columns, "t=T,id=ID,x=X,y=Y",
+      "The names of these columns, and of radius=R if there is one, in a table with a header, "
+      "separated by commas, semicolons, tabs or blanks; in GeoJSON, the properties t and id");
+  result.add(
+      "--projection", &options->projection, choice_type(projections),
+      "Places in degrees of longitude and latitude: none takes them as they are; local makes "
+      "them metres, by an equirectangular projection about the middle of the data");
   result.add("--fps", &options->fps, "F",
-             "Frames in a unit of time in TRACKS, for --format frames (default 1). The rate of "
-             "--frames is --frames-per-time");
+             "Frames in a unit of time in TRACKS, where times are numbers of frames (default: the "
+             "rate that TRACKS gives, or 1). The rate of --frames is --frames-per-time");
   result.add("--from", &options->from, "T",
              "Start just after this time (default: the first observation)");
   result.add("--until", &options->until, "T", "End at this time (default: the last observation)");
@@ -107,7 +169,9 @@ Command tracks_command() {
       "which id each one is.",
       "Exit codes: see kinetri simulate."};
   result.examples = {"kinetri tracks tracks.csv --events events.csv --ids ids.csv --audit end",
-                     "kinetri tracks crowd.txt --format frames --fps 25 --closest 10"};
+                     "kinetri tracks crowd.txt --format frames --fps 25 --closest 10",
+                     "kinetri tracks ships.csv --columns t=time,id=name,x=lon,y=lat --projection "
+                     "local"};
   result.run = [options](const Command& /*program*/) {
     const auto source = tracks_source(tracks_settings(*options));
     return run_simulation(settings_of_run(*options), *source);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
-
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,13 +32,18 @@ class Tracks_source final : public Run_source {
   std::optional<Box_2> extent() const override { return extent_; }
   std::string response() const override { return settings_.logs_contacts ? "log" : "none"; }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
-  Input_error coincidence(const Coincident_trajectories_error& error, double time) const override;
+  Input_error coincidence(const Coincident_trajectories_error& coincident,
+                          double time) const override;
   std::string name(Point_id id) const override { return file_.tracks[stays_[id].track].id; }
   void describe(Viewer_settings& settings) const override;
   std::vector<std::string> remarks() const override;
   void write_points(std::ostream& out) const override;
 
  private:
+  Input_error error(std::size_t line, const std::string& message) const {
+    return tracks_error(input_name(path()), file_.place_name, line, message);
+  }
+  void check_frame_rate() const;
   void check_velocities() const;
   void check_radii() const;
   std::vector<double> disc_radii() const;
@@ -53,7 +58,8 @@ class Tracks_source final : public Run_source {
 };
 
 void Tracks_source::read() {
-  file_ = read_tracks_file(settings_.tracks, settings_.format, settings_.fps);
+  file_ = read_tracks_file(settings_.tracks, settings_.reading);
+  check_frame_rate();
   check_radii();
   double first = std::numeric_limits<double>::infinity();
   double last = -first;
@@ -83,15 +89,23 @@ void Tracks_source::read() {
   check_velocities();
 }
 
+// That a rate has frames to divide by it.
+void Tracks_source::check_frame_rate() const {
+  if (!settings_.reading.fps || file_.frame_rate) return;
+  throw Usage_error(joined("--fps: ", input_name(path()),
+                           " has times, not frames; expected no --fps (--frames-per-time is the "
+                           "rate of --frames and --vtu)"));
+}
+
 // Finite numbers may be too far apart for a finite velocity.
 void Tracks_source::check_velocities() const {
   for (const Stay& stay : stays_) {
     for (std::size_t i = stay.first; i < stay.last; ++i) {
       if (is_finite(motion_after(observations_[stay.track], i))) continue;
       const Track& track = file_.tracks[stay.track];
-      throw Input_error(
-          input_name(path()), track.observations[i + 1].line,
-          joined("id '", track.id, "' goes too far too fast since line ",
+      throw error(
+          track.observations[i + 1].line,
+          joined("id '", track.id, "' goes too far too fast since ", file_.place_name, ' ',
                  track.observations[i].line, "; expected a velocity that is a binary64 number"));
     }
   }
@@ -111,8 +125,8 @@ Any_simulation Tracks_source::make_simulation(Arithmetic arithmetic) const {
     }
     return simulate_tracks(observations_, stays_, from_, options,
                            Linear_kinetic_traits_2(arithmetic));
-  } catch (const Coincident_trajectories_error& error) {
-    throw coincidence(error, from_);
+  } catch (const Coincident_trajectories_error& coincident) {
+    throw coincidence(coincident, from_);
   }
 }
 
@@ -137,33 +151,33 @@ void Tracks_source::check_radii() const {
   }
   for (const Track& track : file_.tracks) {
     if (track.radius <= greatest_radius) continue;
-    throw Input_error(input_name(path()), track.observations.front().line,
-                      joined("the radius is ", track.radius, "; expected at most ", greatest_radius,
-                             ", so that the diameter is a binary64 number"));
+    throw error(track.observations.front().line,
+                joined("the radius is ", track.radius, "; expected at most ", greatest_radius,
+                       ", so that the diameter is a binary64 number"));
   }
   const auto has_none = [](const Track& track) { return track.radius == 0; };
   if (!file_.has_radii || file_.tracks.empty() || !std::ranges::all_of(file_.tracks, has_none)) {
     return;
   }
-  throw Input_error(input_name(path()), file_.tracks.front().observations.front().line,
-                    "the radius is 0, and discs without one never touch; expected a radius greater "
-                    "than 0");
+  throw error(file_.tracks.front().observations.front().line,
+              "the radius is 0, and discs without one never touch; expected a radius greater "
+              "than 0");
 }
 
-Input_error Tracks_source::coincidence(const Coincident_trajectories_error& error,
+Input_error Tracks_source::coincidence(const Coincident_trajectories_error& coincident,
                                        double time) const {
   const auto line = [&](Point_id id) {
     const auto& seen = file_.tracks[stays_[id].track].observations;
     const auto next = std::ranges::upper_bound(seen, time, {}, &Track_observation::time);
     return (next == seen.begin() ? next : std::prev(next))->line;
   };
-  const std::size_t one = line(error.first());
-  const std::size_t other = line(error.second());
-  return Input_error(
-      input_name(path()), std::max(one, other),
-      joined("from t = ", time, " on ids '", name(error.first()), "' and '", name(error.second()),
-             "' go the same way (see line ", std::min(one, other),
-             "); expected things that are apart at one of two observations"));
+  const std::size_t one = line(coincident.first());
+  const std::size_t other = line(coincident.second());
+  return error(
+      std::max(one, other),
+      joined("from t = ", time, " on ids '", name(coincident.first()), "' and '",
+             name(coincident.second()), "' go the same way (see ", file_.place_name, ' ',
+             std::min(one, other), "); expected things that are apart at one of two observations"));
 }
 
 void Tracks_source::write_points(std::ostream& out) const {
@@ -185,6 +199,11 @@ std::vector<std::string> Tracks_source::remarks() const {
   result.push_back(joined(counted(file_.observations, "observation"), " of ",
                           counted(file_.tracks.size(), "id"), ", ",
                           counted(stays_.size(), "stay")));
+  const std::span<const Tracks_format_name> formats = tracks_formats();
+  if (settings_.reading.format == Tracks_format::automatic && file_.format != Tracks_format::rows) {
+    result.push_back(joined("format ", formats[static_cast<std::size_t>(file_.format)].name));
+  }
+  result.insert(result.end(), file_.remarks.begin(), file_.remarks.end());
   if (file_.doubled_rows > 0) {
     result.push_back(
         joined(counted(file_.doubled_rows, "row"), " left out, being a copy of another"));

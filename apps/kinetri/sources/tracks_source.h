@@ -14,9 +14,8 @@
 namespace kinetri::app {
 
 struct Tracks_settings {
-  std::string tracks;  ///< a path, or "-"
-  Tracks_format format = Tracks_format::rows;
-  double fps = 1;                     ///< for Tracks_format::frames
+  std::string tracks;                 ///< a path, or "-"
+  Tracks_file_options reading;        ///< how they are read
   std::optional<double> from;         ///< without one, the first observation
   std::optional<double> until;        ///< without one, the last
   std::optional<double> longest_gap;  ///< without one, there is none
