@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,7 +35,17 @@ class Tracks:
         The names of the things, in the order in which they first appear.
     origin : numpy.datetime64 or None
         The time 0, where times are dates: times are seconds since then.
+    frame_rate : float or None
+        Of a file whose times are numbers of frames: by which they were divided.
+    walkable_area : str or None
+        As WKT, of a file that has it.
+    remarks : list of str
+        How a file was read: units, rates, what was left out.
     """
+
+    frame_rate: float | None = None
+    walkable_area: str | None = None
+    remarks: list[str]
 
     def __init__(self, times: Floats, places: Floats, offsets: npt.NDArray[np.uint64], labels: list[Any],
                  radii: Floats | None, max_gap: float | None, origin: np.datetime64 | None) -> None:
@@ -46,6 +58,7 @@ class Tracks:
         if self._max_gap <= 0:
             raise PreconditionError(f"max_gap is {max_gap}; expected a time greater than 0")
         self.origin = origin
+        self.remarks = []
 
     @classmethod
     def from_arrays(cls, t: ArrayLike, id: ArrayLike, x: ArrayLike, y: ArrayLike, *,
@@ -171,32 +184,56 @@ class Tracks:
                                radius=None if radius is None else _values(df[radius]), max_gap=max_gap)
 
     @classmethod
-    def read(cls, path: Path, *, fps: float | None = None, max_gap: float | None = None) -> Tracks:
-        """Tracks of a file.
+    def read(cls, path: Path, *, format: str = "auto", fps: float | None = None,
+             columns: Mapping[str, str] | None = None, projection: str | None = None,
+             max_gap: float | None = None) -> Tracks:
+        """Tracks of a file, in the formats that the program reads.
 
         Parameters
         ----------
         path : str or path
-            A table as the program reads it: with a header that names t, id, x, y; or, if `fps` is
-            given, rows of frame, id, x, y.
+            The file.
+        format : str
+            One of `auto` (what the content shows), `rows` (CSV with the columns t, id, x, y, and perhaps
+            radius), `frames` (frame id x y), `ids` (id frame x y), `table` (see `columns`), `jupedsim`
+            (SQLite), `sumo` (XML), `lammps`, `xyz` and `geojson`.
         fps : float, optional
-            Frames per unit of time.
+            Frames per unit of time, where times are numbers of frames; by default the rate that the file
+            gives, or 1.
+        columns : dict, optional
+            Which columns of a table with a header are `t`, `id`, `x`, `y` and perhaps `radius`, as in
+            ``{"t": "time", "id": "name", "x": "E", "y": "N"}``; in GeoJSON, which properties are `t` and
+            `id`.
+        projection : str, optional
+            What becomes of degrees: `none` takes them as they are; `local` makes them metres about the
+            middle of the data. Without one, files with degrees are refused.
         max_gap : float, optional
             As in `from_arrays`.
 
         Returns
         -------
         Tracks
+            Dates in the file become seconds since `origin`.
 
         Raises
         ------
         InputError
             The message names file and line.
+        PreconditionError
+            If a format, column or projection is unknown, or `fps` is given for a file that has times.
         """
-        file = _kinetri.read_tracks(str(path), fps is not None,
-                                    0.0 if fps is None else _arrays.one_number("fps", fps))
-        return cls(file["times"], file["places"], file["offsets"], file["ids"], file["radii"], max_gap,
-                   None)
+        file = _kinetri.read_tracks(str(path), format, None if fps is None else _arrays.one_number("fps", fps),
+                                    dict(columns or {}), projection or "refused")
+        if fps is not None and file["frame_rate"] is None:
+            raise PreconditionError(f"fps is {fps}, and {path} has times, not frames; expected no fps")
+        # In nanoseconds, as the dates that come of it.
+        date = re.sub(r"(\.\d{9})\d+", r"\1", file["origin"].removesuffix("Z"))
+        tracks = cls(file["times"], file["places"], file["offsets"], file["ids"], file["radii"], max_gap,
+                     np.datetime64(date) if date else None)
+        tracks.frame_rate = file["frame_rate"]
+        tracks.walkable_area = file["walkable_area"] or None
+        tracks.remarks = file["remarks"]
+        return tracks
 
     @property
     def start(self) -> float:

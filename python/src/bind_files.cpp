@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,11 +53,50 @@ py::dict points_file(const std::string& path) {
   return result;
 }
 
+Tracks_format format_of(const std::string& text) {
+  std::string names;
+  for (const auto& [format, name, description] : tracks_formats()) {
+    if (name == text) return format;
+    names += (names.empty() ? "'" : ", '") + std::string(name) + "'";
+  }
+  throw Precondition_error("the format is '" + text + "'; expected one of " + names);
+}
+
+Tracks_projection projection_of(const std::string& text) {
+  if (text == "refused") return Tracks_projection::refused;
+  if (text == "none") return Tracks_projection::none;
+  if (text == "local") return Tracks_projection::local;
+  throw Precondition_error("projection is '" + text + "'; expected one of 'none', 'local'");
+}
+
+Track_columns columns_of(const std::map<std::string, std::string>& names) {
+  Track_columns result;
+  for (const auto& [column, name] : names) {
+    std::string* const taken = column == "t"        ? &result.t
+                               : column == "id"     ? &result.id
+                               : column == "x"      ? &result.x
+                               : column == "y"      ? &result.y
+                               : column == "radius" ? &result.radius
+                                                    : nullptr;
+    if (taken == nullptr) {
+      throw Precondition_error("columns has '" + column +
+                               "'; expected 't', 'id', 'x', 'y' and 'radius' alone");
+    }
+    *taken = name;
+  }
+  return result;
+}
+
 // One row for each observation, by track; the ids are those of the tracks.
-py::dict tracks_file(const std::string& path, bool has_frames, double fps) {
-  const Tracks_file file = without_gil([&] {
-    return read_tracks_file(path, has_frames ? Tracks_format::frames : Tracks_format::rows, fps);
-  });
+py::dict tracks_file(const std::string& path, const std::string& format, std::optional<double> fps,
+                     const std::map<std::string, std::string>& columns,
+                     const std::string& projection) {
+  Tracks_file_options options;
+  options.format = format_of(format);
+  options.fps = fps;
+  options.columns = columns_of(columns);
+  options.projection = projection_of(projection);
+  const Tracks_file file = without_gil([&] { return read_tracks_file(path, options); });
   std::vector<double> times;
   std::vector<Vector_2> places;
   std::vector<std::uint64_t> offsets = {0};
@@ -77,6 +117,10 @@ py::dict tracks_file(const std::string& path, bool has_frames, double fps) {
   result["offsets"] = array_of<std::uint64_t>(std::move(offsets));
   result["ids"] = ids;
   result["radii"] = file.has_radii ? py::object(array_of<double>(std::move(radii))) : py::none();
+  result["frame_rate"] = file.frame_rate;
+  result["origin"] = file.origin;
+  result["walkable_area"] = file.walkable_area;
+  result["remarks"] = file.remarks;
   return result;
 }
 

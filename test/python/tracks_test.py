@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Recorded tracks: tables, dates, labels, gaps; the closest approaches against all pairs."""
 import itertools
+import sqlite3
 
 import numpy as np
 import pandas as pd
@@ -252,8 +253,54 @@ def test_files_and_the_program(tmp_path):
     same = Tracks.from_dataframe(pd.read_csv(tmp_path / "tracks.csv", float_precision="round_trip"))
     assert same.record().tobytes() == events.tobytes()
     (tmp_path / "frames.txt").write_text("0 1 0 0\n5 1 5 0\n0 2 9 9\n5 2 9 8\n", encoding="utf-8")
-    frames = Tracks.read(tmp_path / "frames.txt", fps=5)
+    frames = Tracks.read(tmp_path / "frames.txt", format="frames", fps=5)
     assert frames.end == 1 and frames.labels == ["1", "2"]
     (tmp_path / "bad.csv").write_text("t,id,x,y\n0,a,0,0\n1,a,b,0\n", encoding="utf-8")
     with pytest.raises(kinetri.InputError, match="bad.csv:3: "):
         Tracks.read(tmp_path / "bad.csv")
+
+
+def test_files_of_other_formats(tmp_path):
+    def read(text, **options):
+        (tmp_path / "tracks").write_text(text, encoding="utf-8")
+        return Tracks.read(tmp_path / "tracks", **options)
+
+    expected = "<Tracks of 2 things, 4 observations, t = 0 to 1>"
+    people = read("# framerate: 5\n# id frame x/cm y/cm\n1 0 0 0\n1 5 500 0\n2 0 900 900\n2 5 900 800\n")
+    assert repr(people) == expected and people.frame_rate == 5 and people.origin is None
+    assert people.remarks == ["5 frames a second, as the file says",
+                              "places are in metres; the file has centimetres"]
+    table = read("when;who;E;N\n2024-05-01T00:00:00.25Z;1;0;0\n2024-05-01T00:00:01.25Z;1;5;0\n"
+                 "2024-05-01T00:00:00.25Z;2;9;9\n2024-05-01T00:00:01.25Z;2;9;8\n",
+                 columns={"t": "when", "id": "who", "x": "E", "y": "N"})
+    assert repr(table) == expected and table.origin == np.datetime64("2024-05-01T00:00:00.25")
+    assert table.frame_rate is None and table.walkable_area is None
+    assert table.dates(1) == np.datetime64("2024-05-01T00:00:01.25")
+    same = read("2\n\nA 0 0 0\nB 9 9 0\n2\n\nA 5 0 0\nB 9 8 0\n")
+    assert repr(same) == expected and same.labels == ["0", "1"]
+    assert same.record()["time"].tolist() == people.record()["time"].tolist() == table.record()["time"].tolist()
+    database = sqlite3.connect(tmp_path / "people.sqlite")
+    database.executescript("""
+        CREATE TABLE trajectory_data (frame INTEGER, id INTEGER, pos_x REAL, pos_y REAL);
+        INSERT INTO trajectory_data VALUES (0, 1, 0, 0), (5, 1, 5, 0), (0, 2, 9, 9), (5, 2, 9, 8);
+        CREATE TABLE metadata (key TEXT, value TEXT); INSERT INTO metadata VALUES ('fps', '5');
+        CREATE TABLE geometry (wkt TEXT); INSERT INTO geometry VALUES ('POLYGON ((0 0, 9 0, 9 9, 0 0))');
+        """)
+    database.close()
+    people = Tracks.read(tmp_path / "people.sqlite")
+    assert repr(people) == expected and people.walkable_area == "POLYGON ((0 0, 9 0, 9 9, 0 0))"
+
+
+def test_files_that_are_read_with_wrong_options(tmp_path):
+    (tmp_path / "t.csv").write_text("t,id,x,y\n0,a,0,0\n1,a,1,0\n", encoding="utf-8")
+    (tmp_path / "f.txt").write_text("0 1 0 0\n5 1 5 0\n", encoding="utf-8")
+    for file, options, message in (
+            ("t.csv", {"fps": 5}, "has times, not frames; expected no fps"),
+            ("t.csv", {"fps": 0}, "the number of frames a second is not a finite number greater than 0"),
+            ("t.csv", {"format": "csv"}, "the format is 'csv'; expected one of 'auto', 'rows', "),
+            ("t.csv", {"columns": {"z": "z"}}, "columns has 'z'; expected 't', 'id', 'x', 'y' and 'radius'"),
+            ("t.csv", {"projection": "utm"}, "projection is 'utm'; expected one of 'none', 'local'")):
+        with pytest.raises(kinetri.PreconditionError, match=message):
+            Tracks.read(tmp_path / file, **options)
+    with pytest.raises(kinetri.InputError, match="with --format frames, the order frame id x y"):
+        Tracks.read(tmp_path / "f.txt", fps=5)
