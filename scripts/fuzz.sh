@@ -6,7 +6,7 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-targets=(points_file tracks checkpoint algebra simulation changes contacts)
+targets=(points_file tracks track_formats checkpoint algebra simulation changes contacts)
 
 usage() {
   cat <<EOF
@@ -60,6 +60,9 @@ for target in "${chosen[@]}"; do
   elif [[ $target == tracks ]]; then
     lengths=(-max_len=20000)
     seeds=("$kinetri_root/test/fuzz/corpus/tracks")
+  elif [[ $target == track_formats ]]; then
+    lengths=(-max_len=20000)
+    seeds=("$kinetri_root/test/fuzz/corpus/track_formats" "$kinetri_root/test/fuzz/corpus/tracks")
   fi
   kinetri_say "Fuzzing $target for $seconds seconds; output in $dir/$target.log ..."
   if "$dir/test/fuzz/kinetri_${target}_fuzzer" -max_total_time="$seconds" -timeout=60 \
