@@ -21,6 +21,14 @@ TEST(Counted, has_a_plural_for_all_numbers_but_one) {
   EXPECT_EQ(counted(2, "event"), "2 events");
 }
 
+TEST(Csv_field, is_quoted_where_it_must_be) {
+  EXPECT_EQ(csv_field("a man; 5'"), "a man; 5'");
+  EXPECT_EQ(csv_field(""), "");
+  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_field("5\""), "\"5\"\"\"");
+  EXPECT_EQ(csv_field("a\nb"), "\"a\nb\"");
+}
+
 TEST(Digits, are_those_of_printf) {
   EXPECT_EQ(fixed(2.25, 1), "2.2");
   EXPECT_EQ(fixed(1e300, 0).size(), 301U);

@@ -123,6 +123,30 @@ TEST_F(Tracks, log_contacts_of_discs) {
   EXPECT_NE(outcome.out.find("collision,6,6,6,,,,,0,1\n"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Tracks, are_recognized_by_their_content) {
+  const Outcome outcome = tracks(
+      "# framerate: 4\n# id frame x/cm y/cm z/cm\n7 0 0 0 170\n7 4 100 0 170\n8 0 0 900 "
+      "160\n8 4 100 900 160\n",
+      {"--ids", "-", "--stats", "stats.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "point,id,first,last\n0,7,0,1\n1,8,0,1\n");
+  for (const char* remark : {"format ids", "4 frames a second, as the file says",
+                             "places are in metres; the file has centimetres"}) {
+    EXPECT_NE(outcome.err.find(remark), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(Tracks, of_a_table_have_columns_with_names) {
+  const Outcome outcome = tracks(
+      "when;who;E;N\n2024-05-01T12:00:00Z;\"Ada, Ben\";0;0\n2024-05-01T12:00:02.5Z;\"Ada, "
+      "Ben\";3;4\n",
+      {"--columns", "t=when,id=who,x=E,y=N", "--ids", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "point,id,first,last\n0,\"Ada, Ben\",0,2.5\n");
+  EXPECT_NE(outcome.err.find("t = 0 is 2024-05-01T12:00:00Z, the earliest date"), std::string::npos)
+      << outcome.err;
+}
+
 // ---- real tracks ----
 
 class Crowd : public Tracks, public testing::WithParamInterface<const char*> {};
@@ -140,6 +164,18 @@ TEST_P(Crowd, runs_whole_audited) {
   EXPECT_GT(stats["events"]["flip"], 500);
   EXPECT_EQ(stats["audits"]["failed"], 0);
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 4);
+}
+
+TEST_P(Crowd, is_recognized) {
+  const std::filesystem::path data =
+      std::filesystem::path(KINETRI_SHARED_DATA) / "crowd" / GetParam();
+  if (!std::filesystem::exists(data)) GTEST_SKIP() << data << " is not there";
+  const Outcome outcome =
+      run({"tracks", data.string(), "--fps", "25", "--closest", "3", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, run({"tracks", data.string(), "--format", "frames", "--fps", "25",
+                              "--closest", "3", "--quiet"})
+                             .out);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Crowd, testing::Values("students003.txt", "biwi_eth.txt"));

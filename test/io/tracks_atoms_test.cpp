@@ -85,7 +85,6 @@ TEST(Read_tracks_lammps, jumps_through_the_boundary_are_refused) {
   EXPECT_EQ(two("7 5 3.5", "7 5 -1", "pp ff pp"), "");
   EXPECT_EQ(two("7 9.5 0", "7 0.25 0", "ff pp pp"), "");
   EXPECT_EQ(two("7 9.5 0", "7 4.5 0", "pp pp pp"), "");
-  EXPECT_NE(two("7 9.5 0", "7 4.25 0", "xy xz yz pp pp pp"), "");
 }
 
 TEST(Read_tracks_lammps, errors_name_the_line) {
@@ -114,7 +113,9 @@ TEST(Read_tracks_lammps, errors_name_the_line) {
            {frame(0, "id x y", {"1 2 3", "1 2 4"}),
             "11: id '1' is at two places at t = 0: at (2, 4), and at (2, 3) in line 10; expected "
             "one"},
-           {frame(0, "id xs ys", {"1 2 3"}, "xy xz yz pp pp pp"),
+           {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 9 "
+            "1\n0 "
+            "9 0\n0 9 0\nITEM: ATOMS id xs ys\n1 2 3\n",
             "9: scaled places and images need a box that is a rectangle; expected xu yu, or x y "
             "without ix iy, or such a box"},
            {"ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS pp pp pp\n4 3\n",
@@ -128,6 +129,30 @@ TEST(Read_tracks_lammps, errors_name_the_line) {
        }) {
     EXPECT_EQ(error_of(text), "t.csv:" + std::string(message));
   }
+}
+
+TEST(Read_tracks_lammps, a_tilted_box_is_as_wide_as_it_is) {
+  // The rectangle around it is 14 wide, the box 10.
+  const auto tilted = [](int timestep, const std::string& atom) {
+    return "ITEM: TIMESTEP\n" + std::to_string(timestep) +
+           "\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 14 4\n0 9 0\n0 1 "
+           "-1\nITEM: ATOMS id x y\n" +
+           atom + "\n";
+  };
+  EXPECT_NE(
+      error_of(tilted(0, "7 1 1") + tilted(1, "7 6.5 1"))
+          .find("atom '7' goes 5.5 since line 10, more than half of the periodic box, which is "
+                "10 wide"),
+      std::string::npos);
+  // Its sides in y are from 1 to 9.
+  EXPECT_NE(error_of(tilted(0, "7 1 1") + tilted(1, "7 1 5.5")).find("which is 8 wide"),
+            std::string::npos);
+  EXPECT_EQ(error_of(tilted(0, "7 1 1") + tilted(1, "7 6 5")), "");
+  // Of a box that is given by its edges nothing is known.
+  const std::string general =
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n9 0 0 "
+      "0\n1 9 0 0\n0 0 9 0\nITEM: ATOMS id x y\n7 1 2\n";
+  EXPECT_EQ(shown(read_options(general, {})), "7: 0 (1, 2) line 10");
 }
 
 // ---- XYZ ----

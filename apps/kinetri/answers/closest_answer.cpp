@@ -3,6 +3,7 @@
 
 #include "answers/answer.h"
 #include "cli/arguments.h"
+#include "cli/text.h"
 #include "io/text.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/observers/closest_approaches.h"
@@ -20,8 +21,9 @@ class Closest_answer : public Answer {
     constexpr bool has_gaps = HasWeight<typename Traits::Motion>;
     out << "id_a,id_b,time,time_lo,time_hi,distance" << (has_gaps ? ",gap\n" : "\n");
     for (const Approach& approach : approaches_.approaches()) {
-      out << joined(source_.name(approach.points[0]), ",", source_.name(approach.points[1]), ",",
-                    time_fields(approach.time), ",", approach.distance);
+      out << joined(csv_field(source_.name(approach.points[0])), ",",
+                    csv_field(source_.name(approach.points[1])), ",", time_fields(approach.time),
+                    ",", approach.distance);
       if (has_gaps) out << joined(",", approach.gap);
       out << '\n';
     }

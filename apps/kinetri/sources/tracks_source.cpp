@@ -12,6 +12,7 @@
 #include "cli/arguments.h"
 #include "cli/text.h"
 #include "io/text.h"
+#include "io/text_table.h"
 #include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/tracks.h"
 #include "sources/any_simulation.h"
@@ -103,10 +104,10 @@ void Tracks_source::check_velocities() const {
     for (std::size_t i = stay.first; i < stay.last; ++i) {
       if (is_finite(motion_after(observations_[stay.track], i))) continue;
       const Track& track = file_.tracks[stay.track];
-      throw error(
-          track.observations[i + 1].line,
-          joined("id '", track.id, "' goes too far too fast since ", file_.place_name, ' ',
-                 track.observations[i].line, "; expected a velocity that is a binary64 number"));
+      throw error(track.observations[i + 1].line,
+                  joined("id ", kinetri::quoted(track.id), " goes too far too fast since ",
+                         file_.place_name, ' ', track.observations[i].line,
+                         "; expected a velocity that is a binary64 number"));
     }
   }
 }
@@ -173,19 +174,19 @@ Input_error Tracks_source::coincidence(const Coincident_trajectories_error& coin
   };
   const std::size_t one = line(coincident.first());
   const std::size_t other = line(coincident.second());
-  return error(
-      std::max(one, other),
-      joined("from t = ", time, " on ids '", name(coincident.first()), "' and '",
-             name(coincident.second()), "' go the same way (see ", file_.place_name, ' ',
-             std::min(one, other), "); expected things that are apart at one of two observations"));
+  return error(std::max(one, other),
+               joined("from t = ", time, " on ids ", kinetri::quoted(name(coincident.first())),
+                      " and ", kinetri::quoted(name(coincident.second())), " go the same way (see ",
+                      file_.place_name, ' ', std::min(one, other),
+                      "); expected things that are apart at one of two observations"));
 }
 
 void Tracks_source::write_points(std::ostream& out) const {
   out << "point,id,first,last\n";
   for (std::size_t point = 0; point < stays_.size(); ++point) {
     const auto& [track, first, last] = stays_[point];
-    out << joined(point, ",", file_.tracks[track].id, ",", observations_[track][first].time, ",",
-                  observations_[track][last].time, "\n");
+    out << joined(point, ",", csv_field(file_.tracks[track].id), ",",
+                  observations_[track][first].time, ",", observations_[track][last].time, "\n");
   }
 }
 

@@ -167,8 +167,8 @@ struct Tracks_file {
 /// Times of frames are frame / fps, rounded to nearest. Rows whose frames differ by so little that
 /// their times are equal are rows at one time. Where a comment of the formats frames and ids says
 /// that places are in centimetres or millimetres they become metres: x / 100 or x / 1000, rounded
-/// to nearest. Scaled places of LAMMPS are computed from the box with three roundings. A third
-/// coordinate is ignored; remarks say so.
+/// to nearest. Scaled places of LAMMPS, and those with images, are computed from the box, each
+/// operation rounded to nearest. A third coordinate is ignored; remarks say so.
 ///
 /// Throws Input_error `name:line: ...`, or with the place in other words where there are no lines,
 /// for everything else, such as: a format that is not recognized, or is ambiguous, or for which the

@@ -94,22 +94,33 @@ class Lammps_reader {
     std::vector<std::string_view> flags;
     for_each_field_between_blanks(std::string_view(section).substr(10),
                                   [&](std::string_view flag) { flags.push_back(flag); });
-    is_tilted_ = !flags.empty() && (flags.front() == "xy" || flags.front() == "abc");
+    is_tilted_ = !flags.empty() && flags.front() == "xy";
+    // A box in any direction, by its three edges.
+    has_box_ = flags.empty() || flags.front() != "abc";
     const std::size_t first = flags.size() < 3 ? flags.size() : flags.size() - 3;
+    std::array<double, 3> tilts = {};  // xy, xz, yz
     for (std::size_t i = 0; i < 3; ++i) {
       std::vector<double> numbers;
       for_each_field_between_blanks(
           lines_.expect("the bounds of the box"),
           [&](std::string_view field) { numbers.push_back(lines_.number(field, "BOX BOUNDS")); });
-      if (numbers.size() < 2 || numbers[0] > numbers[1]) {
+      if (!has_box_) continue;
+      if (numbers.size() < (is_tilted_ ? 3 : 2) || numbers[0] > numbers[1]) {
         lines_.fail(
             "the bounds of the box are no two numbers of which the second is the greater; "
             "expected the lower and the upper bound");
       }
+      if (is_tilted_) tilts[i] = numbers[2];
       if (i > 1) continue;
       bounds_[i] = {numbers[0], numbers[1], first + i < flags.size() && flags[first + i] == "pp"};
     }
-    has_box_ = true;
+    // The bounds of a tilted box are those of the rectangle around it
+    // (https://docs.lammps.org/Howto_triclinic.html).
+    const auto [xy, xz, yz] = tilts;
+    bounds_[0].low -= std::min({0., xy, xz, xy + xz});
+    bounds_[0].high -= std::max({0., xy, xz, xy + xz});
+    bounds_[1].low -= std::min(0., yz);
+    bounds_[1].high -= std::max(0., yz);
   }
 
   Columns columns_of(std::string_view names) {
