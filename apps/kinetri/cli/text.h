@@ -31,8 +31,8 @@ std::string left_aligned(std::string text, std::size_t width);
 /// "1 point", "2 points": the number with its noun, whose plural has an s.
 std::string counted(std::uint64_t number, std::string_view noun);
 
-/// The text as a field of CSV: in quotation marks where it has a comma, a quotation mark or a line end
-/// (RFC 4180).
+/// The text as a field of CSV: in quotation marks where it has a comma, a quotation mark or a line
+/// end (RFC 4180).
 std::string csv_field(std::string_view text);
 
 /// Writes the text to standard error.
