@@ -33,6 +33,9 @@ class Clipped_polygon {
   /// Whether nothing is left.
   bool is_empty() const { return vertices_.empty(); }
 
+  /// The vertices of what is left, in the direction of the polygon.
+  std::span<const Vector_2> vertices() const { return vertices_; }
+
   /// Cuts off what is not in the half plane.
   void clip(const Half_plane& half_plane) {
     const auto beyond = [&](const Vector_2& v) {

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/observers/mean_cell_areas.h"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <set>
+
+#include "kinetri/base/check.h"
+#include "observers/limited_cell.h"
+#include "observers/sides_of_cell.h"
+
+namespace kinetri {
+
+namespace detail {
+
+/// Integrates areas of cells of given points over time.
+template <class Traits>
+class Cell_integrator {
+ public:
+  using Point_2 = typename Traits::Point_2;
+
+  Cell_integrator(const Traits& traits, Cell_limits limits, double tolerance)
+      : traits_(traits), limits_(std::move(limits)), tolerance_(tolerance), cell_(limits_) {}
+
+  /// The integral from one time to a later one, and its error; of the cell of the first of the
+  /// points among all of them.
+  std::pair<double, double> integral(const std::vector<Point_2>& points, double from,
+                                     double until) {
+    greatest_error_ = 0;
+    const Estimate whole = estimate(points, from, until);
+    const double allowed = tolerance_ * whole.integral / (until - from);
+    constexpr int most_halvings = 10;
+    const Estimate result = refined(points, from, until, whole, allowed, most_halvings);
+    // Times are rounded, and so is the sum.
+    const double rounding = 0x1p-50 * (std::abs(from) + std::abs(until)) / (until - from);
+    return {result.integral, result.error + greatest_error_ * (until - from) +
+                                 (rounding + 0x1p-48) * result.integral};
+  }
+
+ private:
+  struct Estimate {
+    double integral = 0;
+    double error = 0;  // the difference of the two rules
+  };
+
+  // By one application of the rules. (The integrator of Boost 1.74 compares errors that belong to
+  // the interval from -1 to 1 with integrals that do not.)
+  Estimate estimate(const std::vector<Point_2>& points, double from, double until) {
+    using Kronrod = boost::math::quadrature::gauss_kronrod<double, 7>;
+    using Gauss = boost::math::quadrature::gauss<double, 3>;
+    const double middle = from / 2 + until / 2;
+    const double scale = until / 2 - from / 2;
+    double kronrod = 0;
+    double gauss = 0;
+    for (std::size_t i = 0; i < Kronrod::abscissa().size(); ++i) {
+      const double step = scale * Kronrod::abscissa()[i];
+      double sum = area_at(points, middle + step);
+      if (i > 0) sum += area_at(points, middle - step);
+      kronrod += Kronrod::weights()[i] * sum;
+      if (i % 2 == 0) gauss += Gauss::weights()[i / 2] * sum;
+    }
+    return {scale * kronrod, scale * std::abs(kronrod - gauss)};
+  }
+
+  // Halves the time until the error is at most `allowed` in a unit of time.
+  Estimate refined(const std::vector<Point_2>& points, double from, double until,
+                   const Estimate& whole, double allowed, int most_halvings) {
+    if (most_halvings == 0 || whole.error <= allowed * (until - from)) return whole;
+    const double middle = from / 2 + until / 2;
+    const Estimate first =
+        refined(points, from, middle, estimate(points, from, middle), allowed, most_halvings - 1);
+    const Estimate second =
+        refined(points, middle, until, estimate(points, middle, until), allowed, most_halvings - 1);
+    return {first.integral + second.integral, first.error + second.error};
+  }
+
+  double area_at(const std::vector<Point_2>& points, double t) {
+    const Algebraic_number time(t);
+    const Sides_at_time<Traits> at_time(traits_, time);
+    sides_.half_planes.clear();
+    sides_.displacement = 0;
+    sides_.is_empty = false;
+    const Point_2& p = points.front();
+    const Ball_2 place = at_time.place(p);
+    neighbors_.clear();
+    for (auto q = points.begin() + 1; q != points.end(); ++q) {
+      at_time.add(p, place, *q, at_time.place(*q), sides_);
+      neighbors_.push_back(&*q);
+    }
+    const Cell_area result =
+        cell_.measure(sides_, place, Exact_cell_at_time(at_time, p, neighbors_));
+    greatest_error_ = std::max(greatest_error_, result.error);
+    return result.area;
+  }
+
+  const Traits& traits_;
+  const Cell_limits limits_;
+  const double tolerance_;
+  Limited_cell cell_;
+  Sides_of_cell sides_;
+  std::vector<const Point_2*> neighbors_;
+  double greatest_error_ = 0;  // of the areas of an integral
+};
+
+}  // namespace detail
+
+template <ContactKineticTraits_2 Traits>
+Mean_cell_areas<Traits>::Mean_cell_areas(Simulation_2<Traits>& simulation,
+                                         const Cell_limits& limits, double tolerance)
+    : Edge_follower<Traits>(simulation) {
+  start(limits, tolerance);
+}
+
+template <ContactKineticTraits_2 Traits>
+Mean_cell_areas<Traits>::Mean_cell_areas(Kinetic_triangulation_2<Traits>& triangulation,
+                                         const Cell_limits& limits, double tolerance)
+    : Edge_follower<Traits>(triangulation) {
+  start(limits, tolerance);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Mean_cell_areas<Traits>::start(const Cell_limits& limits, double tolerance) {
+  KINETRI_PRECONDITION(tolerance > 0, "the tolerance is " + std::to_string(tolerance) +
+                                          "; expected a number greater than 0");
+  integrator_ =
+      std::make_unique<detail::Cell_integrator<Traits>>(this->traits(), limits, tolerance);
+  const double now = this->triangulation().current_time().to_double();
+  records_.resize(this->graph().next_id());
+  for (Point_id id = 0; id < this->graph().next_id(); ++id) {
+    if (!this->graph().contains(id)) continue;
+    edges_ += this->graph().neighbors(id).size();
+  }
+  edges_ /= 2;
+  for (Point_id id = 0; id < this->graph().next_id(); ++id) {
+    if (this->graph().contains(id)) begin(id, now);
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+Mean_cell_areas<Traits>::~Mean_cell_areas() = default;
+
+template <ContactKineticTraits_2 Traits>
+std::vector<Mean_cell_area> Mean_cell_areas<Traits>::means() {
+  this->update();
+  const double now = this->triangulation().current_time().to_double();
+  std::vector<Mean_cell_area> result;
+  for (Point_id id = 0; id < records_.size(); ++id) {
+    Record& record = records_[id];
+    if (record.is_there) integrate(record, now);
+    if (!record.has_come || record.until == record.from) continue;
+    const double length = record.until - record.from;
+    result.push_back(
+        {id, record.from, record.until, record.integral / length, record.error / length});
+  }
+  return result;
+}
+
+// The time from the last change up to `until` has passed.
+template <ContactKineticTraits_2 Traits>
+void Mean_cell_areas<Traits>::integrate(Record& record, double until) {
+  if (until == record.until) return;
+  if (!record.is_hidden) {
+    const auto [integral, error] = integrator_->integral(record.points, record.until, until);
+    record.integral += integral;
+    record.error += error;
+  }
+  record.until = until;
+}
+
+// A point has these neighbors from now on.
+template <ContactKineticTraits_2 Traits>
+void Mean_cell_areas<Traits>::begin(Point_id id, double time) {
+  Record& record = records_[id];
+  if (!record.has_come) record.from = record.until = time;
+  record.has_come = true;
+  record.is_there = true;
+  record.points.assign(1, this->graph().point(id));
+  const auto neighbors = this->graph().neighbors(id);
+  // Where there are edges, a point without one is hidden; else one point is not, and it has the
+  // greatest weight.
+  record.is_hidden = neighbors.empty() && edges_ > 0;
+  for (const Point_id neighbor : neighbors) record.points.push_back(this->graph().point(neighbor));
+  if (edges_ > 0) return;
+  for (Point_id other = 0; other < this->graph().next_id(); ++other) {
+    if (other != id && this->graph().contains(other)) {
+      record.points.push_back(this->graph().point(other));
+    }
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+void Mean_cell_areas<Traits>::change(const Algebraic_number& time,
+                                     std::span<const Edge_ids> removed,
+                                     std::span<const Edge_ids> added,
+                                     std::span<const Changed_point> points) {
+  const double now = time.to_double();
+  records_.resize(this->graph().next_id());
+  const bool had_edges = edges_ > 0;
+  edges_ += added.size();
+  edges_ -= removed.size();
+  std::set<Point_id> changed;
+  for (const auto edges : {removed, added}) {
+    for (const Edge_ids& edge : edges) changed.insert(edge.begin(), edge.end());
+  }
+  for (const Changed_point& point : points) {
+    changed.insert(point.id);
+    if (!this->graph().contains(point.id)) continue;
+    const auto neighbors = this->graph().neighbors(point.id);
+    changed.insert(neighbors.begin(), neighbors.end());
+  }
+  if (!had_edges || edges_ == 0) {  // few points are visible
+    for (Point_id id = 0; id < records_.size(); ++id) changed.insert(id);
+  }
+  for (const Point_id id : changed) {
+    Record& record = records_[id];
+    if (record.is_there) integrate(record, now);
+    record.is_there = this->graph().contains(id);
+    if (record.is_there) {
+      begin(id, now);
+    } else {
+      record.points = {};
+    }
+  }
+}
+
+template class Mean_cell_areas<Linear_kinetic_traits_2>;
+template class Mean_cell_areas<Polynomial_kinetic_traits_2>;
+template class Mean_cell_areas<Disc_kinetic_traits_2>;
+template class Mean_cell_areas<Polynomial_disc_kinetic_traits_2>;
+
+}  // namespace kinetri
