@@ -36,6 +36,8 @@ const std::map<std::string, Mode> modes = {
      {measure_start, "time to build the triangulation and its queue, beside CGAL's build"}},
     {"accelerated",
      {measure_accelerated, "time per event of accelerated points, beside straight ones"}},
+    {"certificates",
+     {measure_certificates, "certificates of contacts and distances, with filters and without"}},
     {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
     {"steps", {measure_steps, "turns and looks at each step, against a rebuild at each step"}},
     {"answers",

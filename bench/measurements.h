@@ -91,6 +91,10 @@ nlohmann::json measure_frames(const Setup& setup);
 /// insertion and removal in a static triangulation of the same points, in turn.
 nlohmann::json measure_changes(const Setup& setup);
 
+/// Nanoseconds for each certificate of a contact and of distances, of the neighbors at the start:
+/// those that fail and those that do not, with the filters and without.
+nlohmann::json measure_certificates(const Setup& setup);
+
 /// Steps at which a share of the points turns, and after which one looks at the triangulation:
 /// seconds per step of `set_motions` and `advance_to`, and of a static triangulation built anew, in
 /// turn. For several shares and lengths of a step; a length is the mean way of a point divided by

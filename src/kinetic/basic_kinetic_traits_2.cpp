@@ -94,6 +94,16 @@ struct Distance_root : Root_source {
   Polynomial polynomial() const override {
     return distance_comparison_polynomial(Point(p), Point(q), Point(r), Point(s));
   }
+  double certain_value_at(double high, double low) const override {
+    return precise_distance_comparison(centre(p), centre(q), centre(r), centre(s), high, low);
+  }
+  std::optional<Rounding> rounded(const Double_interval& bracket) const override {
+    if constexpr (is_linear<Motion>) {
+      return rounded_distance_comparison(centre(p), centre(q), centre(r), centre(s), bracket);
+    } else {
+      return std::nullopt;
+    }
+  }
   Motion p, q, r, s;
 };
 
@@ -156,6 +166,24 @@ Certificate exact_certificate(std::optional<Time> failure, bool is_root_solved) 
 
 Certificate exact_certificate(const Polynomial& certificate, const Time& t) {
   return exact_certificate(failure_time(certificate, t), certificate.degree() > 0);
+}
+
+// Where the filter knows nothing of what `certificate` says after t. Just after a failure of its
+// negation it vanishes at t: then that is all that the filter has to be told, `filter` being what
+// it says.
+template <class Filter>
+Certificate exact_certificate(const Polynomial& certificate, const Time& t, const Filter& filter) {
+  // In primitive form it is recognized where it is the one that has made t.
+  const Polynomial primitive = primitive_part(certificate);
+  if (sign_at(primitive, t) == CGAL::ZERO) {
+    const Filter_result result = filter();
+    if (result.kind != Filter_result::Kind::unknown) {
+      Certificate known = kinetri::certificate(result);
+      known.means = Certificate::Means::exact;
+      return known;
+    }
+  }
+  return exact_certificate(primitive, t);
 }
 
 // The first time from t on at which the distance is not positive and falls.
@@ -420,6 +448,13 @@ Time Basic_kinetic_traits_2<Motion>::contact_failure(const Point_2& p, const Poi
 template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::apart_certificate(const Point_2& p, const Point_2& q,
                                                               double range, const Time& t) const {
+  if (arithmetic_ == Arithmetic::filtered) {
+    const Filter_result result = filter_apart(p.motion(), q.motion(), range, t.interval());
+    if (result.kind != Filter_result::Kind::unknown) return certificate(result);
+    if (certain_gap(p.motion(), q.motion(), range, t.interval()) == CGAL::NEGATIVE) {
+      return failure_at_once(t);
+    }
+  }
   const Polynomial distance = contact_polynomial(p, q, range);
   if (sign_at(distance, t) != CGAL::POSITIVE) {
     return {Certificate::Kind::fails, t.interval(), std::make_unique<Time>(t), true,
@@ -432,14 +467,38 @@ Certificate Basic_kinetic_traits_2<Motion>::apart_certificate(const Point_2& p, 
 template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::near_certificate(const Point_2& p, const Point_2& q,
                                                              double range, const Time& t) const {
-  return exact_certificate(-contact_polynomial(p, q, range), t);
+  const auto filter = [&](bool vanishes_at) {
+    return filter_near(p.motion(), q.motion(), range, t.interval(), vanishes_at);
+  };
+  if (arithmetic_ == Arithmetic::exact_only) {
+    return exact_certificate(-contact_polynomial(p, q, range), t);
+  }
+  const Filter_result result = filter(false);
+  if (result.kind != Filter_result::Kind::unknown) return certificate(result);
+  if (certain_gap(p.motion(), q.motion(), range, t.interval()) == CGAL::POSITIVE) {
+    return failure_at_once(t);
+  }
+  return exact_certificate(-contact_polynomial(p, q, range), t, [&] { return filter(true); });
 }
 
 template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::closer_certificate(const Point_2& p, const Point_2& q,
                                                                const Point_2& r, const Point_2& s,
                                                                const Time& t) const {
-  return exact_certificate(distance_comparison_polynomial(p, q, r, s), t);
+  const auto filter = [&](bool vanishes_at) {
+    return filter_closer(p.motion(), q.motion(), r.motion(), s.motion(), t.interval(), vanishes_at);
+  };
+  if (arithmetic_ == Arithmetic::exact_only) {
+    return exact_certificate(distance_comparison_polynomial(p, q, r, s), t);
+  }
+  const Filter_result result = filter(false);
+  if (result.kind != Filter_result::Kind::unknown) return certificate(result);
+  if (certain_distance_comparison(p.motion(), q.motion(), r.motion(), s.motion(), t.interval()) ==
+      CGAL::NEGATIVE) {
+    return failure_at_once(t);
+  }
+  return exact_certificate(distance_comparison_polynomial(p, q, r, s), t,
+                           [&] { return filter(true); });
 }
 
 template <class Motion>

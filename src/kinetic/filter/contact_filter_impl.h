@@ -40,6 +40,9 @@ struct Distance {
   double error(const auto& d) const {
     return product_error(d) + d.product_units * unit_roundoff * (d.reach_size() * d.reach_size());
   }
+  double norm(const auto& d) const {
+    return 2 * (d.size() * d.size()) + d.reach_size() * d.reach_size();
+  }
 };
 
 // Of the difference of a point from its foot: how far inside of the bound it is.

@@ -5,6 +5,7 @@
 #ifndef KINETRI_SRC_KINETIC_FILTER_POLYNOMIAL_DIFFERENCES_H
 #define KINETRI_SRC_KINETIC_FILTER_POLYNOMIAL_DIFFERENCES_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -71,13 +72,16 @@ class Polynomial_differences : public Frame {
     for (std::size_t i = 0; i < N; ++i) differences_[i] = difference(*from[i], to, origin);
   }
 
-  std::optional<double> window_ahead(double share) const {
+  // As Linear_differences have it; or that in which they would pass a share of `least_extent`,
+  // where that is longer.
+  std::optional<double> window_ahead(double share, double least_extent = 0) const {
     Powers<K> extents = {};
     for (const Powers<K>& d : differences_) {
       for (std::size_t k = 0; k <= K; ++k) extents[k] = greater(absolute(d[k]), extents[k]);
     }
     std::array<double, K + 1> extent;
     for (std::size_t k = 0; k <= K; ++k) extent[k] = greatest(extents[k]);
+    extent[0] = std::max(extent[0], least_extent);
     // With acceleration, the distance passed in the time h is that of extent[1] h + extent[2] h^2.
     double speed =
         0.5 * (extent[1] + std::sqrt(extent[1] * extent[1] + 4 * share * extent[2] * extent[0]));

@@ -215,6 +215,17 @@ double precise_contact(const Motion& p, const Motion& q, double diameter, double
                  units * (places.size() * places.terms() + terms * terms));
 }
 
+template <class Motion>
+double precise_distance_comparison(const Motion& p, const Motion& q, const Motion& r,
+                                   const Motion& s, double high, double low) {
+  const Places<2, Motion> first({&r, &s}, {high, low});
+  const Places<2, Motion> second({&p, &q}, {high, low});
+  if (!first.is_in_range() || !second.is_in_range() || !is_precise()) return 0;
+  constexpr double units = 256 * Scaled<Motion>::error_factor * unit;
+  return certain(first.squared_length(0) - second.squared_length(0),
+                 units * (first.size() * first.terms() + second.size() * second.terms()));
+}
+
 // One step of Newton's method from `origin`, which is in the bracket of the root: what `value` and
 // `slope` say of it there, whose errors are at most `error` and, with what the second derivative
 // changes within the bracket, `slope_error`. So small a step errs by far less than half a unit in
@@ -266,6 +277,42 @@ std::optional<Rounding> rounded_contact(const Motion& p, const Motion& q, double
   return newton_rounding(origin, value.high, error, slope, slope_error);
 }
 
+std::optional<Rounding> rounded_distance_comparison(const Linear_motion_2& p,
+                                                    const Linear_motion_2& q,
+                                                    const Linear_motion_2& r,
+                                                    const Linear_motion_2& s,
+                                                    const Double_interval& bracket) {
+  const double width = bracket.upper - bracket.lower;
+  const double origin = bracket.lower + 0.5 * width;
+  if (!is_precise()) return std::nullopt;
+  // Of the squared length of one difference: its value, half its slope, and their errors.
+  struct Square {
+    Double_double value;
+    double half_slope = 0;
+    double error = 0;
+    double slope_error = 0;
+    bool is_in_range = false;
+  };
+  const auto square = [&](const Linear_motion_2& from, const Linear_motion_2& to) {
+    const Places<2, Linear_motion_2> places({&from, &to}, {origin});
+    const double slope_x = from.velocity.x - to.velocity.x;
+    const double slope_y = from.velocity.y - to.velocity.y;
+    const double speed = std::abs(slope_x) + std::abs(slope_y);
+    const auto& [x, y] = places.relative(0);
+    return Square{places.squared_length(0), x.high * slope_x + y.high * slope_y,
+                  256 * unit * (places.size() * places.terms()),
+                  32 * unit_roundoff * ((places.size() + unit_roundoff * places.terms()) * speed) +
+                      width * speed * speed,
+                  places.is_in_range() && (speed == 0 || is_in_range(speed))};
+  };
+  const Square first = square(r, s);
+  const Square second = square(p, q);
+  if (!first.is_in_range || !second.is_in_range) return std::nullopt;
+  return newton_rounding(origin, (first.value - second.value).high, first.error + second.error,
+                         2 * (first.half_slope - second.half_slope),
+                         first.slope_error + second.slope_error);
+}
+
 std::optional<Rounding> rounded_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
                                           const Linear_motion_2& r, const Linear_motion_2& s,
                                           const Double_interval& bracket) {
@@ -312,6 +359,12 @@ template double precise_orientation(const Linear_motion_2&, const Linear_motion_
                                     const Linear_motion_2&, double, double);
 template double precise_orientation(const Polynomial_motion_2&, const Polynomial_motion_2&,
                                     const Polynomial_motion_2&, double, double);
+template double precise_distance_comparison(const Linear_motion_2&, const Linear_motion_2&,
+                                            const Linear_motion_2&, const Linear_motion_2&, double,
+                                            double);
+template double precise_distance_comparison(const Polynomial_motion_2&, const Polynomial_motion_2&,
+                                            const Polynomial_motion_2&, const Polynomial_motion_2&,
+                                            double, double);
 #define KINETRI_INSTANTIATE(Motion)                                                             \
   template double precise_in_circle(const Motion&, const Motion&, const Motion&, const Motion&, \
                                     double, double);                                            \

@@ -16,9 +16,9 @@
 
 namespace kinetri {
 
-/// The value of a positive multiple of in_circle_polynomial, orientation_polynomial
-/// and contact_polynomial at the time high + low, where |low| is at most half a unit
-/// in the last place of `high`.
+/// The value of a positive multiple of in_circle_polynomial, orientation_polynomial,
+/// contact_polynomial and distance_comparison_polynomial at the time high + low, where |low| is at
+/// most half a unit in the last place of `high`. The last takes the centres of discs.
 template <class Motion>
 double precise_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                          double high, double low);
@@ -27,17 +27,25 @@ double precise_orientation(const Motion& p, const Motion& q, const Motion& r, do
                            double low);
 template <class Motion>
 double precise_contact(const Motion& p, const Motion& q, double diameter, double high, double low);
+template <class Motion>
+double precise_distance_comparison(const Motion& p, const Motion& q, const Motion& r,
+                                   const Motion& s, double high, double low);
 
 /// @{
-/// The only root of contact_polynomial or in_circle_polynomial between the bounds of `bracket`,
-/// rounded, where it is certain. Cost: about that of one value. `Motion` is Linear_motion_2 or
-/// Disc_motion_2.
+/// The only root of contact_polynomial, in_circle_polynomial or distance_comparison_polynomial
+/// between the bounds of `bracket`, rounded, where it is certain. Cost: about that of one value.
+/// `Motion` is Linear_motion_2 or Disc_motion_2.
 template <class Motion>
 std::optional<Rounding> rounded_contact(const Motion& p, const Motion& q, double diameter,
                                         const Double_interval& bracket);
 std::optional<Rounding> rounded_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
                                           const Linear_motion_2& r, const Linear_motion_2& s,
                                           const Double_interval& bracket);
+std::optional<Rounding> rounded_distance_comparison(const Linear_motion_2& p,
+                                                    const Linear_motion_2& q,
+                                                    const Linear_motion_2& r,
+                                                    const Linear_motion_2& s,
+                                                    const Double_interval& bracket);
 /// @}
 
 }  // namespace kinetri

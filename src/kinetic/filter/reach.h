@@ -5,6 +5,7 @@
 #ifndef KINETRI_SRC_KINETIC_FILTER_REACH_H
 #define KINETRI_SRC_KINETIC_FILTER_REACH_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -50,15 +51,12 @@ class Differences_and_reach : public Differences {
       : Differences(from, to, origin), reach_(reach) {}
 
   std::optional<double> window_ahead(double share) const {
-    const std::optional<double> window = Differences::window_ahead(share);
-    if constexpr (is_changing<Reach>) {
-      std::optional<double> until;
-      if (reach_.slope != 0) {
-        until = share * greatest(absolute(place((*this)[0]))) / std::abs(reach_.slope);
-      }
-      return shorter(window, until);
-    }
-    return window;
+    return shorter(Differences::window_ahead(share), window_of_growth(share, 0));
+  }
+  // Where they are within their reach, that is what has to be passed.
+  std::optional<double> window_within_reach(double share) const {
+    const double reach = std::abs(reach_.constant);
+    return shorter(Differences::window_ahead(share, reach), window_of_growth(share, reach));
   }
 
   void scale(double window) {
@@ -72,6 +70,14 @@ class Differences_and_reach : public Differences {
   bool is_in_range() const { return reach_size() < greatest_size && Differences::is_in_range(); }
 
  private:
+  std::optional<double> window_of_growth(double share, double least_extent) const {
+    if constexpr (is_changing<Reach>) {
+      const double extent = std::max(greatest(absolute(place((*this)[0]))), least_extent);
+      if (reach_.slope != 0) return share * extent / std::abs(reach_.slope);
+    }
+    return std::nullopt;
+  }
+
   Reach reach_;
 };
 

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Certificates of contacts and of distances for the pairs of points that are neighbors: those that
+// never fail and those that fail, apart. Beside those of exact arithmetic alone.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "kinetri/kinetic/basic_kinetic_traits_2.h"
+#include "measurements.h"
+
+namespace kinetri::bench {
+namespace {
+
+using nlohmann::json;
+using Kind = Certificate::Kind;
+
+// The mean distance of the points beside one another is 10.
+constexpr double range = 5;
+
+// Two points that are neighbors at time 0, and the next two, for comparisons.
+struct Neighbors {
+  const Moving_point_2* p;
+  const Moving_point_2* q;
+  const Moving_point_2* r;
+  const Moving_point_2* s;
+  Algebraic_number from;  // the time from which on
+};
+
+std::vector<Neighbors> neighbors(const std::vector<Moving_point_2>& points,
+                                 const std::vector<Linear_motion_2>& motions) {
+  std::vector<std::pair<Static_kernel::Point_2, std::size_t>> places;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    places.emplace_back(Static_kernel::Point_2(motions[i].position.x, motions[i].position.y), i);
+  }
+  // Ids by place, which scenarios do not repeat.
+  std::ranges::sort(places);
+  const auto point_at = [&](const Static_kernel::Point_2& place) {
+    const auto found =
+        std::lower_bound(places.begin(), places.end(), std::pair(place, std::size_t{0}));
+    return &points[found->second];
+  };
+  std::vector<Static_kernel::Point_2> positions;
+  for (const auto& [place, id] : places) positions.push_back(place);
+  const Static_triangulation triangulation(positions.begin(), positions.end());
+  std::vector<Neighbors> result;
+  for (const auto& [face, i] : triangulation.finite_edges()) {
+    result.push_back({point_at(face->vertex((i + 1) % 3)->point()),
+                      point_at(face->vertex((i + 2) % 3)->point()), nullptr, nullptr, 0.0});
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const Neighbors& next = result[(i + 1) % result.size()];
+    result[i].r = next.p;
+    result[i].s = next.q;
+  }
+  return result;
+}
+
+// Nanoseconds of a certificate, the shortest of several passes over all that do `fail` or do not.
+template <class Make>
+json nanoseconds(const std::vector<Neighbors>& all, const Make& make) {
+  json result = json::object();
+  for (const bool fails : {false, true}) {
+    std::vector<const Neighbors*> chosen;
+    for (const Neighbors& n : all) {
+      const Certificate certificate = make(n);
+      if ((certificate.kind == Kind::fails) == fails) chosen.push_back(&n);
+    }
+    if (chosen.empty()) continue;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t exact = 0;
+    for (int pass = 0; pass < 5; ++pass) {
+      exact = 0;
+      const Stopwatch watch;
+      for (const Neighbors* n : chosen) exact += make(*n).means == Certificate::Means::exact;
+      least = std::min(least, watch.seconds());
+    }
+    const auto number = static_cast<double>(chosen.size());
+    result[fails ? "fails" : "never"] = {{"ns", 1e9 * least / number},
+                                         {"number", chosen.size()},
+                                         {"exact_share", static_cast<double>(exact) / number}};
+  }
+  return result;
+}
+
+template <class Traits>
+json certificates(const Traits& traits, const std::vector<Neighbors>& all) {
+  // From the time on at which they have come within the range: as known by a bracket. Not made
+  // before, as a number keeps what it has been asked.
+  std::vector<Neighbors> within;
+  std::vector<Neighbors> entering;
+  for (Neighbors n : all) {
+    const Certificate certificate = traits.apart_certificate(*n.p, *n.q, range, n.from);
+    if (certificate.kind != Kind::fails) continue;
+    if (certificate.failure && *certificate.failure == n.from) {
+      within.push_back(n);
+    } else if (!certificate.failure) {
+      n.from = traits.contact_failure(*n.p, *n.q, range, certificate.bounds);
+      entering.push_back(std::move(n));
+    }
+  }
+  json result = {{"contact", nanoseconds(all,
+                                         [&](const Neighbors& n) {
+                                           return traits.contact_certificate(*n.p, *n.q, range,
+                                                                             n.from);
+                                         })},
+                 {"apart", nanoseconds(all,
+                                       [&](const Neighbors& n) {
+                                         return traits.apart_certificate(*n.p, *n.q, range, n.from);
+                                       })},
+                 {"near", nanoseconds(within,
+                                      [&](const Neighbors& n) {
+                                        return traits.near_certificate(*n.p, *n.q, range, n.from);
+                                      })},
+                 {"closer", nanoseconds(all, [&](const Neighbors& n) {
+                    return traits.closer_certificate(*n.p, *n.q, *n.r, *n.s, n.from);
+                  })}};
+  if (!entering.empty()) {
+    const Stopwatch watch;
+    for (const Neighbors& n : entering) traits.near_certificate(*n.p, *n.q, range, n.from);
+    result["near_from_entry"] = {
+        {"ns", 1e9 * watch.seconds() / static_cast<double>(entering.size())},
+        {"number", entering.size()}};
+  }
+  return result;
+}
+
+}  // namespace
+
+json measure_certificates(const Setup& setup) {
+  const std::vector<Linear_motion_2> motions = setup.motions();
+  std::vector<Moving_point_2> points;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    points.emplace_back(motions[i], static_cast<Point_id>(i));
+  }
+  const std::vector<Neighbors> all = neighbors(points, motions);
+  return {{"filtered", certificates(Linear_kinetic_traits_2(), all)},
+          {"exact", certificates(Linear_kinetic_traits_2::exact(), all)}};
+}
+
+}  // namespace kinetri::bench
