@@ -132,6 +132,10 @@ def meaning_cases():
     yield simulate("--plot plot.svg", environment=nowhere, otherwise="no --plot")
     yield case("experiment --output r", environment=nowhere, otherwise="--no-plots")
     yield case("tracks t.csv --closest 0")
+    yield simulate("--ridge 1")
+    yield simulate("--neighbors n.csv --ridge 0", option="--ridge", number=0)
+    yield case("simulate s.csv --until 1 --collisions log --nearest n.csv",
+               files={"s.csv": "x,y,vx,vy,radius\n0,0,0,0,1\n9,0,0,0,2\n"})
     yield case("experiment --output r --points 0")
     yield case("experiment --output r --seeds 0")
     yield case("experiment")

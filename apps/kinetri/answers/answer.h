@@ -8,6 +8,7 @@
 
 #include <iosfwd>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "answers/answer_settings.h"
@@ -43,9 +44,20 @@ std::vector<Followed_answer> follow_answers(Run_outputs& outputs, const Answer_s
                                             const Any_simulation& simulation,
                                             const Run_source& source);
 
+/// `time_lo,time_hi` of a time, as in every table.
+std::string time_bounds(const Algebraic_number& time);
+
 /// @{
 /// Those that there are.
 std::unique_ptr<Answer> closest_answer(const Answer_settings& settings,
+                                       const Any_simulation& simulation, const Run_source& source);
+std::unique_ptr<Answer> neighbors_answer(const Answer_settings& settings,
+                                         const Any_simulation& simulation,
+                                         const Run_source& source);
+std::unique_ptr<Answer> exchanges_answer(const Answer_settings& settings,
+                                         const Any_simulation& simulation,
+                                         const Run_source& source);
+std::unique_ptr<Answer> nearest_answer(const Answer_settings& settings,
                                        const Any_simulation& simulation, const Run_source& source);
 /// @}
 

@@ -5,13 +5,15 @@
 #define KINETRI_APPS_ANSWER_SETTINGS_H
 
 #include <cstddef>
+#include <optional>
 
 namespace kinetri::app {
 
 /// What is asked. A question without its output is not asked.
 struct Answer_settings {
-  std::size_t closest = 0;  ///< how many closest approaches
-  double range = 0;         ///< what is near: at most this far apart
+  std::size_t closest = 0;      ///< how many closest approaches
+  double range = 0;             ///< what is near: at most this far apart
+  std::optional<double> ridge;  ///< of neighbors: shorter ridges are told apart
 };
 
 }  // namespace kinetri::app

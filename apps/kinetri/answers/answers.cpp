@@ -2,6 +2,7 @@
 #include <array>
 
 #include "answers/answer.h"
+#include "io/text.h"
 
 namespace kinetri::app {
 namespace {
@@ -12,8 +13,11 @@ struct Answer_row {
                                     const Run_source&);
 };
 
-constexpr std::array<Answer_row, 1> answers = {{
+constexpr std::array<Answer_row, 4> answers = {{
     {Output::closest, &closest_answer},
+    {Output::neighbors, &neighbors_answer},
+    {Output::exchanges, &exchanges_answer},
+    {Output::nearest, &nearest_answer},
 }};
 
 }  // namespace
@@ -26,6 +30,11 @@ std::vector<Followed_answer> follow_answers(Run_outputs& outputs, const Answer_s
     if (outputs.has(output)) result.push_back({output, follow(settings, simulation, source)});
   }
   return result;
+}
+
+std::string time_bounds(const Algebraic_number& time) {
+  const auto [lower, upper] = time.tight_interval();
+  return joined(lower, ",", upper);
 }
 
 }  // namespace kinetri::app

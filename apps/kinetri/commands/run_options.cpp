@@ -58,6 +58,16 @@ double range_argument(const Run_options& options) {
   return range;
 }
 
+// The value of --ridge.
+std::optional<double> ridge_argument(const Run_options& options) {
+  if (!options.ridge) return std::nullopt;
+  if (!options.outputs[Output::neighbors] && !options.outputs[Output::exchanges]) {
+    throw Usage_error(
+        "--ridge: no neighbors are written; expected --neighbors or --exchanges as well");
+  }
+  return positive_argument("--ridge", *options.ridge);
+}
+
 void add_outputs(Command& command, Run_options& options, std::initializer_list<Output> requested) {
   bool has_range = false;
   for (const Output_row& row : output_table) {
@@ -71,6 +81,13 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
              row.help)
         .heading = outputs_heading;
     has_range = has_range || row.has_range;
+  }
+  if (command.find_option("--neighbors") != nullptr) {
+    command
+        .add("--ridge", &options.ridge, "L",
+             "For --neighbors and --exchanges: say which neighbors had a ridge, the common side of "
+             "their cells, that was always shorter than this, and do not count their exchanges")
+        .heading = outputs_heading;
   }
   if (!has_range) return;
   command
@@ -139,6 +156,7 @@ Run_settings run_settings(const Run_options& options) {
   Run_settings result;
   result.outputs = options.outputs;
   result.answers.range = range_argument(options);
+  result.answers.ridge = ridge_argument(options);
   if (options.frames_per_time) {
     const std::string& option = options.frames_per_time_option;
     if (!result.outputs[Output::frames] && !result.outputs[Output::vtu]) {

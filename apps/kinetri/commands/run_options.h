@@ -20,6 +20,7 @@ struct Run_options {
   std::optional<std::string> until_share;
   Output_paths outputs;
   std::optional<std::string> range;
+  std::optional<std::string> ridge;
   std::optional<std::string> frames_per_time;
   std::string frames_per_time_option;  ///< with all its names: any of them may have been used
   std::optional<std::string> max_events;

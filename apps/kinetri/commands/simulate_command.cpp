@@ -120,7 +120,8 @@ Command simulate_command() {
   result.add_flag("--regular", options->regular,
                   "Keep the regular triangulation of the discs, whose dual is the power diagram, "
                   "also where nothing touches them");
-  add_run_options(result, options->run, {Output::checkpoint});
+  add_run_options(result, options->run,
+                  {Output::checkpoint, Output::neighbors, Output::exchanges, Output::nearest});
   result.description = {
       "The first line of POINTS names its columns: x,y,vx,vy (position at time 0, and velocity), "
       "and optionally ax,ay (acceleration) and jx,jy (jerk, the rate of change of the "

@@ -160,7 +160,8 @@ Command tracks_command() {
   add_collisions_option(result, options->collisions, none_and_log, collisions_help(none_and_log));
   result.add("--radius", &options->radius, "R",
              "Radius of all discs around the points, if TRACKS has no column radius");
-  add_run_options(result, options->run, {Output::ids});
+  add_run_options(result, options->run,
+                  {Output::ids, Output::neighbors, Output::exchanges, Output::nearest});
   result.description = {
       "A point moves in a straight line at constant velocity from one observation of its id to the "
       "next. It is inserted at the first observation and erased at the last one; an id with one "

@@ -25,9 +25,12 @@ enum class Output {
   vtu,
   plot,
   closest,
+  neighbors,
+  exchanges,
+  nearest,
 };
 
-constexpr std::size_t number_of_outputs = 11;
+constexpr std::size_t number_of_outputs = 14;
 
 /// The commands that have an output.
 enum class Offered {
@@ -72,6 +75,15 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
     {Output::plot, "--plot", "--plot", "FILE",
      "Draw events, queue lengths and run times here, as SVG (needs gnuplot)"},
     {Output::closest, "--closest", "--closest", "FILE", "", Offered::by_request},
+    {Output::neighbors, "--neighbors", "--neighbors", "FILE",
+     "Write here from when until when which points were neighbors in the triangulation, as CSV",
+     Offered::by_request},
+    {Output::exchanges, "--exchanges", "--exchanges", "FILE",
+     "Write here how often each point gained or lost a neighbor by an exchange (T1), as CSV",
+     Offered::by_request},
+    {Output::nearest, "--nearest", "--nearest", "FILE",
+     "Write here which point is the nearest neighbor of each point, from when on, as CSV",
+     Offered::by_request},
 }};
 
 constexpr bool is_in_order(const std::array<Output_row, number_of_outputs>& table) {
