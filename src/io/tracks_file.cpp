@@ -110,7 +110,8 @@ Tracks_file read_as(Tracks_format format, const Tracks_input& input) {
 Tracks_file_options options_of(Tracks_format format, double fps) {
   Tracks_file_options options;
   options.format = format;
-  if (format != Tracks_format::rows) options.fps = fps;
+  const bool has_rate = format == Tracks_format::frames || fps != 0;
+  if (has_rate && format != Tracks_format::rows) options.fps = fps;
   return options;
 }
 

@@ -310,6 +310,16 @@ TEST(Read_tracks_file, reads_a_file_of_either_format) {
             "a: 1 (1, 2) line 1");
 }
 
+TEST(Read_tracks_file, options_may_be_empty) {
+  const Temporary_directory directory;
+  write_file(directory.file("t.csv"), "t,id,x,y\n0,a,1,2\n");
+  write_file(directory.file("t.txt"), "# fps: 25\n# id frame x y\na\t25\t1\t2\n");
+  EXPECT_EQ(shown(read_tracks_file(directory.file("t.csv"), {})), "a: 0 (1, 2) line 2");
+  EXPECT_EQ(shown(read_tracks_file(directory.file("t.txt"), {})), "a: 1 (1, 2) line 3");
+  EXPECT_EQ(shown(read_tracks_file(directory.file("t.txt"), Tracks_format::ids)),
+            "a: 1 (1, 2) line 3");
+}
+
 TEST(Read_tracks_file, dash_is_standard_input) {
   std::istringstream text("oops\n");
   std::streambuf* const before = std::cin.rdbuf(text.rdbuf());

@@ -188,8 +188,8 @@ struct Tracks_file {
 Tracks_file read_tracks(std::istream& in, const std::string& name,
                         const Tracks_file_options& options);
 
-/// The same for a format, in which `fps` is given for frames (and ignored for rows). Precondition:
-/// the format is rows, or `fps` is finite and greater than 0.
+/// The same for a format. `fps` is ignored for rows, and 0 means none for all but frames.
+/// Precondition: for frames `fps` is finite and greater than 0, for the others it may be 0.
 Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format format,
                         double fps = 0);
 
