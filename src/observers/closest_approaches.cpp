@@ -1,144 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/observers/closest_approaches.h"
 
-#include <CGAL/FPU.h>
-#include <CGAL/Interval_nt.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
-#include "algebra/root_difference.h"
-#include "kinetri/algebra/real_roots.h"
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
 
 namespace kinetri {
-namespace {
-
-// ---- bounds, by interval arithmetic ----
-
-using Interval = CGAL::Interval_nt<false>;
-using Upward_rounding = CGAL::Protect_FPU_rounding<true>;
-
-// The vector from the centre of q to that of p, its derivative, and the sum of the radii.
-struct Relative_motion {
-  Interval x;
-  Interval y;
-  Interval vx;
-  Interval vy;
-  Interval reach;
-
-  // At the time t. Precondition: an Upward_rounding is in force.
-  Relative_motion(const Disc_motion_2& p, const Disc_motion_2& q, const Interval& t)
-      : x(linear(p.position.x, p.velocity.x, p.epoch, t) -
-          linear(q.position.x, q.velocity.x, q.epoch, t)),
-        y(linear(p.position.y, p.velocity.y, p.epoch, t) -
-          linear(q.position.y, q.velocity.y, q.epoch, t)),
-        vx(Interval(p.velocity.x) - Interval(q.velocity.x)),
-        vy(Interval(p.velocity.y) - Interval(q.velocity.y)),
-        reach(linear(p.radius, p.growth, p.epoch, t) + linear(q.radius, q.growth, q.epoch, t)) {}
-
-  Interval squared_distance() const { return CGAL::square(x) + CGAL::square(y); }
-  Interval half_slope() const { return x * vx + y * vy; }
-  Interval gap() const { return CGAL::sqrt(squared_distance()) - reach; }
-
- private:
-  static Interval linear(double value, double slope, double epoch, const Interval& t) {
-    return Interval(value) + Interval(slope) * (t - Interval(epoch));
-  }
-};
-
-bool is_finite(const Double_interval& interval) {
-  return std::isfinite(interval.lower) && std::isfinite(interval.upper);
-}
-
-// Bounds of the gap at a time.
-Double_interval gap_bounds(const Disc_motion_2& p, const Disc_motion_2& q,
-                           const Double_interval& time) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  constexpr Double_interval everything = {-infinite, infinite};
-  if (!is_finite(time)) return everything;
-  const Upward_rounding protection;
-  const Interval result = Relative_motion(p, q, Interval(time.lower, time.upper)).gap();
-  if (!(result.inf() <= result.sup())) return everything;  // an overflow
-  return {result.inf(), result.sup()};
-}
-
-// Whether the gap is greater than `limit` at every one of the times, proved: the squared distance
-// is a convex function, and so nowhere below its tangent at the time s; s is about where it is
-// least, but any time is right.
-bool is_certainly_farther(const Disc_motion_2& p, const Disc_motion_2& q,
-                          const Double_interval& times, double limit) {
-  if (!is_finite(times)) return false;
-  const Upward_rounding protection;
-  const Interval all_times(times.lower, times.upper);
-  const Interval least = Interval(limit) + Relative_motion(p, q, all_times).reach;
-  if (least.sup() < 0) return true;  // no distance is negative
-  const Relative_motion at_begin(p, q, Interval(times.lower));
-  const double speed = (CGAL::square(at_begin.vx) + CGAL::square(at_begin.vy)).sup();
-  double s = times.lower;
-  if (speed > 0) s = std::clamp(s - at_begin.half_slope().sup() / speed, s, times.upper);
-  if (!std::isfinite(s)) return false;
-  const Relative_motion at_s(p, q, Interval(s));
-  const Interval tangent =
-      at_s.squared_distance() + Interval(2) * at_s.half_slope() * (all_times - Interval(s));
-  // False where one of the two is not a number.
-  return tangent.inf() > CGAL::square(Interval(least.sup())).sup();
-}
-
-// ---- the same, exactly ----
-
-Rational constant_term(double value, double slope, double epoch) {
-  return to_rational(value) - to_rational(slope) * to_rational(epoch);
-}
-
-// The squared distance as a polynomial in time, by ascending power.
-std::array<Rational, 3> squared_distance(const Disc_motion_2& p, const Disc_motion_2& q) {
-  const Rational x = constant_term(p.position.x, p.velocity.x, p.epoch) -
-                     constant_term(q.position.x, q.velocity.x, q.epoch);
-  const Rational y = constant_term(p.position.y, p.velocity.y, p.epoch) -
-                     constant_term(q.position.y, q.velocity.y, q.epoch);
-  const Rational vx = to_rational(p.velocity.x) - to_rational(q.velocity.x);
-  const Rational vy = to_rational(p.velocity.y) - to_rational(q.velocity.y);
-  return {x * x + y * y, 2 * (x * vx + y * vy), vx * vx + vy * vy};
-}
-
-// The sum of the radii in the same form.
-std::array<Rational, 2> reach(const Disc_motion_2& p, const Disc_motion_2& q) {
-  return {constant_term(p.radius, p.growth, p.epoch) + constant_term(q.radius, q.growth, q.epoch),
-          to_rational(p.growth) + to_rational(q.growth)};
-}
-
-// The first time between the two at which the gap is least. The gap sqrt(f) - r - g t, with
-// f = a t^2 + b t + c, is a convex function (docs/MATH.md, section 11).
-Algebraic_number time_of_least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
-                                   const Algebraic_number& since, const Algebraic_number& until) {
-  const auto [c, b, a] = squared_distance(p, q);
-  const Rational g = reach(p, q)[1];
-  const Rational excess = a - g * g;
-  const auto clamped = [&](const Algebraic_number& least) {
-    return least < since ? since : least > until ? until : least;
-  };
-  if (excess > 0) {
-    // The root of f'^2 = 4 g^2 f at which f' has the sign of g.
-    const std::array<Rational, 3> coefficients = {b * b - 4 * g * g * c, 4 * b * excess,
-                                                  4 * a * excess};
-    if (g == 0) return clamped(Algebraic_number(Rational(-b / (2 * a))));
-    const std::vector<Real_root> roots = real_roots(primitive_polynomial(coefficients));
-    return clamped(g > 0 ? roots.back().value : roots.front().value);
-  }
-  // The gap increases or decreases for ever; only where the rims keep a distance, from the time on
-  // at which the centres meet, it may be constant.
-  if (g <= 0) return since;
-  const bool becomes_constant = excess == 0 && b * b == 4 * a * c;
-  return becomes_constant ? clamped(Algebraic_number(Rational(-b / (2 * a)))) : until;
-}
-
-}  // namespace
-
 template <HasLinearMotion Traits>
 Closest_approaches<Traits>::Closest_approaches(Simulation_2<Traits>& simulation, std::size_t number)
     : simulation_(simulation), number_(number), limit_(std::numeric_limits<double>::infinity()) {
@@ -175,10 +45,8 @@ std::vector<Approach> Closest_approaches<Traits>::approaches() {
   std::ranges::sort(sorted, [](const auto* a, const auto* b) { return is_nearer(*a, *b); });
   std::vector<Approach> result;
   for (const Candidate* candidate : sorted) {
-    const auto& [points, time, p, q, bounds, known_gap] = *candidate;
-    const double distance = root_difference_at(squared_distance(p, q), {}, time).to_double();
-    const bool is_gap = p.radius == 0 && q.radius == 0 && p.growth == 0 && q.growth == 0;
-    result.push_back({points, time, distance, is_gap ? distance : gap(*candidate).to_double()});
+    const detail::Gap_of_pair<Disc_motion_2>& least = candidate->least;
+    result.push_back({candidate->points, least.time(), least.rounded_distance(), least.rounded()});
   }
   return result;
 }
@@ -218,12 +86,7 @@ void Closest_approaches<Traits>::after_change(std::span<const Point_id> points) 
 
 template <HasLinearMotion Traits>
 Disc_motion_2 Closest_approaches<Traits>::disc(Point_id id) const {
-  const auto& motion = simulation_.triangulation().motion(id);
-  if constexpr (has_radii) {
-    return motion;
-  } else {
-    return {motion, simulation_.options().radius, 0, 0};
-  }
+  return detail::disc_about(simulation_.triangulation().motion(id), simulation_.options().radius);
 }
 
 // Whether the motions of a piece are over, as one of the points has another motion or has gone.
@@ -307,28 +170,15 @@ template <HasLinearMotion Traits>
 void Closest_approaches<Traits>::examine(const Edge_ids& pair, const Piece& piece,
                                          const Algebraic_number& until) {
   const auto& [p, q, since, is_edge] = piece;
-  const Double_interval times = {since.interval().lower, until.interval().upper};
-  if (is_certainly_farther(p, q, times, limit_)) return;
-  const Algebraic_number time = time_of_least_gap(p, q, since, until);
-  keep({pair, time, p, q, gap_bounds(p, q, time.interval()), std::nullopt});
-}
-
-template <HasLinearMotion Traits>
-const Algebraic_number& Closest_approaches<Traits>::gap(const Candidate& candidate) {
-  if (!candidate.gap) {
-    candidate.gap = root_difference_at(squared_distance(candidate.p, candidate.q),
-                                       reach(candidate.p, candidate.q), candidate.time);
-  }
-  return *candidate.gap;
+  if (detail::least_gap_bounds(p, q, since, until).lower > limit_) return;
+  keep({pair, detail::least_gap(p, q, since, until)});
 }
 
 template <HasLinearMotion Traits>
 bool Closest_approaches<Traits>::is_nearer(const Candidate& a, const Candidate& b) {
-  if (a.gap_bounds.upper < b.gap_bounds.lower) return true;
-  if (b.gap_bounds.upper < a.gap_bounds.lower) return false;
-  const auto order = compare(gap(a), gap(b));
+  const auto order = a.least.compare(b.least);
   if (order != CGAL::EQUAL) return order == CGAL::SMALLER;
-  if (a.time != b.time) return a.time < b.time;
+  if (a.least.time() != b.least.time()) return a.least.time() < b.least.time();
   return a.points < b.points;
 }
 
@@ -351,7 +201,7 @@ void Closest_approaches<Traits>::drop_all_but_nearest() {
   const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(number_ - 1);
   std::ranges::nth_element(candidates, last,
                            [](const auto* a, const auto* b) { return is_nearer(*a, *b); });
-  limit_ = (*last)->gap_bounds.upper;
+  limit_ = (*last)->least.bounds().upper;
   std::vector<Edge_ids> dropped;
   for (auto other = last + 1; other != candidates.end(); ++other) {
     dropped.push_back((*other)->points);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/observers/detail/gap_of_pair.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
@@ -77,19 +78,14 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
     bool is_edge = false;  // if not, the discs overlapped just after `since`
   };
 
-  // The nearest place of a piece. The motions are those of the piece.
+  // The nearest place of a piece.
   struct Candidate {
     Edge_ids points = {no_point, no_point};
-    Algebraic_number time;
-    Disc_motion_2 p;
-    Disc_motion_2 q;
-    Double_interval gap_bounds;                   // contain the gap
-    mutable std::optional<Algebraic_number> gap;  // made where the bounds do not decide
+    detail::Gap_of_pair<Disc_motion_2> least;
   };
 
   static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
 
-  static const Algebraic_number& gap(const Candidate& candidate);
   static bool is_nearer(const Candidate& a, const Candidate& b);
 
   void after_change(std::span<const Point_id> points) override;

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Encounters: which points come near one another, from when until when.
+//
+// A pair that comes in range has an edge then, or a point that both have in range already and that
+// has an edge with one of the two (docs/MATH.md, section 14). So few pairs are *candidates*: these
+// are certified apart once for each motion, and those that will come in range wait in a queue. No
+// pair leaves the queue because it is no candidate any more; its time stays right as long as the
+// two motions do.
+#ifndef KINETRI_OBSERVERS_ENCOUNTERS_H
+#define KINETRI_OBSERVERS_ENCOUNTERS_H
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "kinetri/events/event_scheduler.h"
+#include "kinetri/observers/detail/gap_of_pair.h"
+#include "kinetri/observers/edge_follower.h"
+
+namespace kinetri {
+
+/// Two points, or discs, that were in range of each other from `begin` to `end`, both included.
+struct Encounter {
+  Edge_ids points = {no_point, no_point};  ///< the ids, the smaller first
+  Algebraic_number begin;                  ///< exact
+  Algebraic_number end;                    ///< exact; the present time if it goes on
+  Algebraic_number closest;                ///< the first time at which their gap was least, exact
+  /// The distance of the centres at that time, rounded to the nearest binary64 number, ties to
+  /// even; infinite on overflow.
+  double distance = 0;
+  double gap = 0;  ///< the gap at that time, rounded in the same way; of points, the distance
+};
+
+/// Is told of encounters, in the order of time.
+class Encounter_observer {
+ public:
+  virtual ~Encounter_observer() = default;
+  /// The two are in range from `time` on. Must neither change what is observed nor ask the object
+  /// that tells of it.
+  virtual void begins(const Edge_ids& points, const Algebraic_number& time) = 0;
+  /// The two were in range up to `time`. As above.
+  virtual void ends(const Edge_ids& points, const Algebraic_number& time) = 0;
+
+ protected:
+  Encounter_observer() = default;
+  /// @{
+  /// For the copies of derived classes.
+  Encounter_observer(const Encounter_observer&) = default;
+  Encounter_observer& operator=(const Encounter_observer&) = default;
+  /// @}
+};
+
+namespace detail {
+template <class Traits>
+class Enlarged_discs;
+}  // namespace detail
+
+/// All encounters: of each pair the times at which its gap is at most `range`. The gap is the
+/// distance of two points less the radii of their discs, which are those of the motions (HasWeight)
+/// or the radius of the options. A gap of just `range` counts, so an encounter may be one moment.
+///
+/// An encounter that begins at the start, or when one of the two comes, begins there; one that has
+/// not ended ends now, or when one of the two leaves. It goes on through a change of motion if the
+/// two are in range at that time under the motions before and after it; of several changes of a
+/// point at one time, as far as this object has not been asked in between, only the last one
+/// counts. A point that leaves is still there at the time at which it does, for one that comes
+/// then. All of it is exact.
+///
+/// Cost: for each edge that comes and for each encounter some certificates, in proportion to the
+/// number of points in range of one; for each encounter two entries of a queue. The least gaps are
+/// found when they are asked for. Memory: O(n + encounters). Discs with radii of their own are
+/// followed by a simulation of enlarged discs beside the observed one, which costs as much as it
+/// does with a response to contacts, and a certificate for each pair that overlaps there.
+template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+class Encounters final : public Edge_follower<Traits> {
+ public:
+  using typename Edge_follower<Traits>::Triangulation;
+  using typename Edge_follower<Traits>::Motion;
+  using typename Edge_follower<Traits>::Point_2;
+  using typename Edge_follower<Traits>::Time;
+
+  /// Observes from the current time on. The simulation must outlive this object. Throws
+  /// Precondition_error if `range` is negative or not finite, or is too large for a disc of that
+  /// radius to have a finite one.
+  Encounters(Simulation_2<Traits>& simulation, double range);
+  /// The same of a triangulation of points.
+  Encounters(Triangulation& triangulation, double range) requires(!HasWeight<Motion>)
+      : Edge_follower<Traits>(triangulation), range_(range) {
+    start(0);
+  }
+  ~Encounters() override;
+
+  /// As given to the constructor.
+  double range() const { return range_; }
+
+  /// All encounters up to the current time, those that go on included, in the order of `begin`,
+  /// then of ids. Cost: O(m log m) comparisons of times for m encounters, and for each that has
+  /// ended since the last call, and each that goes on, exact arithmetic.
+  std::vector<Encounter> encounters();
+
+  /// The points in range of a point at the current time, sorted. Precondition: the triangulation
+  /// contains it.
+  std::vector<Point_id> in_range(Point_id id);
+
+  /// @{
+  /// Has the observer told of what happens from now on; it must outlive its registration.
+  void add_encounter_observer(Encounter_observer& observer) { observers_.push_back(&observer); }
+  void remove_encounter_observer(Encounter_observer& observer) {
+    std::erase(observers_, &observer);
+  }
+  /// @}
+
+  /// Counts of the certificates made here.
+  const Certificate_counters& certificate_counters() const { return certificate_counters_; }
+  /// Counts of the entries of the queue.
+  const Queue_counters& queue_counters() const { return queue_.counters(); }
+
+ private:
+  static constexpr bool has_radii = HasWeight<Motion>;
+  using Disc = decltype(detail::disc_about(std::declval<Motion>(), 0.0));
+  using Disc_traits = Basic_kinetic_traits_2<Disc>;
+
+  // The beginning of the encounter of a pair, or its end; or a time up to which there certainly is
+  // none.
+  struct Entry : detail::Scheduled {
+    bool is_end = false;
+    bool is_event = false;
+    Edge_ids points = {no_point, no_point};
+  };
+
+  // What the scheduler asks; see Event_scheduler.
+  struct Queue_policy {
+    const Encounters& encounters;
+
+    Time entry_time(const Entry& entry) const;
+    bool precedes(const Entry& a, const Entry& b) const;
+    bool is_recheck(const Entry& entry) const { return !entry.is_event; }
+    static void prefetch(const Entry&) {}
+    static void prefetch_more(const Entry&) {}
+    static void prefetch_first(const Entry&) {}
+  };
+
+  // The motions of two points in range, for some time.
+  struct Piece {
+    Motion p;
+    Motion q;
+    Time since;
+    Time until = {};
+    Double_interval least_gap = {};  // bounds of it
+  };
+
+  // The first one of some pieces in which their least gap is, and that gap.
+  struct Least_gap {
+    Piece piece;
+    detail::Gap_of_pair<Disc> gap;
+  };
+
+  // An encounter.
+  struct Record {
+    Edge_ids points;
+    Time begin;
+    std::optional<Time> end = std::nullopt;  // none while it goes on
+    Queue_handle end_event = no_event;
+    // Those that may have the least gap, in the order of time; the last one goes on. None when the
+    // least gap has been found after the end.
+    std::vector<Piece> pieces = {};
+    Time closest = {};
+    double distance = 0;
+    double gap = 0;
+  };
+
+  // A point that is in range of another one.
+  struct Near {
+    Point_id id;
+    std::size_t record;  // index
+  };
+  // A point that will come in range of another one.
+  struct Waiting {
+    Point_id id;
+    Queue_handle begin_event;
+  };
+  // Of each pair both points have one of these. Sorted by id.
+  struct Partners {
+    std::vector<Near> near;
+    std::vector<Waiting> waiting;
+  };
+
+  void start(double radius);
+  void advance(const Time& time) override;
+  void before_change(
+      std::span<const Edge_ids> removed,
+      std::span<const typename Edge_follower<Traits>::Changed_point> points) override;
+  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
+              std::span<const typename Edge_follower<Traits>::Changed_point> points) override;
+
+  // Certificates.
+  template <class Function>
+  auto with_discs(const Point_2& p, const Point_2& q, Function function) const;
+  template <class Function>
+  auto with_discs(const Edge_ids& pair, Function function) const {
+    return with_discs(this->graph().point(pair[0]), this->graph().point(pair[1]), function);
+  }
+  Disc disc(const Motion& motion) const { return detail::disc_about(motion, radius_); }
+
+  // Candidates.
+  bool is_near(Point_id a, Point_id b) const;
+  void examine(Point_id a, Point_id b, const Time& after);
+  void examine_over(Point_id p, Point_id w, Point_id q, const Time& after);
+  void examine_new_edge(const Edge_ids& edge, const Time& after);
+  void examine_new_near(const Edge_ids& pair, const Time& after);
+  void examine_new_motion(Point_id id, const Time& after);
+
+  // The queue.
+  void wait(const Edge_ids& pair, Certificate certificate);
+  void wait_again(const Edge_ids& pair, const Time& after);
+  void stop_waiting(const Edge_ids& pair);
+  void discard_entries(Point_id id);
+  void schedule_end(Record& record, const Time& after);
+  bool is_due(const Entry& entry, const Time& time);
+  void execute(const Time& time);
+
+  // Encounters.
+  void begin(const Edge_ids& pair, const Time& time);
+  void end(std::size_t index, const Time& time);
+  void turn(Point_id id, const Time& time,
+            std::span<const typename Edge_follower<Traits>::Changed_point> changed);
+  void meet_those_gone(const Time& time,
+                       std::span<const typename Edge_follower<Traits>::Changed_point> changed);
+  void meet_for_a_moment(const Point_2& p, const Point_2& q, const Time& time);
+  void finish_piece(Record& record, const Time& time) const;
+  Least_gap least_gap(const std::vector<Piece>& pieces) const;
+  void keep_least_gap(Record& record, const std::vector<Piece>& pieces) const;
+
+  double range_;
+  double radius_ = 0;  // of points that have no radius of their own
+  Disc_traits disc_traits_;
+  std::vector<Partners> partners_;  // by id
+  Queue_policy queue_policy_{*this};
+  detail::Event_scheduler<Entry, Queue_policy> queue_{queue_policy_};
+  std::vector<Record> records_;
+  std::vector<Point_2> gone_;  // at one time
+  Time gone_at_;
+  // If has_radii. Not shared, but of a type that is incomplete here.
+  std::shared_ptr<detail::Enlarged_discs<Traits>> enlarged_discs_;
+  std::vector<Encounter_observer*> observers_;
+  Certificate_counters certificate_counters_;
+};
+
+extern template class Encounters<Linear_kinetic_traits_2>;
+extern template class Encounters<Polynomial_kinetic_traits_2>;
+extern template class Encounters<Disc_kinetic_traits_2>;
+extern template class Encounters<Polynomial_disc_kinetic_traits_2>;
+
+}  // namespace kinetri
+
+#endif  // KINETRI_OBSERVERS_ENCOUNTERS_H

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Discs of which those overlap, and perhaps others, that have at most a given gap.
+#ifndef KINETRI_SRC_OBSERVERS_ENLARGED_DISCS_H
+#define KINETRI_SRC_OBSERVERS_ENLARGED_DISCS_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/observers/edge_follower.h"
+
+namespace kinetri::detail {
+
+/// The discs of a simulation with greater radii, by somewhat more than half of `range`: so two with
+/// a gap of at most `range` overlap here, and not only touch. A simulation of its own, which goes
+/// beside the observed one, and knows all overlaps (docs/MATH.md, section 8).
+template <class Traits>
+class Enlarged_discs : private Event_observer {
+ public:
+  using Motion = typename Traits::Motion;
+
+  /// Two that begin to overlap, at the earliest at the time. May be told more than once.
+  struct Contact {
+    Edge_ids points;
+    Algebraic_number time;
+  };
+
+  Enlarged_discs(const Neighbor_graph<Traits>& graph, double range, const Algebraic_number& start)
+      : range_(range), own_ids_(graph.next_id(), no_point) {
+    std::vector<Motion> motions;
+    for (Point_id id = 0; id < graph.next_id(); ++id) {
+      if (graph.contains(id)) motions.push_back(enlarged(graph.point(id).motion()));
+      if (graph.contains(id)) know(id, static_cast<Point_id>(motions.size() - 1));
+    }
+    Simulation_options options;
+    options.response = log_contact;
+    options.max_contacts_per_instant = std::numeric_limits<std::uint64_t>::max();
+    while (simulation_ == nullptr) {
+      try {
+        simulation_ = std::make_unique<Simulation_2<Traits>>(motions, options, start);
+      } catch (const Coincident_trajectories_error& error) {
+        enlarge(motions[error.second()]);
+      }
+    }
+    simulation_->add_observer(*this);
+  }
+  ~Enlarged_discs() override { simulation_->remove_observer(*this); }
+  Enlarged_discs(const Enlarged_discs&) = delete;
+  Enlarged_discs& operator=(const Enlarged_discs&) = delete;
+
+  /// Goes on to `time`. Returns the contacts up to it.
+  std::vector<Contact> advance_to(const Algebraic_number& time) {
+    simulation_->advance_to(time);
+    return std::exchange(contacts_, {});
+  }
+
+  /// The same changes as in the graph, in which they have been made.
+  template <class Changed_points>
+  void change(const Changed_points& points, const Neighbor_graph<Traits>& graph) {
+    std::vector<Point_id> ids;
+    std::vector<Motion> motions;
+    for (const auto& [id, before] : points) {
+      if (!before) continue;
+      if (!graph.contains(id)) {
+        simulation_->erase(own_ids_[id]);
+      } else {
+        ids.push_back(own_ids_[id]);
+        motions.push_back(enlarged(graph.point(id).motion()));
+      }
+    }
+    const auto index = [&](Point_id own_id) {
+      return static_cast<std::size_t>(std::ranges::find(ids, own_id) - ids.begin());
+    };
+    for (bool is_done = ids.empty(); !is_done;) {
+      try {
+        simulation_->set_motions(ids, motions);
+        is_done = true;
+      } catch (const Coincident_trajectories_error& error) {
+        const std::size_t second = index(error.second());
+        enlarge(motions[second < ids.size() ? second : index(error.first())]);
+      }
+    }
+    for (const auto& [id, before] : points) {
+      if (before || !graph.contains(id)) continue;
+      Motion motion = enlarged(graph.point(id).motion());
+      for (bool is_done = false; !is_done;) {
+        try {
+          know(id, simulation_->insert(motion));
+          is_done = true;
+        } catch (const Coincident_trajectories_error&) {
+          enlarge(motion);
+        }
+      }
+    }
+  }
+
+  /// The discs that overlap the disc of the point just after the present time.
+  std::vector<Point_id> overlapping(Point_id id) const {
+    std::vector<Point_id> result = simulation_->overlapping_discs(own_ids_[id]);
+    for (Point_id& other : result) other = ids_[other];
+    return result;
+  }
+
+ private:
+  // Discs that differ by no more than their radii must do so when these have been rounded, too.
+  static void enlarge(Motion& motion) {
+    motion.radius = std::nextafter(motion.radius, std::numeric_limits<double>::infinity());
+  }
+
+  // The weight of a point that is no disc is not about its gaps.
+  Motion enlarged(Motion motion) const {
+    motion.radius += range_ / 2;
+    motion.weight = 0;
+    enlarge(motion);
+    KINETRI_PRECONDITION(std::isfinite(motion.radius),
+                         "the range is too large: the sum of a radius and half of it is not "
+                         "finite; expected a smaller one");
+    return motion;
+  }
+
+  void know(Point_id id, Point_id own_id) {
+    if (id >= own_ids_.size()) own_ids_.resize(std::size_t{id} + 1, no_point);
+    own_ids_[id] = own_id;
+    if (own_id >= ids_.size()) ids_.resize(std::size_t{own_id} + 1, no_point);
+    ids_[own_id] = id;
+  }
+
+  void after_event(const Event& event) override {
+    if (event.kind != Event_kind::collision) return;
+    contacts_.push_back({edge_ids(ids_[*event.point_a], ids_[*event.point_b]), event.time});
+  }
+
+  double range_;
+  std::unique_ptr<Simulation_2<Traits>> simulation_;
+  std::vector<Point_id> own_ids_;  // of the simulation here, by id
+  std::vector<Point_id> ids_;      // the reverse
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_OBSERVERS_ENLARGED_DISCS_H

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/observers/detail/gap_of_pair.h"
+
+#include <CGAL/FPU.h>
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "algebra/root_difference.h"
+#include "kinetri/algebra/real_roots.h"
+
+namespace kinetri::detail {
+namespace {
+
+// ---- bounds, by interval arithmetic ----
+
+using Interval = CGAL::Interval_nt<false>;
+using Upward_rounding = CGAL::Protect_FPU_rounding<true>;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Double_interval everything = {-infinite, infinite};
+
+template <class Disc>
+constexpr bool is_linear = std::same_as<typename Disc::Centre_motion, Linear_motion_2>;
+
+// The vector from the centre of q to that of p, and the sum of the radii.
+struct Relative_place {
+  Interval x;
+  Interval y;
+  Interval reach;
+
+  // At the time t. Precondition: an Upward_rounding is in force.
+  template <class Disc>
+  Relative_place(const Disc& p, const Disc& q, const Interval& t)
+      : x(coordinate(p, t, &Vector_2::x) - coordinate(q, t, &Vector_2::x)),
+        y(coordinate(p, t, &Vector_2::y) - coordinate(q, t, &Vector_2::y)),
+        reach(radius(p, t) + radius(q, t)) {}
+
+  Interval squared_distance() const { return CGAL::square(x) + CGAL::square(y); }
+  Interval gap() const { return CGAL::sqrt(squared_distance()) - reach; }
+
+ private:
+  template <class Disc>
+  static Interval coordinate(const Disc& disc, const Interval& t, double Vector_2::*axis) {
+    const Interval elapsed = t - Interval(disc.epoch);
+    if constexpr (is_linear<Disc>) {
+      return Interval(disc.position.*axis) + Interval(disc.velocity.*axis) * elapsed;
+    } else {
+      const Interval jerk = Interval(disc.jerk.*axis) / Interval(6);
+      const Interval acceleration = Interval(disc.acceleration.*axis) / Interval(2);
+      const Interval velocity =
+          Interval(disc.velocity.*axis) + elapsed * (acceleration + elapsed * jerk);
+      return Interval(disc.position.*axis) + elapsed * velocity;
+    }
+  }
+  template <class Disc>
+  static Interval radius(const Disc& disc, const Interval& t) {
+    return Interval(disc.radius) + Interval(disc.growth) * (t - Interval(disc.epoch));
+  }
+};
+
+bool is_finite(const Double_interval& interval) {
+  return std::isfinite(interval.lower) && std::isfinite(interval.upper);
+}
+
+// Bounds of the gap at all of the times.
+template <class Disc>
+Double_interval gap_bounds(const Disc& p, const Disc& q, const Double_interval& times) {
+  if (!is_finite(times)) return everything;
+  const Upward_rounding protection;
+  const Interval result = Relative_place(p, q, Interval(times.lower, times.upper)).gap();
+  if (!(result.inf() <= result.sup())) return everything;  // an overflow
+  return {result.inf(), result.sup()};
+}
+
+// A time at which a gap that a lower bound holds for is about least, and that bound.
+struct Lower_bound {
+  double time;
+  double gap;
+};
+
+// The squared distance is a convex function, and so nowhere below its tangent at the time s; s is
+// about where it is least, but any time is right.
+Lower_bound lower_bound_of_gap(const Disc_motion_2& p, const Disc_motion_2& q,
+                               const Double_interval& times) {
+  const Upward_rounding protection;
+  const auto half_slope = [&](const Relative_place& at) {
+    return at.x * (Interval(p.velocity.x) - Interval(q.velocity.x)) +
+           at.y * (Interval(p.velocity.y) - Interval(q.velocity.y));
+  };
+  const double vx = p.velocity.x - q.velocity.x;
+  const double vy = p.velocity.y - q.velocity.y;
+  const double squared_speed = vx * vx + vy * vy;
+  double s = times.lower;
+  if (squared_speed > 0) {
+    const Relative_place at_begin(p, q, Interval(times.lower));
+    s = std::clamp(s - half_slope(at_begin).sup() / squared_speed, s, times.upper);
+    if (!std::isfinite(s)) return {times.lower, -infinite};
+  }
+  const Interval all_times(times.lower, times.upper);
+  const Relative_place at_s(p, q, Interval(s));
+  const Interval tangent =
+      at_s.squared_distance() + Interval(2) * half_slope(at_s) * (all_times - Interval(s));
+  const double least_square = std::max(tangent.inf(), 0.0);
+  const Interval reach = Relative_place(p, q, all_times).reach;
+  const double gap = (CGAL::sqrt(Interval(least_square)) - Interval(reach.sup())).inf();
+  return {s, std::isnan(tangent.inf()) || std::isnan(gap) ? -infinite : gap};
+}
+
+Lower_bound lower_bound_of_gap(const Polynomial_disc_motion_2& p, const Polynomial_disc_motion_2& q,
+                               const Double_interval& times) {
+  return {times.lower, gap_bounds(p, q, times).lower};
+}
+
+// ---- the same, exactly ----
+
+// Polynomials in time, by ascending power.
+using Coefficients = std::vector<Rational>;
+
+Coefficients coordinate(const Linear_motion_2& motion, double Vector_2::*axis) {
+  const Rational velocity = to_rational(motion.velocity.*axis);
+  return {to_rational(motion.position.*axis) - velocity * to_rational(motion.epoch), velocity};
+}
+
+Coefficients coordinate(const Polynomial_motion_2& motion, double Vector_2::*axis) {
+  const Rational e = to_rational(motion.epoch);
+  const Rational c0 = to_rational(motion.position.*axis);
+  const Rational c1 = to_rational(motion.velocity.*axis);
+  const Rational c2 = to_rational(motion.acceleration.*axis) / 2;
+  const Rational c3 = to_rational(motion.jerk.*axis) / 6;
+  return {c0 - e * (c1 - e * (c2 - e * c3)), c1 - e * (2 * c2 - 3 * e * c3), c2 - 3 * e * c3, c3};
+}
+
+Coefficients difference(Coefficients a, const Coefficients& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return a;
+}
+
+void add_product(Coefficients& sum, const Coefficients& a, const Coefficients& b,
+                 const Rational& factor = 1) {
+  if (sum.size() + 1 < a.size() + b.size()) sum.resize(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) sum[i + j] += factor * a[i] * b[j];
+  }
+}
+
+template <class Disc>
+Coefficients squared_distance(const Disc& p, const Disc& q) {
+  Coefficients result;
+  for (double Vector_2::*const axis : {&Vector_2::x, &Vector_2::y}) {
+    const Coefficients d = difference(coordinate(centre(p), axis), coordinate(centre(q), axis));
+    add_product(result, d, d);
+  }
+  return result;
+}
+
+template <class Disc>
+bool has_radius(const Disc& disc) {
+  return disc.radius != 0 || disc.growth != 0;
+}
+
+// The sum of the radii.
+template <class Disc>
+Coefficients reach(const Disc& p, const Disc& q) {
+  const auto constant_term = [](const Disc& disc) -> Rational {
+    return to_rational(disc.radius) - to_rational(disc.growth) * to_rational(disc.epoch);
+  };
+  return {constant_term(p) + constant_term(q), to_rational(p.growth) + to_rational(q.growth)};
+}
+
+// The first time between the two at which the gap is least. The gap sqrt(f) - r - g t, with
+// f = a t^2 + b t + c, is a convex function (docs/MATH.md, section 11).
+Algebraic_number time_of_least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
+                                   const Algebraic_number& since, const Algebraic_number& until) {
+  const Coefficients f = squared_distance(p, q);
+  const Rational& c = f[0];
+  const Rational& b = f[1];
+  const Rational& a = f[2];
+  const Rational g = to_rational(p.growth) + to_rational(q.growth);
+  const Rational excess = a - g * g;
+  const auto clamped = [&](const Algebraic_number& least) {
+    return least < since ? since : least > until ? until : least;
+  };
+  if (excess > 0) {
+    if (g == 0) return clamped(Algebraic_number(Rational(-b / (2 * a))));
+    // The root of f'^2 = 4 g^2 f at which f' has the sign of g.
+    const Coefficients coefficients = {b * b - 4 * g * g * c, 4 * b * excess, 4 * a * excess};
+    const std::vector<Real_root> roots = real_roots(primitive_polynomial(coefficients));
+    return clamped(g > 0 ? roots.back().value : roots.front().value);
+  }
+  // The gap increases or decreases for ever; only where the rims keep a distance, from the time on
+  // at which the centres meet, it may be constant.
+  if (g <= 0) return since;
+  const bool becomes_constant = excess == 0 && b * b == 4 * a * c;
+  return becomes_constant ? clamped(Algebraic_number(Rational(-b / (2 * a)))) : until;
+}
+
+}  // namespace
+
+// ---- a gap ----
+
+template <class Disc>
+Gap_of_pair<Disc>::Gap_of_pair(const Disc& p, const Disc& q, Algebraic_number time)
+    : p_(p), q_(q), time_(std::move(time)), bounds_(gap_bounds(p_, q_, time_.interval())) {}
+
+template <class Disc>
+double Gap_of_pair<Disc>::rounded_distance() const {
+  if (!has_radius(p_) && !has_radius(q_)) return rounded();
+  return root_difference_at(squared_distance(p_, q_), {}, time_).to_double();
+}
+
+template <class Disc>
+double Gap_of_pair<Disc>::rounded() const {
+  return exact().to_double();
+}
+
+template <class Disc>
+const Algebraic_number& Gap_of_pair<Disc>::exact() const {
+  if (!exact_) {
+    Coefficients radii;
+    if (has_radius(p_) || has_radius(q_)) radii = reach(p_, q_);
+    exact_ = root_difference_at(squared_distance(p_, q_), radii, time_);
+  }
+  return *exact_;
+}
+
+// The square of the gap of points, where the time is known to be rational.
+template <class Disc>
+std::optional<Rational> Gap_of_pair<Disc>::rational_square() const {
+  if (has_radius(p_) || has_radius(q_) || !time_.is_known_rational()) return std::nullopt;
+  const Rational t = time_.rational();
+  const Coefficients f = squared_distance(p_, q_);
+  Rational result = 0;
+  for (auto c = f.rbegin(); c != f.rend(); ++c) result = result * t + *c;
+  return result;
+}
+
+template <class Disc>
+Comparison_result Gap_of_pair<Disc>::compare(const Gap_of_pair& other) const {
+  if (bounds_.upper < other.bounds_.lower) return CGAL::SMALLER;
+  if (other.bounds_.upper < bounds_.lower) return CGAL::LARGER;
+  if (const auto square = rational_square()) {
+    if (const auto other_square = other.rational_square()) {
+      if (*square == *other_square) return CGAL::EQUAL;
+      return *square < *other_square ? CGAL::SMALLER : CGAL::LARGER;
+    }
+  }
+  return kinetri::compare(exact(), other.exact());
+}
+
+// ---- the least one ----
+
+template <>
+Gap_of_pair<Disc_motion_2> least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
+                                     const Algebraic_number& since, const Algebraic_number& until) {
+  return {p, q, time_of_least_gap(p, q, since, until)};
+}
+
+// The gap sqrt(f) - r - g t is least at an end or at a root of f'^2 = 4 g^2 f, which is where its
+// derivative vanishes or does not exist.
+template <>
+Gap_of_pair<Polynomial_disc_motion_2> least_gap(const Polynomial_disc_motion_2& p,
+                                                const Polynomial_disc_motion_2& q,
+                                                const Algebraic_number& since,
+                                                const Algebraic_number& until) {
+  const Coefficients f = squared_distance(p, q);
+  Coefficients derivative(f.size() - 1);
+  for (std::size_t i = 1; i < f.size(); ++i) derivative[i - 1] = Rational(i) * f[i];
+  const Rational g = to_rational(p.growth) + to_rational(q.growth);
+  Coefficients critical;
+  if (g == 0) {
+    critical = derivative;
+  } else {
+    add_product(critical, derivative, derivative);
+    add_product(critical, f, {1}, -4 * g * g);
+    // Zero at all times where f is the square of g t + c: then the gap has a bend at its root.
+    const auto is_zero = [](const Rational& c) { return c == 0; };
+    if (std::ranges::all_of(critical, is_zero)) critical = derivative;
+  }
+  Gap_of_pair<Polynomial_disc_motion_2> result(p, q, since);
+  const auto examine = [&](const Algebraic_number& time) {
+    Gap_of_pair<Polynomial_disc_motion_2> other(p, q, time);
+    if (other.compare(result) == CGAL::SMALLER) result = std::move(other);
+  };
+  if (const Polynomial polynomial = primitive_polynomial(critical); !polynomial.is_zero()) {
+    for (const Real_root& root : real_roots(polynomial)) {
+      if (root.value > since && root.value < until) examine(root.value);
+    }
+  }
+  examine(until);
+  return result;
+}
+
+template <class Disc>
+Double_interval least_gap_bounds(const Disc& p, const Disc& q, const Algebraic_number& since,
+                                 const Algebraic_number& until) {
+  const Double_interval first = since.interval();
+  const Double_interval last = until.interval();
+  const Double_interval times = {first.lower, last.upper};
+  if (!is_finite(times)) return everything;
+  const Lower_bound lower = lower_bound_of_gap(p, q, times);
+  // A time that certainly is one of those.
+  const Double_interval one = first.upper <= last.lower
+                                  ? Double_interval{std::clamp(lower.time, first.upper, last.lower),
+                                                    std::clamp(lower.time, first.upper, last.lower)}
+                                  : first;
+  return {lower.gap, gap_bounds(p, q, one).upper};
+}
+
+#define KINETRI_INSTANTIATE(Disc)                                                              \
+  template class Gap_of_pair<Disc>;                                                            \
+  template Double_interval least_gap_bounds(const Disc&, const Disc&, const Algebraic_number&, \
+                                            const Algebraic_number&)
+KINETRI_INSTANTIATE(Disc_motion_2);
+KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
+#undef KINETRI_INSTANTIATE
+
+}  // namespace kinetri::detail

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All encounters of all pairs, from the motions alone, in exact arithmetic.
+#ifndef KINETRI_TEST_SUPPORT_ENCOUNTER_ORACLE_H
+#define KINETRI_TEST_SUPPORT_ENCOUNTER_ORACLE_H
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algebra/root_difference.h"
+#include "kinetri/algebra/real_roots.h"
+#include "kinetri/observers/encounters.h"
+#include "support/discs.h"
+#include "support/motions.h"
+
+namespace kinetri::test {
+
+/// The motions that each point has had, as an observer is told of them.
+template <class Traits>
+class Leg_recorder : public Event_observer {
+ public:
+  using Motion = typename Traits::Motion;
+
+  /// A motion from one time to another one, both included.
+  struct Leg {
+    Motion motion;
+    Algebraic_number since;
+    std::optional<Algebraic_number> until = std::nullopt;  // none as long as it goes on
+    bool is_initial = false;  // the point has been there before the first time
+    bool is_last = false;     // the point has left at the end
+
+    // Whether it is a motion of the point before, or after, what happens at a time.
+    bool is_before(const Algebraic_number& t) const { return since < t || is_initial; }
+    bool is_after(const Algebraic_number& t) const { return *until > t || goes_on; }
+    bool goes_on = false;  // at the present time
+  };
+
+  template <class Observed>  // a simulation or a triangulation
+  Leg_recorder(Observed& observed, const Kinetic_triangulation_2<Traits>& triangulation)
+      : triangulation_(triangulation) {
+    observed.add_observer(*this);
+    for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
+      if (!triangulation_.contains(id)) continue;
+      note(id, triangulation_.current_time());
+      legs_[id].back().is_initial = true;
+    }
+  }
+  explicit Leg_recorder(Simulation_2<Traits>& simulation)
+      : Leg_recorder(simulation, simulation.triangulation()) {}
+
+  /// By id, in the order of time; those that go on end now.
+  std::vector<std::vector<Leg>> legs() const {
+    auto result = legs_;
+    for (auto& legs_of_point : result) {
+      for (Leg& leg : legs_of_point) {
+        if (leg.until) continue;
+        leg.until = triangulation_.current_time();
+        leg.goes_on = true;
+      }
+    }
+    return result;
+  }
+
+ private:
+  void after_event(const Event& event) override {
+    if (event.kind == Event_kind::hide || event.kind == Event_kind::reveal) return;
+    for (const auto& id : {event.point_a, event.point_b}) {
+      if (id) note(*id, event.time);
+    }
+  }
+
+  void note(Point_id id, const Algebraic_number& time) {
+    if (id >= legs_.size()) legs_.resize(id + 1);
+    auto& legs = legs_[id];
+    if (!legs.empty() && !legs.back().until) {
+      if (triangulation_.contains(id) && triangulation_.motion(id) == legs.back().motion) return;
+      legs.back().until = time;
+      // Of several motions of one time only the last one counts.
+      if (legs.back().since == time && !legs.back().is_initial) legs.pop_back();
+    }
+    if (triangulation_.contains(id)) {
+      legs.push_back({triangulation_.motion(id), time});
+    } else if (!legs.empty()) {
+      legs.back().is_last = true;
+    }
+  }
+
+  const Kinetic_triangulation_2<Traits>& triangulation_;
+  std::vector<std::vector<Leg>> legs_;
+};
+
+namespace encounter_oracle {
+
+using Coefficients = std::vector<Rational>;
+
+/// The coefficients of the polynomial of that degree with these values.
+template <class Value>
+Coefficients interpolation(int degree, Value value) {
+  // Newton's divided differences at 0, 1, ..., degree.
+  std::vector<Rational> differences;
+  for (int i = 0; i <= degree; ++i) differences.push_back(value(Rational(i)));
+  const auto size = differences.size();
+  for (std::size_t order = 1; order < size; ++order) {
+    for (std::size_t i = size - 1; i >= order; --i) {
+      differences[i] = (differences[i] - differences[i - 1]) / Rational(order);
+    }
+  }
+  Coefficients result(size);
+  for (std::size_t i = size; i-- > 0;) {
+    // result * (t - i) + differences[i]
+    for (std::size_t k = size - 1; k > 0; --k) result[k] = result[k - 1] - Rational(i) * result[k];
+    result[0] = differences[i] - Rational(i) * result[0];
+  }
+  return result;
+}
+
+template <class Motion>
+Rational radius_of(const Motion& motion, double radius, const Rational& t) {
+  if constexpr (HasWeight<Motion>) {
+    return radius_at(motion, t);
+  } else {
+    return to_rational(radius);
+  }
+}
+
+/// What is asked of a pair while it has two motions.
+struct Functions {
+  Coefficients squared_distance;
+  Coefficients radii;   // their sum
+  Polynomial excess;    // negative where the gap is less than the range
+  Polynomial critical;  // zero where the gap has a minimum
+
+  template <class Motion>
+  Functions(const Motion& p, const Motion& q, double radius, double range) {
+    constexpr int degree = std::is_same_v<Centre_motion_of<Motion>, Linear_motion_2> ? 2 : 6;
+    const auto distance = [&](const Rational& t) {
+      return Rational(CGAL::squared_distance(place_at(centre(p), t), place_at(centre(q), t)));
+    };
+    const auto sum = [&](const Rational& t) {
+      return Rational(radius_of(p, radius, t) + radius_of(q, radius, t));
+    };
+    squared_distance = interpolation(degree, distance);
+    radii = interpolation(1, sum);
+    excess = primitive_polynomial(interpolation(degree, [&](const Rational& t) {
+      const Rational reach = sum(t) + to_rational(range);
+      return Rational(distance(t) - reach * reach);
+    }));
+    Coefficients slope;
+    for (std::size_t i = 1; i < squared_distance.size(); ++i) {
+      slope.push_back(squared_distance[i] * Rational(i));
+    }
+    const auto value = [](const Coefficients& f, const Rational& t) {
+      Rational result = 0;
+      for (std::size_t i = f.size(); i-- > 0;) result = result * t + f[i];
+      return result;
+    };
+    critical = primitive_polynomial(interpolation(2 * degree, [&](const Rational& t) {
+      const Rational s = value(slope, t);
+      return Rational(s * s - 4 * radii[1] * radii[1] * value(squared_distance, t));
+    }));
+    // The gap may be constant but for a bend.
+    if (critical.is_zero()) critical = primitive_polynomial(slope);
+  }
+};
+
+inline std::vector<Algebraic_number> roots_between(const Polynomial& p, const Algebraic_number& a,
+                                                   const Algebraic_number& b) {
+  std::vector<Algebraic_number> result;
+  if (p.is_zero()) return result;
+  for (const Real_root& root : real_roots(p)) {
+    if (a <= root.value && root.value <= b) result.push_back(root.value);
+  }
+  return result;
+}
+
+using Time_interval = std::pair<Algebraic_number, Algebraic_number>;
+
+/// The maximal intervals of [a, b] at which a polynomial is not positive.
+inline std::vector<Time_interval> not_positive(const Polynomial& p, const Algebraic_number& a,
+                                               const Algebraic_number& b) {
+  std::vector<Algebraic_number> times = {a};
+  for (const Algebraic_number& root : roots_between(p, a, b)) {
+    if (root != times.back()) times.push_back(root);
+  }
+  if (b != times.back()) times.push_back(b);
+  std::vector<Time_interval> result;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (sign_at(p, times[i]) == CGAL::POSITIVE) continue;
+    const bool goes_on = !result.empty() && i > 0 && result.back().second == times[i - 1] &&
+                         p.sign_at(simplest_between(times[i - 1], times[i])) != CGAL::POSITIVE;
+    if (goes_on) {
+      result.back().second = times[i];
+    } else {
+      result.emplace_back(times[i], times[i]);
+    }
+  }
+  return result;
+}
+
+}  // namespace encounter_oracle
+
+/// The encounters of those motions at that range, in the order that Encounters gives. `radius` is
+/// the common one of points.
+template <class Legs>
+std::vector<Encounter> expected_encounters(const std::vector<std::vector<Legs>>& legs,
+                                           double radius, double range) {
+  using namespace encounter_oracle;
+  std::vector<Encounter> result;
+  for (Point_id a = 0; a < legs.size(); ++a) {
+    for (Point_id b = a + 1; b < legs.size(); ++b) {
+      bool is_present = false;
+      Encounter present;
+      Algebraic_number least;  // of its gaps
+      const auto close = [&] {
+        if (is_present) result.push_back(present);
+        is_present = false;
+      };
+      // Where one leg ends the next one begins, or the point has gone. Of one moment are those of
+      // before and those of after it, and who leaves with who comes.
+      const auto are_at_one_time = [](const Legs& p, const Legs& q, bool p_is_first,
+                                      bool q_is_first, const Algebraic_number& t) {
+        const auto comes = [&](const Legs& leg, bool is_first) {
+          return is_first && !leg.is_initial && leg.since == t;
+        };
+        return (p.is_before(t) && q.is_before(t)) || (p.is_after(t) && q.is_after(t)) ||
+               (p.is_last && comes(q, q_is_first)) || (q.is_last && comes(p, p_is_first));
+      };
+      for (std::size_t i = 0, j = 0; i < legs[a].size() && j < legs[b].size();) {
+        const auto& p = legs[a][i];
+        const auto& q = legs[b][j];
+        const Algebraic_number since = std::max(p.since, q.since);
+        const Algebraic_number until = std::min(*p.until, *q.until);
+        if (since < until || (since == until && are_at_one_time(p, q, i == 0, j == 0, since))) {
+          const Functions functions(p.motion, q.motion, radius, range);
+          for (const auto& [from, to] : not_positive(functions.excess, since, until)) {
+            const bool goes_on = is_present && from == since && present.end == since;
+            if (!goes_on) {
+              close();
+              is_present = true;
+              present = Encounter{{a, b}, from, to, from, 0, 0};
+            }
+            present.end = to;
+            std::vector<Algebraic_number> times = {from};
+            for (const auto& root : roots_between(functions.critical, from, to)) {
+              times.push_back(root);
+            }
+            times.push_back(to);
+            bool is_first = !goes_on;
+            for (const Algebraic_number& time : times) {
+              const Algebraic_number gap =
+                  root_difference_at(functions.squared_distance, functions.radii, time);
+              if (!is_first && gap >= least) continue;
+              is_first = false;
+              least = gap;
+              present.closest = time;
+              present.distance =
+                  root_difference_at(functions.squared_distance, {}, time).to_double();
+              present.gap = gap.to_double();
+            }
+          }
+        }
+        // Of two that end at one time the one that has no next leg stays, for the other's next one.
+        const bool p_is_last = i + 1 == legs[a].size();
+        const bool q_is_last = j + 1 == legs[b].size();
+        const auto order = *p.until <=> *q.until;
+        if (order < 0 || (order == 0 && (!p_is_last || q_is_last))) ++i;
+        if (order > 0 || (order == 0 && (!q_is_last || p_is_last))) ++j;
+      }
+      close();
+    }
+  }
+  std::sort(result.begin(), result.end(), [](const Encounter& a, const Encounter& b) {
+    const auto order = a.begin <=> b.begin;
+    return order != 0 ? order < 0 : a.points < b.points;
+  });
+  return result;
+}
+
+inline std::string text_of(const Encounter& encounter) {
+  std::ostringstream out;
+  out.precision(17);
+  out << encounter.points[0] << ' ' << encounter.points[1] << " from "
+      << encounter.begin.to_double() << " to " << encounter.end.to_double() << ", closest at "
+      << encounter.closest.to_double() << ": " << encounter.distance << ", gap " << encounter.gap;
+  return out.str();
+}
+
+inline void expect_equal(const std::vector<Encounter>& found,
+                         const std::vector<Encounter>& expected) {
+  const std::size_t number = std::min(found.size(), expected.size());
+  for (std::size_t i = 0; i < number; ++i) {
+    const Encounter& a = found[i];
+    const Encounter& b = expected[i];
+    ASSERT_TRUE(a.points == b.points && a.begin == b.begin && a.end == b.end &&
+                a.closest == b.closest && a.distance == b.distance && a.gap == b.gap)
+        << "found    " << text_of(a) << "\nexpected " << text_of(b);
+  }
+  EXPECT_EQ(found.size(), expected.size())
+      << (found.size() > number ? "found " + text_of(found[number])
+                                : "expected " + text_of(expected[number]));
+}
+
+}  // namespace kinetri::test
+
+#endif  // KINETRI_TEST_SUPPORT_ENCOUNTER_ORACLE_H
