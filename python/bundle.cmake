@@ -43,8 +43,15 @@ foreach(library IN LISTS libraries)
   copy("${file}" ${name})
   # Where it is of a Debian package, the texts that go with it there.
   if(DPKG_QUERY)
-    execute_process(COMMAND ${DPKG_QUERY} -S "${file}" RESULT_VARIABLE code OUTPUT_VARIABLE owner
-      ERROR_QUIET)
+    # Packages may name it in /lib, which is a link to /usr/lib.
+    string(REGEX REPLACE "^/usr/lib/" "/lib/" linked "${file}")
+    foreach(path IN ITEMS "${file}" "${linked}")
+      execute_process(COMMAND ${DPKG_QUERY} -S "${path}" RESULT_VARIABLE code OUTPUT_VARIABLE owner
+        ERROR_QUIET)
+      if(code EQUAL 0)
+        break()
+      endif()
+    endforeach()
     string(REGEX REPLACE "[:,].*" "" owner "${owner}")
     if(code EQUAL 0 AND EXISTS /usr/share/doc/${owner}/copyright)
       copy(/usr/share/doc/${owner}/copyright licenses/${short}.txt)
