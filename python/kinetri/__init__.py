@@ -20,6 +20,7 @@ Arrays in, arrays out::
 Positions and times are taken exactly, and every decision is exact. What comes back in arrays is rounded
 to nearest; a `Time` is exact.
 """
+from ._answers import Watch
 from ._arrays import NO_POINT
 from ._kinetri import Contact, Event, Time, __version__
 from ._moving import (AuditReport, KineticDelaunay, KineticRegular, Location, MovingPoints,
@@ -43,6 +44,6 @@ __all__ = [
     "KineticDelaunay", "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors",
     "NegativeRadiusError", "OutputError", "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page",
     "PreconditionError", "Response", "Simulation", "Snapshot", "SnapshotError", "Time", "Tracks",
-    "VoronoiCell", "WorkerError", "__version__", "event_dtype", "event_kinds", "packing", "parameter_list",
+    "VoronoiCell", "Watch", "WorkerError", "__version__", "event_dtype", "event_kinds", "packing", "parameter_list",
     "read_points", "respond", "result_table", "run_in_pieces", "scenario", "sweep", "to_dataframe",
 ]

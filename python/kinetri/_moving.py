@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 import numpy as np
 
 from . import _arrays, _kinetri
+from ._answers import RunAnswers
 from ._arrays import NO_POINT
 from ._kinetri import Time
 from ._page import Page
@@ -158,7 +159,7 @@ def _triangulation(positions: ArrayLike, velocities: ArrayLike | None, accelerat
     return _kinetri.make_triangulation(motions, is_polynomial, sizes is not None, start)
 
 
-class MovingPoints:
+class MovingPoints(RunAnswers):
     """What `KineticDelaunay`, `KineticRegular` and `Simulation` have in common.
 
     Points have ids: 0, 1, 2, ... in the order in which they are given. An id is not used again when its
@@ -1114,21 +1115,11 @@ class Simulation(MovingPoints):
             If points accelerate; or if discs have radii of their own, and `collisions` is None: then
             overlaps are not followed; 'log' is enough.
         """
-        import pandas as pd
-
-        number = _arrays.count("number", number)
-        if number == 0:
-            raise PreconditionError("number is 0; expected at least 1")
         if self._engine.kind()[1] and self.collisions in (None, "none"):
             raise PreconditionError(
                 "discs have radii of their own, and collisions is None; expected 'log' or another "
                 "response, without which overlaps are not followed")
-        watch = _kinetri.Watch(self._engine, "closest", number, 0.0)
-        self._advance(until, None, progress)
-        table = watch.table()
-        if not self._engine.kind()[1] and self._engine.box_and_radius()[1] == 0:
-            del table["gap"]
-        return pd.DataFrame(table)
+        return self._answer(self.watch("closest", number=number), until, progress)
 
     def set_masses(self, ids: ArrayLike, masses: ArrayLike) -> None:
         """Gives points other masses from now on.

@@ -339,11 +339,74 @@ class Tracks:
         collisions = "log" if radius is not None or self._radii is not None else None
         simulation = self.simulation(start=start, until=until, radius=radius, collisions=collisions)
         table = simulation.closest(number, until=simulation.end, progress=progress)
+        return self._labelled(table, simulation, {"time": "date"})
+
+    def _labelled(self, table: pd.DataFrame, simulation: TracksSimulation,
+                  dates: dict[str, str]) -> pd.DataFrame:
+        """With labels for ids; and, where times are dates, columns of dates, by the columns of times."""
+        import pandas as pd
+
         for name in ("a", "b"):
-            table[name] = [simulation.label(id) for id in table[name]]
+            table[name] = [None if pd.isna(id) else simulation.label(id) for id in table[name]]
         if self.origin is not None:
-            table["date"] = self.dates(table["time"])
+            for time, date in dates.items():
+                table[date] = self.dates(table[time])
         return table
+
+    def encounters(self, range: float, *, start: float | None = None, until: float | None = None,
+                   radius: float | None = None, progress: Progress = False) -> pd.DataFrame:
+        """All encounters: which things were near each other, from when until when.
+
+        Parameters
+        ----------
+        range : float
+            As in `Simulation.encounters`: of points their distance, of discs the gap between their rims.
+        start, until, radius : float, optional
+            As in `simulation`.
+        progress : bool or callable
+            As in `Simulation.advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            As of `Simulation.encounters`, with labels for ids. Where times are dates there are columns
+            `begin_date`, `end_date` and `closest_date` beside.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> tracks = kinetri.Tracks.from_arrays([0, 4, 0, 4], ["a", "a", "b", "b"], [0, 4, 4, 0], [0, 0, 3, 3])
+        >>> tracks.encounters(5)[["a", "b", "begin", "end", "distance"]]
+           a  b  begin  end  distance
+        0  a  b    0.0  4.0       3.0
+        """
+        simulation = self.simulation(start=start, until=until, radius=radius)
+        table = simulation.encounters(range, until=simulation.end, progress=progress)
+        return self._labelled(table, simulation, {"begin": "begin_date", "end": "end_date",
+                                                  "closest": "closest_date"})
+
+    def components(self, range: float, *, start: float | None = None, until: float | None = None,
+                   progress: Progress = False) -> pd.DataFrame:
+        """Each time at which things get connected, or disconnected.
+
+        Parameters
+        ----------
+        range : float
+            As in `Simulation.components`.
+        start, until : float, optional
+            As in `simulation`.
+        progress : bool or callable
+            As in `Simulation.advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            As of `Simulation.components`, with labels for ids. Where times are dates there is a column
+            `date` beside.
+        """
+        simulation = self.simulation(start=start, until=until)
+        table = simulation.components(range, until=simulation.end, progress=progress)
+        return self._labelled(table, simulation, {"time": "date"})
 
     def dates(self, times: ArrayLike) -> npt.NDArray[np.datetime64]:
         """Times as dates.

@@ -161,9 +161,9 @@ py::bytes page(Moving& moving, const Event_observer& recorder, const std::string
 class Moving_watch {
  public:
   Moving_watch(std::shared_ptr<Moving> moving, const std::string& about, std::size_t number,
-               double range)
+               std::optional<double> distance)
       : moving_(std::move(moving)), watch_(moving_->with_engine([&](Engine& e) {
-          return e.watch({about, number, range});
+          return e.watch({about, number, distance});
         })) {}
 
   /// By name the columns, in their order.
@@ -503,7 +503,8 @@ void bind_engine(py::module_& module) {
   });
   module.def("make_simulation", make_moving_simulation);
   py::class_<Moving_watch>(module, "Watch")
-      .def(py::init<std::shared_ptr<Moving>, const std::string&, std::size_t, double>())
+      .def(py::init<std::shared_ptr<Moving>, const std::string&, std::size_t,
+                    std::optional<double>>())
       .def("table", &Moving_watch::table);
   module.def("make_tracks", make_moving_tracks);
   module.def("restore",

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -20,15 +21,16 @@ namespace kinetri::python {
 
 /// What is asked.
 struct Question {
-  std::string about;       ///< the name of the observer, as in `watch`
-  std::size_t number = 0;  ///< how many answers, where that is to be said
-  double range = 0;        ///< what is near, where that is to be said
+  std::string about;                              ///< the name of the observer, as in `watch`
+  std::size_t number = 0;                         ///< how many answers, where that is to be said
+  std::optional<double> distance = std::nullopt;  ///< what is near, or short, where that is said
 };
 
 /// Columns of one length, each with a name.
 class Answer_table {
  public:
-  using Column = std::variant<std::vector<Point_id>, std::vector<std::int64_t>, std::vector<double>,
+  using Column = std::variant<std::vector<Point_id>, std::vector<std::int64_t>,
+                              std::vector<std::uint8_t>, std::vector<double>,
                               std::vector<std::string>>;  ///< what one holds
 
   /// @{

@@ -62,5 +62,6 @@ def test_discs_of_any_size_need_a_response():
     sim = kinetri.Simulation([[0, 0], [9, 0]], [[1, 0], [0, 0]], radius=[1, 2])
     with pytest.raises(kinetri.PreconditionError, match="collisions is None; expected 'log'"):
         sim.closest(1, until=1)
+    log = kinetri.Simulation([[0, 0], [9, 0]], [[1, 0], [0, 0]], radius=[1, 2], collisions="log")
     with pytest.raises(kinetri.PreconditionError, match="number is 0"):
-        sim.closest(0, until=1)
+        log.closest(0, until=1)

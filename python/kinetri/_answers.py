@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Answers about a run: who meets whom, who is connected. Each is an observer of the engine."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _arrays, _kinetri
+from ._arrays import NO_POINT
+from ._types import Progress, TimeLike
+from .errors import PreconditionError
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+# The questions, with what each needs, and what it may have.
+QUESTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "closest": (("number",), ()),
+    "encounters": (("range",), ()),
+    "components": (("range",), ()),
+    "neighbor_lives": ((), ("ridge",)),
+    "exchanges": ((), ("ridge",)),
+    "nearest_neighbor_changes": ((), ()),
+}
+
+
+class Watch:
+    """Follows a run, and answers a question about it at any time.
+
+    `MovingPoints.watch` makes one. It sees what happens from then on, as long as it exists; several can
+    follow one run.
+    """
+
+    def __init__(self, engine: _kinetri.Engine, about: str, number: int | None, range: float | None,
+                 ridge: float | None) -> None:
+        if about not in QUESTIONS:
+            raise PreconditionError(f"about is {about!r}; expected one of {', '.join(map(repr, QUESTIONS))}")
+        needed, allowed = QUESTIONS[about]
+        given = {"number": number, "range": range, "ridge": ridge}
+        for name, value in given.items():
+            if value is None and name in needed:
+                raise PreconditionError(f"{name} is missing; expected {name} for {about!r}")
+            if value is not None and name not in needed + allowed:
+                expected = " and ".join(needed + allowed) or "nothing else"
+                raise PreconditionError(f"{name} is given; expected {expected} for {about!r}")
+        count = 0 if number is None else _arrays.count("number", number)
+        if number is not None and count == 0:
+            raise PreconditionError("number is 0; expected at least 1")
+        distance = next((_arrays.one_number(name, given[name]) for name in ("range", "ridge")
+                         if given[name] is not None), None)
+        self._about = about
+        self._watch = _kinetri.Watch(engine, about, count, distance)
+
+    def table(self) -> pd.DataFrame:
+        """The answer from the beginning of this object up to the present time of the run.
+
+        Returns
+        -------
+        pandas.DataFrame
+            As the method of that name gives it: `MovingPoints.encounters`, for example.
+        """
+        import pandas as pd
+
+        return pd.DataFrame({name: _column(values) for name, values in self._watch.table().items()})
+
+    def __repr__(self) -> str:
+        return f"<kinetri.Watch of {self._about}>"
+
+
+def _column(values: Any) -> Any:
+    """A column; ids that may be missing are nullable."""
+    import pandas as pd
+
+    if isinstance(values, np.ndarray) and values.dtype == np.uint8:
+        return values.astype(bool)
+    if isinstance(values, np.ndarray) and values.dtype == np.uint32 and np.any(values == NO_POINT):
+        return pd.arrays.IntegerArray(values.astype(np.int64), values == NO_POINT)
+    return values
+
+
+class RunAnswers:
+    """The methods of `MovingPoints` that go to a time and answer a question on the way."""
+
+    _engine: _kinetri.Engine
+
+    def _advance(self, until: TimeLike, observer: _kinetri.Observer | None, progress: Progress) -> int:
+        raise NotImplementedError
+
+    def watch(self, about: str, *, number: int | None = None, range: float | None = None,
+              ridge: float | None = None) -> Watch:
+        """Follows the run from now on, to answer a question later.
+
+        Parameters
+        ----------
+        about : str
+            The question: 'closest', 'encounters', 'components', 'neighbor_lives', 'exchanges' or
+            'nearest_neighbor_changes'. The method of that name answers it.
+        number : int, optional
+            How many; of 'closest' only.
+        range : float, optional
+            What is near; of 'encounters' and 'components' only.
+        ridge : float, optional
+            What is short; of 'neighbor_lives' and 'exchanges' only.
+
+        Returns
+        -------
+        Watch
+            Its method `table` answers, at any time. Several can follow one run.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [4, 0], [8, 3]], [[1, 0], [0, 0], [0, 0]])
+        >>> watch = kd.watch("encounters", range=1.0)
+        >>> kd.advance_to(6)
+        0
+        >>> watch.table()[["a", "b", "begin", "end"]]
+           a  b  begin  end
+        0  0  1    3.0  5.0
+        """
+        return Watch(self._engine, about, number, range, ridge)
+
+    def _answer(self, watch: Watch, until: TimeLike, progress: Progress) -> pd.DataFrame:
+        self._advance(until, None, progress)
+        return watch.table()
+
+    def encounters(self, range: float, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and gives all encounters on the way: which points were near each other, and when.
+
+        Two points are near while they are at most `range` apart; discs, while the gap between their rims
+        is at most `range`. A touch of one moment counts.
+
+        Parameters
+        ----------
+        range : float
+            At least 0.
+        until : time
+            As in `advance_to`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for each time that a pair was near, by exact begin, then by a and b: a, b (ids, a < b);
+            begin, end and closest, the time of the least distance, each with its bounds in columns that
+            end in _lo and _hi; distance, the least one, of the centres; gap, if there are discs. Each
+            number is the float64 nearest to the exact one. What is near now begins now, or when one of
+            the two comes; what is near at the end ends then, or when one of the two leaves.
+        """
+        return self._answer(self.watch("encounters", range=range), until, progress)
+
+    def components(self, range: float, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and gives each time on the way at which points get connected, or disconnected.
+
+        Points that are at most `range` apart are linked; what links connect is a component.
+
+        Parameters
+        ----------
+        range : float
+            At least 0.
+        until : time
+            As in `advance_to`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            In order of time: time, time_lo, time_hi; kind, which is 'start' in the first row, then
+            'merge' or 'split', and 'insert' or 'erase' of a point without links; a and b, the pair whose
+            link begins or ends (of insert and erase a is the point); components, how many there are
+            after that; largest, the number of points of the largest.
+        """
+        return self._answer(self.watch("components", range=range), until, progress)
+
+    def neighbor_lives(self, *, until: TimeLike, ridge: float | None = None,
+                       progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and gives the life of each edge on the way: who was whose neighbor, and when.
+
+        Parameters
+        ----------
+        until : time
+            As in `advance_to`.
+        ridge : float, optional
+            The length below which the side that two cells have in common is short.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for each time that a pair were neighbors, by exact begin, then by a and b: a, b (ids,
+            a < b); begin and end, each with its bounds in columns that end in _lo and _hi; begins_by and
+            ends_by: 'exchange' (by motion), 'point' (one comes or goes, there or beside), or 'run' (the
+            observation begins or ends); with `ridge` also short: whether the side between the two cells
+            was shorter than that during all of the life, decided exactly.
+        """
+        return self._answer(self.watch("neighbor_lives", ridge=ridge), until, progress)
+
+    def exchanges(self, *, until: TimeLike, ridge: float | None = None,
+                  progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and counts the neighbor exchanges (T1) of each point on the way.
+
+        Parameters
+        ----------
+        until : time
+            As in `advance_to`.
+        ridge : float, optional
+            As in `neighbor_lives`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for each point that was there: id; begin and end of its stay, each with its bounds;
+            gained and lost, how many neighbors it got and lost by exchanges; with `ridge` also short, how
+            many of those begin or end a short life. Per unit of time: divide by end - begin.
+        """
+        return self._answer(self.watch("exchanges", ridge=ridge), until, progress)
+
+    def nearest_neighbor_changes(self, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and gives each time on the way at which a point gets another nearest neighbor.
+
+        Parameters
+        ----------
+        until : time
+            As in `advance_to`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            In the exact order of time, then by id: time, time_lo, time_hi, id, before and after (ids;
+            missing at the start, and where there is no other point). The first rows are those of the
+            start.
+        """
+        return self._answer(self.watch("nearest_neighbor_changes"), until, progress)
