@@ -72,6 +72,10 @@ nlohmann::json measure_start(const Setup& setup);
 /// without.
 nlohmann::json measure_accelerated(const Setup& setup);
 
+/// The run with the components of points that have 4.5 others in range on average, and, for up to
+/// 10 000 points, with the minimum spanning tree, each beside the run alone.
+nlohmann::json measure_components(const Setup& setup);
+
 /// The peak of the resident memory after construction and run of the exact triangulation alone.
 nlohmann::json measure_memory(const Setup& setup);
 

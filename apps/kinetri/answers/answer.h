@@ -59,6 +59,12 @@ std::unique_ptr<Answer> exchanges_answer(const Answer_settings& settings,
                                          const Run_source& source);
 std::unique_ptr<Answer> nearest_answer(const Answer_settings& settings,
                                        const Any_simulation& simulation, const Run_source& source);
+std::unique_ptr<Answer> components_answer(const Answer_settings& settings,
+                                          const Any_simulation& simulation,
+                                          const Run_source& source);
+std::unique_ptr<Answer> spanning_tree_answer(const Answer_settings& settings,
+                                             const Any_simulation& simulation,
+                                             const Run_source& source);
 /// @}
 
 }  // namespace kinetri::app

@@ -13,11 +13,13 @@ struct Answer_row {
                                     const Run_source&);
 };
 
-constexpr std::array<Answer_row, 4> answers = {{
+constexpr std::array<Answer_row, 6> answers = {{
     {Output::closest, &closest_answer},
     {Output::neighbors, &neighbors_answer},
     {Output::exchanges, &exchanges_answer},
     {Output::nearest, &nearest_answer},
+    {Output::components, &components_answer},
+    {Output::spanning_tree, &spanning_tree_answer},
 }};
 
 }  // namespace

@@ -26,7 +26,8 @@ Command resume_command() {
                       "A file that --checkpoint has written; - is standard input");
   add_end_options(result, options->run);
   add_run_options(result, options->run,
-                  {Output::checkpoint, Output::neighbors, Output::exchanges, Output::nearest});
+                  {Output::checkpoint, Output::neighbors, Output::exchanges, Output::nearest,
+                   Output::components, Output::spanning_tree});
   result.description = {
       "The run continues as if it had never stopped: the event log of the first part and that of "
       "this one together are the log of one long run, byte for byte, and events keep counting. "

@@ -28,9 +28,11 @@ enum class Output {
   neighbors,
   exchanges,
   nearest,
+  components,
+  spanning_tree,
 };
 
-constexpr std::size_t number_of_outputs = 14;
+constexpr std::size_t number_of_outputs = 16;
 
 /// The commands that have an output.
 enum class Offered {
@@ -83,6 +85,14 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
      Offered::by_request},
     {Output::nearest, "--nearest", "--nearest", "FILE",
      "Write here which point is the nearest neighbor of each point, from when on, as CSV",
+     Offered::by_request},
+    {Output::components, "--components", "--components", "FILE",
+     "Write here how the points that are near each other make up connected components: each merge "
+     "and split, as CSV; needs --range",
+     Offered::by_request, true},
+    {Output::spanning_tree, "--spanning-tree", "--spanning-tree", "FILE",
+     "Write the Euclidean minimum spanning tree here: its edges at the start, each change, and "
+     "which edge is the longest, as CSV",
      Offered::by_request},
 }};
 
