@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/observers/neighbor_lives.h"
 
+#include <CGAL/Interval_nt.h>
+
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <iterator>
 #include <set>
 #include <tuple>
@@ -35,6 +38,52 @@ Polynomial distance_polynomial(const Trajectory_2& a, const Trajectory_2& b, dou
   const Integer one = denominator(exact);
   const Integer length = numerator(exact);
   return primitive_part((x * x + y * y) * Integer(one * one) - w * w * Integer(length * length));
+}
+
+// ---- bounds, by interval arithmetic ----
+
+using Interval = CGAL::Interval_nt<>;
+
+struct Interval_point {
+  Interval x;
+  Interval y;
+  Interval weight;
+};
+
+template <class Motion>
+Interval_point interval_point(const Motion& motion, double t) {
+  const Linear_motion_2& path = centre(motion);
+  const Interval elapsed = Interval(t) - Interval(path.epoch);
+  Interval_point result = {path.position.x + path.velocity.x * elapsed,
+                           path.position.y + path.velocity.y * elapsed, 0};
+  if constexpr (HasWeight<Motion>) {
+    result.weight = CGAL::square(motion.radius + motion.growth * elapsed) + motion.weight;
+  }
+  return result;
+}
+
+// Whether the centres of the triangles p, q, r and p, q, s are certainly as far apart as `distance`
+// at the time t. False says nothing.
+template <class Motion>
+bool are_certainly_apart(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
+                         double distance, double t) {
+  const Interval_point a = interval_point(p, t);
+  const auto center = [&](const Motion& third) {
+    const Interval_point b = interval_point(q, t);
+    const Interval_point c = interval_point(third, t);
+    const Interval bx = b.x - a.x;
+    const Interval by = b.y - a.y;
+    const Interval cx = c.x - a.x;
+    const Interval cy = c.y - a.y;
+    const Interval of_b = CGAL::square(bx) + CGAL::square(by) - b.weight + a.weight;
+    const Interval of_c = CGAL::square(cx) + CGAL::square(cy) - c.weight + a.weight;
+    const Interval denominator = 2 * (bx * cy - by * cx);
+    return std::pair((cy * of_b - by * of_c) / denominator, (bx * of_c - cx * of_b) / denominator);
+  };
+  const auto [x1, y1] = center(r);
+  const auto [x2, y2] = center(s);
+  const Interval squared = CGAL::square(x1 - x2) + CGAL::square(y1 - y2);
+  return squared.inf() >= CGAL::square(Interval(distance)).sup();
 }
 
 }  // namespace
@@ -323,6 +372,19 @@ bool Neighbor_lives<Traits>::reaches_threshold(const Edge_ids& edge, const Prese
   const auto center_at = [&](Point_id id) {
     return center(graph.point(edge[0]), graph.point(edge[1]), graph.point(id));
   };
+  if constexpr (std::same_as<Centre_motion_of<Motion>, Linear_motion_2>) {
+    const double from = present.since.interval().upper;
+    const double to = until.interval().lower;
+    const auto motion = [&](Point_id id) -> const Motion& { return graph.point(id).motion(); };
+    for (const double share : {0.5, 0.125, 0.875}) {
+      const double t = from + share * (to - from);
+      if (t >= from && t <= to &&
+          are_certainly_apart(motion(edge[0]), motion(edge[1]), motion(present.opposite[0]),
+                              motion(present.opposite[1]), *threshold_, t)) {
+        return true;
+      }
+    }
+  }
   const Polynomial excess = distance_polynomial(center_at(present.opposite[0]),
                                                 center_at(present.opposite[1]), *threshold_);
   if (sign_at(excess, until) != CGAL::NEGATIVE) return true;

@@ -80,7 +80,8 @@ struct Point_exchanges {
 ///
 /// Cost: O(log n) for each edge that changes, and O(degree) for each turn. With a threshold, also
 /// predicates for the five edges around it, and until the ridge of an edge has reached the
-/// threshold, the polynomial of each quadrilateral that it is the diagonal of. Memory: O(n), and
+/// threshold, bounds of its length, or the polynomial of each quadrilateral that it is the diagonal
+/// of where these do not decide. Memory: O(n), and
 /// for each life two exact times.
 template <ContactKineticTraits_2 Traits>
 class Neighbor_lives final : private Edge_follower<Traits> {
@@ -108,6 +109,7 @@ class Neighbor_lives final : private Edge_follower<Traits> {
  private:
   using Base = Edge_follower<Traits>;
   using typename Base::Changed_point;
+  using typename Base::Motion;
   using typename Base::Point_2;
   using Index = std::size_t;
   using Opposite = std::array<Point_id, 2>;  // sorted; no_point of the infinite vertex
