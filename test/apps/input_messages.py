@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cases of the messages about input: command lines, and files of points and tracks."""
-from message_case import DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, simulate, tracks
+from message_case import (DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, simulate, tracks,
+                          walkable)
 
 FORMATS = "auto, rows, frames, ids, table, jupedsim, sumo, lammps, xyz or geojson"
 COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion, manual or help"
@@ -126,6 +127,7 @@ def meaning_cases():
     yield simulate("--fps 5", option="--fps,--frames-per-time")
     yield simulate("--frames-per-time 5", option="--fps,--frames-per-time")
     yield case("tracks t.csv --frames-per-time 5", option="--frames-per-time")
+    yield case("resume c --until 1 --fps 5", option="--fps,--frames-per-time", files={"c": checkpoint()})
     yield simulate("--frames f --fps 1e9", option="--fps,--frames-per-time", rate="1000000000",
                    **{"from": 0}, until=1, most=1000000)
     nowhere = {"PATH": "/nowhere"}
@@ -204,6 +206,30 @@ def table_cases():
     yield tracks("time,name\n", "--columns t=time,id=name", column="x")
     walk = "".join(f"{person} {frame} {frame} {9 * person}\n" for person in range(4) for frame in range(5))
     yield tracks(walk, "--format frames", distance=9, other=1)
+    for option in ("--areas a", "--mean-areas a"):
+        yield simulate(option, option=option.split()[0])
+    yield simulate("--cutoff 1", option="--cutoff")
+    yield simulate("--walkable w --cutoff 1 --areas a", file="w", reason=NO_FILE,
+                   content="a walkable area, as Well-Known Text")
+    yield simulate("--cutoff 0 --areas a", option="--cutoff", number=0, lowest=1e-150, highest="1e+150")
+    yield walkable("POINT (1 2)", line=1, column=1, here="'POINT' stands here")
+    yield walkable("GEOMETRYCOLLECTION (LINESTRING (0 0, 1 1))", line=1, column=21,
+                   here="'LINESTRING' stands here")
+    yield walkable("POLYGON\nZ ((0 0, 1 0, 1 1, 0 0))", line=2, column=1, here="'Z' stands here")
+    yield walkable("POLYGON ((0 0, 1 0, 1 1, 0 0)", line=1, column=30, here="the text ends here")
+    yield walkable("POLYGON (0 0)", line=1, column=10, here="'0' stands here")
+    yield walkable("POLYGON ((0 0, 1))", line=1, column=17, here="')' stands here")
+    yield walkable("POLYGON ((0 0, 1;0))", line=1, column=17, here="';0' stands here")
+    yield walkable("POLYGON ((0 0, 1 0, 1 1, 0 0));", line=1, column=31)
+    yield walkable("POLYGON EMPTY\n", line=2, column=1)
+    yield walkable("POLYGON ((0 0, 1 0, 1 1, 0 1))", line=1, column=11)
+    yield walkable("POLYGON ((0 0, 1 0, 0 0))", line=1, column=11, n=2)
+    yield walkable("POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))", ring="polygon 1", to="0 1", **{"from": "1 0"})
+    yield walkable("POLYGON ((0 0, 1 1, 1 -1, 0 0, -1 1, -1 -1, 0 0))", ring="polygon 1")
+    yield walkable("POLYGON ((0 0, 1 0, 0 1, 0 0), (5 5, 6 5, 5 6, 5 5))", ring="polygon 1, hole 1")
+    yield walkable("MULTIPOLYGON (((0 0, 9 0, 0 9, 0 0)), ((1 1, 2 1, 1 2, 1 1)))", ring="polygon 2")
+    yield simulate("--walkable w --areas a", file="w",
+                   prepare=lambda d: (d / "w").write_bytes(b" " * 2**26))
     yield points("\n# c\nx,y,x,vx,vy\n", line=3, column="x", columns=POINTS_COLUMNS)
     yield points("x,y,vx\n1,2,3\n", line=1, column="vy", columns=POINTS_COLUMNS)
     yield tracks("t,id,x\n", line=1, column="y", columns=TRACKS_COLUMNS)

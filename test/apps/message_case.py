@@ -57,6 +57,10 @@ def points(content, more="--until 1", **options):
     return case("simulate p.csv " + more, files={"p.csv": content}, file="p.csv", **options)
 
 
+def walkable(text, **options):
+    return case("simulate p.csv --until 1 --areas a --walkable w", files={"w": text}, file="w", **options)
+
+
 def tracks(content, more="", **options):
     return case("tracks t.csv " + more, files={"t.csv": content}, file="t.csv", **options)
 

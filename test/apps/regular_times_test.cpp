@@ -33,6 +33,20 @@ TEST(Regular_times, are_rounded_once) {
   }
 }
 
+TEST(Regular_times, may_be_multiples_of_a_frame) {
+  EXPECT_EQ(multiples(0.1, 0.5, 10, 10), (Times{0.1, 0.2, 0.3, 0.4, 0.5}));
+  EXPECT_EQ(multiples(-0.25, 0.25, 10, 10), (Times{-0.2, -0.1, 0, 0.1, 0.2}));
+  EXPECT_EQ(multiples(0.11, 0.19, 10, 10), Times{});
+  EXPECT_EQ(multiples(0, 10, 1, 10), std::nullopt);
+  // As a file is read: the quotients, rounded.
+  const auto times = multiples(7 / 30.0, 500 / 30.0, 30, 1000);
+  ASSERT_TRUE(times);
+  ASSERT_EQ(times->size(), 494U);
+  for (std::size_t k = 0; k < times->size(); ++k) {
+    EXPECT_EQ((*times)[k], static_cast<double>(k + 7) / 30);
+  }
+}
+
 TEST(Regular_times, have_a_limit) {
   EXPECT_EQ(regular_times(0, 9, 1, 10)->size(), 10U);
   EXPECT_EQ(regular_times(0, 10, 1, 10), std::nullopt);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace kinetri::app {
 
@@ -14,6 +15,8 @@ struct Answer_settings {
   std::size_t closest = 0;      ///< how many closest approaches
   double range = 0;             ///< what is near: at most this far apart
   std::optional<double> ridge;  ///< of neighbors: shorter ridges are told apart
+  std::optional<std::string> walkable = std::nullopt;  ///< the path of a file: where points can be
+  std::optional<double> cutoff = std::nullopt;         ///< how far cells reach from their points
 };
 
 }  // namespace kinetri::app

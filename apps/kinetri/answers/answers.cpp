@@ -13,13 +13,14 @@ struct Answer_row {
                                     const Run_source&);
 };
 
-constexpr std::array<Answer_row, 6> answers = {{
+constexpr std::array<Answer_row, 7> answers = {{
     {Output::closest, &closest_answer},
     {Output::neighbors, &neighbors_answer},
     {Output::exchanges, &exchanges_answer},
     {Output::nearest, &nearest_answer},
     {Output::components, &components_answer},
     {Output::spanning_tree, &spanning_tree_answer},
+    {Output::mean_areas, &mean_areas_answer},
 }};
 
 }  // namespace

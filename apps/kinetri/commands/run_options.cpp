@@ -68,8 +68,39 @@ std::optional<double> ridge_argument(const Run_options& options) {
   return positive_argument("--ridge", *options.ridge);
 }
 
+// The options that need --walkable or --cutoff.
+std::string limited_outputs() {
+  std::vector<std::string> result;
+  for (const Output_row& row : output_table) {
+    if (row.has_limits) result.emplace_back(row.option);
+  }
+  return separated(result, " or ");
+}
+
+// The values of --walkable and --cutoff, of which some outputs need one, and the others none.
+void set_limits(const Run_options& options, Answer_settings& settings) {
+  bool is_needed = false;
+  for (const Output_row& row : output_table) {
+    if (!row.has_limits || !options.outputs[row.output]) continue;
+    is_needed = true;
+    if (options.walkable || options.cutoff) continue;
+    throw Usage_error(joined(row.option,
+                             ": cells of points on the convex hull are unbounded; expected "
+                             "--walkable FILE, or --cutoff R, or both as well"));
+  }
+  if (!is_needed && (options.walkable || options.cutoff)) {
+    throw Usage_error(joined(options.walkable ? "--walkable" : "--cutoff",
+                             ": no cells are measured; expected ", limited_outputs(), " as well"));
+  }
+  settings.walkable = options.walkable;
+  if (options.cutoff) {
+    settings.cutoff = size_argument("--cutoff", *options.cutoff, 1e-150, 1e150, false);
+  }
+}
+
 void add_outputs(Command& command, Run_options& options, std::initializer_list<Output> requested) {
   bool has_range = false;
+  bool has_limits = false;
   for (const Output_row& row : output_table) {
     const bool is_requested =
         std::find(requested.begin(), requested.end(), row.output) != requested.end();
@@ -81,6 +112,19 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
              row.help)
         .heading = outputs_heading;
     has_range = has_range || row.has_range;
+    has_limits = has_limits || row.has_limits;
+    options.has_areas = options.has_areas || row.output == Output::areas;
+  }
+  if (has_limits) {
+    command
+        .add("--walkable", &options.walkable, "FILE",
+             joined("For ", limited_outputs(),
+                    ": where points can be, polygons with holes as Well-Known Text"))
+        .heading = outputs_heading;
+    command
+        .add("--cutoff", &options.cutoff, "R",
+             joined("For ", limited_outputs(), ": cells end at this distance from their points"))
+        .heading = outputs_heading;
   }
   if (command.find_option("--neighbors") != nullptr) {
     command
@@ -125,8 +169,11 @@ void add_run_options(Command& command, Run_options& options,
   add_outputs(command, options, requested);
   command
       .add(options.frames_per_time_option, &options.frames_per_time, "N",
-           "Frames in a unit of time, for --frames and --vtu (default: 101 frames from start to "
-           "end)")
+           options.has_areas
+               ? "Frames in a unit of time, for --frames, --vtu and --areas (default: 101 frames "
+                 "from start to end; for --areas, of tracks that consist of frames, these)"
+               : "Frames in a unit of time, for --frames and --vtu (default: 101 frames from start "
+                 "to end)")
       .heading = outputs_heading;
   command
       .add("--audit", &options.audit, choice_type(audit_modes),
@@ -157,11 +204,13 @@ Run_settings run_settings(const Run_options& options) {
   result.outputs = options.outputs;
   result.answers.range = range_argument(options);
   result.answers.ridge = ridge_argument(options);
+  set_limits(options, result.answers);
   if (options.frames_per_time) {
     const std::string& option = options.frames_per_time_option;
-    if (!result.outputs[Output::frames] && !result.outputs[Output::vtu]) {
-      throw Usage_error(
-          joined(option, ": no frames are written; expected --frames or --vtu as well"));
+    if (!result.outputs[Output::frames] && !result.outputs[Output::vtu] &&
+        !result.outputs[Output::areas]) {
+      throw Usage_error(joined(option, ": no frames are written; expected --frames",
+                               options.has_areas ? ", --vtu or --areas" : " or --vtu", " as well"));
     }
     result.frame_rate = Frame_rate{positive_argument(option, *options.frames_per_time), option};
   }

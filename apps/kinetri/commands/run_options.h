@@ -21,6 +21,9 @@ struct Run_options {
   Output_paths outputs;
   std::optional<std::string> range;
   std::optional<std::string> ridge;
+  std::optional<std::string> walkable;
+  std::optional<std::string> cutoff;
+  bool has_areas = false;  ///< whether the command has the output
   std::optional<std::string> frames_per_time;
   std::string frames_per_time_option;  ///< with all its names: any of them may have been used
   std::optional<std::string> max_events;

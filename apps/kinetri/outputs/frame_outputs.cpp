@@ -7,15 +7,11 @@
 #include <sstream>
 #include <string>
 
-#include "cli/arguments.h"
 #include "io/text.h"
-#include "outputs/regular_times.h"
+#include "outputs/frame_times.h"
 
 namespace kinetri::app {
 namespace {
-
-constexpr std::size_t usual_intervals = 100;
-constexpr std::size_t most_frames = 1'000'000;
 
 // The bounding box of the points where they are at `from` and, as they go now, at `until`.
 template <class Traits>
@@ -71,13 +67,7 @@ void Frame_outputs::start(const Run_source& source, const Any_simulation& simula
                           double until) {
   simulation.visit([&](const auto& s) {
     const double from = s.current_time().tight_interval().upper;
-    auto times = rate_ ? regular_times(from, until, rate_->per_time, most_frames)
-                       : evenly_spaced_times(from, until, usual_intervals);
-    if (!times) {
-      throw Usage_error(joined(rate_->option, ": ", rate_->per_time, " from t = ", from, " to ",
-                               until, " are more than ", most_frames, " frames; expected fewer"));
-    }
-    times_ = std::move(*times);
+    times_ = frame_times(from, until, rate_);
     const std::optional<Box_2>& box = s.options().box;
     const std::optional<Box_2> known = box ? box : source.extent();
     view_.extent = known ? *known : extent_of(s.triangulation(), from, until);

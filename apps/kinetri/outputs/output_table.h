@@ -30,9 +30,11 @@ enum class Output {
   nearest,
   components,
   spanning_tree,
+  areas,
+  mean_areas,
 };
 
-constexpr std::size_t number_of_outputs = 16;
+constexpr std::size_t number_of_outputs = 18;
 
 /// The commands that have an output.
 enum class Offered {
@@ -47,7 +49,8 @@ struct Output_row {
   const char* type;    ///< "DIR" if it is a directory; else it is a file
   const char* help;
   Offered offered = Offered::by_every_run;
-  bool has_range = false;  ///< whether --range says what is near
+  bool has_range = false;   ///< whether --range says what is near
+  bool has_limits = false;  ///< whether --walkable and --cutoff bound its cells
 
   bool is_directory() const { return type[0] == 'D'; }
 };
@@ -94,6 +97,13 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
      "Write the Euclidean minimum spanning tree here: its edges at the start, each change, and "
      "which edge is the longest, as CSV",
      Offered::by_request},
+    {Output::areas, "--areas", "--areas", "FILE",
+     "Write the area of each point's Voronoi cell in each frame here, and the density, as CSV; of "
+     "discs the power cell",
+     Offered::by_request, false, true},
+    {Output::mean_areas, "--mean-areas", "--mean-areas", "FILE",
+     "Write the mean of that area over the whole time in which a point is there here, as CSV",
+     Offered::by_request, false, true},
 }};
 
 constexpr bool is_in_order(const std::array<Output_row, number_of_outputs>& table) {

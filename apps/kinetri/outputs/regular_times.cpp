@@ -28,6 +28,24 @@ std::optional<std::vector<double>> regular_times(double from, double until, doub
   }
 }
 
+std::optional<std::vector<double>> multiples(double from, double until, double per_time,
+                                             std::size_t most) {
+  const Rational frequency = to_rational(per_time);
+  const Rational start = to_rational(from) * frequency;
+  if (to_rational(until) * frequency - start >= most) return std::nullopt;
+  // One less than rounding may give, as a quotient may be rounded up to `from`.
+  Integer k =
+      boost::multiprecision::numerator(start) / boost::multiprecision::denominator(start) - 2;
+  std::vector<double> times;
+  for (;; ++k) {
+    const double time = to_double(Rational(k) / frequency);
+    if (time < from) continue;
+    if (time > until) return times;
+    if (times.size() == most) return std::nullopt;
+    add_time(times, time);
+  }
+}
+
 std::vector<double> evenly_spaced_times(double from, double until, std::size_t intervals) {
   const Rational start = to_rational(from);
   const Rational length = to_rational(until) - start;

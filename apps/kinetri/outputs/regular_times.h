@@ -17,6 +17,11 @@ namespace kinetri::app {
 std::optional<std::vector<double>> regular_times(double from, double until, double per_time,
                                                  std::size_t most);
 
+/// The times k / per_time, for whole numbers k of either sign, rounded, from `from` up to `until`;
+/// else as regular_times.
+std::optional<std::vector<double>> multiples(double from, double until, double per_time,
+                                             std::size_t most);
+
 /// The ends of `intervals` intervals of equal length from `from` to `until`, rounded, each number
 /// once. Precondition: from <= until are finite, intervals > 0.
 std::vector<double> evenly_spaced_times(double from, double until, std::size_t intervals);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs/run_outputs.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/arguments.h"
@@ -17,7 +18,7 @@ constexpr std::array noted_outputs = {Output::events, Output::initial_edges, Out
 
 }  // namespace
 
-Run_outputs::Run_outputs(const Output_paths& paths, const std::string& input_path) {
+Run_outputs::Run_outputs(const Output_paths& paths, const std::vector<std::string>& input_paths) {
   // Pointers to what is open must stay valid.
   files_.reserve(number_of_outputs);
   directories_.reserve(number_of_outputs);
@@ -28,7 +29,7 @@ Run_outputs::Run_outputs(const Output_paths& paths, const std::string& input_pat
       if (path && row.is_directory() == opens_directories) open(row, *path);
     }
   }
-  check_files(input_path);
+  check_files(input_paths);
   check_directories();
   if (!has(Output::checkpoint)) return;
   for (const Output log : noted_outputs) {
@@ -47,12 +48,15 @@ void Run_outputs::open(const Output_row& row, const std::string& path) {
   }
 }
 
-void Run_outputs::check_files(const std::string& input_path) const {
+void Run_outputs::check_files(const std::vector<std::string>& input_paths) const {
   std::error_code ignored;
-  const std::string input = std::filesystem::canonical(input_path, ignored).string();
+  std::vector<std::string> inputs;
+  for (const std::string& path : input_paths) {
+    inputs.push_back(std::filesystem::canonical(path, ignored).string());
+  }
   for (std::size_t i = 0; i < files_.size(); ++i) {
     if (files_[i].identity().empty()) continue;
-    if (files_[i].identity() == input) {
+    if (std::ranges::find(inputs, files_[i].identity()) != inputs.end()) {
       throw Usage_error(
           joined(options_[i], ": ", files_[i].path(), " is the input; expected another file"));
     }

@@ -25,9 +25,9 @@ namespace kinetri::app {
 /// Opens what has a path; what has none is null.
 class Run_outputs {
  public:
-  /// `input_path` may be empty. Throws Usage_error if two outputs, or an output and the input, are
-  /// in each other's way; Output_error if one cannot be written.
-  Run_outputs(const Output_paths& paths, const std::string& input_path);
+  /// Paths of inputs may be empty. Throws Usage_error if two outputs, or an output and an input,
+  /// are in each other's way; Output_error if one cannot be written.
+  Run_outputs(const Output_paths& paths, const std::vector<std::string>& input_paths);
 
   Output_file* file(Output output) { return files_of_[static_cast<std::size_t>(output)]; }
   Output_directory* directory(Output output) {
@@ -67,7 +67,7 @@ class Run_outputs {
   void open(const Output_row& row, const std::string& path);
   void finish(Output_file& file);
   bool is_unread(const Output_file& file) const { return is_unread() && file.path() == "-"; }
-  void check_files(const std::string& input_path) const;
+  void check_files(const std::vector<std::string>& input_paths) const;
   void check_directories() const;
 
   // Of the same length: what is open, and the option that named it.

@@ -24,6 +24,7 @@
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/simulation/growth.h"
+#include "outputs/area_output.h"
 #include "outputs/frame_outputs.h"
 #include "outputs/run_outputs.h"
 #include "outputs/run_plot.h"
@@ -56,17 +57,25 @@ std::uint64_t peak_rss_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
 }
 
+// The files that the run reads.
+std::vector<std::string> input_paths(const Run_settings& settings, const Run_source& source) {
+  std::vector<std::string> result = {source.path()};
+  if (settings.answers.walkable) result.push_back(*settings.answers.walkable);
+  return result;
+}
+
 class Simulation_run {
  public:
   Simulation_run(const Run_settings& settings, Run_source& source)
       : settings_(settings),
         source_(source),
-        outputs_(settings.outputs, source.path()),
+        outputs_(settings.outputs, input_paths(settings, source)),
         progress_(settings.progress) {
     if (outputs_.has(Output::frames) || outputs_.has(Output::vtu)) {
       frames_.emplace(outputs_.directory(Output::frames), outputs_.directory(Output::vtu),
                       settings.frame_rate);
     }
+    if (outputs_.has(Output::areas)) areas_.emplace(settings.answers, settings.frame_rate);
     if (outputs_.has(Output::plot)) sampler_ = std::make_unique<Run_sampler>();
   }
 
@@ -112,6 +121,7 @@ class Simulation_run {
   std::optional<Viewer_output> viewer_;
   std::vector<Followed_answer> answers_;
   std::optional<Frame_outputs> frames_;
+  std::optional<Area_output> areas_;
   std::unique_ptr<Run_sampler> sampler_;
   std::optional<Jam_watch> jam_watch_;  // if discs grow, and have to make room for each other
   bool jammed_ = false;
@@ -176,6 +186,7 @@ void Simulation_run::build() {
   if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_, statistics_.until);
   answers_ = follow_answers(outputs_, settings_.answers, simulation_, source_);
   if (frames_) frames_->start(source_, simulation_, statistics_.until);
+  if (areas_) areas_->start(source_, simulation_, statistics_.until);
   if (sampler_) sampler_->start(statistics_.until, simulation_);
   statistics_.seconds.write += stopwatch_.lap();
 }
@@ -237,15 +248,24 @@ std::size_t Simulation_run::step(const Algebraic_number& until) {
 
 // The next time at which there is something to write or to count, none after the last.
 std::optional<double> Simulation_run::next_stop() const {
-  const auto frame = frames_ ? frames_->next_time() : std::nullopt;
-  const auto sample = sampler_ ? sampler_->next_time() : std::nullopt;
-  if (!frame || !sample) return frame ? frame : sample;
-  return std::min(*frame, *sample);
+  std::optional<double> result;
+  const auto include = [&](const auto& output) {
+    const auto time = output ? output->next_time() : std::nullopt;
+    if (time && (!result || *time < *result)) result = time;
+  };
+  include(frames_);
+  include(areas_);
+  include(sampler_);
+  return result;
 }
 
 void Simulation_run::stop_at(double time) {
   statistics_.seconds.run += stopwatch_.lap();
   if (frames_ && frames_->next_time() == time) frames_->write(simulation_);
+  if (areas_ && areas_->next_time() == time) {
+    areas_->write(outputs_.stream(Output::areas), simulation_);
+    if (!outputs_.stream(Output::areas)) outputs_.finish(Output::areas);
+  }
   if (sampler_ && sampler_->next_time() == time) sampler_->take(simulation_);
   statistics_.seconds.write += stopwatch_.lap();
 }

@@ -14,6 +14,7 @@
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/simulation/box_2.h"
+#include "runs/run_settings.h"
 
 namespace kinetri {
 
@@ -54,6 +55,9 @@ class Run_source {
 
   /// The time at which the run ends; none if a share that the discs cover ends it.
   virtual std::optional<double> until() const = 0;
+
+  /// The rate of the frames that the input consists of, if it has any.
+  virtual std::optional<Frame_rate> frame_rate() const { return std::nullopt; }
 
   /// What pictures of the run have to show, where the source knows that.
   virtual std::optional<Box_2> extent() const { return std::nullopt; }

@@ -29,6 +29,10 @@ class Tracks_source final : public Run_source {
   std::size_t number_of_points() const override { return stays_.size(); }
   double from() const override { return from_; }
   std::optional<double> until() const override { return until_; }
+  std::optional<Frame_rate> frame_rate() const override {
+    if (!file_.frame_rate) return std::nullopt;
+    return Frame_rate{*file_.frame_rate, "--fps"};
+  }
   /// That of all observations, if there are any.
   std::optional<Box_2> extent() const override { return extent_; }
   std::string response() const override { return settings_.logs_contacts ? "log" : "none"; }
