@@ -99,6 +99,10 @@ nlohmann::json measure_changes(const Setup& setup);
 /// those that fail and those that do not, with the filters and without.
 nlohmann::json measure_certificates(const Setup& setup);
 
+/// Encounters at a range with 5 points in it on average: seconds of the run beside those of the run
+/// alone, and of the answer; of up to 10 000 points beside all pairs in doubles.
+nlohmann::json measure_encounters(const Setup& setup);
+
 /// Steps at which a share of the points turns, and after which one looks at the triangulation:
 /// seconds per step of `set_motions` and `advance_to`, and of a static triangulation built anew, in
 /// turn. For several shares and lengths of a step; a length is the mean way of a point divided by

@@ -68,6 +68,12 @@ std::unique_ptr<Answer> spanning_tree_answer(const Answer_settings& settings,
 std::unique_ptr<Answer> mean_areas_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
                                           const Run_source& source);
+std::unique_ptr<Answer> encounters_answer(const Answer_settings& settings,
+                                          const Any_simulation& simulation,
+                                          const Run_source& source);
+std::unique_ptr<Answer> contact_plan_answer(const Answer_settings& settings,
+                                            const Any_simulation& simulation,
+                                            const Run_source& source);
 /// @}
 
 }  // namespace kinetri::app

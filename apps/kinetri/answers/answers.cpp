@@ -13,7 +13,7 @@ struct Answer_row {
                                     const Run_source&);
 };
 
-constexpr std::array<Answer_row, 7> answers = {{
+constexpr std::array<Answer_row, 9> answers = {{
     {Output::closest, &closest_answer},
     {Output::neighbors, &neighbors_answer},
     {Output::exchanges, &exchanges_answer},
@@ -21,6 +21,8 @@ constexpr std::array<Answer_row, 7> answers = {{
     {Output::components, &components_answer},
     {Output::spanning_tree, &spanning_tree_answer},
     {Output::mean_areas, &mean_areas_answer},
+    {Output::encounters, &encounters_answer},
+    {Output::contact_plan, &contact_plan_answer},
 }};
 
 }  // namespace

@@ -32,9 +32,11 @@ enum class Output {
   spanning_tree,
   areas,
   mean_areas,
+  encounters,
+  contact_plan,
 };
 
-constexpr std::size_t number_of_outputs = 18;
+constexpr std::size_t number_of_outputs = 20;
 
 /// The commands that have an output.
 enum class Offered {
@@ -104,6 +106,12 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
     {Output::mean_areas, "--mean-areas", "--mean-areas", "FILE",
      "Write the mean of that area over the whole time in which a point is there here, as CSV",
      Offered::by_request, false, true},
+    {Output::encounters, "--encounters", "--encounters", "FILE",
+     "Write all pairs that come near each other here, from when until when, as CSV; needs --range",
+     Offered::by_request, true},
+    {Output::contact_plan, "--contact-plan", "--contact-plan", "FILE",
+     "Write the same times here as contacts of a network, as JSON; needs --range",
+     Offered::by_request, true},
 }};
 
 constexpr bool is_in_order(const std::array<Output_row, number_of_outputs>& table) {

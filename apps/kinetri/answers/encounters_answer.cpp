@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <utility>
+
+#include "answers/answer.h"
+#include "io/json_writer.h"
+#include "io/text.h"
+#include "kinetri/observers/encounters.h"
+
+namespace kinetri::app {
+namespace {
+
+template <class Traits>
+class Encounters_answer : public Answer {
+ public:
+  Encounters_answer(Simulation_2<Traits>& simulation, double range)
+      : encounters_(simulation, range),
+        has_gaps_(HasWeight<typename Traits::Motion> || simulation.options().radius != 0) {}
+
+  void write(std::ostream& out) override {
+    out << "a,b,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance"
+        << (has_gaps_ ? ",gap\n" : "\n");
+    for (const Encounter& encounter : encounters_.encounters()) {
+      const auto& [a, b] = encounter.points;
+      out << joined(a, ",", b, ",", time_bounds(encounter.begin), ",", time_bounds(encounter.end),
+                    ",", time_bounds(encounter.closest), ",", encounter.distance);
+      if (has_gaps_) out << joined(",", encounter.gap);
+      out << '\n';
+    }
+  }
+
+ private:
+  Encounters<Traits> encounters_;
+  bool has_gaps_;
+};
+
+// In the form that NASA's High-rate Delay Tolerant Networking (HDTN) reads: one contact for each
+// direction. A contact begins and ends within the encounter; one moment is none.
+template <class Traits>
+class Contact_plan : public Answer {
+ public:
+  Contact_plan(Simulation_2<Traits>& simulation, double range) : encounters_(simulation, range) {}
+
+  void write(std::ostream& out) override {
+    std::uint64_t number = 0;
+    out << "{\"contacts\": [";
+    for (const Encounter& encounter : encounters_.encounters()) {
+      const double begin = encounter.begin.tight_interval().upper;
+      const double end = encounter.end.tight_interval().lower;
+      if (begin >= end) continue;
+      const auto [a, b] = encounter.points;
+      for (const auto& [source, destination] : {std::pair(a, b), std::pair(b, a)}) {
+        out << (number == 0 ? "\n" : ",\n") << contact(number, source, destination, begin, end);
+        ++number;
+      }
+    }
+    out << "\n]}\n";
+  }
+
+ private:
+  static std::string contact(std::uint64_t number, Point_id source, Point_id destination,
+                             double begin, double end) {
+    std::string text;
+    Json_writer json(text);
+    json.begin_object();
+    json.member("contact", number);
+    json.member("source", source);
+    json.member("dest", destination);
+    json.member("startTime", begin);
+    json.member("endTime", end);
+    json.end_object();
+    return text;
+  }
+
+  Encounters<Traits> encounters_;
+};
+
+}  // namespace
+
+std::unique_ptr<Answer> encounters_answer(const Answer_settings& settings,
+                                          const Any_simulation& simulation,
+                                          const Run_source& /*source*/) {
+  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+    return std::make_unique<Encounters_answer<Traits>>(s, settings.range);
+  });
+}
+
+std::unique_ptr<Answer> contact_plan_answer(const Answer_settings& settings,
+                                            const Any_simulation& simulation,
+                                            const Run_source& /*source*/) {
+  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+    return std::make_unique<Contact_plan<Traits>>(s, settings.range);
+  });
+}
+
+}  // namespace kinetri::app
