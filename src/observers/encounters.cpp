@@ -220,6 +220,7 @@ void Encounters<Traits>::wait(const Edge_ids& pair, Certificate certificate) {
   Entry entry;
   entry.bounds = certificate.bounds;
   entry.is_event = certificate.kind == Certificate::Kind::fails;
+  entry.is_crossing = entry.is_event && !certificate.failure;
   entry.points = pair;
   const Queue_handle event = certificate.failure
                                  ? queue_.push(entry, std::move(*certificate.failure))
@@ -315,7 +316,7 @@ void Encounters<Traits>::execute(const Time& time) {
     } else {
       stop_waiting(entry.points);
       if (entry.is_event) {
-        begin(entry.points, entry_time);
+        begin(entry, entry_time);
       } else {
         examine(a, b, entry_time);
       }
@@ -326,7 +327,8 @@ void Encounters<Traits>::execute(const Time& time) {
 // ---- encounters ----
 
 template <ContactKineticTraits_2 Traits>
-void Encounters<Traits>::begin(const Edge_ids& pair, const Time& time) {
+void Encounters<Traits>::begin(const Entry& entry, const Time& time) {
+  const Edge_ids& pair = entry.points;
   const auto [a, b] = pair;
   const std::size_t index = records_.size();
   Record& record = records_.emplace_back(Record{pair, time});
@@ -335,7 +337,8 @@ void Encounters<Traits>::begin(const Edge_ids& pair, const Time& time) {
   auto& near_b = partners_[b].near;
   near_a.insert(place(near_a, b), {b, index});
   near_b.insert(place(near_b, a), {a, index});
-  schedule_end(record, time);
+  // From where the pair is in range already: at `time` itself no filter could decide.
+  schedule_end(record, entry.is_crossing ? Time(entry.bounds.upper) : time);
   for (Encounter_observer* const observer : observers_) observer->begins(pair, time);
   if constexpr (!has_radii) examine_new_near(pair, time);
 }

@@ -5,8 +5,10 @@
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -173,6 +175,30 @@ Coefficients reach(const Disc& p, const Disc& q) {
   return {constant_term(p) + constant_term(q), to_rational(p.growth) + to_rational(q.growth)};
 }
 
+// The binary64 number nearest to the square root, ties to even; none where the square is too small
+// or too large for the estimate. Exact: the root is compared with the numbers half way.
+std::optional<double> rounded_root(const Rational& square) {
+  if (square == 0) return 0.0;
+  const double estimate = std::sqrt(square.convert_to<double>());
+  if (!(estimate > 1e-140 && estimate < 1e140)) return std::nullopt;
+  // Positive where the root is beyond the middle between x and its neighbor toward `limit`, away
+  // from x.
+  const auto beyond_middle = [&](double x, double limit) {
+    const Rational middle = (to_rational(x) + to_rational(std::nextafter(x, limit))) / 2;
+    const int order = square.compare(Rational(middle * middle));
+    return limit > x ? order : -order;
+  };
+  const auto is_odd = [](double x) { return std::bit_cast<std::uint64_t>(x) % 2 == 1; };
+  double result = estimate;
+  for (const double limit : {infinite, 0.0}) {
+    for (int beyond = beyond_middle(result, limit); beyond > 0 || (beyond == 0 && is_odd(result));
+         beyond = beyond_middle(result, limit)) {
+      result = std::nextafter(result, limit);
+    }
+  }
+  return result;
+}
+
 // The first time between the two at which the gap is least. The gap sqrt(f) - r - g t, with
 // f = a t^2 + b t + c, is a convex function (docs/MATH.md, section 11).
 Algebraic_number time_of_least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
@@ -216,6 +242,9 @@ double Gap_of_pair<Disc>::rounded_distance() const {
 
 template <class Disc>
 double Gap_of_pair<Disc>::rounded() const {
+  if (const auto square = rational_square()) {
+    if (const auto result = rounded_root(*square)) return *result;
+  }
   return exact().to_double();
 }
 

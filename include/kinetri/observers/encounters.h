@@ -129,6 +129,8 @@ class Encounters final : public Edge_follower<Traits> {
   struct Entry : detail::Scheduled {
     bool is_end = false;
     bool is_event = false;
+    bool is_crossing = false;  // the gap is greater than the range at the lower bound of the time,
+                               // and less at the upper one
     Edge_ids points = {no_point, no_point};
   };
 
@@ -224,7 +226,7 @@ class Encounters final : public Edge_follower<Traits> {
   void execute(const Time& time);
 
   // Encounters.
-  void begin(const Edge_ids& pair, const Time& time);
+  void begin(const Entry& entry, const Time& time);
   void end(std::size_t index, const Time& time);
   void turn(Point_id id, const Time& time,
             std::span<const typename Edge_follower<Traits>::Changed_point> changed);
