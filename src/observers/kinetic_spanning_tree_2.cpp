@@ -127,7 +127,7 @@ void Kinetic_spanning_tree_2<Traits>::before_change(std::span<const Edge_ids> re
   // Everything that goes by one of them leaves the queue before anything else.
   for (const Edge_ids& ids : affected) {
     const Index edge = find(ids);
-    suspect_dependents(edge, false);
+    suspect_dependents(edge);
     if (edge != longest_) continue;
     for (Index other = 0; other < edges_.size(); ++other) {
       if (edges_[other].is_in_tree) unschedule(other);

@@ -133,16 +133,13 @@ void Kinetic_spanning_tree_2<Traits>::suspect(Index edge) {
 }
 
 template <ContactKineticTraits_2 Traits>
-void Kinetic_spanning_tree_2<Traits>::suspect_dependents(Index edge, bool paths_only) {
+void Kinetic_spanning_tree_2<Traits>::suspect_dependents(Index edge) {
   const std::vector<Index> dependents = edges_[edge].dependents;
-  for (const Index dependent : dependents) {
-    if (!paths_only || edges_[dependent].support == Support::path) suspect(dependent);
-  }
+  for (const Index dependent : dependents) suspect(dependent);
 }
 
 template <ContactKineticTraits_2 Traits>
 void Kinetic_spanning_tree_2<Traits>::withdraw_support(Index edge) {
-  edges_[edge].support = Support::none;
   for (const Index other : std::exchange(edges_[edge].supports, {})) {
     auto& dependents = edges_[other].dependents;
     *std::ranges::find(dependents, edge) = dependents.back();
@@ -178,7 +175,7 @@ bool Kinetic_spanning_tree_2<Traits>::find_triangle(Index edge) {
     std::vector<Certificate> certificates;
     certificates.push_back(std::move(first.certificate));
     certificates.push_back(std::move(second.certificate));
-    support(edge, Support::triangle, {to_a, to_b}, std::move(certificates));
+    support(edge, {to_a, to_b}, std::move(certificates));
     return true;
   }
   return false;
@@ -204,7 +201,7 @@ void Kinetic_spanning_tree_2<Traits>::find_path(Index edge) {
     }
   }
   if (longest == no_edge) {
-    support(edge, Support::path, std::move(*found), std::move(certificates));
+    support(edge, std::move(*found), std::move(certificates));
     return;
   }
   remove_from_tree(longest);
@@ -212,10 +209,10 @@ void Kinetic_spanning_tree_2<Traits>::find_path(Index edge) {
   suspect(longest);
 }
 
-// Schedules the first failure of the certificates, which are those that the supports are shorter.
+// Schedules the first failure of the certificates, which are those that the supports are shorter. A
+// path stays a proof when an edge of it leaves the tree: it is one in the triangulation.
 template <ContactKineticTraits_2 Traits>
-void Kinetic_spanning_tree_2<Traits>::support(Index edge, Support support,
-                                              std::vector<Index> supports,
+void Kinetic_spanning_tree_2<Traits>::support(Index edge, std::vector<Index> supports,
                                               std::vector<Certificate> certificates) {
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < supports.size(); ++i) {
@@ -232,7 +229,6 @@ void Kinetic_spanning_tree_2<Traits>::support(Index edge, Support support,
     if (is_earlier()) first = i;
   }
   if (first) schedule(edge, supports[*first], edge, std::move(certificates[*first]));
-  edges_[edge].support = support;
   edges_[edge].supports = std::move(supports);
 }
 
@@ -300,7 +296,6 @@ void Kinetic_spanning_tree_2<Traits>::remove_from_tree(Index edge) {
   edges_[edge].is_in_tree = false;
   --changed_[edges_[edge].ids];
   unschedule(edge);
-  suspect_dependents(edge, true);
   if (edge == longest_) longest_ = no_edge;
 }
 

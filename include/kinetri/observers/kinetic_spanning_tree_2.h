@@ -4,10 +4,11 @@
 //
 // The invariant between events: each edge of the triangulation that is not in the tree has a proof,
 // a cycle of which it is the longest edge. The rest of the cycle, the *support* of the edge, is
-// either two other edges of a triangle, or a path in the tree. Then no such edge is in the minimum
-// spanning tree, and the tree is that. A proof fails when an edge of the support becomes longer
-// than its edge; the queue has the first such failure of each edge that is not in the tree, and for
-// each edge of the tree but the longest one the time at which it becomes longer than that.
+// either two other edges of a triangle, or a path that was in the tree when it was found. Then no
+// such edge is in the minimum spanning tree, and the tree is that. A proof fails when an edge of
+// the support becomes longer than its edge; the queue has the first such failure of each edge that
+// is not in the tree, and for each edge of the tree but the longest one the time at which it
+// becomes longer than that.
 #ifndef KINETRI_OBSERVERS_KINETIC_SPANNING_TREE_2_H
 #define KINETRI_OBSERVERS_KINETIC_SPANNING_TREE_2_H
 
@@ -57,9 +58,8 @@ struct Connecting_range {
 /// change.
 ///
 /// Cost: for each edge that loses its proof, certificates of the edges of triangles at it, or of
-/// those on its path in the tree; a change of the tree lets the edges lose their proof whose path
-/// has the removed edge. A change of the longest edge costs O(n) certificates. Memory: O(n times
-/// the length of a path in the tree), which is that of the proofs by paths, + changes.
+/// those on its path in the tree. A change of the longest edge costs O(n) certificates. Memory: O(n
+/// times the length of a path in the tree), which is that of the proofs by paths, + changes.
 ///
 /// Kinetic spanning trees: J. Basch, L. J. Guibas, L. Zhang, Proximity problems on moving points,
 /// 13th Symposium on Computational Geometry, 1997; P. K. Agarwal, D. Eppstein, L. J. Guibas, M. R.
@@ -113,13 +113,10 @@ class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
   using Index = std::uint32_t;  // of an edge
   static constexpr Index no_edge = std::numeric_limits<Index>::max();
 
-  enum class Support : std::uint8_t { none, triangle, path };
-
   struct Edge {
     Edge_ids ids = {no_point, no_point};
     bool is_in_tree = false;
-    bool is_suspect = false;  // it may belong into the tree
-    Support support = Support::none;
+    bool is_suspect = false;        // it may belong into the tree
     std::vector<Index> supports;    // with it a cycle
     std::vector<Index> dependents;  // which this edge supports
     Queue_handle event = no_event;
@@ -202,14 +199,13 @@ class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
 
   // Proofs.
   void suspect(Index edge);
-  void suspect_dependents(Index edge, bool paths_only);
+  void suspect_dependents(Index edge);
   void withdraw_support(Index edge);
   void examine_suspects();
   void examine(Index edge);
   bool find_triangle(Index edge);
   void find_path(Index edge);
-  void support(Index edge, Support support, std::vector<Index> supports,
-               std::vector<Certificate> certificates);
+  void support(Index edge, std::vector<Index> supports, std::vector<Certificate> certificates);
 
   // The forest.
   std::optional<std::vector<Index>> path(Point_id a, Point_id b);
