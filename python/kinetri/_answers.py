@@ -2,13 +2,16 @@
 """Answers about a run: who meets whom, who is connected. Each is an observer of the engine."""
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _arrays, _kinetri
 from ._arrays import NO_POINT
-from ._types import Progress, TimeLike
+from ._kinetri import Time
+from ._progress import progress_bar
+from ._types import ArrayLike, Floats, Ids, Progress, TimeLike
 from .errors import PreconditionError
 
 if TYPE_CHECKING:
@@ -79,10 +82,23 @@ def _column(values: Any) -> Any:
     return values
 
 
+def cell_limits(walkable: str | ArrayLike | None, cutoff: float | None) -> _kinetri.CellLimits:
+    """What bounds cells, as the engine takes it."""
+    text = walkable if isinstance(walkable, str) else None
+    polygon = None if walkable is None or text is not None else _arrays.point_array("walkable", walkable)
+    return _kinetri.CellLimits(text, polygon,
+                               math.inf if cutoff is None else _arrays.one_number("cutoff", cutoff))
+
+
 class RunAnswers:
     """The methods of `MovingPoints` that go to a time and answer a question on the way."""
 
     _engine: _kinetri.Engine
+
+    @property
+    def time(self) -> Time:
+        """As of `MovingPoints`."""
+        raise NotImplementedError
 
     def _advance(self, until: TimeLike, observer: _kinetri.Observer | None, progress: Progress) -> int:
         raise NotImplementedError
@@ -239,3 +255,80 @@ class RunAnswers:
             start.
         """
         return self._answer(self.watch("nearest_neighbor_changes"), until, progress)
+
+    def areas(self, times: ArrayLike, *, walkable: str | ArrayLike | None = None,
+              cutoff: float | None = None, progress: Progress = False) -> pd.DataFrame:
+        """Goes to one time after the other and gives the room of each point there.
+
+        Parameters
+        ----------
+        times : array_like of float, shape (k,)
+            Ascending, not before `self.time`.
+        walkable, cutoff
+            As in `cell_areas`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            t, id, area, density: a row for each time and each point that is there just after it. The
+            density is one over the area, NaN where that is 0.
+        """
+        import pandas as pd
+
+        limits = cell_limits(walkable, cutoff)
+        frames = _arrays.float_array("times", times, (None,))
+        if np.any(np.diff(frames) < 0):
+            i = int(np.argmax(np.diff(frames) < 0)) + 1
+            raise PreconditionError(f"times[{i}] is {frames[i]}, before times[{i - 1}]; expected "
+                                    "ascending times")
+        ids: list[Ids] = []
+        areas: list[Floats] = []
+        end = float(frames[-1]) if len(frames) > 0 else float(self.time)
+        with progress_bar(progress, float(self.time), end) as show:
+            for time in frames:
+                self._engine.advance(Time(time), None, show)
+                frame_ids, frame_areas = self._engine.cell_areas(limits)
+                ids.append(frame_ids)
+                areas.append(frame_areas)
+        sizes = [len(frame) for frame in ids]
+        area = np.concatenate(areas) if areas else np.empty(0)
+        with np.errstate(divide="ignore"):
+            density = np.where(area > 0, 1 / area, np.nan)
+        return pd.DataFrame({
+            "t": np.repeat(frames, sizes),
+            "id": np.concatenate(ids) if ids else np.empty(0, dtype=np.uint32),
+            "area": area, "density": density})
+
+    def mean_areas(self, *, until: TimeLike, walkable: str | ArrayLike | None = None,
+                   cutoff: float | None = None, tolerance: float = 1e-6,
+                   progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and gives the mean room of each point on the way, exact in time.
+
+        Between two events at a cell its area is a smooth function of time, which is integrated.
+
+        Parameters
+        ----------
+        until : time
+            As in `advance_to`.
+        walkable, cutoff
+            As in `cell_areas`.
+        tolerance : float
+            Each such integral is computed until its relative error is about this.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            id, from, until, area, error: of each point, from when until when it was there on the way,
+            the mean of its area over that time, and an estimate of the error of that.
+        """
+        import pandas as pd
+
+        watch = _kinetri.Watch(self._engine, "mean_areas", 0, None,
+                               limits=cell_limits(walkable, cutoff),
+                               tolerance=_arrays.one_number("tolerance", tolerance))
+        self._advance(until, None, progress)
+        return pd.DataFrame(watch.table())

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 import numpy as np
 
 from . import _arrays, _kinetri
-from ._answers import RunAnswers
+from ._answers import RunAnswers, cell_limits
 from ._arrays import NO_POINT
 from ._kinetri import Time
 from ._page import Page
@@ -568,6 +568,45 @@ class MovingPoints(RunAnswers):
             xmin, ymin, xmax, ymax = _arrays.box_tuple("clip", clip)  # type: ignore[misc]
             clip = [[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]]
         return self._engine.voronoi_areas(_arrays.point_array("clip", clip))
+
+    def cell_areas(self, walkable: str | ArrayLike | None = None, cutoff: float | None = None) -> Floats:
+        """The room of each point: the area of its cell within walls, and within a distance.
+
+        Parameters
+        ----------
+        walkable : str, or array_like of float, shape (m, 2), optional
+            Where points can be: polygons with holes as Well-Known Text (POLYGON, MULTIPOLYGON, or a
+            GEOMETRYCOLLECTION of these), or the vertices of one polygon in either order.
+        cutoff : float, optional
+            No place of a cell is farther from its point than this. One of the two must be given.
+
+        Returns
+        -------
+        array of float64, shape (n,)
+            By id. Where walls divide a cell, the part that has the point counts; so this is not
+            `voronoi_areas`, where all parts count. 0 of a point outside of the walkable area (decided
+            exactly; a wall belongs to it), of all points at one place but the one with the smallest id,
+            of a point without a cell, and of an id without a point. The density at a point is one over
+            the area.
+
+        Raises
+        ------
+        PreconditionError
+            If nothing bounds the cells, or the polygon crosses itself.
+        InputError
+            If the text is wrong; the message says where.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[1, 2], [3, 2]], [[0, 0], [0, 0]])
+        >>> kd.cell_areas("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0))")
+        array([8., 8.])
+        """
+        ids, areas = self._engine.cell_areas(cell_limits(walkable, cutoff))
+        result = np.zeros(self.next_id)
+        result[ids] = areas
+        return result
 
     def nearest_neighbors(self) -> NearestNeighbors:
         """The nearest neighbor of each point.

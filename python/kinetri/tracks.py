@@ -346,7 +346,7 @@ class Tracks:
         """With labels for ids; and, where times are dates, columns of dates, by the columns of times."""
         import pandas as pd
 
-        for name in ("a", "b"):
+        for name in {"a", "b", "id"} & set(table.columns):
             table[name] = [None if pd.isna(id) else simulation.label(id) for id in table[name]]
         if self.origin is not None:
             for time, date in dates.items():
@@ -407,6 +407,79 @@ class Tracks:
         simulation = self.simulation(start=start, until=until)
         table = simulation.components(range, until=simulation.end, progress=progress)
         return self._labelled(table, simulation, {"time": "date"})
+
+    def areas(self, times: ArrayLike | None = None, *, fps: float | None = None,
+              walkable: str | ArrayLike | None = None, cutoff: float | None = None,
+              start: float | None = None, until: float | None = None,
+              progress: Progress = False) -> pd.DataFrame:
+        """The room of all things over time, at frames.
+
+        Parameters
+        ----------
+        times : array_like of float, optional
+            Ascending: the frames.
+        fps : float, optional
+            In place of `times`: the frames are k / fps, for whole numbers k, from `start` to `until`.
+        walkable, cutoff
+            As in `cell_areas`.
+        start, until : float, optional
+            As in `simulation`.
+        progress : bool or callable
+            As in `Simulation.advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            As of `Simulation.areas`, with labels for ids. A thing is there from its first observation
+            until just before its last one. Where times are dates there is a column `date` beside.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> tracks = kinetri.Tracks.from_arrays([0, 4, 0, 4], ["a", "a", "b", "b"], [1, 1, 3, 3], [0, 4, 0, 4])
+        >>> tracks.areas(fps=0.5, walkable=[[0, 0], [4, 0], [4, 4], [0, 4]])
+             t id  area  density
+        0  0.0  a   8.0    0.125
+        1  0.0  b   8.0    0.125
+        2  2.0  a   8.0    0.125
+        3  2.0  b   8.0    0.125
+        """
+        simulation = self.simulation(start=start, until=until)
+        if (times is None) == (fps is None):
+            raise PreconditionError("expected times, or fps")
+        if fps is not None:
+            rate = _arrays.one_number("fps", fps)
+            if rate <= 0:
+                raise PreconditionError(f"fps is {fps}; expected a number greater than 0")
+            begin, end = float(simulation.time), simulation.end
+            frames = np.arange(math.floor(begin * rate) - 1, math.ceil(end * rate) + 2) / rate
+            times = frames[(frames >= begin) & (frames <= end)]
+        table = simulation.areas(times, walkable=walkable, cutoff=cutoff, progress=progress)
+        return self._labelled(table, simulation, {"t": "date"})
+
+    def mean_areas(self, *, walkable: str | ArrayLike | None = None, cutoff: float | None = None,
+                   tolerance: float = 1e-6, start: float | None = None, until: float | None = None,
+                   progress: Progress = False) -> pd.DataFrame:
+        """The mean room of each stay of a thing, exact in time.
+
+        Parameters
+        ----------
+        walkable, cutoff, tolerance
+            As in `Simulation.mean_areas`.
+        start, until : float, optional
+            As in `simulation`.
+        progress : bool or callable
+            As in `Simulation.advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            As of `Simulation.mean_areas`, with labels for ids.
+        """
+        simulation = self.simulation(start=start, until=until)
+        table = simulation.mean_areas(until=simulation.end, walkable=walkable, cutoff=cutoff,
+                                      tolerance=tolerance, progress=progress)
+        return self._labelled(table, simulation, {})
 
     def dates(self, times: ArrayLike) -> npt.NDArray[np.datetime64]:
         """Times as dates.

@@ -157,13 +157,22 @@ py::bytes page(Moving& moving, const Event_observer& recorder, const std::string
   }));
 }
 
+std::vector<Vector_2> corners_of(const Array<double>& polygon) {
+  std::vector<Vector_2> result;
+  for (py::ssize_t i = 0; i < polygon.size(); i += 2) {
+    result.push_back({polygon.data()[i], polygon.data()[i + 1]});
+  }
+  return result;
+}
+
 /// The answer to a question about a run from now on.
 class Moving_watch {
  public:
   Moving_watch(std::shared_ptr<Moving> moving, const std::string& about, std::size_t number,
-               std::optional<double> distance)
+               std::optional<double> distance, std::shared_ptr<Cell_limits> limits,
+               double tolerance)
       : moving_(std::move(moving)), watch_(moving_->with_engine([&](Engine& e) {
-          return e.watch({about, number, distance});
+          return e.watch({about, number, distance, std::move(limits), tolerance});
         })) {}
 
   /// By name the columns, in their order.
@@ -419,12 +428,22 @@ void bind_answers(py::class_<Moving, std::shared_ptr<Moving>>& type) {
            })
       .def("voronoi_areas",
            [](Moving& moving, const Array<double>& polygon) {
-             std::vector<Vector_2> corners;
-             for (py::ssize_t i = 0; i < polygon.size(); i += 2) {
-               corners.push_back({polygon.data()[i], polygon.data()[i + 1]});
-             }
+             const std::vector<Vector_2> corners = corners_of(polygon);
              return array_of<double>(
                  moving.with_engine([&](Engine& e) { return e.voronoi_areas(corners); }));
+           })
+      .def("cell_areas",
+           [](Moving& moving, const Cell_limits& limits) {
+             const std::vector<Cell_area> cells =
+                 moving.with_engine([&](Engine& e) { return e.cell_areas(limits); });
+             std::vector<Point_id> ids;
+             std::vector<double> areas;
+             for (const Cell_area& cell : cells) {
+               ids.push_back(cell.id);
+               areas.push_back(cell.area);
+             }
+             return py::make_tuple(array_of<Point_id>(std::move(ids)),
+                                   array_of<double>(std::move(areas)));
            })
       .def("nearest_neighbors",
            [](Moving& moving) {
@@ -502,9 +521,21 @@ void bind_engine(py::module_& module) {
     }));
   });
   module.def("make_simulation", make_moving_simulation);
+  py::class_<Cell_limits, std::shared_ptr<Cell_limits>>(module, "CellLimits")
+      .def(py::init([](const std::optional<std::string>& text,
+                       const std::optional<Array<double>>& polygon, double cutoff) {
+        auto limits = std::make_shared<Cell_limits>();
+        limits->cutoff = cutoff;
+        if (text) limits->walkable = Walkable_area::from_wkt(*text, "walkable");
+        if (polygon) limits->walkable = Walkable_area(corners_of(*polygon));
+        limits->check();
+        return limits;
+      }));
   py::class_<Moving_watch>(module, "Watch")
-      .def(py::init<std::shared_ptr<Moving>, const std::string&, std::size_t,
-                    std::optional<double>>())
+      .def(py::init<std::shared_ptr<Moving>, const std::string&, std::size_t, std::optional<double>,
+                    std::shared_ptr<Cell_limits>, double>(),
+           py::arg(), py::arg(), py::arg(), py::arg(), py::arg("limits") = nullptr,
+           py::arg("tolerance") = 0.0)
       .def("table", &Moving_watch::table);
   module.def("make_tracks", make_moving_tracks);
   module.def("restore",

@@ -20,6 +20,7 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/kinetic/certificate_counters.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/observers/cell_areas.h"
 #include "kinetri/simulation/recording.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/tracks.h"
@@ -123,6 +124,7 @@ class Engine {
   virtual std::vector<Point_id> neighbors(Point_id id) const = 0;
   virtual Voronoi_cell_2<Vector_2> voronoi_cell(Point_id id) const = 0;
   virtual std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const = 0;
+  virtual std::vector<Cell_area> cell_areas(const Cell_limits& limits) const = 0;
   virtual std::vector<Point_id> nearest_neighbors() const = 0;
   virtual std::optional<Edge_ids> closest_pair() const = 0;
   /// By id, NaN where there is no point: places (x, y, x, y, ...), velocities, radii.

@@ -171,6 +171,9 @@ class Engine_of final : public Engine {
   std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const override {
     return queries().rounded_voronoi_areas(polygon);
   }
+  std::vector<Cell_area> cell_areas(const Cell_limits& limits) const override {
+    return kinetri::cell_areas(kinetic(), limits);
+  }
   std::vector<Point_id> nearest_neighbors() const override {
     if constexpr (HasNearestNeighbors<Traits>) return queries().nearest_neighbors();
     refuse_distances();

@@ -5,6 +5,7 @@
 #include "kinetri/observers/closest_approaches.h"
 #include "kinetri/observers/connected_components.h"
 #include "kinetri/observers/encounters.h"
+#include "kinetri/observers/mean_cell_areas.h"
 #include "kinetri/observers/nearest_neighbors.h"
 #include "kinetri/observers/neighbor_lives.h"
 #include "kinetri/simulation/simulation_2.h"
@@ -175,6 +176,24 @@ std::unique_ptr<Watch> nearest_neighbor_changes(Core& core) {
   }
 }
 
+template <class Core, class Traits>
+std::unique_ptr<Watch> mean_areas(Core& core, const Question& question) {
+  struct Observer : Mean_cell_areas<Traits> {
+    Observer(Core& observed, const Question& asked)
+        : Mean_cell_areas<Traits>(observed, *asked.limits, asked.tolerance) {}
+  };
+  return watch_of<Observer, Core, const Question&>(core, question, [](auto& observer) {
+    const std::vector<Mean_cell_area> rows = observer.means();
+    Answer_table result;
+    result.add("id", rows, [](const Mean_cell_area& row) { return row.id; });
+    result.add("from", rows, [](const Mean_cell_area& row) { return row.from; });
+    result.add("until", rows, [](const Mean_cell_area& row) { return row.until; });
+    result.add("area", rows, [](const Mean_cell_area& row) { return row.area; });
+    result.add("error", rows, [](const Mean_cell_area& row) { return row.error; });
+    return result;
+  });
+}
+
 }  // namespace
 
 template <class Core>
@@ -190,6 +209,7 @@ std::unique_ptr<Watch> watch(Core& core, const Question& question) {
   if (question.about == "nearest_neighbor_changes") {
     return nearest_neighbor_changes<Core, Traits>(core);
   }
+  if (question.about == "mean_areas") return mean_areas<Core, Traits>(core, question);
   refuse("nothing is known about " + question.about);
 }
 

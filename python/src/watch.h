@@ -16,6 +16,7 @@
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/events/basic_event.h"
+#include "kinetri/observers/cell_areas.h"
 
 namespace kinetri::python {
 
@@ -24,6 +25,9 @@ struct Question {
   std::string about;                              ///< the name of the observer, as in `watch`
   std::size_t number = 0;                         ///< how many answers, where that is to be said
   std::optional<double> distance = std::nullopt;  ///< what is near, or short, where that is said
+  std::shared_ptr<const Cell_limits> limits =
+      nullptr;           ///< of cells, where these are to be measured
+  double tolerance = 0;  ///< of integrals, where there are any
 };
 
 /// Columns of one length, each with a name.
