@@ -82,6 +82,7 @@ void Connected_components<Traits>::push(const Edge_ids& edge, Entry_kind kind,
   entry.edge = edge;
   entry.kind = kind;
   entry.is_event = certificate.kind == Certificate::Kind::fails;
+  entry.is_crossing = entry.is_event && !certificate.failure;
   const Queue_handle event = certificate.failure
                                  ? queue_.push(entry, std::move(*certificate.failure))
                                  : queue_.emplace(entry);
@@ -178,7 +179,8 @@ void Connected_components<Traits>::execute(const Entry& entry, const Time& time)
   forget(entry.edge);
   if (entry.kind == Entry_kind::begin) {
     link(entry.edge, time);
-    schedule(entry.edge, time);
+    // From where the edge is shorter than the range: at `time` itself no filter could decide.
+    schedule(entry.edge, entry.is_crossing ? Time(entry.bounds.upper) : time);
     return;
   }
   cut(entry.edge, time);

@@ -51,11 +51,11 @@ namespace kinetri {
 ///
 /// | Function | Result |
 /// |---|---|
-/// | `apart_certificate(p, q, range, t)` | fails at the first time at which they are at most
-/// `range` apart | | `near_certificate(p, q, range, t)` | fails when they are farther apart than
-/// `range` | | `contact_failure(p, q, range, bounds)` | the failure time of both, from bounds | |
-/// `closer_certificate(p, q, r, s, t)` | fails when p and q are farther apart than r and s | |
-/// `closer_failure(p, q, r, s, bounds)` | the failure time, from bounds |
+/// | `apart_certificate(p, q, range, t)` | fails where they are at most `range` apart |
+/// | `near_certificate(p, q, range, t)` | fails where they are farther apart |
+/// | `contact_failure(p, q, range, bounds)` | the failure time of both, from bounds |
+/// | `closer_certificate(p, q, r, s, t)` | fails where pq is longer than rs |
+/// | `closer_failure(p, q, r, s, bounds)` | the failure time, from bounds |
 ///
 /// `apart_certificate` fails, unlike the others, where its polynomial is zero without being
 /// negative after that: at a touch from outside, be it of no duration, and at `t` itself if they

@@ -125,6 +125,8 @@ class Connected_components : public Edge_follower<Traits> {
     Edge_ids edge = {no_point, no_point};
     Entry_kind kind = Entry_kind::begin;
     bool is_event = false;
+    bool is_crossing = false;  // the ends of the edge are farther apart than the range at the lower
+                               // bound of the time, and less far at the upper one, or vice versa
   };
 
   struct Queue_policy {
