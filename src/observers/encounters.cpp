@@ -169,11 +169,22 @@ void Encounters<Traits>::examine(Point_id a, Point_id b, const Time& after) {
   if (certificate.kind != Certificate::Kind::never_fails) wait(pair, std::move(certificate));
 }
 
-// Of a path of two edges or more, p w q, in which w is in range of both ends, and wq is an edge.
-// A pair has such a path from either end: that from the smaller id is enough.
+// Of paths p w q, in which w is in range of both ends and wq is an edge: a pair has such a path
+// from either end, and that from the smaller id is enough. Here w is in range of p, and q any
+// neighbor of w.
 template <ContactKineticTraits_2 Traits>
-void Encounters<Traits>::examine_over(Point_id p, Point_id w, Point_id q, const Time& after) {
-  if (p < q && is_near(p, w) && is_near(w, q)) examine(p, q, after);
+void Encounters<Traits>::examine_from(Point_id p, Point_id w, const Time& after) {
+  for (const Point_id q : this->graph().neighbors(w)) {
+    if (p < q && is_near(w, q)) examine(p, q, after);
+  }
+}
+
+// The same, where w is in range of q, its neighbor, and p any point in range of w.
+template <ContactKineticTraits_2 Traits>
+void Encounters<Traits>::examine_to(Point_id w, Point_id q, const Time& after) {
+  for (const Near& near : partners_[w].near) {
+    if (near.id < q) examine(near.id, q, after);
+  }
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -181,18 +192,18 @@ void Encounters<Traits>::examine_new_edge(const Edge_ids& edge, const Time& afte
   const auto [a, b] = edge;
   examine(a, b, after);
   if (!is_near(a, b)) return;
-  for (const Near& near : partners_[a].near) examine_over(near.id, a, b, after);
-  for (const Near& near : partners_[b].near) examine_over(near.id, b, a, after);
+  examine_to(a, b, after);
+  examine_to(b, a, after);
 }
 
 template <ContactKineticTraits_2 Traits>
 void Encounters<Traits>::examine_new_near(const Edge_ids& pair, const Time& after) {
   const auto [a, b] = pair;
-  for (const Point_id q : this->graph().neighbors(b)) examine_over(a, b, q, after);
-  for (const Point_id q : this->graph().neighbors(a)) examine_over(b, a, q, after);
+  examine_from(a, b, after);
+  examine_from(b, a, after);
   if (!this->graph().is_edge(pair)) return;
-  for (const Near& near : partners_[a].near) examine_over(near.id, a, b, after);
-  for (const Near& near : partners_[b].near) examine_over(near.id, b, a, after);
+  examine_to(a, b, after);
+  examine_to(b, a, after);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -202,14 +213,9 @@ void Encounters<Traits>::examine_new_motion(Point_id id, const Time& after) {
   } else {
     for (const Point_id other : this->graph().neighbors(id)) {
       examine(id, other, after);
-      if (!is_near(id, other)) continue;
-      for (const Near& near : partners_[other].near) examine_over(near.id, other, id, after);
+      if (is_near(id, other)) examine_to(other, id, after);
     }
-    for (const Near& near : partners_[id].near) {
-      for (const Point_id q : this->graph().neighbors(near.id)) {
-        examine_over(id, near.id, q, after);
-      }
-    }
+    for (const Near& near : partners_[id].near) examine_from(id, near.id, after);
   }
 }
 
@@ -337,10 +343,35 @@ void Encounters<Traits>::begin(const Entry& entry, const Time& time) {
   auto& near_b = partners_[b].near;
   near_a.insert(place(near_a, b), {b, index});
   near_b.insert(place(near_b, a), {a, index});
-  // From where the pair is in range already: at `time` itself no filter could decide.
-  schedule_end(record, entry.is_crossing ? Time(entry.bounds.upper) : time);
+  schedule_end(record, entry.is_crossing ? Time(inside(entry)) : time);
   for (Encounter_observer* const observer : observers_) observer->begins(pair, time);
   if constexpr (!has_radii) examine_new_near(pair, time);
+}
+
+// A time at which a pair that has just come in range is still in range, without having parted: near
+// the beginning no filter could decide when it ends. On straight lines the gap is convex, so that
+// any later time at which the pair is in range will do, such as that of the least distance.
+template <ContactKineticTraits_2 Traits>
+double Encounters<Traits>::inside(const Entry& entry) const {
+  const double begin = entry.bounds.upper;
+  if constexpr (part_once<Motion>) {
+    const Motion& p = this->graph().point(entry.points[0]).motion();
+    const Motion& q = this->graph().point(entry.points[1]).motion();
+    const Vector_2 place_p = rounded_place(p, begin);
+    const Vector_2 place_q = rounded_place(q, begin);
+    const Vector_2 velocity_p = rounded_velocity(p, begin);
+    const Vector_2 velocity_q = rounded_velocity(q, begin);
+    const Vector_2 d = {place_q.x - place_p.x, place_q.y - place_p.y};
+    const Vector_2 v = {velocity_q.x - velocity_p.x, velocity_q.y - velocity_p.y};
+    const double least = begin - (d.x * v.x + d.y * v.y) / (v.x * v.x + v.y * v.y);
+    if (std::isfinite(least) && least > begin &&
+        with_discs(entry.points, [&](const auto& traits, const auto& a, const auto& b) {
+          return traits.do_touch(a, b, range_, Time(least));
+        })) {
+      return least;
+    }
+  }
+  return begin;
 }
 
 // Precondition: the record has no entry in the queue.

@@ -211,7 +211,8 @@ class Encounters final : public Edge_follower<Traits> {
   // Candidates.
   bool is_near(Point_id a, Point_id b) const;
   void examine(Point_id a, Point_id b, const Time& after);
-  void examine_over(Point_id p, Point_id w, Point_id q, const Time& after);
+  void examine_from(Point_id p, Point_id w, const Time& after);
+  void examine_to(Point_id w, Point_id q, const Time& after);
   void examine_new_edge(const Edge_ids& edge, const Time& after);
   void examine_new_near(const Edge_ids& pair, const Time& after);
   void examine_new_motion(Point_id id, const Time& after);
@@ -227,6 +228,7 @@ class Encounters final : public Edge_follower<Traits> {
 
   // Encounters.
   void begin(const Entry& entry, const Time& time);
+  double inside(const Entry& entry) const;
   void end(std::size_t index, const Time& time);
   void turn(Point_id id, const Time& time,
             std::span<const typename Edge_follower<Traits>::Changed_point> changed);
