@@ -447,7 +447,7 @@ class Tracks:
         simulation = self.simulation(start=start, until=until)
         if (times is None) == (fps is None):
             raise PreconditionError("expected times, or fps")
-        if fps is not None:
+        if times is None:
             rate = _arrays.one_number("fps", fps)
             if rate <= 0:
                 raise PreconditionError(f"fps is {fps}; expected a number greater than 0")
