@@ -69,7 +69,7 @@ enum class Tracks_format {
 
 /// A format as users see it.
 struct Tracks_format_name {
-  Tracks_format format;
+  Tracks_format format;          ///< the format
   std::string_view name;         ///< "rows"
   std::string_view description;  ///< a phrase without a period at its end
 };
@@ -79,12 +79,13 @@ std::span<const Tracks_format_name> tracks_formats();
 
 /// Which columns of a table, or properties in GeoJSON, mean what. Empty: not named.
 struct Track_columns {
-  std::string t = {};
-  std::string id = {};
-  std::string x = {};
-  std::string y = {};
-  std::string radius = {};
+  std::string t = {};       ///< times
+  std::string id = {};      ///< ids
+  std::string x = {};       ///< places, to the right
+  std::string y = {};       ///< places, up
+  std::string radius = {};  ///< radii
 
+  /// Whether none is named.
   bool is_empty() const {
     return t.empty() && id.empty() && x.empty() && y.empty() && radius.empty();
   }
@@ -106,14 +107,14 @@ enum class Tracks_projection {
 
 /// How a file of tracks is read.
 struct Tracks_file_options {
-  Tracks_format format = Tracks_format::automatic;
+  Tracks_format format = Tracks_format::automatic;  ///< which one the file has
   /// Frames in a unit of time, for files whose times are numbers of frames (also the column t of
   /// a table, a timestep of LAMMPS). Finite and greater than 0. Without it the file's own rate is
   /// taken, or else 1.
   std::optional<double> fps = std::nullopt;
   Track_columns columns =
       {};  ///< for the formats table and geojson; makes `automatic` one of the two
-  Tracks_projection projection = Tracks_projection::refused;
+  Tracks_projection projection = Tracks_projection::refused;  ///< of degrees
 };
 
 /// Something was seen at a place.

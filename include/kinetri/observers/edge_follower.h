@@ -87,13 +87,14 @@ class Edge_follower : private Event_observer {
  protected:
   /// A point that has changed in an instant.
   struct Changed_point {
-    Point_id id;
+    Point_id id;                    ///< of the point
     std::optional<Point_2> before;  ///< none if it has come
   };
 
   /// @{
   /// Observes from the current time on.
   explicit Edge_follower(Simulation_2<Traits>& simulation);
+  /// The same of a triangulation.
   explicit Edge_follower(Triangulation& triangulation);
   /// @}
   ~Edge_follower() override;
@@ -114,8 +115,11 @@ class Edge_follower : private Event_observer {
   virtual void change(const Time& time, std::span<const Edge_ids> removed,
                       std::span<const Edge_ids> added, std::span<const Changed_point> points) = 0;
 
+  /// What is observed.
   const Triangulation& triangulation() const { return *triangulation_; }
+  /// The points and edges, as of the last instant that has been told.
   const Neighbor_graph<Traits>& graph() const { return graph_; }
+  /// Those of the triangulation.
   const Traits& traits() const { return triangulation_->traits(); }
 
  private:

@@ -53,6 +53,7 @@ class Mean_cell_areas : private Edge_follower<Traits> {
   /// the tolerance is not greater than 0. What is observed must outlive this object.
   Mean_cell_areas(Simulation_2<Traits>& simulation, const Cell_limits& limits,
                   double tolerance = 1e-6);
+  /// The same of a triangulation.
   Mean_cell_areas(Kinetic_triangulation_2<Traits>& triangulation, const Cell_limits& limits,
                   double tolerance = 1e-6);
   /// @}

@@ -59,6 +59,7 @@ requires HasNearestNeighbors<Traits> std::vector<Edge_ids> relative_neighbor_edg
     const Kinetic_triangulation_2<Traits>& triangulation);
 /// @}
 
+/// @cond
 #define KINETRI_PROXIMITY_GRAPHS(declaration, Traits)                                        \
   declaration bool is_gabriel_edge(const Kinetic_triangulation_2<Traits>&, const Edge_ids&); \
   declaration bool is_relative_neighbor_edge(const Kinetic_triangulation_2<Traits>&,         \
@@ -67,6 +68,7 @@ requires HasNearestNeighbors<Traits> std::vector<Edge_ids> relative_neighbor_edg
   declaration std::vector<Edge_ids> relative_neighbor_edges(const Kinetic_triangulation_2<Traits>&)
 KINETRI_PROXIMITY_GRAPHS(extern template, Linear_kinetic_traits_2);
 KINETRI_PROXIMITY_GRAPHS(extern template, Polynomial_kinetic_traits_2);
+/// @endcond
 
 }  // namespace kinetri
 

@@ -69,6 +69,7 @@ template <class Traits>
 requires HasNearestNeighbors<Traits> std::optional<Algebraic_number> end_of_path(
     const Kinetic_triangulation_2<Traits>& triangulation, const Widest_path& path, double width);
 
+/// @cond
 #define KINETRI_WIDEST_PATH(declaration, Traits)                                                  \
   declaration Widest_path widest_path(const Kinetic_triangulation_2<Traits>&, const Vector_2&,    \
                                       const Vector_2&);                                           \
@@ -76,6 +77,7 @@ requires HasNearestNeighbors<Traits> std::optional<Algebraic_number> end_of_path
                                                           const Widest_path&, double)
 KINETRI_WIDEST_PATH(extern template, Linear_kinetic_traits_2);
 KINETRI_WIDEST_PATH(extern template, Polynomial_kinetic_traits_2);
+/// @endcond
 
 }  // namespace kinetri
 
