@@ -288,14 +288,13 @@ TEST_F(Frames_interruption, may_be_followed_by_frames) {
   EXPECT_EQ(frames[0], time_hi);
 }
 
-// An audit of so many points takes longer than the test.
+// The process is in an audit, which takes longer than to go on and notice both signals.
 TEST_F(Frames_interruption, by_second_signal_leaves_nothing) {
   Arguments arguments = long_run();
   arguments.insert(arguments.end(), {"--audit", "events"});
   Process process(KINETRI_PROGRAM, arguments, {.directory = directory()});
   process.wait_until([&] { return files_so_far() > 0; });
-  process.send(SIGINT);
-  process.send(SIGTERM);
+  process.send_both(SIGINT, SIGTERM);
   const Outcome outcome = process.wait();
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_NE(outcome.err.find("kinetri: interrupted, nothing written\n"), std::string::npos);

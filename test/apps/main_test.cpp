@@ -264,7 +264,7 @@ TEST_F(Interruption, what_a_killed_run_leaves_is_removed_by_the_next_one) {
             (Entries{"edges.csv", "events.csv", "frames", "p.csv", "run.kinetri", "stats.json"}));
 }
 
-// An audit of so many points takes longer than the test.
+// The process is in an audit, which takes longer than to go on and notice both signals.
 TEST_F(Interruption, second_signal_ends_at_once_and_leaves_nothing) {
   write_many_points();
   Arguments arguments = long_run;
@@ -272,8 +272,7 @@ TEST_F(Interruption, second_signal_ends_at_once_and_leaves_nothing) {
   Process process(KINETRI_PROGRAM, arguments, {.directory = directory()});
   process.wait_until(
       [&] { return process.errors_so_far().find("running ...") != std::string::npos; });
-  process.send(SIGINT);
-  process.send(SIGTERM);
+  process.send_both(SIGINT, SIGTERM);
   const Outcome outcome = process.wait();
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(entries(), Entries{"p.csv"});

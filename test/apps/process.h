@@ -71,6 +71,20 @@ class Process {
 
   void send(int signal) const { ::kill(id_, signal); }
 
+  /// Sends two signals so that the process does nothing between them, however long this one has to
+  /// wait for a processor: it is stopped until both are there. Fails if it has ended.
+  void send_both(int first, int second) {
+    send(SIGSTOP);
+    int status = 0;
+    if (::waitpid(id_, &status, WUNTRACED) != id_ || !WIFSTOPPED(status)) {
+      id_ = 0;
+      throw std::runtime_error("the process ended early: " + errors_so_far());
+    }
+    send(first);
+    send(second);
+    send(SIGCONT);
+  }
+
   /// What it has written to standard error so far.
   std::string errors_so_far() const {
     return std::filesystem::exists(captured_.file("err")) ? read_file(captured_.file("err")) : "";

@@ -14,11 +14,13 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 POINTS = "x,y,vx,vy\n0,0,0,0\n4,0,0,0\n0,4,0,0\n3,3,1,1\n"
 ESCAPE = "\x1b["
+END = b"\0"
 SIMULATE = ["simulate", "p.csv", "--until", "3"]
 
 
@@ -40,16 +42,26 @@ class Terminal(Program):
         ours, its = pty.openpty()
         process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
                                    stdout=its, stderr=its, env=self.environment(changes))
-        os.close(its)
+        self.addCleanup(process.kill)
+
+        # Once nobody has the program's side open, Linux may give an error instead of what is still to be
+        # read: so it stays open, and a character that the program never writes marks the end.
+        def mark_end():
+            try:
+                process.wait(timeout=60)
+            finally:
+                os.write(its, END)
+
+        waiting = threading.Thread(target=mark_end)
+        waiting.start()
         text = b""
-        try:
-            while piece := os.read(ours, 4096):
-                text += piece
-        except OSError:
-            pass  # The program has ended.
+        while not text.endswith(END):
+            text += os.read(ours, 4096)
+        waiting.join()
         os.close(ours)
-        process.wait(timeout=60)
-        return text.decode()
+        os.close(its)
+        self.assertIsNotNone(process.returncode, f"has not ended after a minute: {text}")
+        return text.removesuffix(END).decode()
 
     def elsewhere(self, arguments):
         done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True,

@@ -4,6 +4,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <string_view>
 
@@ -22,8 +23,11 @@ enum Stage : int {
   committing,  // that outputs belong together: signals change nothing
   committed,   // nothing, and there are no temporaries
 };
-volatile std::sig_atomic_t stage = reading;
-volatile std::sig_atomic_t stop_requested = 0;
+// Atomic since each of two signals may come to a thread of its own.
+std::atomic<int> stage = reading;
+std::atomic<bool> stop_requested = false;
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+              "a signal handler may not wait for a lock");
 
 // How long a run may take until it notices that it is to stop: some of its steps are long.
 constexpr suseconds_t patience_us = 400'000;
@@ -41,8 +45,7 @@ extern "C" {
 static void on_signal(int signal) {
   if (stage == committing) return;
   if (stage == committed) ::_exit(static_cast<int>(Exit_code::interrupted));
-  if (stage != reading && stop_requested == 0) {
-    stop_requested = 1;
+  if (stage != reading && !stop_requested.exchange(true)) {
     if (stage == running) set_alarm(patience_us);
     return;
   }
@@ -90,7 +93,7 @@ Commit_section::~Commit_section() {
 }
 
 bool interrupted() noexcept {
-  if (stop_requested == 0) return false;
+  if (!stop_requested) return false;
   set_alarm(0);
   return true;
 }
