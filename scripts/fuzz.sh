@@ -6,7 +6,11 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-targets=(points_file tracks track_formats checkpoint algebra simulation changes contacts)
+targets=()
+for source in "$kinetri_root"/test/fuzz/*_fuzz.cpp; do
+  name=${source##*/}
+  targets+=("${name%_fuzz.cpp}")
+done
 
 usage() {
   cat <<EOF
