@@ -26,6 +26,9 @@ SIZES_UNTIL = {1: 20, 10: 20, 100: 40}
 # How long the events of points with weights are measured.
 WEIGHTS_UNTIL = {1_000: 3, 10_000: 1}
 
+# Each of their runs is the median of several.
+OBSERVED_MODES = ("encounters", "components")
+
 SCENARIOS = ("uniform", "gaussian", "constant-speed", "one-mover", "lattice-jitter")
 
 
@@ -64,6 +67,9 @@ COLLISIONS_OVER_CELL_LIST = 0.2
 EQUAL_DISCS_OVER_POINTS = 1.1
 ROUNDED_CELL_NANOSECONDS = 2000
 CLOSEST_PAIR_MILLISECONDS = {100_000: 30}
+
+# With 5 others in range of a point.
+ENCOUNTERS_OVER_BARE = {100_000: 3}
 
 # A time per event of fewer events says nothing.
 FEWEST_EVENTS = 1000
@@ -118,9 +124,10 @@ def measurements(arguments):
         yield "frames", "uniform", points, runs
     if arguments.large:
         yield "frames", "uniform", 100_000, min(runs, 3)
-    for mode in ("start", "accelerated", "changes"):
+    for mode in ("start", "accelerated", "changes", "encounters", "components"):
         for points in (1_000, 10_000, 100_000):
-            yield mode, "uniform", points, runs
+            yield mode, "uniform", points, min(runs, 3) if mode in OBSERVED_MODES else runs
+    yield "certificates", "uniform", 1_000, runs
     for points in (1_000, 10_000, 100_000):
         yield "answers", "uniform", points, runs
     for points in (*sizes, 100_000) if arguments.large else sizes:
@@ -259,11 +266,23 @@ WEIGHT_FIGURES = (
     ("event with half of the points hidden / without", "hiding_over_unequal", None),
     ("share of hidden points", "hidden_share", None),
 )
+# Of a run that is observed.
+ENCOUNTER_FIGURES = (
+    ("run with encounters / bare run", "over_bare", ENCOUNTERS_OVER_BARE),
+    ("more with encounters: ns per event and encounter", "extra_ns_per_event_and_encounter", None),
+    ("table of encounters: ns each", "answer_ns_per_encounter", None),
+)
+COMPONENT_FIGURES = (
+    ("run with components / bare run", "components_ratio", None),
+    ("run with the spanning tree / bare run", "spanning_tree_ratio", None),
+)
 FIGURES = {
     "start": START_FIGURES,
     "accelerated": ACCELERATED_FIGURES,
     "changes": CHANGE_FIGURES,
     "weights": WEIGHT_FIGURES,
+    "encounters": ENCOUNTER_FIGURES,
+    "components": COMPONENT_FIGURES,
 }
 
 ANSWER_FIGURES = (
@@ -276,6 +295,17 @@ ANSWER_FIGURES = (
     ("rounded positions: ns per point", "positions_ns"),
     ("positions not rounded correctly: ns per point", "rounded_place_ns"),
 )
+
+
+def certificate_rows(runs):
+    """(what, values of the runs): the time of each certificate, with filters and without."""
+    for arithmetic, certificates in runs[0].items():
+        if not isinstance(certificates, dict):
+            continue
+        for name, figures in certificates.items():
+            for outcome in (key for key in ("never", "fails") if key in figures):
+                what = f"{name} certificate, {arithmetic}, {outcome}: ns"
+                yield what, [run[arithmetic][name][outcome]["ns"] for run in runs]
 
 
 def rows(results):
@@ -298,8 +328,13 @@ def rows(results):
                 yield what, scenario, points, [run[f"{key}_crossover_rate"] for run in runs], None
         elif mode in FIGURES:
             for what, key, bound in FIGURES[mode]:
+                if key not in runs[0]:  # not measured of so many points
+                    continue
                 target = at_most(bound.get(points) if isinstance(bound, dict) else bound)
                 yield what, scenario, points, [run[key] for run in runs], target
+        elif mode == "certificates":
+            for what, values in certificate_rows(runs):
+                yield what, scenario, points, values, None
         elif mode == "answers":
             cells = [run["rounded_cell_ns"] for run in runs]
             target = at_most(ROUNDED_CELL_NANOSECONDS)
