@@ -85,6 +85,37 @@ TEST_F(Areas, have_means_over_the_stay_of_each_point) {
   EXPECT_NEAR(std::stod(rows.substr(second + 7)), 10, 1e-9);
 }
 
+// As the rows of one long run, from the time of the checkpoint on.
+TEST_F(Areas, go_on_after_a_checkpoint) {
+  run({"simulate", "p.csv", "--until", "1", "--checkpoint", "state", "--quiet"});
+  const Outcome outcome = run({"resume", "state", "--until", "2", "--areas", "-", "--mean-areas",
+                               "m.csv", "--walkable", "square.wkt", "--fps", "1", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, std::string(header) +
+                             "1,0,6,0.16666666666666666\n1,1,10,0.1\n2,0,8,0.125\n2,1,8,0.125\n");
+  const std::string first = "id,from,until,area,error\n0,1,2,";
+  ASSERT_EQ(read("m.csv").rfind(first, 0), 0U) << read("m.csv");
+  EXPECT_NEAR(std::stod(read("m.csv").substr(first.size())), 7, 1e-9);
+}
+
+TEST_F(Areas, need_walls_or_a_distance) {
+  write("t.csv", "t,id,x,y\n0,a,1,1\n1,a,2,2\n");
+  for (const Arguments& command :
+       {Arguments{"simulate", "p.csv", "--until", "1"}, Arguments{"tracks", "t.csv"}}) {
+    for (const std::string option : {"--areas", "--mean-areas"}) {
+      Arguments arguments = command;
+      arguments.insert(arguments.end(), {option, "a.csv"});
+      const Outcome outcome = run(arguments);
+      EXPECT_EQ(outcome.exit_code, 2);
+      EXPECT_NE(outcome.err.find(option + ": cells of points on the convex hull are unbounded; "
+                                          "expected --walkable FILE, or --cutoff R"),
+                std::string::npos)
+          << outcome.err;
+      EXPECT_FALSE(exists("a.csv"));
+    }
+  }
+}
+
 TEST_F(Areas, do_not_take_the_place_of_the_walkable_area) {
   const Outcome outcome = run(
       {"simulate", "p.csv", "--until", "1", "--areas", "square.wkt", "--walkable", "square.wkt"});

@@ -78,6 +78,89 @@ TEST_F(Components, have_a_spanning_tree) {
             "0,0,greatest,0,2,5.385164807134504\n");
 }
 
+// Point 2 links the other two from t = 2 to t = 8.
+TEST_F(Components, tell_when_two_points_are_connected) {
+  write("points.csv", "x,y,vx,vy\n0,0,0,0\n8,0,0,0\n4,-5,0,1\n");
+  const Outcome outcome =
+      run({"simulate", "points.csv", "--until", "10", "--connected", "-", "--between", "1,0",
+           "--range", "5", "--between", "0,2", "--checkpoint", "state", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "a,b,begin_lo,begin_hi,end_lo,end_hi\n"
+            "1,0,2,2,8,8\n"
+            "0,2,2,2,8,8\n");
+  run({"simulate", "points.csv", "--until", "4", "--checkpoint", "state", "--quiet"});
+  const Outcome late = run({"resume", "state", "--until", "6", "--connected", "-", "--between",
+                            "0,1", "--range", "5", "--quiet"});
+  EXPECT_EQ(late.out, "a,b,begin_lo,begin_hi,end_lo,end_hi\n0,1,4,4,6,6\n") << late.err;
+}
+
+// `b` leaves at t = 4, and comes back at t = 6 as another point. It is never there with `d`.
+TEST_F(Components, of_tracks_are_asked_by_label) {
+  write("tracks.csv",
+        "time;who;x;y\n0;\"a; or A\";0;0\n2;\"a; or A\";0;0\n4;\"a; or A\";0;0\n"
+        "6;\"a; or A\";0;0\n8;\"a; or A\";0;0\n2;b;1;0\n4;b;1;0\n6;b;1;0\n7;b;9;0\n"
+        "9;d;1;1\n10;d;1;1\n");
+  const auto connected = [&](const test::Arguments& more) {
+    test::Arguments arguments = {"tracks",    "tracks.csv",  "--columns", "t=time,id=who,x=x,y=y",
+                                 "--max-gap", "2",           "--range",   "5",
+                                 "--quiet",   "--connected", "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  };
+  const std::string header = "a,b,begin_lo,begin_hi,end_lo,end_hi\n";
+  const Outcome one = connected({"--between", "a; or A,b"});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(one.out, header + "a; or A,b,2,2,6.5,6.5\n");
+  const Outcome two = connected({"--max-gap", "1", "--between", "b,a; or A"});
+  EXPECT_EQ(two.exit_code, 2) << two.out;
+  const Outcome other = connected({"--between", "b,d", "--between", "\"b\", a; or A "});
+  EXPECT_EQ(other.out, header + "b,a; or A,2,2,6.5,6.5\n") << other.err;
+}
+
+TEST_F(Components, of_tracks_with_gaps_are_those_of_all_stays) {
+  write("tracks.csv",
+        "t,id,x,y\n0,a,0,0\n1,a,0,0\n2,a,0,0\n3,a,0,0\n4,a,0,0\n5,a,0,0\n6,a,0,0\n"
+        "1,b,1,0\n2,b,1,0\n4,b,1,0\n5,b,1,0\n9,c,1,0\n9.5,c,1,0\n");
+  const Outcome outcome = run({"tracks", "tracks.csv", "--max-gap", "1.5", "--connected", "-",
+                               "--between", "b,a", "--between", "c,a", "--range", "1", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "a,b,begin_lo,begin_hi,end_lo,end_hi\n"
+            "b,a,1,1,2,2\n"
+            "b,a,4,4,5,5\n");
+}
+
+TEST_F(Components, are_asked_for_by_pairs_that_there_are) {
+  write("points.csv", passing);
+  const auto expect_error = [&](const test::Arguments& more, const std::string& message) {
+    test::Arguments arguments = {"simulate", "points.csv", "--until", "1", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_FALSE(exists("c.csv"));
+  };
+  expect_error({"--connected", "c.csv", "--between", "0,1"},
+               "--connected: how far apart is near? expected --range R as well");
+  expect_error({"--connected", "c.csv", "--range", "1"},
+               "--connected: who is to be connected? expected --between A,B as well");
+  expect_error({"--between", "0,1"},
+               "--between: nothing asks who is connected; expected --connected as well");
+  const auto expect_bad = [&](const std::string& between, const std::string& message) {
+    expect_error({"--connected", "c.csv", "--range", "1", "--between", between}, message);
+  };
+  expect_bad("0,3",
+             "--between: there is no point '3' in points.csv; expected the number of a point");
+  expect_bad("0,-1", "--between: there is no point '-1' in points.csv");
+  expect_bad("99999999999999,1", "--between: there is no point '99999999999999' in points.csv");
+  expect_bad("1,01", "--between: '1' and '01' are one thing; expected two");
+  expect_bad("1", "--between: '1' is no pair; expected two names with a comma between them");
+  expect_bad("0,1,2", "--between: '0,1,2' is no pair");
+  expect_bad("0,", "--between: '0,' is no pair");
+  expect_bad("\"0,1", "--between: a quotation mark is not closed");
+}
+
 TEST_F(Components, need_a_range_and_points) {
   write("points.csv", passing);
   const Outcome no_range =

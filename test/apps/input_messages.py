@@ -128,12 +128,30 @@ def meaning_cases():
     yield simulate("--frames-per-time 5", option="--fps,--frames-per-time")
     yield case("tracks t.csv --frames-per-time 5", option="--frames-per-time")
     yield case("resume c --until 1 --fps 5", option="--fps,--frames-per-time", files={"c": checkpoint()})
+    yield case("wave --fps 5", option="--fps,--frames-per-time")
     yield simulate("--frames f --fps 1e9", option="--fps,--frames-per-time", rate="1000000000",
                    **{"from": 0}, until=1, most=1000000)
     nowhere = {"PATH": "/nowhere"}
     yield simulate("--plot plot.svg", environment=nowhere, otherwise="no --plot")
     yield case("experiment --output r", environment=nowhere, otherwise="--no-plots")
     yield case("tracks t.csv --closest 0")
+    for option in ("--components", "--encounters", "--contact-plan"):
+        yield simulate(f"{option} a", option=option)
+    yield simulate("--connected a --between 0,1", option="--connected")
+    yield simulate("--range 1")
+    yield simulate("--encounters a --range -1", range=-1)
+    yield simulate("--connected a --range 1")
+    yield simulate("--between 0,1")
+    yield simulate("--connected a --range 1 --between 7", names="7")
+    yield simulate("--connected a --range 1 --between 1,2,3", names="1,2,3")
+    yield simulate("--connected a --range 1 --between 1,", names="1,")
+    yield simulate("--connected a --range 1 --between 0,4", name=4, file="p.csv")
+    yield simulate("--connected a --range 1 --between 1,01", first="1", second="01")
+    yield case("tracks t.csv --connected a --range 1 --between a,b", name="b", file="t.csv",
+               files={"t.csv": "t,id,x,y\n0,a,0,0\n1,a,0,0\n1,b,9,9\n"})
+    yield simulate("--connected a --range 1 --between '\"0,1'", text='"0,1')
+    for option in ("--components a", "--connected a --between 0,1"):
+        yield simulate(f"--collisions log --radius 0.1 --range 1 {option}", option=option.split()[0])
     yield simulate("--ridge 1")
     yield simulate("--neighbors n.csv --ridge 0", option="--ridge", number=0)
     yield case("simulate s.csv --until 1 --collisions log --nearest n.csv",

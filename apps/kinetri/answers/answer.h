@@ -62,6 +62,9 @@ std::unique_ptr<Answer> nearest_answer(const Answer_settings& settings,
 std::unique_ptr<Answer> components_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
                                           const Run_source& source);
+std::unique_ptr<Answer> connected_answer(const Answer_settings& settings,
+                                         const Any_simulation& simulation,
+                                         const Run_source& source);
 std::unique_ptr<Answer> spanning_tree_answer(const Answer_settings& settings,
                                              const Any_simulation& simulation,
                                              const Run_source& source);

@@ -13,12 +13,13 @@ struct Answer_row {
                                     const Run_source&);
 };
 
-constexpr std::array<Answer_row, 9> answers = {{
+constexpr std::array<Answer_row, 10> answers = {{
     {Output::closest, &closest_answer},
     {Output::neighbors, &neighbors_answer},
     {Output::exchanges, &exchanges_answer},
     {Output::nearest, &nearest_answer},
     {Output::components, &components_answer},
+    {Output::connected, &connected_answer},
     {Output::spanning_tree, &spanning_tree_answer},
     {Output::mean_areas, &mean_areas_answer},
     {Output::encounters, &encounters_answer},

@@ -1,52 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <ostream>
+#include <array>
 #include <string>
+#include <vector>
 
-#include "answers/answer.h"
+#include "answers/table_answer.h"
 #include "cli/arguments.h"
-#include "io/text.h"
-#include "kinetri/observers/connected_components.h"
+#include "io/text_table.h"
 
 namespace kinetri::app {
 namespace {
 
-// Empty for no point.
-std::string field(Point_id id) {
-  return id == no_point ? std::string() : std::to_string(id);
+// What `follow` gives for a simulation of points.
+template <class Follow>
+std::unique_ptr<Answer> of_points(const char* option, const Any_simulation& simulation,
+                                  const Follow& follow) {
+  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+    if constexpr (!HasWeight<typename Traits::Motion>) {
+      if (s.options().radius == 0) return follow(s);
+    }
+    throw Usage_error(joined(option,
+                             ": the points are discs, between whose rims the gap would count; "
+                             "expected points without radii"));
+  });
 }
 
-template <class Traits>
-class Components_answer : public Answer {
- public:
-  Components_answer(Simulation_2<Traits>& simulation, double range)
-      : components_(simulation, range) {}
+// The points that the input calls so.
+std::vector<Point_id> points_named(const std::string& name, const Run_source& source,
+                                   Point_id next_id) {
+  std::vector<Point_id> result = source.points_named(name);
+  std::erase_if(result, [&](Point_id id) { return id >= next_id; });
+  if (!result.empty()) return result;
+  throw Usage_error(joined("--between: there is no point ", kinetri::quoted(name), " in ",
+                           input_name(source.path()), "; expected ", source.expected_name()));
+}
 
-  void write(std::ostream& out) override {
-    out << "time_lo,time_hi,kind,a,b,components,largest\n";
-    for (const Component_event& event : components_.events()) {
-      out << joined(time_bounds(event.time), ",", name(event.kind), ",", field(event.points[0]),
-                    ",", field(event.points[1]), ",", event.components, ",", event.largest, "\n");
+// Pairs of points that are ever there together.
+std::vector<Edge_ids> pairs_of_points(const std::array<std::string, 2>& names,
+                                      const Run_source& source, Point_id next_id) {
+  std::vector<Edge_ids> result;
+  const std::vector<Point_id> others = points_named(names[1], source, next_id);
+  for (const Point_id a : points_named(names[0], source, next_id)) {
+    for (const Point_id b : others) {
+      if (a == b) {
+        throw Usage_error(joined("--between: ", kinetri::quoted(names[0]), " and ",
+                                 kinetri::quoted(names[1]), " are one thing; expected two"));
+      }
+      if (source.are_there_together(a, b)) result.push_back({a, b});
     }
   }
-
- private:
-  Connected_components<Traits> components_;
-};
+  return result;
+}
 
 }  // namespace
 
 std::unique_ptr<Answer> components_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
                                           const Run_source& /*source*/) {
-  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
-    if constexpr (!HasWeight<typename Traits::Motion>) {
-      if (s.options().radius == 0) {
-        return std::make_unique<Components_answer<Traits>>(s, settings.range);
-      }
+  return of_points("--components", simulation, [&]<class Traits>(Simulation_2<Traits>& s) {
+    return table_answer<Connected_components<Traits>>(detail::Component_columns(), s,
+                                                      settings.range);
+  });
+}
+
+std::unique_ptr<Answer> connected_answer(const Answer_settings& settings,
+                                         const Any_simulation& simulation,
+                                         const Run_source& source) {
+  return of_points("--connected", simulation, [&]<class Traits>(Simulation_2<Traits>& s) {
+    std::vector<std::vector<Edge_ids>> pairs;
+    for (const auto& names : settings.between) {
+      pairs.push_back(pairs_of_points(names, source, s.triangulation().next_id()));
     }
-    throw Usage_error(
-        "--components: the points are discs, between whose rims the gap would count; expected "
-        "points without radii");
+    return table_answer<detail::Connections<Traits>>(
+        detail::Connection_columns<std::string>{settings.between}, s, settings.range, pairs);
   });
 }
 

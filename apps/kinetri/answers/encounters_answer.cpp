@@ -1,40 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <cstdint>
 #include <ostream>
 #include <utility>
 
-#include "answers/answer.h"
+#include "answers/table_answer.h"
 #include "io/json_writer.h"
-#include "io/text.h"
-#include "kinetri/observers/encounters.h"
 
 namespace kinetri::app {
 namespace {
-
-template <class Traits>
-class Encounters_answer : public Answer {
- public:
-  Encounters_answer(Simulation_2<Traits>& simulation, double range)
-      : encounters_(simulation, range),
-        has_gaps_(HasWeight<typename Traits::Motion> || simulation.options().radius != 0) {}
-
-  void write(std::ostream& out) override {
-    out << "a,b,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance"
-        << (has_gaps_ ? ",gap\n" : "\n");
-    for (const Encounter& encounter : encounters_.encounters()) {
-      const auto& [a, b] = encounter.points;
-      out << joined(a, ",", b, ",", time_bounds(encounter.begin), ",", time_bounds(encounter.end),
-                    ",", time_bounds(encounter.closest), ",", encounter.distance);
-      if (has_gaps_) out << joined(",", encounter.gap);
-      out << '\n';
-    }
-  }
-
- private:
-  Encounters<Traits> encounters_;
-  bool has_gaps_;
-};
 
 // In the form that NASA's High-rate Delay Tolerant Networking (HDTN) reads: one contact for each
 // direction. A contact begins and ends within the encounter; one moment is none.
@@ -83,7 +56,9 @@ std::unique_ptr<Answer> encounters_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
                                           const Run_source& /*source*/) {
   return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
-    return std::make_unique<Encounters_answer<Traits>>(s, settings.range);
+    const bool has_discs = HasWeight<typename Traits::Motion> || s.options().radius != 0;
+    return table_answer<Encounters<Traits>>(detail::Encounter_columns{has_discs}, s,
+                                            settings.range);
   });
 }
 

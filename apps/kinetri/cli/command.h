@@ -25,8 +25,10 @@ enum class Value_kind {
   other,  ///< a number, for example: nothing is completed
 };
 
-/// Where the parser puts the value of an option, as it stands on the command line.
-using Option_target = std::variant<bool*, std::string*, std::optional<std::string>*>;
+/// Where the parser puts the value of an option, as it stands on the command line; of one that may
+/// be there more than once, the values.
+using Option_target =
+    std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*>;
 
 /// An option or a positional argument.
 struct Option {

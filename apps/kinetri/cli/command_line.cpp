@@ -21,6 +21,8 @@ CLI::Option* declare_option(CLI::App& app, const Option& option) {
         if constexpr (std::is_same_v<decltype(target), bool*>) {
           // CLI11 knows --help and --version itself.
           return target == nullptr ? app.get_option(option.name()) : app.add_flag(names, *target);
+        } else if constexpr (std::is_same_v<decltype(target), std::vector<std::string>*>) {
+          return app.add_option(names, *target)->allow_extra_args(false);  // one value each time
         } else {
           return app.add_option(names, *target);
         }
@@ -101,6 +103,9 @@ std::string missing_problem(const Chosen& chosen) {
 std::string mismatch_problem(const CLI::App& app, const std::string& message) {
   const std::string name = message.substr(0, message.find(':'));
   const CLI::Option* const option = app.get_option_no_throw(name);
+  if (option != nullptr && option->get_items_expected_max() > 1) {
+    return joined(name, ": has no value; expected one each time");
+  }
   const bool is_repeated = option != nullptr && option->count() > 1;
   return joined(name, ": ", is_repeated ? "is there more than once" : "has no value",
                 "; expected it once, with one value");

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "cli/arguments.h"
 #include "cli/text.h"
 #include "io/text.h"
+#include "io/text_table.h"
+#include "kinetri/base/error.h"
 #include "outputs/gnuplot.h"
 
 namespace kinetri::app {
@@ -58,6 +61,37 @@ double range_argument(const Run_options& options) {
   return range;
 }
 
+// The two names of a value of --between, as fields of CSV.
+std::array<std::string, 2> names_between(const std::string& text) {
+  static const std::string option = "--between";
+  std::istringstream no_lines;
+  Table_reader reader(no_lines, option, {"pairs", "pair"});
+  std::vector<std::string> names;
+  try {
+    reader.for_each_csv_field(text, [&](std::string_view name) { names.emplace_back(name); });
+  } catch (const Input_error& error) {
+    throw Usage_error(error.what());
+  }
+  if (names.size() == 2 && !names[0].empty() && !names[1].empty()) return {names[0], names[1]};
+  throw Usage_error(
+      joined(option, ": ", kinetri::quoted(text), " is no pair; expected two names with a comma ",
+             "between them, such as 3,7; a name that has a comma in quotation marks"));
+}
+
+// The values of --between, which --connected needs.
+std::vector<std::array<std::string, 2>> between_arguments(const Run_options& options) {
+  const bool is_needed = options.outputs[Output::connected].has_value();
+  if (is_needed && options.between.empty()) {
+    throw Usage_error("--connected: who is to be connected? expected --between A,B as well");
+  }
+  if (!is_needed && !options.between.empty()) {
+    throw Usage_error("--between: nothing asks who is connected; expected --connected as well");
+  }
+  std::vector<std::array<std::string, 2>> result;
+  for (const std::string& text : options.between) result.push_back(names_between(text));
+  return result;
+}
+
 // The value of --ridge.
 std::optional<double> ridge_argument(const Run_options& options) {
   if (!options.ridge) return std::nullopt;
@@ -77,17 +111,12 @@ std::string limited_outputs() {
   return separated(result, " or ");
 }
 
-// The values of --walkable and --cutoff, of which some outputs need one, and the others none.
+// The values of --walkable and --cutoff, of which some outputs need one, and the others none. (The
+// input may have a walkable area; so what is missing is not known yet.)
 void set_limits(const Run_options& options, Answer_settings& settings) {
-  bool is_needed = false;
-  for (const Output_row& row : output_table) {
-    if (!row.has_limits || !options.outputs[row.output]) continue;
-    is_needed = true;
-    if (options.walkable || options.cutoff) continue;
-    throw Usage_error(joined(row.option,
-                             ": cells of points on the convex hull are unbounded; expected "
-                             "--walkable FILE, or --cutoff R, or both as well"));
-  }
+  const bool is_needed = std::ranges::any_of(output_table, [&](const Output_row& row) {
+    return row.has_limits && options.outputs[row.output];
+  });
   if (!is_needed && (options.walkable || options.cutoff)) {
     throw Usage_error(joined(options.walkable ? "--walkable" : "--cutoff",
                              ": no cells are measured; expected ", limited_outputs(), " as well"));
@@ -119,7 +148,8 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
     command
         .add("--walkable", &options.walkable, "FILE",
              joined("For ", limited_outputs(),
-                    ": where points can be, polygons with holes as Well-Known Text"))
+                    ": where points can be, polygons with holes as Well-Known Text; in place of "
+                    "the area that the input has, if it has one"))
         .heading = outputs_heading;
     command
         .add("--cutoff", &options.cutoff, "R",
@@ -131,6 +161,12 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
         .add("--ridge", &options.ridge, "L",
              "For --neighbors and --exchanges: say which neighbors had a ridge, the common side of "
              "their cells, that was always shorter than this, and do not count their exchanges")
+        .heading = outputs_heading;
+  }
+  if (command.find_option("--connected") != nullptr) {
+    command
+        .add("--between", &options.between, "A,B",
+             "For --connected: two ids of the input; may be there more than once")
         .heading = outputs_heading;
   }
   if (!has_range) return;
@@ -203,6 +239,7 @@ Run_settings run_settings(const Run_options& options) {
   Run_settings result;
   result.outputs = options.outputs;
   result.answers.range = range_argument(options);
+  result.answers.between = between_arguments(options);
   result.answers.ridge = ridge_argument(options);
   set_limits(options, result.answers);
   if (options.frames_per_time) {

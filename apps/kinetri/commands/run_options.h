@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/command.h"
 #include "outputs/output_table.h"
@@ -20,6 +21,7 @@ struct Run_options {
   std::optional<std::string> until_share;
   Output_paths outputs;
   std::optional<std::string> range;
+  std::vector<std::string> between;
   std::optional<std::string> ridge;
   std::optional<std::string> walkable;
   std::optional<std::string> cutoff;

@@ -122,8 +122,8 @@ Command simulate_command() {
                   "also where nothing touches them");
   add_run_options(result, options->run,
                   {Output::checkpoint, Output::neighbors, Output::exchanges, Output::nearest,
-                   Output::components, Output::spanning_tree, Output::areas, Output::mean_areas,
-                   Output::encounters, Output::contact_plan});
+                   Output::components, Output::connected, Output::spanning_tree, Output::areas,
+                   Output::mean_areas, Output::encounters, Output::contact_plan});
   result.description = {
       "The first line of POINTS names its columns: x,y,vx,vy (position at time 0, and velocity), "
       "and optionally ax,ay (acceleration) and jx,jy (jerk, the rate of change of the "

@@ -162,8 +162,8 @@ Command tracks_command() {
              "Radius of all discs around the points, if TRACKS has no column radius");
   add_run_options(result, options->run,
                   {Output::ids, Output::neighbors, Output::exchanges, Output::nearest,
-                   Output::components, Output::spanning_tree, Output::areas, Output::mean_areas,
-                   Output::encounters, Output::contact_plan});
+                   Output::components, Output::connected, Output::spanning_tree, Output::areas,
+                   Output::mean_areas, Output::encounters, Output::contact_plan});
   result.description = {
       "A point moves in a straight line at constant velocity from one observation of its id to the "
       "next. It is inserted at the first observation and erased at the last one; an id with one "

@@ -5,16 +5,29 @@
 #include <ostream>
 #include <string>
 
+#include "cli/arguments.h"
 #include "io/text.h"
 #include "io/text_table.h"
 #include "outputs/frame_times.h"
 
 namespace kinetri::app {
 
-Cell_limits cell_limits(const Answer_settings& settings) {
+Cell_limits cell_limits(const Answer_settings& settings, const Run_source& source,
+                        const char* option) {
   Cell_limits result;
   if (settings.cutoff) result.cutoff = *settings.cutoff;
-  if (!settings.walkable) return result;
+  if (!settings.walkable) {
+    const std::string area = source.walkable_area();
+    if (area.empty() && !settings.cutoff) {
+      throw Usage_error(joined(option,
+                               ": cells of points on the convex hull are unbounded; expected "
+                               "--walkable FILE, or --cutoff R, or both as well"));
+    }
+    if (area.empty()) return result;
+    result.walkable =
+        Walkable_area::from_wkt(area, input_name(source.path()) + " (its walkable area)");
+    return result;
+  }
   constexpr std::size_t longest = std::size_t{1} << 26;
   const std::string& path = *settings.walkable;
   std::ifstream in = open_table(path, {"a walkable area, as Well-Known Text", "area"});
@@ -48,7 +61,7 @@ void Area_output::write(std::ostream& out, const Any_simulation& simulation) {
   std::string rows = next_ == 0 ? "t,id,area,density\n" : "";
   const double time = times_[next_++];
   const std::vector<Cell_area> areas =
-      simulation.visit([&](const auto& s) { return cell_areas(s.triangulation(), limits_); });
+      simulation.visit([&](const auto& s) { return cell_areas(s.triangulation(), *limits_); });
   for (const Cell_area& cell : areas) {
     append(rows, time, ",", cell.id, ",", cell.area, ",");
     if (cell.area > 0) append(rows, cell.density());

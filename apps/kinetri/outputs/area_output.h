@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,15 +19,17 @@
 
 namespace kinetri::app {
 
-/// What bounds the cells. Reads the walkable area. Throws Input_error.
-Cell_limits cell_limits(const Answer_settings& settings);
+/// What bounds the cells that `option` measures. Reads the walkable area, which may be that of the
+/// source. Throws Input_error, and Usage_error if nothing bounds them.
+Cell_limits cell_limits(const Answer_settings& settings, const Run_source& source,
+                        const char* option);
 
 /// A table with a row for each point and frame.
 class Area_output {
  public:
-  /// Without a rate the frames are those of the input, or, if it has none, 101. Throws Input_error.
-  Area_output(const Answer_settings& settings, std::optional<Frame_rate> rate)
-      : limits_(cell_limits(settings)), rate_(std::move(rate)) {}
+  /// Without a rate the frames are those of the input, or, if it has none, 101.
+  Area_output(std::shared_ptr<const Cell_limits> limits, std::optional<Frame_rate> rate)
+      : limits_(std::move(limits)), rate_(std::move(rate)) {}
 
   /// Chooses the times, from the first binary64 number that is not before the start on. Throws
   /// Usage_error if there are too many frames.
@@ -40,7 +43,7 @@ class Area_output {
   void write(std::ostream& out, const Any_simulation& simulation);
 
  private:
-  Cell_limits limits_;
+  std::shared_ptr<const Cell_limits> limits_;
   std::optional<Frame_rate> rate_;
   std::vector<double> times_;
   std::size_t next_ = 0;

@@ -29,6 +29,7 @@ enum class Output {
   exchanges,
   nearest,
   components,
+  connected,
   spanning_tree,
   areas,
   mean_areas,
@@ -36,7 +37,7 @@ enum class Output {
   contact_plan,
 };
 
-constexpr std::size_t number_of_outputs = 20;
+constexpr std::size_t number_of_outputs = 21;
 
 /// The commands that have an output.
 enum class Offered {
@@ -94,6 +95,10 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
     {Output::components, "--components", "--components", "FILE",
      "Write here how the points that are near each other make up connected components: each merge "
      "and split, as CSV; needs --range",
+     Offered::by_request, true},
+    {Output::connected, "--connected", "--connected", "FILE",
+     "Write here from when until when the points of --between were connected, by points that are "
+     "near each other, as CSV; needs --range",
      Offered::by_request, true},
     {Output::spanning_tree, "--spanning-tree", "--spanning-tree", "FILE",
      "Write the Euclidean minimum spanning tree here: its edges at the start, each change, and "

@@ -69,13 +69,13 @@ class Simulation_run {
   Simulation_run(const Run_settings& settings, Run_source& source)
       : settings_(settings),
         source_(source),
+        asked_(settings.answers),
         outputs_(settings.outputs, input_paths(settings, source)),
         progress_(settings.progress) {
     if (outputs_.has(Output::frames) || outputs_.has(Output::vtu)) {
       frames_.emplace(outputs_.directory(Output::frames), outputs_.directory(Output::vtu),
                       settings.frame_rate);
     }
-    if (outputs_.has(Output::areas)) areas_.emplace(settings.answers, settings.frame_rate);
     if (outputs_.has(Output::plot)) sampler_ = std::make_unique<Run_sampler>();
   }
 
@@ -83,6 +83,7 @@ class Simulation_run {
 
  private:
   void build();
+  void read_limits();
   std::uint64_t number_of_events() const {
     return simulation_.visit(
         [](const auto& s) { return s.triangulation().counters().number_of_events(); });
@@ -112,6 +113,7 @@ class Simulation_run {
 
   const Run_settings& settings_;
   Run_source& source_;
+  Answer_settings asked_;
   Run_outputs outputs_;
   Progress progress_;
   Stopwatch stopwatch_;
@@ -161,6 +163,7 @@ void Simulation_run::build() {
   progress_.show_stage("reading");
   source_.read();
   if (outputs_.has(Output::events)) source_.expect_logs(outputs_.identities());
+  read_limits();
   statistics_.points = source_.number_of_points();
   statistics_.from = source_.from();
   progress_.show_stage(joined("triangulating ", counted(statistics_.points, "point")));
@@ -184,11 +187,20 @@ void Simulation_run::build() {
     simulation_.visit([this](auto& s) { s.add_observer(*log_); });
   }
   if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_, statistics_.until);
-  answers_ = follow_answers(outputs_, settings_.answers, simulation_, source_);
+  answers_ = follow_answers(outputs_, asked_, simulation_, source_);
   if (frames_) frames_->start(source_, simulation_, statistics_.until);
   if (areas_) areas_->start(source_, simulation_, statistics_.until);
   if (sampler_) sampler_->start(statistics_.until, simulation_);
   statistics_.seconds.write += stopwatch_.lap();
+}
+
+// Of the outputs that measure cells.
+void Simulation_run::read_limits() {
+  for (const Output_row& row : output_table) {
+    if (!row.has_limits || !outputs_.has(row.output) || asked_.limits) continue;
+    asked_.limits = std::make_shared<Cell_limits>(cell_limits(asked_, source_, row.option));
+  }
+  if (outputs_.has(Output::areas)) areas_.emplace(asked_.limits, settings_.frame_rate);
 }
 
 // The time at which the run ends as it goes now.
@@ -447,6 +459,9 @@ void Simulation_run::summarize() const {
                                      : "",
                      "\n"));
   for (const std::string& remark : source_.remarks()) print("input", remark);
+  if (asked_.limits && asked_.limits->walkable && !asked_.walkable) {
+    print("input", "cells are those within the walkable area that it has");
+  }
   print("events", events_summary(s));
   if (const auto share = share_of_box()) {
     print("discs", joined("cover ", significant(*share, 6), " of the box"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sources/run_source.h"
 
+#include <charconv>
 #include <filesystem>
 
 #include "io/text.h"
@@ -14,6 +15,14 @@ std::string input_name(const std::string& path) {
 
 std::string Run_source::title() const {
   return path() == "-" ? input_name(path()) : std::filesystem::path(path()).filename().string();
+}
+
+std::vector<Point_id> Run_source::points_named(const std::string& name) const {
+  Point_id id = no_point;
+  const char* const end = name.data() + name.size();
+  const auto [rest, problem] = std::from_chars(name.data(), end, id);
+  if (problem != std::errc() || rest != end) return {};
+  return {id};
 }
 
 Input_error Run_source::coincidence(const Coincident_trajectories_error& error, double time) const {

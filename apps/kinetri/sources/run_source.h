@@ -74,6 +74,19 @@ class Run_source {
   /// The point in the words of the input: its number, or the id of its track.
   virtual std::string name(Point_id id) const { return std::to_string(id); }
 
+  /// The points that the input calls by that name: one, or those of a track. None if there are
+  /// none. By default the point of that number, which need not exist.
+  virtual std::vector<Point_id> points_named(const std::string& name) const;
+
+  /// What names are, for messages.
+  virtual std::string expected_name() const { return "the number of a point"; }
+
+  /// Whether there is a time at which both points may be there.
+  virtual bool are_there_together(Point_id /*a*/, Point_id /*b*/) const { return true; }
+
+  /// Where points can be, as Well-Known Text, if the input has that; else empty.
+  virtual std::string walkable_area() const { return {}; }
+
   /// What a user should know of what was read; one line each.
   virtual std::vector<std::string> remarks() const { return {}; }
 

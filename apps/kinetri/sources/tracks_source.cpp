@@ -40,6 +40,12 @@ class Tracks_source final : public Run_source {
   Input_error coincidence(const Coincident_trajectories_error& coincident,
                           double time) const override;
   std::string name(Point_id id) const override { return file_.tracks[stays_[id].track].id; }
+  std::vector<Point_id> points_named(const std::string& name) const override;
+  std::string expected_name() const override {
+    return "an id with two observations, within --max-gap, --from and --until";
+  }
+  bool are_there_together(Point_id a, Point_id b) const override;
+  std::string walkable_area() const override { return file_.walkable_area; }
   void describe(Viewer_settings& settings) const override;
   std::vector<std::string> remarks() const override;
   void write_points(std::ostream& out) const override;
@@ -192,6 +198,25 @@ void Tracks_source::write_points(std::ostream& out) const {
     out << joined(point, ",", csv_field(file_.tracks[track].id), ",",
                   observations_[track][first].time, ",", observations_[track][last].time, "\n");
   }
+}
+
+std::vector<Point_id> Tracks_source::points_named(const std::string& name) const {
+  std::vector<Point_id> result;
+  for (std::size_t point = 0; point < stays_.size(); ++point) {
+    if (file_.tracks[stays_[point].track].id == name)
+      result.push_back(static_cast<Point_id>(point));
+  }
+  return result;
+}
+
+bool Tracks_source::are_there_together(Point_id a, Point_id b) const {
+  const auto first = [&](Point_id id) {
+    return observations_[stays_[id].track][stays_[id].first].time;
+  };
+  const auto last = [&](Point_id id) {
+    return observations_[stays_[id].track][stays_[id].last].time;
+  };
+  return first(a) <= last(b) && first(b) <= last(a);
 }
 
 void Tracks_source::describe(Viewer_settings& settings) const {
