@@ -22,6 +22,8 @@ QUESTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "closest": (("number",), ()),
     "encounters": (("range",), ()),
     "components": (("range",), ()),
+    "connected": (("range", "between"), ()),
+    "spanning_tree": ((), ()),
     "neighbor_lives": ((), ("ridge",)),
     "exchanges": ((), ("ridge",)),
     "nearest_neighbor_changes": ((), ()),
@@ -36,11 +38,11 @@ class Watch:
     """
 
     def __init__(self, engine: _kinetri.Engine, about: str, number: int | None, range: float | None,
-                 ridge: float | None) -> None:
+                 ridge: float | None, between: ArrayLike | None = None) -> None:
         if about not in QUESTIONS:
             raise PreconditionError(f"about is {about!r}; expected one of {', '.join(map(repr, QUESTIONS))}")
         needed, allowed = QUESTIONS[about]
-        given = {"number": number, "range": range, "ridge": ridge}
+        given = {"number": number, "range": range, "ridge": ridge, "between": between}
         for name, value in given.items():
             if value is None and name in needed:
                 raise PreconditionError(f"{name} is missing; expected {name} for {about!r}")
@@ -52,8 +54,9 @@ class Watch:
             raise PreconditionError("number is 0; expected at least 1")
         distance = next((_arrays.one_number(name, given[name]) for name in ("range", "ridge")
                          if given[name] is not None), None)
+        pairs = np.empty((0, 2), dtype=np.uint32) if between is None else _pairs(engine, between)
         self._about = about
-        self._watch = _kinetri.Watch(engine, about, count, distance)
+        self._watch = _kinetri.Watch(engine, about, count, distance, pairs)
 
     def table(self) -> pd.DataFrame:
         """The answer from the beginning of this object up to the present time of the run.
@@ -69,6 +72,19 @@ class Watch:
 
     def __repr__(self) -> str:
         return f"<kinetri.Watch of {self._about}>"
+
+
+def _pairs(engine: _kinetri.Engine, between: ArrayLike) -> Ids:
+    """Pairs of points that differ: an array of shape (k, 2)."""
+    shape = np.shape(between)
+    if len(shape) not in (1, 2) or shape[-1] != 2:
+        raise PreconditionError(f"between has the shape {shape}; expected two ids, or (k, 2)")
+    pairs = _arrays.id_array("between", np.ravel(between)).reshape(-1, 2)
+    if np.any(pairs >= engine.next_id()):
+        raise PreconditionError(f"there is no point {np.max(pairs)}; expected ids less than {engine.next_id()}")
+    if np.any(pairs[:, 0] == pairs[:, 1]):
+        raise PreconditionError("between has one point twice; expected two points")
+    return pairs
 
 
 def _column(values: Any) -> Any:
@@ -104,20 +120,23 @@ class RunAnswers:
         raise NotImplementedError
 
     def watch(self, about: str, *, number: int | None = None, range: float | None = None,
-              ridge: float | None = None) -> Watch:
+              ridge: float | None = None, between: ArrayLike | None = None) -> Watch:
         """Follows the run from now on, to answer a question later.
 
         Parameters
         ----------
         about : str
-            The question: 'closest', 'encounters', 'components', 'neighbor_lives', 'exchanges' or
-            'nearest_neighbor_changes'. The method of that name answers it.
+            The question: 'closest', 'encounters', 'components', 'connected', 'spanning_tree',
+            'neighbor_lives', 'exchanges' or 'nearest_neighbor_changes'. The method of that name answers
+            it.
         number : int, optional
             How many; of 'closest' only.
         range : float, optional
-            What is near; of 'encounters' and 'components' only.
+            What is near; of 'encounters', 'components' and 'connected' only.
         ridge : float, optional
             What is short; of 'neighbor_lives' and 'exchanges' only.
+        between : array_like of int, shape (2,) or (k, 2), optional
+            Two ids; of 'connected' only. Of several pairs, it counts when one of them is connected.
 
         Returns
         -------
@@ -135,7 +154,7 @@ class RunAnswers:
            a  b  begin  end
         0  0  1    3.0  5.0
         """
-        return Watch(self._engine, about, number, range, ridge)
+        return Watch(self._engine, about, number, range, ridge, between)
 
     def _answer(self, watch: Watch, until: TimeLike, progress: Progress) -> pd.DataFrame:
         self._advance(until, None, progress)
@@ -191,6 +210,64 @@ class RunAnswers:
         """
         return self._answer(self.watch("components", range=range), until, progress)
 
+    def connected(self, a: int, b: int, range: float, *, until: TimeLike,
+                  progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and gives the times on the way at which two points are connected.
+
+        Points that are at most `range` apart are linked; two are connected by one link or several.
+
+        Parameters
+        ----------
+        a, b : int
+            The points. They need not be there all of the time.
+        range : float
+            At least 0.
+        until : time
+            As in `advance_to`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for each time that the two were connected without a break, in order: a, b, begin and
+            end, each with its bounds in columns that end in _lo and _hi. Both ends belong to it.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [8, 0], [4, -5]], [[0, 0], [0, 0], [0, 1]])
+        >>> kd.connected(0, 1, 5, until=10)[["a", "b", "begin", "end"]]
+           a  b  begin  end
+        0  0  1    2.0  8.0
+        """
+        watch = self.watch("connected", range=range,
+                           between=[_arrays.one_id("a", a), _arrays.one_id("b", b)])
+        return self._answer(watch, until, progress)
+
+    def spanning_tree(self, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and gives the Euclidean minimum spanning tree on the way.
+
+        Parameters
+        ----------
+        until : time
+            As in `advance_to`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            time, time_lo, time_hi; kind; a and b (ids, a < b), an edge; length. Kinds are 'start' (an
+            edge at the start); 'remove' and 'add', in order of time (an edge that leaves the tree, or
+            comes into it); 'longest' (from then on this edge is the longest; the points are connected at
+            a range of at least its length); in the last two rows 'least' and 'greatest', the least and
+            the greatest such range, when first. Lengths are those at the time, rounded to the nearest
+            float64; NaN where it is the edge that matters. Where lengths are equal throughout some time,
+            the order of the ids decides.
+        """
+        return self._answer(self.watch("spanning_tree"), until, progress)
+
     def neighbor_lives(self, *, until: TimeLike, ridge: float | None = None,
                        progress: Progress = False) -> pd.DataFrame:
         """Goes to a time and gives the life of each edge on the way: who was whose neighbor, and when.
@@ -231,9 +308,10 @@ class RunAnswers:
         Returns
         -------
         pandas.DataFrame
-            One row for each point that was there: id; begin and end of its stay, each with its bounds;
-            gained and lost, how many neighbors it got and lost by exchanges; with `ridge` also short, how
-            many of those begin or end a short life. Per unit of time: divide by end - begin.
+            One row for each point that was there: id; from and until, when it came and left, each with
+            its bounds; gained and lost, how many neighbors it got and lost by exchanges; with `ridge` also
+            short, how many of those begin or end a short life; rate, those that do not in a unit of time,
+            NaN of a point that was there for no time.
         """
         return self._answer(self.watch("exchanges", ridge=ridge), until, progress)
 
@@ -327,7 +405,7 @@ class RunAnswers:
         """
         import pandas as pd
 
-        watch = _kinetri.Watch(self._engine, "mean_areas", 0, None,
+        watch = _kinetri.Watch(self._engine, "mean_areas", 0, None, np.empty((0, 2), dtype=np.uint32),
                                limits=cell_limits(walkable, cutoff),
                                tolerance=_arrays.one_number("tolerance", tolerance))
         self._advance(until, None, progress)

@@ -637,6 +637,47 @@ class MovingPoints(RunAnswers):
         distances[there] = np.hypot(difference[:, 0], difference[:, 1])
         return NearestNeighbors(ids, distances)
 
+    def gabriel_edges(self) -> Ids:
+        """The edges of the Gabriel graph, exactly, just after the present time.
+
+        No other point is within the circle whose diameter is such an edge, or on it.
+
+        Returns
+        -------
+        array of uint32, shape (k, 2)
+            The ids of the ends, the smaller first; sorted.
+
+        Raises
+        ------
+        PreconditionError
+            If discs have radii of their own: the edges do not know it then.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [6, 0], [3, 2]], [[0, 0], [0, 0], [0, 0]])
+        >>> kd.gabriel_edges().tolist()
+        [[0, 2], [1, 2]]
+        """
+        return self._engine.gabriel_edges()
+
+    def relative_neighbor_edges(self) -> Ids:
+        """The edges of the relative neighborhood graph, exactly, just after the present time.
+
+        No other point is nearer to both ends of such an edge than these are to each other.
+
+        Returns
+        -------
+        array of uint32, shape (k, 2)
+            The ids of the ends, the smaller first; sorted. All of them are `gabriel_edges`.
+
+        Raises
+        ------
+        PreconditionError
+            If discs have radii of their own: the edges do not know it then.
+        """
+        return self._engine.relative_neighbor_edges()
+
     def closest_pair(self) -> tuple[int, int] | None:
         """The two points nearest to each other, exactly.
 

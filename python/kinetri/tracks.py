@@ -13,6 +13,7 @@ import numpy.typing as npt
 from . import _arrays, _kinetri
 from ._moving import Simulation
 from ._response import engine_response
+from ._track_answers import TrackAnswers
 from ._types import ArrayLike, Collisions, Events, Floats, Path, Progress
 from .errors import InputError, PreconditionError
 
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
-class Tracks:
+class Tracks(TrackAnswers):
     """Observations of things at times: where each was, and when.
 
     Between two observations a thing moves along a straight line with constant velocity. After a gap
@@ -28,6 +29,12 @@ class Tracks:
     of the simulation, and `stays` says whose.
 
     Use `from_dataframe`, `from_arrays` or `read` to make one.
+
+    Methods that answer a question about the whole time, such as `encounters`, run a `simulation` from
+    `start` to `until`, with discs of `radius` where they have that, and show `progress` as
+    `Simulation.advance_to` does. They give the table of the method of the same name of `Simulation`, with
+    labels for ids. Where times are dates, there is a column of dates for each column of times: `date`,
+    `begin_date` and so on.
 
     Attributes
     ----------
@@ -38,13 +45,13 @@ class Tracks:
     frame_rate : float or None
         Of a file whose times are numbers of frames: by which they were divided.
     walkable_area : str or None
-        As WKT, of a file that has it.
+        As Well-Known Text, of a file that has it, as JuPedSim's have: what `areas` and `mean_areas` take
+        if nothing else is given.
     remarks : list of str
         How a file was read: units, rates, what was left out.
     """
 
     frame_rate: float | None = None
-    walkable_area: str | None = None
     remarks: list[str]
 
     def __init__(self, times: Floats, places: Floats, offsets: npt.NDArray[np.uint64], labels: list[Any],
@@ -308,178 +315,6 @@ class Tracks:
         """
         simulation = self.simulation(start=start, until=until)
         return simulation.record(simulation.end, progress=progress)
-
-    def closest(self, number: int = 10, *, start: float | None = None, until: float | None = None,
-                radius: float | None = None, progress: Progress = False) -> pd.DataFrame:
-        """The closest approaches of all things.
-
-        Parameters
-        ----------
-        number : int
-            How many.
-        start, until, radius : float, optional
-            As in `simulation`.
-        progress : bool or callable
-            As in `Simulation.advance_to`.
-
-        Returns
-        -------
-        pandas.DataFrame
-            As of `Simulation.closest`, with labels for ids. Where times are dates there is a column
-            `date` beside.
-
-        Examples
-        --------
-        >>> import kinetri
-        >>> tracks = kinetri.Tracks.from_arrays([0, 4, 0, 4], ["a", "a", "b", "b"], [0, 4, 4, 0], [0, 0, 3, 3])
-        >>> tracks.closest(1)
-           a  b  time  time_lo  time_hi  distance
-        0  a  b   2.0      2.0      2.0       3.0
-        """
-        collisions = "log" if radius is not None or self._radii is not None else None
-        simulation = self.simulation(start=start, until=until, radius=radius, collisions=collisions)
-        table = simulation.closest(number, until=simulation.end, progress=progress)
-        return self._labelled(table, simulation, {"time": "date"})
-
-    def _labelled(self, table: pd.DataFrame, simulation: TracksSimulation,
-                  dates: dict[str, str]) -> pd.DataFrame:
-        """With labels for ids; and, where times are dates, columns of dates, by the columns of times."""
-        import pandas as pd
-
-        for name in {"a", "b", "id"} & set(table.columns):
-            table[name] = [None if pd.isna(id) else simulation.label(id) for id in table[name]]
-        if self.origin is not None:
-            for time, date in dates.items():
-                table[date] = self.dates(table[time])
-        return table
-
-    def encounters(self, range: float, *, start: float | None = None, until: float | None = None,
-                   radius: float | None = None, progress: Progress = False) -> pd.DataFrame:
-        """All encounters: which things were near each other, from when until when.
-
-        Parameters
-        ----------
-        range : float
-            As in `Simulation.encounters`: of points their distance, of discs the gap between their rims.
-        start, until, radius : float, optional
-            As in `simulation`.
-        progress : bool or callable
-            As in `Simulation.advance_to`.
-
-        Returns
-        -------
-        pandas.DataFrame
-            As of `Simulation.encounters`, with labels for ids. Where times are dates there are columns
-            `begin_date`, `end_date` and `closest_date` beside.
-
-        Examples
-        --------
-        >>> import kinetri
-        >>> tracks = kinetri.Tracks.from_arrays([0, 4, 0, 4], ["a", "a", "b", "b"], [0, 4, 4, 0], [0, 0, 3, 3])
-        >>> tracks.encounters(5)[["a", "b", "begin", "end", "distance"]]
-           a  b  begin  end  distance
-        0  a  b    0.0  4.0       3.0
-        """
-        simulation = self.simulation(start=start, until=until, radius=radius)
-        table = simulation.encounters(range, until=simulation.end, progress=progress)
-        return self._labelled(table, simulation, {"begin": "begin_date", "end": "end_date",
-                                                  "closest": "closest_date"})
-
-    def components(self, range: float, *, start: float | None = None, until: float | None = None,
-                   progress: Progress = False) -> pd.DataFrame:
-        """Each time at which things get connected, or disconnected.
-
-        Parameters
-        ----------
-        range : float
-            As in `Simulation.components`.
-        start, until : float, optional
-            As in `simulation`.
-        progress : bool or callable
-            As in `Simulation.advance_to`.
-
-        Returns
-        -------
-        pandas.DataFrame
-            As of `Simulation.components`, with labels for ids. Where times are dates there is a column
-            `date` beside.
-        """
-        simulation = self.simulation(start=start, until=until)
-        table = simulation.components(range, until=simulation.end, progress=progress)
-        return self._labelled(table, simulation, {"time": "date"})
-
-    def areas(self, times: ArrayLike | None = None, *, fps: float | None = None,
-              walkable: str | ArrayLike | None = None, cutoff: float | None = None,
-              start: float | None = None, until: float | None = None,
-              progress: Progress = False) -> pd.DataFrame:
-        """The room of all things over time, at frames.
-
-        Parameters
-        ----------
-        times : array_like of float, optional
-            Ascending: the frames.
-        fps : float, optional
-            In place of `times`: the frames are k / fps, for whole numbers k, from `start` to `until`.
-        walkable, cutoff
-            As in `cell_areas`.
-        start, until : float, optional
-            As in `simulation`.
-        progress : bool or callable
-            As in `Simulation.advance_to`.
-
-        Returns
-        -------
-        pandas.DataFrame
-            As of `Simulation.areas`, with labels for ids. A thing is there from its first observation
-            until just before its last one. Where times are dates there is a column `date` beside.
-
-        Examples
-        --------
-        >>> import kinetri
-        >>> tracks = kinetri.Tracks.from_arrays([0, 4, 0, 4], ["a", "a", "b", "b"], [1, 1, 3, 3], [0, 4, 0, 4])
-        >>> tracks.areas(fps=0.5, walkable=[[0, 0], [4, 0], [4, 4], [0, 4]])
-             t id  area  density
-        0  0.0  a   8.0    0.125
-        1  0.0  b   8.0    0.125
-        2  2.0  a   8.0    0.125
-        3  2.0  b   8.0    0.125
-        """
-        simulation = self.simulation(start=start, until=until)
-        if (times is None) == (fps is None):
-            raise PreconditionError("expected times, or fps")
-        if times is None:
-            rate = _arrays.one_number("fps", fps)
-            if rate <= 0:
-                raise PreconditionError(f"fps is {fps}; expected a number greater than 0")
-            begin, end = float(simulation.time), simulation.end
-            frames = np.arange(math.floor(begin * rate) - 1, math.ceil(end * rate) + 2) / rate
-            times = frames[(frames >= begin) & (frames <= end)]
-        table = simulation.areas(times, walkable=walkable, cutoff=cutoff, progress=progress)
-        return self._labelled(table, simulation, {"t": "date"})
-
-    def mean_areas(self, *, walkable: str | ArrayLike | None = None, cutoff: float | None = None,
-                   tolerance: float = 1e-6, start: float | None = None, until: float | None = None,
-                   progress: Progress = False) -> pd.DataFrame:
-        """The mean room of each stay of a thing, exact in time.
-
-        Parameters
-        ----------
-        walkable, cutoff, tolerance
-            As in `Simulation.mean_areas`.
-        start, until : float, optional
-            As in `simulation`.
-        progress : bool or callable
-            As in `Simulation.advance_to`.
-
-        Returns
-        -------
-        pandas.DataFrame
-            As of `Simulation.mean_areas`, with labels for ids.
-        """
-        simulation = self.simulation(start=start, until=until)
-        table = simulation.mean_areas(until=simulation.end, walkable=walkable, cutoff=cutoff,
-                                      tolerance=tolerance, progress=progress)
-        return self._labelled(table, simulation, {})
 
     def dates(self, times: ArrayLike) -> npt.NDArray[np.datetime64]:
         """Times as dates.

@@ -165,14 +165,26 @@ std::vector<Vector_2> corners_of(const Array<double>& polygon) {
   return result;
 }
 
+py::array_t<Point_id> array_of_edges(std::vector<Edge_ids> edges) {
+  return array_of<Point_id>(std::move(edges), 2);
+}
+
+std::vector<Edge_ids> pairs_of(const Array<Point_id>& ids) {
+  std::vector<Edge_ids> result;
+  for (py::ssize_t i = 0; i < ids.size(); i += 2) {
+    result.push_back({ids.data()[i], ids.data()[i + 1]});
+  }
+  return result;
+}
+
 /// The answer to a question about a run from now on.
 class Moving_watch {
  public:
   Moving_watch(std::shared_ptr<Moving> moving, const std::string& about, std::size_t number,
-               std::optional<double> distance, std::shared_ptr<Cell_limits> limits,
-               double tolerance)
+               std::optional<double> distance, const Array<Point_id>& pairs,
+               std::shared_ptr<Cell_limits> limits, double tolerance)
       : moving_(std::move(moving)), watch_(moving_->with_engine([&](Engine& e) {
-          return e.watch({about, number, distance, std::move(limits), tolerance});
+          return e.watch({about, number, distance, pairs_of(pairs), std::move(limits), tolerance});
         })) {}
 
   /// By name the columns, in their order.
@@ -311,8 +323,7 @@ void bind_present(py::class_<Moving, std::shared_ptr<Moving>>& type) {
                            return masses;
                          },
                          [](auto masses) { return array_of<double>(std::move(masses)); }))
-      .def("edges", answer([](Engine& e) { return e.edges(); },
-                           [](auto edges) { return array_of<Point_id>(std::move(edges), 2); }))
+      .def("edges", answer([](Engine& e) { return e.edges(); }, array_of_edges))
       .def("triangles",
            answer([](Engine& e) { return e.triangles(); },
                   [](auto triangles) { return array_of<Point_id>(std::move(triangles), 3); }))
@@ -445,6 +456,9 @@ void bind_answers(py::class_<Moving, std::shared_ptr<Moving>>& type) {
              return py::make_tuple(array_of<Point_id>(std::move(ids)),
                                    array_of<double>(std::move(areas)));
            })
+      .def("gabriel_edges", answer([](Engine& e) { return e.gabriel_edges(); }, array_of_edges))
+      .def("relative_neighbor_edges",
+           answer([](Engine& e) { return e.relative_neighbor_edges(); }, array_of_edges))
       .def("nearest_neighbors",
            [](Moving& moving) {
              return array_of<Point_id>(
@@ -533,9 +547,9 @@ void bind_engine(py::module_& module) {
       }));
   py::class_<Moving_watch>(module, "Watch")
       .def(py::init<std::shared_ptr<Moving>, const std::string&, std::size_t, std::optional<double>,
-                    std::shared_ptr<Cell_limits>, double>(),
-           py::arg(), py::arg(), py::arg(), py::arg(), py::arg("limits") = nullptr,
-           py::arg("tolerance") = 0.0)
+                    const Array<Point_id>&, std::shared_ptr<Cell_limits>, double>(),
+           py::arg(), py::arg(), py::arg(), py::arg(), py::arg("pairs"),
+           py::arg("limits") = nullptr, py::arg("tolerance") = 0.0)
       .def("table", &Moving_watch::table);
   module.def("make_tracks", make_moving_tracks);
   module.def("restore",

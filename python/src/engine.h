@@ -125,6 +125,8 @@ class Engine {
   virtual Voronoi_cell_2<Vector_2> voronoi_cell(Point_id id) const = 0;
   virtual std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const = 0;
   virtual std::vector<Cell_area> cell_areas(const Cell_limits& limits) const = 0;
+  virtual std::vector<Edge_ids> gabriel_edges() const = 0;
+  virtual std::vector<Edge_ids> relative_neighbor_edges() const = 0;
   virtual std::vector<Point_id> nearest_neighbors() const = 0;
   virtual std::optional<Edge_ids> closest_pair() const = 0;
   /// By id, NaN where there is no point: places (x, y, x, y, ...), velocities, radii.

@@ -14,6 +14,7 @@
 
 #include "engine.h"
 #include "kinetri/base/check.h"
+#include "kinetri/observers/proximity_graphs.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::python {
@@ -173,6 +174,14 @@ class Engine_of final : public Engine {
   }
   std::vector<Cell_area> cell_areas(const Cell_limits& limits) const override {
     return kinetri::cell_areas(kinetic(), limits);
+  }
+  std::vector<Edge_ids> gabriel_edges() const override {
+    if constexpr (HasNearestNeighbors<Traits>) return kinetri::gabriel_edges(kinetic());
+    refuse_distances();
+  }
+  std::vector<Edge_ids> relative_neighbor_edges() const override {
+    if constexpr (HasNearestNeighbors<Traits>) return kinetri::relative_neighbor_edges(kinetic());
+    refuse_distances();
   }
   std::vector<Point_id> nearest_neighbors() const override {
     if constexpr (HasNearestNeighbors<Traits>) return queries().nearest_neighbors();

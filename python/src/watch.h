@@ -4,8 +4,10 @@
 #ifndef KINETRI_PYTHON_WATCH_H
 #define KINETRI_PYTHON_WATCH_H
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +27,7 @@ struct Question {
   std::string about;                              ///< the name of the observer, as in `watch`
   std::size_t number = 0;                         ///< how many answers, where that is to be said
   std::optional<double> distance = std::nullopt;  ///< what is near, or short, where that is said
+  std::vector<Edge_ids> pairs = {};               ///< of points, of which one is to be connected
   std::shared_ptr<const Cell_limits> limits =
       nullptr;           ///< of cells, where these are to be measured
   double tolerance = 0;  ///< of integrals, where there are any
@@ -37,34 +40,41 @@ class Answer_table {
                               std::vector<std::uint8_t>, std::vector<double>,
                               std::vector<std::string>>;  ///< what one holds
 
-  /// @{
-  /// A column of what `value` gives for each of the rows.
-  template <class Rows, class Value>
-  void add(const std::string& name, const Rows& rows, const Value& value) {
-    std::vector<std::decay_t<decltype(value(*rows.begin()))>> column;
-    column.reserve(rows.size());
-    for (const auto& row : rows) column.push_back(value(row));
-    columns_.emplace_back(name, std::move(column));
+  /// Adds a column of what `value` gives for each of the rows, as a member of one or a function. An
+  /// exact time becomes three: rounded, and the tightest bounds, in columns that end in _lo and
+  /// _hi. One about which nothing `is_known` is left out.
+  template <class Row, class Value>
+  void add(const std::string& name, const std::vector<Row>& rows, const Value& value,
+           bool is_known = true) {
+    using Result = std::decay_t<std::invoke_result_t<Value, const Row&>>;
+    if (!is_known) return;
+    if constexpr (std::same_as<Result, Algebraic_number>) {
+      const auto bounds = [&](const Row& row) { return std::invoke(value, row).tight_interval(); };
+      add(name, rows, [&](const Row& row) { return std::invoke(value, row).to_double(); });
+      add(name + "_lo", rows, [&](const Row& row) { return bounds(row).lower; });
+      add(name + "_hi", rows, [&](const Row& row) { return bounds(row).upper; });
+    } else {
+      std::vector<Element<Result>> column;
+      column.reserve(rows.size());
+      for (const Row& row : rows) {
+        column.push_back(static_cast<Element<Result>>(std::invoke(value, row)));
+      }
+      columns_.emplace_back(name, std::move(column));
+    }
   }
-  /// The ends of a pair: columns a and b.
-  template <class Rows, class Value>
-  void add_pair(const Rows& rows, const Value& value) {
-    add("a", rows, [&](const auto& row) { return value(row)[0]; });
-    add("b", rows, [&](const auto& row) { return value(row)[1]; });
-  }
-  /// An exact time: rounded, and the tightest bounds, in columns that end in _lo and _hi.
-  template <class Rows, class Value>
-  void add_times(const std::string& name, const Rows& rows, const Value& value) {
-    add(name, rows, [&](const auto& row) { return value(row).to_double(); });
-    add(name + "_lo", rows, [&](const auto& row) { return value(row).tight_interval().lower; });
-    add(name + "_hi", rows, [&](const auto& row) { return value(row).tight_interval().upper; });
-  }
-  /// @}
 
   /// All columns, in the order in which they were added.
   std::vector<std::pair<std::string, Column>>& columns() { return columns_; }
 
  private:
+  // What a column has for values of a type.
+  template <class Value>
+  using Element =
+      std::conditional_t<std::same_as<Value, Point_id> || std::same_as<Value, double>, Value,
+                         std::conditional_t<std::same_as<Value, bool>, std::uint8_t,
+                                            std::conditional_t<std::same_as<Value, std::size_t>,
+                                                               std::int64_t, std::string>>>;
+
   std::vector<std::pair<std::string, Column>> columns_;
 };
 

@@ -97,7 +97,7 @@ def test_exchanges_are_counted_by_point():
     lost = np.bincount(events["removed"][events["removed"][:, 0] != kinetri.NO_POINT].ravel(), minlength=12)
     assert table["id"].tolist() == list(range(12))
     assert table["gained"].tolist() == gained.tolist() and table["lost"].tolist() == lost.tolist()
-    assert set(table["begin"]) == {0} and set(table["end"]) == {4} and "short" not in table
+    assert set(table["from"]) == {0} and set(table["until"]) == {4} and "short" not in table
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -2,6 +2,8 @@
 """The package against the program: the same points give the files that the program writes."""
 import csv
 import json
+import sqlite3
+import subprocess
 
 import numpy as np
 import pytest
@@ -58,6 +60,41 @@ def discs(seed, n=60):
 
 
 BOX = (0, 0, 90, 90)
+
+
+def test_cells_of_people_end_at_the_area_that_their_file_has(tmp_path):
+    database = sqlite3.connect(tmp_path / "people.sqlite")
+    database.executescript("""
+        CREATE TABLE trajectory_data (frame INTEGER, id INTEGER, pos_x REAL, pos_y REAL);
+        INSERT INTO trajectory_data VALUES (0, 7, 0.5, 2), (2, 7, 0.5, 2), (0, 8, 1.5, 2), (2, 8, 3.5, 2);
+        CREATE TABLE metadata (key TEXT, value TEXT); INSERT INTO metadata VALUES ('fps', '1');
+        CREATE TABLE geometry (wkt TEXT);
+        INSERT INTO geometry VALUES ('GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0)))');
+        """)
+    database.close()
+    (tmp_path / "half.wkt").write_text("POLYGON ((0 0, 4 0, 4 2.5, 0 2.5, 0 0))", encoding="utf-8")
+    people = kinetri.Tracks.read(tmp_path / "people.sqlite")
+    half = (tmp_path / "half.wkt").read_text(encoding="utf-8")
+    # Until they leave at t = 2, the line between the two goes from x = 1 to x = 2.
+    for limits, arguments, height in ((("--walkable", "half.wkt"), {"walkable": half}, 2.5), ((), {}, 4)):
+        outcome = run_program("tracks", "people.sqlite", "--areas", "areas.csv", "--mean-areas", "means.csv",
+                              *limits, directory=tmp_path)
+        assert ("within the walkable area" in outcome.stderr) == (not limits)
+        table = np.loadtxt(tmp_path / "areas.csv", delimiter=",", skiprows=1)
+        assert table[:, :3].tolist() == [[0, 0, height], [0, 1, 3 * height],
+                                         [1, 0, 1.5 * height], [1, 1, 2.5 * height]]
+        areas = people.areas(fps=1, **arguments)
+        assert areas["area"].tolist() == table[:, 2].tolist() and areas["id"].tolist() == ["7", "8"] * 2
+        means = np.loadtxt(tmp_path / "means.csv", delimiter=",", skiprows=1)
+        np.testing.assert_allclose(means[:, 3], [1.5 * height, 2.5 * height], rtol=1e-9)
+        assert people.mean_areas(**arguments)["area"].tolist() == means[:, 3].tolist()
+    database = sqlite3.connect(tmp_path / "people.sqlite")
+    database.executescript("UPDATE geometry SET wkt = 'POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))'")
+    database.close()
+    with pytest.raises(subprocess.CalledProcessError) as refused:
+        run_program("tracks", "people.sqlite", "--areas", "other.csv", directory=tmp_path)
+    assert "people.sqlite (its walkable area): polygon 1: the edge from" in refused.value.stderr
+    assert not (tmp_path / "other.csv").exists()
 
 CASES = {
     "points": (kinetri.KineticDelaunay, dict(zip(("positions", "velocities"), uniform(120, 1))), {}, []),
