@@ -49,7 +49,8 @@ LIBRARIES = {
     "events": (),
     "triangulation": NUMBER_TYPES + ("CGAL/", "tbb/"),
     "simulation": ("CGAL/",),
-    "observers": NUMBER_TYPES + ("CGAL/", "boost/geometry", "boost/math/quadrature/"),
+    "observers": NUMBER_TYPES
+    + ("CGAL/", "boost/container/", "boost/geometry", "boost/math/quadrature/"),
     "io": ("nlohmann/", "fmt/", "boost/crc.hpp", "sqlite3.h", "expat.h"),
     "apps": ("CLI/",),
     "python": ("pybind11/",),

@@ -449,7 +449,7 @@ template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::apart_certificate(const Point_2& p, const Point_2& q,
                                                               double range, const Time& t) const {
   if (arithmetic_ == Arithmetic::filtered) {
-    const Filter_result result = filter_apart(p.motion(), q.motion(), range, t.interval());
+    const Filter_result result = filter_apart(p.motion(), q.motion(), range, t.interval(), false);
     if (result.kind != Filter_result::Kind::unknown) return certificate(result);
     if (certain_gap(p.motion(), q.motion(), range, t.interval()) == CGAL::NEGATIVE) {
       return failure_at_once(t);
@@ -462,6 +462,24 @@ Certificate Basic_kinetic_traits_2<Motion>::apart_certificate(const Point_2& p, 
   }
   std::optional<Real_root> touch = first_root_after(distance, t);
   return exact_certificate(touch ? std::optional(std::move(touch->value)) : std::nullopt, true);
+}
+
+// The next touch, of no duration or not, after a root at `t`; on straight lines there is none, as
+// after a contact.
+template <class Motion>
+Certificate Basic_kinetic_traits_2<Motion>::next_apart_certificate(const Point_2& p,
+                                                                   const Point_2& q, double range,
+                                                                   const Time& t) const {
+  if constexpr (is_linear<Motion>) {
+    return {};
+  } else {
+    if (arithmetic_ == Arithmetic::filtered) {
+      const Filter_result result = filter_apart(p.motion(), q.motion(), range, t.interval(), true);
+      if (result.kind != Filter_result::Kind::unknown) return certificate(result);
+    }
+    std::optional<Real_root> touch = first_root_after(contact_polynomial(p, q, range), t);
+    return exact_certificate(touch ? std::optional(std::move(touch->value)) : std::nullopt, true);
+  }
 }
 
 template <class Motion>

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <tuple>
 #include <utility>
 
-#include "kinetri/algebra/real_roots.h"
 #include "kinetri/base/check.h"
-#include "kinetri/kinetic/certificate_polynomials.h"
+#include "observers/later_time_in_range.h"
 
 namespace kinetri {
 
@@ -26,37 +24,19 @@ void sort_unique(std::vector<Edge_ids>& edges) {
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
-// The certificate that two points remain apart after `t`, just after which they are.
-template <class Traits>
-Certificate next_apart_certificate(const typename Traits::Point_2& p,
-                                   const typename Traits::Point_2& q, double range,
-                                   const Algebraic_number& t) {
-  // On straight lines two that part never meet again: their distance is convex.
-  if constexpr (std::same_as<typename Traits::Motion, Linear_motion_2>) return {};
-  std::optional<Real_root> touch = first_root_after(contact_polynomial(p, q, range), t);
-  if (!touch) return {};
-  Certificate result;
-  result.kind = Certificate::Kind::fails;
-  result.bounds = touch->value.interval();
-  result.failure = std::make_unique<Algebraic_number>(std::move(touch->value));
-  result.means = Certificate::Means::exact;
-  return result;
-}
-
 }  // namespace
 
 // ---- the queue ----
 
 template <ContactKineticTraits_2 Traits>
-auto Connected_components<Traits>::Queue_policy::entry_time(const Entry& entry) const -> Time {
-  if (!entry.is_event) return Time(entry.bounds.lower);
-  const auto& graph = components.graph();
-  return components.traits().contact_failure(graph.point(entry.edge[0]), graph.point(entry.edge[1]),
-                                             components.range_, entry.bounds);
+auto Connected_components<Traits>::failure_time(const Entry& entry) const -> Time {
+  const auto& graph = this->graph();
+  return this->traits().contact_failure(graph.point(entry.edge[0]), graph.point(entry.edge[1]),
+                                        range_, entry.bounds);
 }
 
 template <ContactKineticTraits_2 Traits>
-bool Connected_components<Traits>::Queue_policy::precedes(const Entry& a, const Entry& b) const {
+bool Connected_components<Traits>::precedes(const Entry& a, const Entry& b) const {
   return std::tie(a.kind, a.edge) < std::tie(b.kind, b.edge);
 }
 
@@ -76,24 +56,13 @@ void Connected_components<Traits>::schedule(const Edge_ids& edge, const Time& ti
 template <ContactKineticTraits_2 Traits>
 void Connected_components<Traits>::push(const Edge_ids& edge, Entry_kind kind,
                                         Certificate certificate) {
-  if (certificate.kind == Certificate::Kind::never_fails) return;
   Entry entry;
-  entry.bounds = certificate.bounds;
   entry.edge = edge;
   entry.kind = kind;
-  entry.is_event = certificate.kind == Certificate::Kind::fails;
-  entry.is_crossing = entry.is_event && !certificate.failure;
-  const Queue_handle event = certificate.failure
-                                 ? queue_.push(entry, std::move(*certificate.failure))
-                                 : queue_.emplace(entry);
+  const Queue_handle event = queue_.push(entry, std::move(certificate));
+  if (event == no_event) return;
   if (edge[0] >= scheduled_.size()) scheduled_.resize(this->graph().next_id());
   scheduled_[edge[0]].push_back({edge[1], event});
-}
-
-template <ContactKineticTraits_2 Traits>
-void Connected_components<Traits>::unschedule(const Edge_ids& edge) {
-  const Queue_handle event = forget(edge);
-  if (event != no_event) queue_.erase(event);
 }
 
 // Returns the entry of an edge; no_event if it has none.
@@ -157,36 +126,33 @@ void Connected_components<Traits>::advance(const Time& time) {
 
 template <ContactKineticTraits_2 Traits>
 void Connected_components<Traits>::execute_until(const Time& time, Due due) {
-  const Double_interval bounds = time.interval();
-  const auto is_due = [&](const Entry& entry) {
-    return queue_.is_due(entry, bounds, [&]() -> const Time& { return time; });
+  const auto waits = [due](const Entry& entry) {
+    return due == Due::begins && entry.kind == Entry_kind::end;
   };
-  const auto recheck = [this](std::span<const Entry> entries) {
-    for (const Entry& entry : entries) {
-      forget(entry.edge);
-      schedule(entry.edge, Time(entry.bounds.lower));
+  while (const auto next = queue_.take_due(time, waits)) {
+    forget(next->entry.edge);
+    if (next->entry.is_recheck) {
+      schedule(next->entry.edge, next->time);
+    } else {
+      execute(next->entry, next->time);
     }
-  };
-  while (queue_.settle(is_due, recheck)) {
-    const Time now = queue_.time(queue_.top());
-    if (due == Due::begins && queue_.top().kind == Entry_kind::end && now == time) return;
-    execute(queue_.pop(), now);
   }
 }
 
 template <ContactKineticTraits_2 Traits>
 void Connected_components<Traits>::execute(const Entry& entry, const Time& time) {
-  forget(entry.edge);
-  if (entry.kind == Entry_kind::begin) {
-    link(entry.edge, time);
-    // From where the edge is shorter than the range: at `time` itself no filter could decide.
-    schedule(entry.edge, entry.is_crossing ? Time(entry.bounds.upper) : time);
+  const auto& p = this->graph().point(entry.edge[0]);
+  const auto& q = this->graph().point(entry.edge[1]);
+  if (entry.kind == Entry_kind::end) {
+    cut(entry.edge, time);
+    push(entry.edge, Entry_kind::begin, this->traits().next_apart_certificate(p, q, range_, time));
     return;
   }
-  cut(entry.edge, time);
-  push(entry.edge, Entry_kind::begin,
-       next_apart_certificate<Traits>(this->graph().point(entry.edge[0]),
-                                      this->graph().point(entry.edge[1]), range_, time));
+  link(entry.edge, time);
+  // At `time` itself no filter could decide when it ends.
+  schedule(entry.edge, entry.changes_sign ? Time(detail::later_time_in_range(
+                                                this->traits(), p, q, range_, entry.bounds.upper))
+                                          : time);
 }
 
 // ---- changes ----
@@ -207,8 +173,8 @@ std::vector<Edge_ids> Connected_components<Traits>::edges_of(
 template <ContactKineticTraits_2 Traits>
 void Connected_components<Traits>::before_change(std::span<const Edge_ids> removed,
                                                  std::span<const Changed_point> points) {
-  for (const Edge_ids& edge : removed) unschedule(edge);
-  for (const Edge_ids& edge : edges_of(points)) unschedule(edge);
+  for (const Edge_ids& edge : removed) queue_.erase(forget(edge));
+  for (const Edge_ids& edge : edges_of(points)) queue_.erase(forget(edge));
 }
 
 // First all that joins, then all that splits, since at the time itself there is both.

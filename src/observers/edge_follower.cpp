@@ -4,6 +4,11 @@
 #include <utility>
 
 namespace kinetri {
+namespace {
+
+constexpr auto first_of = [](const auto& pair) { return pair.first; };
+
+}  // namespace
 
 // ---- the graph ----
 
@@ -22,7 +27,7 @@ void Neighbor_graph<Traits>::add(const Edge_ids& edge) {
 template <class Traits>
 void Neighbor_graph<Traits>::remove(const Edge_ids& edge) {
   const auto remove_from = [this](Point_id id, Point_id other) {
-    std::vector<Point_id>& neighbors = nodes_[id].neighbors;
+    auto& neighbors = nodes_[id].neighbors;
     *std::ranges::find(neighbors, other) = neighbors.back();
     neighbors.pop_back();
   };
@@ -79,28 +84,50 @@ void Edge_follower<Traits>::begin_instant(const Time& time) {
 
 template <ContactKineticTraits_2 Traits>
 void Edge_follower<Traits>::finish_instant() {
-  if (changed_edges_.empty() && changed_points_.empty()) return;
-  std::vector<Edge_ids> removed;
-  std::vector<Edge_ids> added;
-  for (const auto& [edge, change] : std::exchange(changed_edges_, {})) {
-    if (change < 0) removed.push_back(edge);
-    if (change > 0) added.push_back(edge);
+  if (edge_events_.empty() && point_events_.empty()) return;
+  sum_up_edges();
+  sum_up_points();
+  before_change(removed_, points_);
+  for (const Edge_ids& edge : removed_) graph_.remove(edge);
+  for (const Changed_point& changed : points_) {
+    const auto last = std::ranges::lower_bound(point_events_, changed.id, {}, first_of);
+    graph_.set_point(changed.id, last->second);
   }
-  std::vector<Changed_point> points;
-  const auto changed_points = std::exchange(changed_points_, {});
-  for (const auto& [id, point] : changed_points) {
+  for (const Edge_ids& edge : added_) graph_.add(edge);
+  edge_events_.clear();
+  point_events_.clear();
+  change(instant_, removed_, added_, points_);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Edge_follower<Traits>::sum_up_edges() {
+  removed_.clear();
+  added_.clear();
+  std::ranges::sort(edge_events_);
+  for (auto event = edge_events_.begin(); event != edge_events_.end();) {
+    const Edge_ids edge = event->first;
+    int sum = 0;
+    for (; event != edge_events_.end() && event->first == edge; ++event) sum += event->second;
+    if (sum < 0) removed_.push_back(edge);
+    if (sum > 0) added_.push_back(edge);
+  }
+}
+
+// Leaves the last event of each point.
+template <ContactKineticTraits_2 Traits>
+void Edge_follower<Traits>::sum_up_points() {
+  points_.clear();
+  std::ranges::reverse(point_events_);
+  std::ranges::stable_sort(point_events_, {}, first_of);
+  const auto same_point = [](const auto& a, const auto& b) { return a.first == b.first; };
+  point_events_.erase(std::unique(point_events_.begin(), point_events_.end(), same_point),
+                      point_events_.end());
+  for (const auto& [id, point] : point_events_) {
     const auto before = graph_.contains(id) ? std::optional(graph_.point(id)) : std::nullopt;
     if (!before && !point) continue;  // it has come and gone
     if (before && point && before->motion() == point->motion()) continue;
-    points.push_back({id, before});
+    points_.push_back({id, before});
   }
-  before_change(removed, points);
-  for (const Edge_ids& edge : removed) graph_.remove(edge);
-  for (const Changed_point& changed : points) {
-    graph_.set_point(changed.id, changed_points.at(changed.id));
-  }
-  for (const Edge_ids& edge : added) graph_.add(edge);
-  change(instant_, removed, added, points);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -110,14 +137,14 @@ void Edge_follower<Traits>::before_event(const Event& event) {
 
 template <ContactKineticTraits_2 Traits>
 void Edge_follower<Traits>::after_event(const Event& event) {
-  if (event.removed) --changed_edges_[*event.removed];
-  if (event.added) ++changed_edges_[*event.added];
+  if (event.removed) edge_events_.emplace_back(*event.removed, -1);
+  if (event.added) edge_events_.emplace_back(*event.added, 1);
   if (event.kind == Event_kind::hide || event.kind == Event_kind::reveal) return;
   for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
     if (!id) continue;
-    changed_points_[*id] = triangulation_->contains(*id)
-                               ? std::optional(triangulation_->vertex(*id)->point())
-                               : std::nullopt;
+    point_events_.emplace_back(*id, triangulation_->contains(*id)
+                                        ? std::optional(triangulation_->vertex(*id)->point())
+                                        : std::nullopt);
   }
 }
 

@@ -10,11 +10,14 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "algebra/root_difference.h"
+#include "kinetic/filter/least_distance.h"
 #include "kinetri/algebra/real_roots.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
 
 namespace kinetri::detail {
 namespace {
@@ -166,6 +169,11 @@ bool has_radius(const Disc& disc) {
   return disc.radius != 0 || disc.growth != 0;
 }
 
+template <class Disc>
+bool are_points(const Disc& p, const Disc& q) {
+  return !has_radius(p) && !has_radius(q);
+}
+
 // The sum of the radii.
 template <class Disc>
 Coefficients reach(const Disc& p, const Disc& q) {
@@ -199,6 +207,20 @@ std::optional<double> rounded_root(const Rational& square) {
   return result;
 }
 
+// The time at which the distance of two points is least: where its derivative vanishes.
+struct Least_distance_root : Root_source {
+  Least_distance_root(const Linear_motion_2& a, const Linear_motion_2& b, const Rounding& r)
+      : p(a), q(b), rounding(r) {}
+  Polynomial polynomial() const override {
+    return derivative(contact_polynomial(Moving_point_2(p), Moving_point_2(q), 0));
+  }
+  std::optional<Rounding> rounded(const Double_interval& /*bracket*/) const override {
+    return rounding;
+  }
+  Linear_motion_2 p, q;
+  Rounding rounding;
+};
+
 // The first time between the two at which the gap is least. The gap sqrt(f) - r - g t, with
 // f = a t^2 + b t + c, is a convex function (docs/MATH.md, section 11).
 Algebraic_number time_of_least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
@@ -231,17 +253,22 @@ Algebraic_number time_of_least_gap(const Disc_motion_2& p, const Disc_motion_2& 
 // ---- a gap ----
 
 template <class Disc>
-Gap_of_pair<Disc>::Gap_of_pair(const Disc& p, const Disc& q, Algebraic_number time)
-    : p_(p), q_(q), time_(std::move(time)), bounds_(gap_bounds(p_, q_, time_.interval())) {}
+Gap_of_pair<Disc>::Gap_of_pair(const Disc& p, const Disc& q, Algebraic_number time, bool is_minimal)
+    : p_(p),
+      q_(q),
+      time_(std::move(time)),
+      is_minimal_(is_minimal),
+      bounds_(gap_bounds(p_, q_, time_.interval())) {}
 
 template <class Disc>
 double Gap_of_pair<Disc>::rounded_distance() const {
-  if (!has_radius(p_) && !has_radius(q_)) return rounded();
+  if (are_points(p_, q_)) return rounded();
   return root_difference_at(squared_distance(p_, q_), {}, time_).to_double();
 }
 
 template <class Disc>
 double Gap_of_pair<Disc>::rounded() const {
+  if (const auto result = certainly_rounded()) return *result;
   if (const auto square = rational_square()) {
     if (const auto result = rounded_root(*square)) return *result;
   }
@@ -252,18 +279,31 @@ template <class Disc>
 const Algebraic_number& Gap_of_pair<Disc>::exact() const {
   if (!exact_) {
     Coefficients radii;
-    if (has_radius(p_) || has_radius(q_)) radii = reach(p_, q_);
+    if (!are_points(p_, q_)) radii = reach(p_, q_);
     exact_ = root_difference_at(squared_distance(p_, q_), radii, time_);
   }
   return *exact_;
 }
 
+// Without exact arithmetic, if the rounding is certain.
+template <class Disc>
+std::optional<double> Gap_of_pair<Disc>::certainly_rounded() const {
+  if constexpr (is_linear<Disc>) {
+    if (!are_points(p_, q_)) return std::nullopt;
+    if (is_minimal_) return rounded_least_distance(centre(p_), centre(q_));
+    const Double_interval time = time_.interval();
+    if (time.lower == time.upper) return rounded_distance_at(centre(p_), centre(q_), time.lower);
+  }
+  return std::nullopt;
+}
+
 // The square of the gap of points, where the time is known to be rational.
 template <class Disc>
 std::optional<Rational> Gap_of_pair<Disc>::rational_square() const {
-  if (has_radius(p_) || has_radius(q_) || !time_.is_known_rational()) return std::nullopt;
-  const Rational t = time_.rational();
+  if (!are_points(p_, q_)) return std::nullopt;
+  if (!is_minimal_ && !time_.is_known_rational()) return std::nullopt;
   const Coefficients f = squared_distance(p_, q_);
+  const Rational t = is_minimal_ ? Rational(-f[1] / (2 * f[2])) : time_.rational();
   Rational result = 0;
   for (auto c = f.rbegin(); c != f.rend(); ++c) result = result * t + *c;
   return result;
@@ -287,6 +327,15 @@ Comparison_result Gap_of_pair<Disc>::compare(const Gap_of_pair& other) const {
 template <>
 Gap_of_pair<Disc_motion_2> least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
                                      const Algebraic_number& since, const Algebraic_number& until) {
+  if (are_points(p, q)) {
+    if (const auto rounding = rounded_time_of_least_distance(centre(p), centre(q))) {
+      Algebraic_number least(std::make_shared<Least_distance_root>(centre(p), centre(q), *rounding),
+                             rounding->bounds);
+      if (least < since) return {p, q, since};
+      if (least > until) return {p, q, until};
+      return {p, q, std::move(least), true};
+    }
+  }
   return {p, q, time_of_least_gap(p, q, since, until)};
 }
 

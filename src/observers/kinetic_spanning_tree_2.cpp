@@ -81,32 +81,20 @@ void Kinetic_spanning_tree_2<Traits>::record() {
 
 template <ContactKineticTraits_2 Traits>
 void Kinetic_spanning_tree_2<Traits>::execute_until(const Time& time) {
-  const Double_interval bounds = time.interval();
-  const auto is_due = [&](const Entry& entry) {
-    return queue_.is_due(entry, bounds, [&]() -> const Time& { return time; });
-  };
-  const auto execute = [this](const Entry& entry, const Time& at) {
-    begin(at);
+  while (const auto due = queue_.take_due(time)) {
+    const Entry& entry = due->entry;
+    begin(due->time);
     edges_[entry.owner].event = no_event;
     if (!edges_[entry.owner].is_in_tree) {
       suspect(entry.owner);
       examine_suspects();
-    } else if (entry.is_event) {
+    } else if (entry.is_recheck) {
+      new_in_tree_.push_back(entry.owner);
+    } else {
       longest_ = entry.owner;
       compare_all_with_longest();
-    } else {
-      new_in_tree_.push_back(entry.owner);
     }
     find_longest();
-  };
-  // Both at the time of the first: between the two something may happen.
-  const auto recheck = [&](std::span<const Entry> entries) {
-    for (const Entry& entry : entries) edges_[entry.owner].event = no_event;
-    for (const Entry& entry : entries) execute(entry, Time(entries.front().bounds.lower));
-  };
-  while (queue_.settle(is_due, recheck)) {
-    const Time at = queue_.time(queue_.top());
-    execute(queue_.pop(), at);
   }
 }
 

@@ -64,18 +64,9 @@ const std::vector<Nearest_neighbor_change>& Nearest_neighbors<Traits>::changes()
 template <ContactKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
 void Nearest_neighbors<Traits>::advance(const Time& time) {
-  const auto is_due = [&](const Entry& entry) {
-    return queue_.is_due(entry, time.interval(), [&]() -> const Time& { return time; });
-  };
-  const auto recheck = [this](std::span<const Entry> entries) {
-    for (const Entry& entry : entries) handles_[entry.id] = no_event;
-    for (const Entry& entry : entries) look_again(entry.id, Time(entry.bounds.lower));
-  };
-  while (queue_.settle(is_due, recheck)) {
-    const Time now = queue_.time(queue_.top());
-    const Entry entry = queue_.pop();
-    handles_[entry.id] = no_event;
-    look_again(entry.id, now);
+  while (const auto due = queue_.take_due(time)) {
+    handles_[due->entry.id] = no_event;
+    look_again(due->entry.id, due->time);
   }
 }
 
@@ -149,10 +140,10 @@ void Nearest_neighbors<Traits>::look_again(Point_id id, const Time& time) {
     if (nearest == no_point || is_nearer(id, other, nearest, after)) nearest = other;
   }
   set_nearest(id, nearest, time);
-  std::optional<Failure> first;
+  std::optional<Next_failure> first;
   for (const Point_id other : neighbors) {
     if (other == nearest) continue;
-    std::optional<Failure> next = failure(id, nearest, other, time);
+    std::optional<Next_failure> next = failure(id, nearest, other, time);
     if (next && (!first || is_before(*next, *first))) first = std::move(next);
   }
   if (first) push(std::move(*first));
@@ -168,11 +159,11 @@ void Nearest_neighbors<Traits>::look_at(Point_id id, Point_id other, const Time&
     look_again(id, time);
     return;
   }
-  std::optional<Failure> next = failure(id, nearest, other, time);
+  std::optional<Next_failure> next = failure(id, nearest, other, time);
   if (!next) return;
   if (handles_[id] != no_event) {
     const Entry& known = queue_[handles_[id]];
-    const auto& bounds = next->entry.bounds;
+    const auto& bounds = next->certificate.bounds;
     if (known.bounds.upper < bounds.lower) return;
     if (bounds.upper >= known.bounds.lower && time_of(*next) >= queue_.time(known)) return;
     unschedule(id);
@@ -211,59 +202,58 @@ void Nearest_neighbors<Traits>::report() {
 template <ContactKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
 auto Nearest_neighbors<Traits>::failure(Point_id id, Point_id nearest, Point_id rival,
-                                        const Time& time) const -> std::optional<Failure> {
+                                        const Time& time) const -> std::optional<Next_failure> {
   const auto& graph = this->graph();
   const auto& p = graph.point(id);
-  const Certificate certificate =
-      this->traits().closer_certificate(p, graph.point(nearest), p, graph.point(rival), time);
-  if (certificate.kind == Certificate::Kind::never_fails) return std::nullopt;
-  Failure result;
-  result.entry.bounds = certificate.bounds;
+  Next_failure result;
   result.entry.id = id;
   result.entry.nearest = nearest;
   result.entry.rival = rival;
-  result.entry.is_recheck = certificate.kind == Certificate::Kind::holds;
-  if (certificate.failure) result.time = *certificate.failure;
+  result.certificate =
+      this->traits().closer_certificate(p, graph.point(nearest), p, graph.point(rival), time);
+  if (result.certificate.kind == Certificate::Kind::never_fails) return std::nullopt;
   return result;
 }
 
 template <ContactKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
-auto Nearest_neighbors<Traits>::time_of(const Failure& failure) const -> Time {
-  return failure.time ? *failure.time : policy_.entry_time(failure.entry);
+auto Nearest_neighbors<Traits>::time_of(const Next_failure& failure) const -> Time {
+  const Certificate& certificate = failure.certificate;
+  if (certificate.kind == Certificate::Kind::holds) return Time(certificate.bounds.lower);
+  if (certificate.failure) return *certificate.failure;
+  Entry entry = failure.entry;
+  entry.bounds = certificate.bounds;
+  return failure_time(entry);
 }
 
 template <ContactKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
-bool Nearest_neighbors<Traits>::is_before(const Failure& a, const Failure& b) const {
-  if (a.entry.bounds.upper < b.entry.bounds.lower) return true;
-  if (b.entry.bounds.upper < a.entry.bounds.lower) return false;
+bool Nearest_neighbors<Traits>::is_before(const Next_failure& a, const Next_failure& b) const {
+  if (a.certificate.bounds.upper < b.certificate.bounds.lower) return true;
+  if (b.certificate.bounds.upper < a.certificate.bounds.lower) return false;
   return time_of(a) < time_of(b);
 }
 
 template <ContactKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
-void Nearest_neighbors<Traits>::push(Failure failure) {
-  handles_[failure.entry.id] = failure.time ? queue_.push(failure.entry, std::move(*failure.time))
-                                            : queue_.emplace(failure.entry);
+void Nearest_neighbors<Traits>::push(Next_failure failure) {
+  handles_[failure.entry.id] = queue_.push(failure.entry, std::move(failure.certificate));
 }
 
 template <ContactKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
 void Nearest_neighbors<Traits>::unschedule(Point_id id) {
-  if (id >= handles_.size() || handles_[id] == no_event) return;  // it may be yet to come
+  if (id >= handles_.size()) return;  // it may be yet to come
   queue_.erase(std::exchange(handles_[id], no_event));
 }
 
 template <ContactKineticTraits_2 Traits>
-requires HasNearestNeighbors<Traits> Algebraic_number
-Nearest_neighbors<Traits>::Queue_policy::entry_time(const Entry& entry)
-const {
-  if (entry.is_recheck) return Time(entry.bounds.lower);
-  const auto& graph = observer.graph();
+requires HasNearestNeighbors<Traits>
+auto Nearest_neighbors<Traits>::failure_time(const Entry& entry) const -> Time {
+  const auto& graph = this->graph();
   const auto& p = graph.point(entry.id);
-  return observer.traits().closer_failure(p, graph.point(entry.nearest), p,
-                                          graph.point(entry.rival), entry.bounds);
+  return this->traits().closer_failure(p, graph.point(entry.nearest), p, graph.point(entry.rival),
+                                       entry.bounds);
 }
 
 template class Nearest_neighbors<Linear_kinetic_traits_2>;

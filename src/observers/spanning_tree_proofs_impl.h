@@ -89,35 +89,24 @@ auto Kinetic_spanning_tree_2<Traits>::time_of(const Certificate& certificate, In
 }
 
 template <ContactKineticTraits_2 Traits>
-auto Kinetic_spanning_tree_2<Traits>::Queue_policy::entry_time(const Entry& entry) const -> Time {
-  if (!entry.is_event) return Time(entry.bounds.lower);
-  return tree.traits().closer_failure(tree.end(entry.near, 0), tree.end(entry.near, 1),
-                                      tree.end(entry.far, 0), tree.end(entry.far, 1), entry.bounds);
-}
-
-template <ContactKineticTraits_2 Traits>
-bool Kinetic_spanning_tree_2<Traits>::Queue_policy::precedes(const Entry& a, const Entry& b) const {
-  return tree.edges_[a.owner].ids < tree.edges_[b.owner].ids;
+auto Kinetic_spanning_tree_2<Traits>::failure_time(const Entry& entry) const -> Time {
+  return this->traits().closer_failure(end(entry.near, 0), end(entry.near, 1), end(entry.far, 0),
+                                       end(entry.far, 1), entry.bounds);
 }
 
 template <ContactKineticTraits_2 Traits>
 void Kinetic_spanning_tree_2<Traits>::schedule(Index owner, Index near, Index far,
                                                Certificate certificate) {
-  if (certificate.kind == Certificate::Kind::never_fails) return;
   Entry entry;
-  entry.bounds = certificate.bounds;
   entry.owner = owner;
   entry.near = near;
   entry.far = far;
-  entry.is_event = certificate.kind == Certificate::Kind::fails;
-  edges_[owner].event = certificate.failure ? queue_.push(entry, std::move(*certificate.failure))
-                                            : queue_.emplace(entry);
+  edges_[owner].event = queue_.push(entry, std::move(certificate));
 }
 
 template <ContactKineticTraits_2 Traits>
 void Kinetic_spanning_tree_2<Traits>::unschedule(Index owner) {
-  const Queue_handle event = std::exchange(edges_[owner].event, no_event);
-  if (event != no_event) queue_.erase(event);
+  queue_.erase(std::exchange(edges_[owner].event, no_event));
 }
 
 // ---- proofs ----

@@ -64,6 +64,16 @@ class Failures {
         [&](const Double_interval& in) { return traits_.contact_failure(p, q, range, in); }, t,
         counts_);
   }
+  // Precondition: they part at t.
+  std::optional<Time> next_apart(const Point& p, const Point& q, double range, const Time& t) {
+    return failure_of(
+        [&](const Time& after) {
+          return after == t ? traits_.next_apart_certificate(p, q, range, after)
+                            : traits_.apart_certificate(p, q, range, after);
+        },
+        [&](const Double_interval& in) { return traits_.contact_failure(p, q, range, in); }, t,
+        counts_);
+  }
   std::optional<Time> near(const Point& p, const Point& q, double range, const Time& t) {
     return failure_of(
         [&](const Time& after) { return traits_.near_certificate(p, q, range, after); },
@@ -109,6 +119,7 @@ TEST_P(Distance_certificates, of_a_point_that_passes_fail_when_it_comes_and_when
   EXPECT_EQ(of.apart(origin, passing, 5, 10.0), Time(10.0)) << "near already";
   EXPECT_EQ(of.apart(origin, passing, 5, 14.0), Time(14.0)) << "the last touch";
   EXPECT_EQ(of.apart(origin, passing, 5, 15.0), std::nullopt);
+  EXPECT_EQ(of.next_apart(origin, passing, 5, 14.0), std::nullopt);
 }
 
 TEST_P(Distance_certificates, of_a_touch_of_no_duration_begin_and_end_with_it) {
@@ -167,6 +178,24 @@ TEST_P(Distance_certificates, of_accelerated_points_find_each_touch) {
   EXPECT_EQ(of_curves.near(at_rest, thrown, 2, 3.0), Time(3.0));
   EXPECT_EQ(of_curves.apart(at_rest, thrown, 1, 0.0), std::nullopt);
   EXPECT_EQ(of_curves.apart(at_rest, thrown, 6, 6.0), std::nullopt);
+  EXPECT_EQ(of_curves.next_apart(at_rest, thrown, 6, 5.0), std::nullopt);
+  // (t - 1) (t - 3) (t - 5): they meet three times; and it is 15 at 0 and at 6.
+  const Point back_and_forth(Polynomial_motion_2{{-15, 0}, {23, 0}, {-18, 0}, {6, 0}, 0});
+  EXPECT_EQ(of_curves.apart(at_rest, back_and_forth, 0, 0.0), Time(1.0));
+  EXPECT_EQ(of_curves.near(at_rest, back_and_forth, 0, 1.0), Time(1.0));
+  EXPECT_EQ(of_curves.next_apart(at_rest, back_and_forth, 0, 1.0), Time(3.0));
+  EXPECT_EQ(of_curves.next_apart(at_rest, back_and_forth, 0, 3.0), Time(5.0));
+  EXPECT_EQ(of_curves.next_apart(at_rest, back_and_forth, 0, 5.0), std::nullopt);
+  // 3 at 2 and at (7 -+ sqrt 13) / 2, -3 at 4 and at (5 -+ sqrt 13) / 2.
+  const std::optional<Time> end = of_curves.near(at_rest, back_and_forth, 3, 1.0);
+  ASSERT_TRUE(end && *end > Time(1.69) && *end < Time(1.7));
+  EXPECT_EQ(of_curves.next_apart(at_rest, back_and_forth, 3, *end), Time(2.0));
+  EXPECT_EQ(of_curves.near(at_rest, back_and_forth, 3, 2.0), Time(4.0));
+  const std::optional<Time> again = of_curves.next_apart(at_rest, back_and_forth, 3, 4.0);
+  ASSERT_TRUE(again && *again > Time(4.3) && *again < Time(4.31));
+  const std::optional<Time> last = of_curves.near(at_rest, back_and_forth, 3, *again);
+  ASSERT_TRUE(last && *last > Time(5.3) && *last < Time(5.31));
+  EXPECT_EQ(of_curves.next_apart(at_rest, back_and_forth, 3, *last), std::nullopt);
   const Point far(Polynomial_motion_2{{0, 6}, {0, 0}, {0, 0}, {0, 0}, 0});
   EXPECT_EQ(of_curves.closer(at_rest, far, at_rest, thrown, 0.0), Time(1.0));
   EXPECT_EQ(of_curves.closer(at_rest, thrown, at_rest, far, 1.0), Time(5.0));
@@ -307,11 +336,16 @@ class Both {
     // Apart, near, apart; and from the same time on, near, apart, near.
     for (const int first : {0, 1}) {
       std::optional<Time> time = t;
+      bool has_parted = false;
       for (int k = first; k < first + 3 && time; ++k) {
-        time = expect_equal(
-            k % 2 == 0 ? filtered_.apart(p, q, range, *time) : filtered_.near(p, q, range, *time),
-            k % 2 == 0 ? exact_.apart(p, q, range, *time) : exact_.near(p, q, range, *time));
+        const Time since = *time;
+        const auto failure = [&](auto& of) {
+          if (k % 2 == 1) return of.near(p, q, range, since);
+          return has_parted ? of.next_apart(p, q, range, since) : of.apart(p, q, range, since);
+        };
+        time = expect_equal(failure(filtered_), failure(exact_));
         if (testing::Test::HasFatalFailure()) return;
+        has_parted = k % 2 == 1 && time && *time > since;
       }
     }
   }

@@ -114,6 +114,8 @@ class Basic_kinetic_traits_2 {
   Time wall_failure(const Point_2& p, const Wall_2& wall, const Double_interval& bounds) const;
   Certificate apart_certificate(const Point_2& p, const Point_2& q, double range,
                                 const Time& t) const;
+  Certificate next_apart_certificate(const Point_2& p, const Point_2& q, double range,
+                                     const Time& t) const;
   Certificate near_certificate(const Point_2& p, const Point_2& q, double range,
                                const Time& t) const;
   Certificate closer_certificate(const Point_2& p, const Point_2& q, const Point_2& r,

@@ -52,15 +52,18 @@ namespace kinetri {
 /// | Function | Result |
 /// |---|---|
 /// | `apart_certificate(p, q, range, t)` | fails where they are at most `range` apart |
+/// | `next_apart_certificate(p, q, range, t)` | the same after a parting at t |
 /// | `near_certificate(p, q, range, t)` | fails where they are farther apart |
-/// | `contact_failure(p, q, range, bounds)` | the failure time of both, from bounds |
+/// | `contact_failure(p, q, range, bounds)` | the failure time of all three, from bounds |
 /// | `closer_certificate(p, q, r, s, t)` | fails where pq is longer than rs |
 /// | `closer_failure(p, q, r, s, bounds)` | the failure time, from bounds |
 ///
 /// `apart_certificate` fails, unlike the others, where its polynomial is zero without being
 /// negative after that: at a touch from outside, be it of no duration, and at `t` itself if they
-/// are not farther apart than `range` at `t`. The others fail at the infimum of the times after t
-/// at which their condition is violated. `closer_certificate` is about the points, without radii.
+/// are not farther apart than `range` at `t`. `next_apart_certificate` is for two that are `range`
+/// apart at `t` and farther apart just after it: it fails at the next such time. The others fail at
+/// the infimum of the times after t at which their condition is violated. `closer_certificate` is
+/// about the points, without radii.
 ///
 /// And what responses need of a motion, with binary64 numbers (see Linear_motion_2):
 /// `rounded_place(motion, t)`, `rounded_velocity(motion, t)`,
@@ -76,6 +79,7 @@ concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.wall_certificate(p, wall, t) } -> std::same_as<Certificate>;
   { traits.contact_failure(p, p, 1.0, bounds) } -> std::same_as<Algebraic_number>;
   { traits.apart_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
+  { traits.next_apart_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
   { traits.near_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
   { traits.closer_certificate(p, p, p, p, t) } -> std::same_as<Certificate>;
   { traits.closer_failure(p, p, p, p, bounds) } -> std::same_as<Algebraic_number>;

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kinetri/events/event_scheduler.h"
+#include "kinetri/observers/detail/failure_queue.h"
 #include "kinetri/observers/dynamic_connectivity.h"
 #include "kinetri/observers/edge_follower.h"
 
@@ -120,25 +120,12 @@ class Connected_components : public Edge_follower<Traits> {
   // In the order in which they are executed at one time.
   enum class Entry_kind : std::uint8_t { begin, end };
 
-  // The time at which a link begins or ends, or up to which it certainly does not.
-  struct Entry : detail::Scheduled {
+  // The time at which a link begins or ends.
+  struct Entry : detail::Failure {
     Edge_ids edge = {no_point, no_point};
     Entry_kind kind = Entry_kind::begin;
-    bool is_event = false;
-    bool is_crossing = false;  // the ends of the edge are farther apart than the range at the lower
-                               // bound of the time, and less far at the upper one, or vice versa
   };
-
-  struct Queue_policy {
-    const Connected_components& components;
-
-    Time entry_time(const Entry& entry) const;
-    bool precedes(const Entry& a, const Entry& b) const;
-    bool is_recheck(const Entry& entry) const { return !entry.is_event; }
-    static void prefetch(const Entry&) {}
-    static void prefetch_more(const Entry&) {}
-    static void prefetch_first(const Entry&) {}
-  };
+  friend class detail::Failure_queue<Entry, Connected_components>;
 
   struct Watched_pair {
     Edge_ids points;
@@ -173,17 +160,17 @@ class Connected_components : public Edge_follower<Traits> {
   void look_at_watched(const Time& time);
   std::vector<Edge_ids> edges_of(std::span<const Changed_point> points) const;
 
+  Time failure_time(const Entry& entry) const;
+  bool precedes(const Entry& a, const Entry& b) const;
   void schedule(const Edge_ids& edge, const Time& time);
   void push(const Edge_ids& edge, Entry_kind kind, Certificate certificate);
-  void unschedule(const Edge_ids& edge);
   Queue_handle forget(const Edge_ids& edge);
 
   double range_;
   Dynamic_connectivity connectivity_;
   std::vector<Component_event> events_;
   std::vector<Watched_pair> watched_;
-  Queue_policy policy_{*this};
-  detail::Event_scheduler<Entry, Queue_policy> queue_{policy_};
+  detail::Failure_queue<Entry, Connected_components> queue_{*this};
   std::vector<std::vector<Scheduled_edge>> scheduled_;  // by the smaller id
 };
 

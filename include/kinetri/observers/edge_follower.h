@@ -16,12 +16,15 @@
 #define KINETRI_OBSERVERS_EDGE_FOLLOWER_H
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cstddef>
 #include <functional>
-#include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "kinetri/base/compiler.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
@@ -38,22 +41,34 @@ class Neighbor_graph {
   /// The point, with its motion. Precondition: contains(id).
   const Point_2& point(Point_id id) const { return *nodes_[id].point; }
   /// The neighbors of a point, in no order. Precondition: contains(id).
-  std::span<const Point_id> neighbors(Point_id id) const { return nodes_[id].neighbors; }
+  std::span<const Point_id> neighbors(Point_id id) const {
+    const auto& result = nodes_[id].neighbors;
+    return {result.data(), result.size()};
+  }
   /// Whether the two have an edge. O(degree).
   bool is_edge(const Edge_ids& edge) const {
     return edge[0] < nodes_.size() &&
-           std::ranges::find(nodes_[edge[0]].neighbors, edge[1]) != nodes_[edge[0]].neighbors.end();
+           std::ranges::find(neighbors(edge[0]), edge[1]) != neighbors(edge[0]).end();
   }
   /// More than any id so far.
   Point_id next_id() const { return static_cast<Point_id>(nodes_.size()); }
+  /// Starts to load a point and its neighbors. Precondition: id < next_id().
+  KINETRI_ALWAYS_INLINE void prefetch(Point_id id) const {
+    const auto* const begin = reinterpret_cast<const std::byte*>(&nodes_[id]);
+    detail::prefetch_address(begin);
+    detail::prefetch_address(begin + sizeof(Node) / 2);
+    detail::prefetch_address(begin + sizeof(Node) - 1);
+  }
 
  private:
   template <ContactKineticTraits_2>
   friend class Edge_follower;
 
+  // Most points have six neighbors or so, which are kept beside the point: what an event is about
+  // is far away in memory, each time.
   struct Node {
     std::optional<Point_2> point;
-    std::vector<Point_id> neighbors;
+    boost::container::small_vector<Point_id, 8> neighbors;
   };
 
   void set_point(Point_id id, const std::optional<Point_2>& point);
@@ -126,6 +141,8 @@ class Edge_follower : private Event_observer {
   void start();
   void begin_instant(const Time& time);
   void finish_instant();
+  void sum_up_edges();
+  void sum_up_points();
   void before_event(const Event& event) override;
   void after_event(const Event& event) override;
 
@@ -133,10 +150,14 @@ class Edge_follower : private Event_observer {
   std::function<void()> stop_observing_;
   Neighbor_graph<Traits> graph_;
   Time instant_;  // advance() has been called up to here
-  // What has changed since, at that time: how often an edge has come less how often it has gone;
-  // the points, as they are now.
-  std::map<Edge_ids, int> changed_edges_;
-  std::map<Point_id, std::optional<Point_2>> changed_points_;
+  // What has happened since, at that time, one after the other: an edge has come (+1) or gone (-1);
+  // a point has got a motion, or has gone.
+  std::vector<std::pair<Edge_ids, int>> edge_events_;
+  std::vector<std::pair<Point_id, std::optional<Point_2>>> point_events_;
+  // What it comes to, while change() is told. Members, so that an instant needs no memory.
+  std::vector<Edge_ids> removed_;
+  std::vector<Edge_ids> added_;
+  std::vector<Changed_point> points_;
 };
 
 extern template class Neighbor_graph<Linear_kinetic_traits_2>;

@@ -10,14 +10,17 @@
 #ifndef KINETRI_OBSERVERS_ENCOUNTERS_H
 #define KINETRI_OBSERVERS_ENCOUNTERS_H
 
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
 
-#include "kinetri/events/event_scheduler.h"
+#include "kinetri/observers/detail/failure_queue.h"
 #include "kinetri/observers/detail/gap_of_pair.h"
 #include "kinetri/observers/edge_follower.h"
 
@@ -124,34 +127,19 @@ class Encounters final : public Edge_follower<Traits> {
   using Disc = decltype(detail::disc_about(std::declval<Motion>(), 0.0));
   using Disc_traits = Basic_kinetic_traits_2<Disc>;
 
-  // The beginning of the encounter of a pair, or its end; or a time up to which there certainly is
-  // none.
-  struct Entry : detail::Scheduled {
+  // The beginning of the encounter of a pair, or its end.
+  struct Entry : detail::Failure {
     bool is_end = false;
-    bool is_event = false;
-    bool is_crossing = false;  // the gap is greater than the range at the lower bound of the time,
-                               // and less at the upper one
     Edge_ids points = {no_point, no_point};
   };
-
-  // What the scheduler asks; see Event_scheduler.
-  struct Queue_policy {
-    const Encounters& encounters;
-
-    Time entry_time(const Entry& entry) const;
-    bool precedes(const Entry& a, const Entry& b) const;
-    bool is_recheck(const Entry& entry) const { return !entry.is_event; }
-    static void prefetch(const Entry&) {}
-    static void prefetch_more(const Entry&) {}
-    static void prefetch_first(const Entry&) {}
-  };
+  friend class detail::Failure_queue<Entry, Encounters>;
 
   // The motions of two points in range, for some time.
   struct Piece {
     Motion p;
     Motion q;
     Time since;
-    Time until = {};
+    Time until;
     Double_interval least_gap = {};  // bounds of it
   };
 
@@ -164,11 +152,13 @@ class Encounters final : public Edge_follower<Traits> {
   // An encounter.
   struct Record {
     Edge_ids points;
-    Time begin;
-    std::optional<Time> end = std::nullopt;  // none while it goes on
     Queue_handle end_event = no_event;
-    // Those that may have the least gap, in the order of time; the last one goes on. None when the
-    // least gap has been found after the end.
+    bool has_ended = false;
+    Time begin;
+    Time end = {};    // if it has ended
+    Time since = {};  // of the present motions
+    // Those that may have the least gap, in the order of time, up to `since` or the end. None when
+    // the least gap has been found after the end.
     std::vector<Piece> pieces = {};
     Time closest = {};
     double distance = 0;
@@ -178,17 +168,18 @@ class Encounters final : public Edge_follower<Traits> {
   // A point that is in range of another one.
   struct Near {
     Point_id id;
-    std::size_t record;  // index
+    std::uint32_t record;  // index
   };
   // A point that will come in range of another one.
   struct Waiting {
     Point_id id;
     Queue_handle begin_event;
   };
-  // Of each pair both points have one of these. Sorted by id.
+  // Of each pair both points have one of these. Sorted by id; the first few beside each other in
+  // memory.
   struct Partners {
-    std::vector<Near> near;
-    std::vector<Waiting> waiting;
+    boost::container::small_vector<Near, 8> near;
+    boost::container::small_vector<Waiting, 8> waiting;
   };
 
   void start(double radius);
@@ -218,24 +209,24 @@ class Encounters final : public Edge_follower<Traits> {
   void examine_new_motion(Point_id id, const Time& after);
 
   // The queue.
+  Time failure_time(const Entry& entry) const;
+  bool precedes(const Entry& a, const Entry& b) const;
+  KINETRI_ALWAYS_INLINE void prefetch(const Entry& entry) const;
   void wait(const Edge_ids& pair, Certificate certificate);
-  void wait_again(const Edge_ids& pair, const Time& after);
   void stop_waiting(const Edge_ids& pair);
   void discard_entries(Point_id id);
   void schedule_end(Record& record, const Time& after);
-  bool is_due(const Entry& entry, const Time& time);
   void execute(const Time& time);
 
   // Encounters.
   void begin(const Entry& entry, const Time& time);
-  double inside(const Entry& entry) const;
-  void end(std::size_t index, const Time& time);
+  void end(std::size_t index, const Time& time, const Motion& p, const Motion& q);
   void turn(Point_id id, const Time& time,
             std::span<const typename Edge_follower<Traits>::Changed_point> changed);
   void meet_those_gone(const Time& time,
                        std::span<const typename Edge_follower<Traits>::Changed_point> changed);
   void meet_for_a_moment(const Point_2& p, const Point_2& q, const Time& time);
-  void finish_piece(Record& record, const Time& time) const;
+  void finish_piece(Record& record, const Time& time, const Motion& p, const Motion& q) const;
   Least_gap least_gap(const std::vector<Piece>& pieces) const;
   void keep_least_gap(Record& record, const std::vector<Piece>& pieces) const;
 
@@ -243,9 +234,8 @@ class Encounters final : public Edge_follower<Traits> {
   double radius_ = 0;  // of points that have no radius of their own
   Disc_traits disc_traits_;
   std::vector<Partners> partners_;  // by id
-  Queue_policy queue_policy_{*this};
-  detail::Event_scheduler<Entry, Queue_policy> queue_{queue_policy_};
-  std::vector<Record> records_;
+  detail::Failure_queue<Entry, Encounters> queue_{*this};
+  std::deque<Record> records_;
   std::vector<Point_2> gone_;  // at one time
   Time gone_at_;
   // If has_radii. Not shared, but of a type that is incomplete here.

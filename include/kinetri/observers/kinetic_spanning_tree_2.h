@@ -21,7 +21,7 @@
 #include <span>
 #include <vector>
 
-#include "kinetri/events/event_scheduler.h"
+#include "kinetri/observers/detail/failure_queue.h"
 #include "kinetri/observers/edge_follower.h"
 
 namespace kinetri {
@@ -122,25 +122,13 @@ class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
     Queue_handle event = no_event;
   };
 
-  // The time at which `near` becomes longer than `far`, or up to which it certainly does not. It is
-  // the entry of `owner`, one of the two.
-  struct Entry : detail::Scheduled {
+  // The time at which `near` becomes longer than `far`. It is the entry of `owner`, one of the two.
+  struct Entry : detail::Failure {
     Index owner = no_edge;
     Index near = no_edge;
     Index far = no_edge;
-    bool is_event = false;
   };
-
-  struct Queue_policy {
-    const Kinetic_spanning_tree_2& tree;
-
-    Time entry_time(const Entry& entry) const;
-    bool precedes(const Entry& a, const Entry& b) const;
-    bool is_recheck(const Entry& entry) const { return !entry.is_event; }
-    static void prefetch(const Entry&) {}
-    static void prefetch_more(const Entry&) {}
-    static void prefetch_first(const Entry&) {}
-  };
+  friend class detail::Failure_queue<Entry, Kinetic_spanning_tree_2>;
 
   // A point in the rooted trees that make up the forest, while it is one.
   struct Node {
@@ -194,6 +182,10 @@ class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
   Closer closer(Index near, Index far) const;
   bool is_longer(Index a, Index b) const;
   Time time_of(const Certificate& certificate, Index near, Index far) const;
+  Time failure_time(const Entry& entry) const;
+  bool precedes(const Entry& a, const Entry& b) const {
+    return edges_[a.owner].ids < edges_[b.owner].ids;
+  }
   void schedule(Index owner, Index near, Index far, Certificate certificate);
   void unschedule(Index owner);
 
@@ -233,8 +225,7 @@ class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
   std::vector<Spanning_tree_change> changes_;
   std::vector<Longest_piece> longest_pieces_;
 
-  Queue_policy policy_{*this};
-  detail::Event_scheduler<Entry, Queue_policy> queue_{policy_};
+  detail::Failure_queue<Entry, Kinetic_spanning_tree_2> queue_{*this};
 };
 
 extern template class Kinetic_spanning_tree_2<Linear_kinetic_traits_2>;

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "kinetri/base/compiler.h"
-#include "kinetri/events/event_scheduler.h"
+#include "kinetri/observers/detail/failure_queue.h"
 #include "kinetri/observers/edge_follower.h"
 #include "kinetri/triangulation/queries_2.h"
 
@@ -76,31 +76,18 @@ class Nearest_neighbors final : private Edge_follower<Traits> {
   using Base = Edge_follower<Traits>;
   using typename Base::Changed_point;
 
-  /// The first failure that is known of the nearest neighbor of a point, or a time up to which
-  /// there certainly is none.
-  struct Entry : detail::Scheduled {
+  // The first failure that is known of the nearest neighbor of a point.
+  struct Entry : detail::Failure {
     Point_id id = no_point;
     Point_id nearest = no_point;
     Point_id rival = no_point;  // becomes nearer than `nearest`
-    bool is_recheck = false;
   };
+  friend class detail::Failure_queue<Entry, Nearest_neighbors>;
 
-  /// What the scheduler asks; see Event_scheduler.
-  struct Queue_policy {
-    const Nearest_neighbors& observer;
-
-    Time entry_time(const Entry& entry) const;
-    bool precedes(const Entry& a, const Entry& b) const { return a.id < b.id; }
-    bool is_recheck(const Entry& entry) const { return entry.is_recheck; }
-    KINETRI_ALWAYS_INLINE static void prefetch(const Entry&) {}
-    KINETRI_ALWAYS_INLINE static void prefetch_more(const Entry&) {}
-    void prefetch_first(const Entry&) const {}
-  };
-
-  /// An entry that is not in the queue yet, with its exact time if that is known.
-  struct Failure {
+  // An entry that is not in the queue yet, with its certificate, which fails or holds for a time.
+  struct Next_failure {
     Entry entry;
-    std::optional<Time> time;
+    Certificate certificate;
   };
 
   void start();
@@ -113,11 +100,13 @@ class Nearest_neighbors final : private Edge_follower<Traits> {
   bool is_nearer(Point_id id, Point_id a, Point_id b, const Instant& after) const;
   void look_again(Point_id id, const Time& time);
   void look_at(Point_id id, Point_id other, const Time& time);
-  std::optional<Failure> failure(Point_id id, Point_id nearest, Point_id rival,
-                                 const Time& time) const;
-  Time time_of(const Failure& failure) const;
-  bool is_before(const Failure& a, const Failure& b) const;
-  void push(Failure failure);
+  std::optional<Next_failure> failure(Point_id id, Point_id nearest, Point_id rival,
+                                      const Time& time) const;
+  Time time_of(const Next_failure& failure) const;
+  bool is_before(const Next_failure& a, const Next_failure& b) const;
+  Time failure_time(const Entry& entry) const;
+  bool precedes(const Entry& a, const Entry& b) const { return a.id < b.id; }
+  void push(Next_failure failure);
   void unschedule(Point_id id);
   void set_nearest(Point_id id, Point_id nearest, const Time& time);
   void report();
@@ -130,8 +119,7 @@ class Nearest_neighbors final : private Edge_follower<Traits> {
   std::map<Point_id, Point_id> changed_;
   Time changed_at_;
   std::vector<Point_id> again_;  // to be looked at again in the change that has begun; sorted
-  Queue_policy policy_{*this};
-  detail::Event_scheduler<Entry, Queue_policy> queue_{policy_};
+  detail::Failure_queue<Entry, Nearest_neighbors> queue_{*this};
 };
 
 extern template class Nearest_neighbors<Linear_kinetic_traits_2>;

@@ -4,12 +4,12 @@
 
 namespace kinetri {
 
-#define KINETRI_INSTANTIATE(M)                                                                  \
-  template Filter_result filter_apart(const M&, const M&, double, const Double_interval&);      \
-  template Filter_result filter_near(const M&, const M&, double, const Double_interval&, bool); \
-  template Filter_result filter_closer(const M&, const M&, const M&, const M&,                  \
-                                       const Double_interval&, bool);                           \
-  template Sign certain_distance_comparison(const M&, const M&, const M&, const M&,             \
+#define KINETRI_INSTANTIATE(M)                                                                   \
+  template Filter_result filter_apart(const M&, const M&, double, const Double_interval&, bool); \
+  template Filter_result filter_near(const M&, const M&, double, const Double_interval&, bool);  \
+  template Filter_result filter_closer(const M&, const M&, const M&, const M&,                   \
+                                       const Double_interval&, bool);                            \
+  template Sign certain_distance_comparison(const M&, const M&, const M&, const M&,              \
                                             const Double_interval&)
 KINETRI_INSTANTIATE(Linear_motion_2);
 KINETRI_INSTANTIATE(Polynomial_motion_2);

@@ -203,8 +203,11 @@ inline bool do_part(const Linear_contact<Reach>& d) {
 
 // The first contact is the first touch, where there is no touch without approach: a distance that
 // is certainly positive from the time on, or up to a root at which it certainly changes its sign.
+// Two that part at the time never touch again, as their distance is convex; nobody asks.
 template <class Reach>
-inline Filter_result apart(Linear_contact<Reach>& d, const Double_interval& after) {
+inline Filter_result apart(Linear_contact<Reach>& d, const Double_interval& after,
+                           bool vanishes_at) {
+  if (vanishes_at) return {};
   if (do_part(d)) return {Kind::never_fails};
   const Filter_result result = contact(d, after);
   if (result.kind == Kind::never_fails && result.may_vanish) return {};
@@ -212,16 +215,17 @@ inline Filter_result apart(Linear_contact<Reach>& d, const Double_interval& afte
 }
 template <std::size_t K, class Reach>
 inline Filter_result apart(Differences_and_reach<Polynomial_differences<1, K>, Reach>& d,
-                           const Double_interval& after) {
-  return judge_ahead(d, Distance(), after, false);
+                           const Double_interval& after, bool vanishes_at) {
+  return judge_ahead(d, Distance(), after, vanishes_at);
 }
 
 }  // namespace
 
 template <class Motion>
 Filter_result filter_apart(const Motion& p, const Motion& q, double range,
-                           const Double_interval& after) {
-  return with_contact(p, q, range, after.lower, [&](auto& d) { return apart(d, after); });
+                           const Double_interval& after, bool vanishes_at) {
+  return with_contact(p, q, range, after.lower,
+                      [&](auto& d) { return apart(d, after, vanishes_at); });
 }
 
 template <class Motion>

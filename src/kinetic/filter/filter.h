@@ -115,12 +115,12 @@ Filter_result filter_wall_contact(const Motion& p, const Wall_2& wall,
 /// The certificates of distances of ContactKineticTraits_2 after a time in `after`: a result in the
 /// form of filter_in_circle's, with `vanishes_at` as there. Touches count: where `filter_apart`
 /// says that it never fails, or does not fail yet, the two are certainly farther apart than `range`
-/// at the time and all the while. Cost for linear motion: some fifty floating-point operations, and
-/// as many again for a bracket; and nothing is left for later. Precondition: the range is finite
-/// and not negative.
+/// at the time and all the while; if it `vanishes_at` the time, then after it. Cost for linear
+/// motion: some fifty floating-point operations, and as many again for a bracket; and nothing is
+/// left for later. Precondition: the range is finite and not negative.
 template <class Motion>
 Filter_result filter_apart(const Motion& p, const Motion& q, double range,
-                           const Double_interval& after);
+                           const Double_interval& after, bool vanishes_at);
 template <class Motion>
 Filter_result filter_near(const Motion& p, const Motion& q, double range,
                           const Double_interval& after, bool vanishes_at);

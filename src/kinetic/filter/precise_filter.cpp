@@ -3,105 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cfenv>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
-#include "double_double.h"
-#include "frame.h"
+#include "precise_places.h"
 #include "weighted_differences.h"
 
 namespace kinetri {
 namespace {
-
-constexpr double unit = unit_roundoff * unit_roundoff;
-
-struct Place {
-  Double_double x;
-  Double_double y;
-};
-
-// A place, times a scale, with the sum of the magnitudes of all numbers that it is made from; and
-// how the errors grow against those of linear motion.
-template <class Motion>
-struct Scaled;
-
-template <>
-struct Scaled<Linear_motion_2> {
-  static constexpr double scale = 1;
-  static constexpr double error_factor = 1;
-
-  static Place place(const Linear_motion_2& m, const Double_double& time, double& terms) {
-    const Double_double elapsed = time - Double_double{m.epoch};
-    const Double_double moved_x = elapsed * Double_double{m.velocity.x};
-    const Double_double moved_y = elapsed * Double_double{m.velocity.y};
-    terms += std::abs(m.position.x) + std::abs(m.position.y) + std::abs(moved_x.high) +
-             std::abs(moved_y.high);
-    return {Double_double{m.position.x} + moved_x, Double_double{m.position.y} + moved_y};
-  }
-};
-
-// Times 6 there is no division.
-template <>
-struct Scaled<Polynomial_motion_2> {
-  static constexpr double scale = 6;
-  static constexpr double error_factor = 2;
-
-  static Place place(const Polynomial_motion_2& m, const Double_double& time, double& terms) {
-    const Double_double elapsed = time - Double_double{m.epoch};
-    const auto coordinate = [&](double Vector_2::*axis) {
-      Double_double result;
-      double magnitude = 0;
-      const auto add = [&](double factor, double derivative) {
-        const Double_double term = exact_product(factor, derivative);
-        result = result * elapsed + term;
-        magnitude = magnitude * std::abs(elapsed.high) + std::abs(term.high);
-      };
-      add(1, m.jerk.*axis);
-      add(3, m.acceleration.*axis);
-      add(6, m.velocity.*axis);
-      add(6, m.position.*axis);
-      terms += magnitude;
-      return result;
-    };
-    return {coordinate(&Vector_2::x), coordinate(&Vector_2::y)};
-  }
-};
-
-// Where points are at one time, relative to the last of them.
-template <std::size_t N, class Motion>
-class Places {
- public:
-  Places(const std::array<const Motion*, N>& motions, const Double_double& time) {
-    std::array<Place, N> places;
-    for (std::size_t i = 0; i < N; ++i) {
-      places[i] = Scaled<Motion>::place(*motions[i], time, terms_);
-    }
-    for (std::size_t i = 0; i + 1 < N; ++i) {
-      relative_[i] = {places[i].x - places[N - 1].x, places[i].y - places[N - 1].y};
-      size_ = std::max({size_, std::abs(relative_[i].x.high), std::abs(relative_[i].y.high)});
-    }
-    size_ += 0x1p-90 * terms_;
-  }
-
-  Double_double cross(std::size_t i, std::size_t j) const {
-    return relative_[i].x * relative_[j].y - relative_[i].y * relative_[j].x;
-  }
-  Double_double squared_length(std::size_t i) const {
-    return relative_[i].x * relative_[i].x + relative_[i].y * relative_[i].y;
-  }
-
-  const Place& relative(std::size_t i) const { return relative_[i]; }
-  double size() const { return size_; }
-  double terms() const { return terms_; }
-  bool is_in_range() const { return kinetri::is_in_range(size_) && terms_ < greatest_size; }
-
- private:
-  std::array<Place, N - 1> relative_;
-  double size_ = 0;   // bounds the relative places
-  double terms_ = 0;  // the sum of all numbers that the places were made from
-};
 
 // The radius at one time, or another number that grows, times the scale of the motion; adds the
 // magnitudes of all numbers that it is made from to `terms`.
@@ -144,15 +53,6 @@ class Weights {
   std::array<Double_double, N - 1> relative_;
   double size_ = 0;
 };
-
-// What is proved of the arithmetic holds with rounding to nearest.
-bool is_precise() {
-  return std::fegetround() == FE_TONEAREST;
-}
-
-double certain(const Double_double& value, double error) {
-  return std::abs(value.high) > error ? value.high : 0;
-}
 
 }  // namespace
 
@@ -224,30 +124,6 @@ double precise_distance_comparison(const Motion& p, const Motion& q, const Motio
   constexpr double units = 256 * Scaled<Motion>::error_factor * unit;
   return certain(first.squared_length(0) - second.squared_length(0),
                  units * (first.size() * first.terms() + second.size() * second.terms()));
-}
-
-// One step of Newton's method from `origin`, which is in the bracket of the root: what `value` and
-// `slope` say of it there, whose errors are at most `error` and, with what the second derivative
-// changes within the bracket, `slope_error`. So small a step errs by far less than half a unit in
-// the last place; docs/MATH.md, section 8, has the bounds.
-std::optional<Rounding> newton_rounding(double origin, double value, double error, double slope,
-                                        double slope_error) {
-  const double least_slope = std::abs(slope) - slope_error;
-  if (!(least_slope > 0x1p-20 * std::abs(slope))) return std::nullopt;
-  const double step = -value / slope;
-  const Double_double root = exact_sum(origin, step);
-  const double distance = 2 * (error + std::abs(step) * slope_error) / least_slope +
-                          8 * unit_roundoff * (std::abs(step) + std::abs(root.low)) +
-                          std::numeric_limits<double>::min();
-  const double nearest = root.high + (root.low - distance);
-  if (nearest != root.high + (root.low + distance) || !std::isfinite(nearest)) return std::nullopt;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Rounding result = {nearest,
-                     {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)}};
-  // On which side of `nearest` it is: mostly that of the rest.
-  if (nearest == root.high && root.low > distance) result.bounds.lower = nearest;
-  if (nearest == root.high && root.low < -distance) result.bounds.upper = nearest;
-  return result;
 }
 
 template <class Motion>

@@ -134,13 +134,19 @@ Counts expect_true_ranges(int flavor, int cases) {
     Counts& of_case = i % 7 == 5 || i % test::kinds == test::touching ? of_touches : counts;
     const Filter_result begin = expect_true(
         distance, t, mode,
-        [&](const Double_interval& after) { return filter_apart(m[0], m[1], range, after); },
+        [&](const Double_interval& after) { return filter_apart(m[0], m[1], range, after, false); },
         of_case);
     expect_true_after(
         begin, distance, mode, [&](const Double_interval& at) { return near(at, true); }, of_case);
-    expect_true(
+    const Filter_result end = expect_true(
         -distance, t, mode, [&](const Double_interval& after) { return near(after, false); },
         of_case);
+    if constexpr (!std::same_as<Centre_motion_of<Motion>, Linear_motion_2>) {
+      expect_true_after(
+          end, -distance, mode,
+          [&](const Double_interval& at) { return filter_apart(m[0], m[1], range, at, true); },
+          of_case);
+    }
     if (testing::Test::HasFailure()) return counts;
   }
   return counts;

@@ -27,7 +27,9 @@ auto disc_about(const Motion& motion, double radius) {
 template <class Disc>
 class Gap_of_pair {
  public:
-  Gap_of_pair(const Disc& p, const Disc& q, Algebraic_number time);
+  /// At that time; whether the gap of the two motions `is_minimal` then, of all times. Precondition
+  /// of the latter: points in linear motion.
+  Gap_of_pair(const Disc& p, const Disc& q, Algebraic_number time, bool is_minimal = false);
 
   const Algebraic_number& time() const { return time_; }
   /// Contain the gap.
@@ -43,11 +45,13 @@ class Gap_of_pair {
 
  private:
   const Algebraic_number& exact() const;
+  std::optional<double> certainly_rounded() const;
   std::optional<Rational> rational_square() const;
 
   Disc p_;
   Disc q_;
   Algebraic_number time_;
+  bool is_minimal_;
   Double_interval bounds_;
   mutable std::optional<Algebraic_number> exact_;  // made where the bounds do not decide
 };

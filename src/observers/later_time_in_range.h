@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From when on to certify that two points remain in range.
+#ifndef KINETRI_SRC_OBSERVERS_LATER_TIME_IN_RANGE_H
+#define KINETRI_SRC_OBSERVERS_LATER_TIME_IN_RANGE_H
+
+#include <cmath>
+#include <concepts>
+
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/kinetic/disc_motion_2.h"
+
+namespace kinetri::detail {
+
+/// A time from `from` on, up to which two remain in range that are in range at `from`: near the
+/// time at which they came, no filter could decide when they part. On straight lines their gap is
+/// convex, and so they have not parted at any later time at which they are in range; that of their
+/// least distance, or nearly that, is likely one, and it is if an exact predicate says so.
+template <class Traits>
+double later_time_in_range(const Traits& traits, const typename Traits::Point_2& p,
+                           const typename Traits::Point_2& q, double range, double from) {
+  if constexpr (std::same_as<Centre_motion_of<typename Traits::Motion>, Linear_motion_2>) {
+    const Vector_2 place_p = rounded_place(p.motion(), from);
+    const Vector_2 place_q = rounded_place(q.motion(), from);
+    const Vector_2 velocity_p = rounded_velocity(p.motion(), from);
+    const Vector_2 velocity_q = rounded_velocity(q.motion(), from);
+    const Vector_2 d = {place_q.x - place_p.x, place_q.y - place_p.y};
+    const Vector_2 v = {velocity_q.x - velocity_p.x, velocity_q.y - velocity_p.y};
+    const double least = from - (d.x * v.x + d.y * v.y) / (v.x * v.x + v.y * v.y);
+    if (std::isfinite(least) && least > from &&
+        traits.do_touch(p, q, range, Algebraic_number(least))) {
+      return least;
+    }
+  }
+  return from;
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_OBSERVERS_LATER_TIME_IN_RANGE_H
