@@ -29,8 +29,8 @@ def executable():
 
 
 class Browser:
-    """One page. `problems` collects console errors, exceptions, and requests that are not for the
-    file itself. Use it as a context manager."""
+    """One page at a time. `problems` collects its console errors, exceptions, and requests that are not
+    for the file itself. Use it as a context manager."""
 
     def __init__(self, width=1280, height=800, media=()):
         self.folder = tempfile.TemporaryDirectory(prefix="kinetri-viewer-", ignore_cleanup_errors=True)
@@ -46,20 +46,30 @@ class Browser:
         os.close(ours_out)
         self.buffer = b""
         self.number = 0
-        self.problems = []
-        self.url = None
-        self.loaded = False
-        self.session = None
+        self.session = self.context = None
         try:
-            target = self.call("Target.createTarget", url="about:blank")["targetId"]
-            self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-            for domain in ("Page", "Runtime", "Log", "Network"):
-                self.call(f"{domain}.enable")
-            self.resize(width, height)
-            self.media(*media)
+            self.begin_page(width, height, media)
         except Exception:
             self.close()
             raise
+
+    def begin_page(self, width, height, media=()):
+        """An empty page that knows nothing of the one before, which is closed: what browsers keep is of
+        its own, and so are sizes and features."""
+        self.session = None
+        if self.context is not None:
+            self.call("Target.disposeBrowserContext", browserContextId=self.context)
+        self.problems = []
+        self.url = None
+        self.loaded = False
+        self.context = self.call("Target.createBrowserContext")["browserContextId"]
+        target = self.call("Target.createTarget", url="about:blank",
+                           browserContextId=self.context)["targetId"]
+        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.call(f"{domain}.enable")
+        self.resize(width, height)
+        self.media(*media)
 
     def __enter__(self):
         return self
@@ -109,7 +119,8 @@ class Browser:
             self.buffer += data
         text, _, self.buffer = self.buffer.partition(b"\0")
         message = json.loads(text)
-        self.note(message.get("method"), message.get("params", {}))
+        if message.get("sessionId") == self.session:
+            self.note(message.get("method"), message.get("params", {}))
         return message
 
     def note(self, method, parameters):

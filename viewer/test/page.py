@@ -22,14 +22,19 @@ def edges(pairs):
 
 
 class Page(unittest.TestCase):
-    """A test with a browser, whose page must have had no problem at the end."""
+    """A test with a page of its own, which must have had no problem at the end, in a browser that the tests
+    of a class share: to start it takes longer than most of them."""
 
     program = folder = None  # the arguments of viewer_test.py
 
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = browser.Browser()
+        cls.addClassCleanup(cls.browser.close)
+
     def setUp(self):
         self.maxDiff = 2000
-        self.browser = browser.Browser(1000, 640, [("prefers-reduced-motion", "reduce")])
-        self.addCleanup(self.browser.close)
+        self.browser.begin_page(1000, 640, [("prefers-reduced-motion", "reduce")])
 
     def tearDown(self):
         self.assertEqual(self.browser.problems, [])
