@@ -76,10 +76,11 @@ def test_cells_of_people_end_at_the_area_that_their_file_has(tmp_path):
     people = kinetri.Tracks.read(tmp_path / "people.sqlite")
     half = (tmp_path / "half.wkt").read_text(encoding="utf-8")
     # Until they leave at t = 2, the line between the two goes from x = 1 to x = 2.
-    for limits, arguments, height in ((("--walkable", "half.wkt"), {"walkable": half}, 2.5), ((), {}, 4)):
+    for limits, arguments, height in ((("--walkable", "half.wkt"), {"walkable": half}, 2.5), ((), {}, 4),
+                                      (("--cutoff", "9"), {"cutoff": 9}, 4)):
         outcome = run_program("tracks", "people.sqlite", "--areas", "areas.csv", "--mean-areas", "means.csv",
                               *limits, directory=tmp_path)
-        assert ("within the walkable area" in outcome.stderr) == (not limits)
+        assert ("within the walkable area" in outcome.stderr) == (height == 4)
         table = np.loadtxt(tmp_path / "areas.csv", delimiter=",", skiprows=1)
         assert table[:, :3].tolist() == [[0, 0, height], [0, 1, 3 * height],
                                          [1, 0, 1.5 * height], [1, 1, 2.5 * height]]

@@ -38,9 +38,10 @@ std::vector<Point_id> points_named(const std::string& name, const Run_source& so
 std::vector<Edge_ids> pairs_of_points(const std::array<std::string, 2>& names,
                                       const Run_source& source, Point_id next_id) {
   std::vector<Edge_ids> result;
-  const std::vector<Point_id> others = points_named(names[1], source, next_id);
-  for (const Point_id a : points_named(names[0], source, next_id)) {
-    for (const Point_id b : others) {
+  const std::vector<Point_id> first = points_named(names[0], source, next_id);
+  const std::vector<Point_id> second = points_named(names[1], source, next_id);
+  for (const Point_id a : first) {
+    for (const Point_id b : second) {
       if (a == b) {
         throw Usage_error(joined("--between: ", kinetri::quoted(names[0]), " and ",
                                  kinetri::quoted(names[1]), " are one thing; expected two"));
