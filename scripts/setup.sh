@@ -39,7 +39,7 @@ kinetri_packages() {
   if [[ $1 == python ]]; then
     printf '%s\n' pybind11-dev python3-dev python3-distributed python3-hypothesis python3-matplotlib \
       python3-mypy python3-numpy python3-pandas python3-pip python3-pytest python3-scipy \
-      python3-setuptools python3-venv python3-wheel
+      python3-setuptools python3-shapely python3-venv python3-wheel
   fi
   if [[ $1 == coverage ]]; then printf '%s\n' g++ gcovr=gcovr; fi
   if [[ $1 == lint ]]; then
