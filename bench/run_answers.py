@@ -1,15 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures encounters and components of a crowd beside programs that look at each frame.
+"""Measures encounters, components and densities of a crowd beside programs that look at each frame.
 
 Both sides answer from the same recorded places. The frame-based programs use scipy: a k-d tree for the
-pairs of each frame, and its connected components. They see nothing between two frames: how much that is
-stands in the table. The package is that on PYTHONPATH: build/release/python, for example.
+pairs of each frame, its connected components, and its Voronoi diagrams. They see nothing between two frames:
+how much that is stands in the table. The package is that on PYTHONPATH: build/release/python, for example.
 """
 import argparse
+import importlib
 import statistics
 
-from run_python import crowd, seconds
+from run_python import crowd, crowd_in_scipy, seconds
+
+BOX = (0, 0, 60, 20)
+CORRIDOR = "POLYGON((0 0, 60 0, 60 20, 0 20, 0 0))"
 
 EXAMPLES = """examples:
   PYTHONPATH=build/test/python bench/run_answers.py --frames 200
@@ -85,6 +89,11 @@ def missed_encounters(exact, seen):
     return missed, statistics.median(late) if late else 0.0
 
 
+def areas_of_frames(tracks, times, people):
+    """The area of each cell in each frame but the last, after which nobody is there."""
+    return tracks.areas(times[:-1], walkable=CORRIDOR)["area"].to_numpy().reshape(len(times) - 1, people)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, epilog=EXAMPLES,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -93,6 +102,7 @@ def main():
     parser.add_argument("--range", type=float, default=2.0, help="what is near (2)")
     parser.add_argument("--seed", type=int, default=1, help="of all random numbers (1)")
     arguments = parser.parse_args()
+    importlib.import_module("pandas")  # which the first table would need
     times, places = crowd(arguments.people, arguments.frames, arguments.seed)
     print(f"{arguments.people} people, {arguments.frames} frames, range {arguments.range}")
 
@@ -121,6 +131,18 @@ def main():
     seen_changes = sum(abs(after - before) for before, after in zip(numbers, numbers[1:]))
     row("merges and splits, exact", changes)
     row("merges and splits, seen as another number at least", seen_changes)
+
+    exact_seconds, exact = seconds(lambda: areas_of_frames(tracks, times, arguments.people))
+    frame_seconds, areas = seconds(lambda: crowd_in_scipy(places, BOX))
+    difference = abs(exact - areas[:-1]).max()
+    if not difference < 1e-6:
+        raise RuntimeError(f"areas of kinetri and scipy differ by {difference}")
+    row("densities of each frame, seconds", exact_seconds)
+    row("densities of each frame, scipy, seconds", frame_seconds)
+    exact_seconds, exact = seconds(lambda: tracks.mean_areas(walkable=CORRIDOR))
+    row("densities, mean over all times, seconds", exact_seconds)
+    row("that mean area, stated error at most", exact["error"].max())
+    row("that mean area, mean of the frames off by at most", abs(exact["area"] - areas.mean(axis=0)).max())
 
 
 if __name__ == "__main__":
