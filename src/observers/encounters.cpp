@@ -108,8 +108,12 @@ void Encounters<Traits>::begin(const Entry& entry, const Time& time) {
   auto& near_b = partners_[b].near;
   // With which the two will be examined.
   if constexpr (!has_radii) {
-    for (const Near& near : near_a) this->graph().prefetch(near.id);
-    for (const Near& near : near_b) this->graph().prefetch(near.id);
+    for (const auto* const near_one : {&near_a, &near_b}) {
+      for (const Near& near : *near_one) {
+        this->graph().prefetch(near.id);
+        detail::prefetch_address(&partners_[near.id].waiting);
+      }
+    }
   }
   near_a.insert(place(near_a, b), {b, index});
   near_b.insert(place(near_b, a), {a, index});

@@ -10,10 +10,10 @@
 #ifndef KINETRI_OBSERVERS_ENCOUNTERS_H
 #define KINETRI_OBSERVERS_ENCOUNTERS_H
 
+#include <boost/container/deque.hpp>
 #include <boost/container/small_vector.hpp>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -235,7 +235,9 @@ class Encounters final : public Edge_follower<Traits> {
   Disc_traits disc_traits_;
   std::vector<Partners> partners_;  // by id
   detail::Failure_queue<Entry, Encounters> queue_{*this};
-  std::deque<Record> records_;
+  using Large_blocks =
+      boost::container::deque_options<boost::container::block_bytes<1U << 16>>::type;
+  boost::container::deque<Record, void, Large_blocks> records_;
   std::vector<Point_2> gone_;  // at one time
   Time gone_at_;
   // If has_radii. Not shared, but of a type that is incomplete here.
