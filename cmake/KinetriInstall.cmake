@@ -103,6 +103,11 @@ if(TARGET kinetri_program)
   install(FILES ${KINETRI_DOCUMENTS_DIR}/kinetri.fish DESTINATION ${fish_dir} COMPONENT program)
 endif()
 
+if(TARGET kinetri_verify)
+  install(TARGETS kinetri_verify
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+endif()
+
 # kinetri_install_documents(DESTINATION OPTION...): README, guides, examples, as they link each other.
 function(kinetri_install_documents destination)
   install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md

@@ -59,6 +59,10 @@ LIBRARIES = {
 # CGAL's triangulations are below `triangulation` only.
 NOT_FOR = {"kinetic": re.compile(r"CGAL/\w*[Tt]riangulation")}
 
+# Checks event logs and shares no file with what wrote them: includes only its own folder and these.
+CHECKER = "verify"
+LIBRARIES_OF_CHECKER = ("gmp.h", "gmpxx.h")
+
 # The layers that talk to the operating system may include C headers such as <unistd.h>.
 PLATFORM = {"io", "apps"}
 
@@ -136,6 +140,15 @@ def library_problem(path, layer, name):
     return None
 
 
+def checker_problem(root, path, name, quoted):
+    """What is wrong with an include of the checker of event logs, or None."""
+    if quoted:
+        is_own = (root / path).parent.joinpath(name).is_file() and "/" not in name
+    else:
+        is_own = STANDARD.match(name) or name in LIBRARIES_OF_CHECKER
+    return None if is_own else f"{CHECKER} shares nothing with the rest and may not use {name}"
+
+
 def check(root):
     """(number of files looked at, the violations) below `root`."""
     root = root.resolve()
@@ -155,6 +168,14 @@ def check(root):
                     problem = library_problem(path, layer, name)
                 if problem:
                     violations.append(f"{path}:{line}: {problem}")
+    for file in sorted((root / CHECKER).glob("*.*")):
+        if file.suffix not in SUFFIXES:
+            continue
+        count += 1
+        for line, name, quoted in includes(file.read_text(encoding="utf-8")):
+            problem = checker_problem(root, file.relative_to(root), name, quoted)
+            if problem:
+                violations.append(f"{file.relative_to(root)}:{line}: {problem}")
     return count, violations
 
 

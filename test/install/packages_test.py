@@ -79,6 +79,7 @@ class Packages(unittest.TestCase):
     def test_files_of_the_program(self):
         self.assertEqual(self.files("kinetri"), {
             "usr/bin/kinetri",
+            "usr/bin/kinetri-verify",
             "usr/share/bash-completion/completions/kinetri",
             "usr/share/doc/kinetri/changelog.Debian.gz",
             "usr/share/doc/kinetri/copyright",
