@@ -51,8 +51,11 @@ std::array<double, 3> barycentric_weights(const std::array<Vector_2, 3>& corners
     from[i] = difference(corners[i], place);
     size = std::max(size, size_of(from[i]));
   }
-  const double factor = power_of_two_for(size);
-  for (Vector_2& v : from) v = scaled(v, factor);
+  // Else no product is too large or too small. Powers of two change no quotient.
+  if (!(size > 0x1p-300 && size < 0x1p300)) {
+    const double factor = power_of_two_for(size);
+    for (Vector_2& v : from) v = scaled(v, factor);
+  }
   std::array<double, 3> weights;
   for (std::size_t i = 0; i < 3; ++i) {
     weights[i] = std::max(cross(from[(i + 1) % 3], from[(i + 2) % 3]), 0.0);

@@ -196,6 +196,36 @@ TEST(Kinetic_field_2, a_raster_has_the_bits_of_single_positions) {
   }
 }
 
+TEST(Kinetic_field_2, corner_weights_make_the_linear_raster) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    Triangulation kdt(test::grid_motions(30, 8, 2, seed));
+    const Field field = random_field(kdt, 1, seed);
+    kdt.advance_to(0.75);
+    // Many positions are on edges and at points, or outside of the hull.
+    const Grid_2 grid = {{-1, 9}, {0.5, -0.25}, 21, 41};
+    std::vector<Corner_weights> weights(grid.columns * grid.rows);
+    std::vector<double> raster(weights.size());
+    find_corner_weights(kdt, grid, weights);
+    field.raster(grid, Interpolation::linear, raster);
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      ASSERT_EQ(weights[i].corners[0] == no_point, std::isnan(raster[i]));
+      if (std::isnan(raster[i])) continue;
+      ++inside;
+      EXPECT_EQ(std::ranges::min(weights[i].corners), weights[i].corners[0]);
+      double value = 0;
+      double size = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Linear_value& v = field.values(weights[i].corners[k])[0];
+        value += weights[i].weights[k] * (v.value + v.slope * (0.75 - v.epoch));
+        size = std::max(size, std::abs(v.value + v.slope * (0.75 - v.epoch)));
+      }
+      EXPECT_NEAR(value, raster[i], 1e-12 * size);
+    }
+    EXPECT_GT(inside, 100U);
+  }
+}
+
 TEST(Kinetic_field_2, linear_functions_on_moving_points_are_reproduced) {
   const std::vector<Linear_motion_2> motions = test::random_motions(60, 10, 1, 5);
   Triangulation kdt(motions);

@@ -11,6 +11,7 @@
 #ifndef KINETRI_TRIANGULATION_FIELD_2_H
 #define KINETRI_TRIANGULATION_FIELD_2_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -40,14 +41,12 @@ enum class Interpolation : std::uint8_t {
   /// The linear function on the triangle that has the values of the corners. It is continuous, but
   /// when an edge is flipped, the values in its quadrilateral jump.
   linear,
-  /// Natural neighbor interpolation with Laplace coordinates (N. H. Christ, R. Friedberg, T. D.
-  /// Lee,
+  /// Natural neighbor interpolation with Laplace coordinates. It depends only on the places of the
+  /// points, not on the triangulation, and so does not jump when an edge is flipped (docs/MATH.md,
+  /// section 16). It reproduces linear functions. Sources: N. H. Christ, R. Friedberg, T. D. Lee,
   /// Weights of links and plaquettes in a random lattice, Nuclear Physics B 210, 1982; V. V.
-  /// Belikov
-  /// et al., The non-Sibsonian interpolation, Computational Mathematics and Mathematical Physics
-  /// 37,
-  /// 1997). It depends only on the places of the points, not on the triangulation, and so does not
-  /// jump when an edge is flipped (docs/MATH.md, section 16). It reproduces linear functions.
+  /// Belikov et al., The non-Sibsonian interpolation, Computational Mathematics and Mathematical
+  /// Physics 37, 1997.
   smooth,
 };
 
@@ -121,6 +120,29 @@ requires(!WeightedKineticTraits_2<Traits>) class Kinetic_field_2 {
   std::vector<Linear_value> values_;  // by id, then by channel
   std::vector<bool> is_set_;          // by id
 };
+
+/// A position as a combination of the corners of its triangle.
+struct Corner_weights {
+  /// Counterclockwise, the least id first; no_point if the position has no triangle.
+  std::array<Point_id, 3> corners = {no_point, no_point, no_point};
+  std::array<double, 3> weights =
+      {};  ///< of the corners: at least 0, their sum is 1 up to rounding
+};
+
+/// The weights with which `linear` makes the values at all positions of a grid, row by row, at the
+/// current time: the same bits. For those who look for values that fit given ones. Precondition:
+/// the grid is finite, with steps that are not zero; `result` has rows * columns elements. Cost: as
+/// that of Kinetic_field_2::raster.
+template <KineticTraits_2 Traits>
+requires(!WeightedKineticTraits_2<Traits>) void find_corner_weights(
+    const Kinetic_triangulation_2<Traits>& triangulation, const Grid_2& grid,
+    std::span<Corner_weights> result);
+
+extern template void find_corner_weights(const Kinetic_triangulation_2<Linear_kinetic_traits_2>&,
+                                         const Grid_2&, std::span<Corner_weights>);
+extern template void find_corner_weights(
+    const Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&, const Grid_2&,
+    std::span<Corner_weights>);
 
 extern template class Kinetic_field_2<Linear_kinetic_traits_2>;
 extern template class Kinetic_field_2<Polynomial_kinetic_traits_2>;
