@@ -24,8 +24,10 @@ LAYERS = {
     "simulation": 4,
     "observers": 5,
     "io": 5,
-    "apps": 6,
-    "python": 6,
+    "cli": 6,
+    "apps": 7,
+    "python": 7,
+    "video": 7,
 }
 
 NUMBER_TYPES = (
@@ -52,8 +54,10 @@ LIBRARIES = {
     "observers": NUMBER_TYPES
     + ("CGAL/", "boost/container/", "boost/geometry", "boost/math/quadrature/"),
     "io": ("nlohmann/", "fmt/", "boost/crc.hpp", "sqlite3.h", "expat.h"),
-    "apps": ("CLI/",),
+    "cli": ("CLI/",),
+    "apps": (),
     "python": ("pybind11/",),
+    "video": ("opencv2/", "png.h", "zstd.h"),
 }
 
 # CGAL's triangulations are below `triangulation` only.
@@ -64,7 +68,7 @@ CHECKER = "verify"
 LIBRARIES_OF_CHECKER = ("gmp.h", "gmpxx.h")
 
 # The layers that talk to the operating system may include C headers such as <unistd.h>.
-PLATFORM = {"io", "apps"}
+PLATFORM = {"io", "cli", "apps", "video"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
@@ -84,7 +88,9 @@ def layer_of(path):
         if parts[: len(prefix)] == prefix and len(parts) > len(prefix) + 1:
             layer = parts[len(prefix)]
             return layer if layer in LAYERS else None
-    return parts[0] if parts[0] in ("apps", "python") else None
+    if parts[:2] == ("apps", "cli"):
+        return "cli"
+    return parts[0] if parts[0] in ("apps", "python", "video") else None
 
 
 def includes(text):
@@ -98,8 +104,8 @@ def includes(text):
 
 def target_of(root, path, name):
     """The file of the project that `name`, included by `path`, means, relative to the root."""
-    folders = [(root / path).parent, root / "include", root / "src", root / "test"]
-    for folder in folders + sorted((root / "apps").glob("*/")):
+    folders = [root / name for name in ("include", "src", "test", "apps", "apps/kinetri", ".")]
+    for folder in [(root / path).parent] + folders:
         file = (folder / name).resolve()
         if file.is_file() and file.is_relative_to(root):
             return file.relative_to(root)
@@ -154,7 +160,7 @@ def check(root):
     root = root.resolve()
     violations = []
     count = 0
-    for top in ("include/kinetri", "src", "apps", "python", "test"):
+    for top in ("include/kinetri", "src", "apps", "python", "video", "test"):
         for file in sorted((root / top).rglob("*")):
             path = file.relative_to(root)
             layer = layer_of(path)

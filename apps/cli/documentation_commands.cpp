@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// help, completion and manual: what the program says of itself, made from its own commands.
+#include "cli/documentation_commands.h"
+
 #include <array>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/arguments.h"
 #include "cli/completions.h"
 #include "cli/help.h"
 #include "cli/manual.h"
 #include "cli/text.h"
-#include "commands/commands.h"
 #include "io/output_file.h"
+#include "io/text.h"
 
 namespace kinetri::app {
 namespace {
@@ -26,9 +28,17 @@ Exit_code print(Write write) {
   return Exit_code::done;
 }
 
-}  // namespace
+// The text with the name of the program in place of NAME.
+std::string with_name(std::string text, const std::string& name) {
+  constexpr std::string_view placeholder = "NAME";
+  for (std::size_t at = 0; (at = text.find(placeholder, at)) != std::string::npos;
+       at += name.size()) {
+    text.replace(at, placeholder.size(), name);
+  }
+  return text;
+}
 
-Command completion_command() {
+Command completion_command(const std::string& program_name) {
   const auto shell = std::make_shared<std::string>();
   Command result;
   result.name = "completion";
@@ -36,11 +46,13 @@ Command completion_command() {
   result.add_required("SHELL", shell.get(), choice_type(shells), "The shell");
   result.description = {
       "Packages install these scripts where shells find them. Without a package, write the script "
-      "to ~/.local/share/bash-completion/completions/kinetri for bash, to "
-      "~/.config/fish/completions/kinetri.fish for fish, or to a file _kinetri in a directory of "
+      "to ~/.local/share/bash-completion/completions/NAME for bash, to "
+      "~/.config/fish/completions/NAME.fish for fish, or to a file _NAME in a directory of "
       "$fpath for zsh. The examples load it into the shell that is running."};
-  result.examples = {"kinetri completion bash > kinetri.bash; source ./kinetri.bash",
-                     "kinetri completion fish | source"};
+  for (std::string& paragraph : result.description) paragraph = with_name(paragraph, program_name);
+  result.examples = {
+      with_name("NAME completion bash > NAME.bash; source ./NAME.bash", program_name),
+      with_name("NAME completion fish | source", program_name)};
   result.run = [shell](const Command& program) {
     constexpr std::array writers = {write_bash_completion, write_zsh_completion,
                                     write_fish_completion};
@@ -50,19 +62,23 @@ Command completion_command() {
   return result;
 }
 
-Command manual_command() {
+Command manual_command(const std::string& program_name) {
   Command result;
   result.name = "manual";
   result.summary = "Write the manual page";
-  result.description = {"Where Kinetri is installed, `man kinetri` shows it."};
-  result.examples = {"kinetri manual | man -l -"};
+  result.description = {
+      with_name("Where Kinetri is installed, `man NAME` shows it.", program_name)};
+  result.examples = {with_name("NAME manual | man -l -", program_name)};
   result.run = [](const Command& program) {
     return print([&](std::ostream& out) { write_manual(out, program); });
   };
   return result;
 }
 
-Command help_command(const std::vector<std::string>& names) {
+Command help_command(const Command& all, const std::string& remark,
+                     const std::vector<std::string>& examples) {
+  std::vector<std::string> names;
+  for (const Command& command : all.commands) names.push_back(command.name);
   const auto command = std::make_shared<std::string>();
   Command result;
   result.name = "help";
@@ -70,14 +86,31 @@ Command help_command(const std::vector<std::string>& names) {
   result.add("COMMAND", command.get(), separated(names, "|"),
              "The command; without one, all commands are listed");
   result.description = {
-      "`kinetri help COMMAND` shows what `kinetri COMMAND --help` shows. A scenario of generate is "
-      "named after it."};
-  result.examples = {"kinetri help simulate", "kinetri help generate uniform"};
+      with_name("`NAME help COMMAND` shows what `NAME COMMAND --help` shows.", all.name) + remark};
+  result.examples = examples;
   // The parser itself finds the command (see parse); this one keeps the target alive.
   result.run = [command](const Command& program) {
     return print([&](std::ostream& out) { out << help_text(program, program.name); });
   };
   return result;
+}
+
+// Each command knows --help, and so do its commands.
+void add_help(Command& command) {
+  command.options.insert(command.options.begin(),
+                         {{"-h", "--help"}, "", "Show this help and exit"});
+  for (Command& inner : command.commands) add_help(inner);
+}
+
+}  // namespace
+
+void add_documentation_commands(Command& program, const std::string& remark,
+                                const std::vector<std::string>& examples) {
+  program.commands.push_back(completion_command(program.name));
+  program.commands.push_back(manual_command(program.name));
+  program.commands.push_back(help_command(program, remark, examples));
+  add_help(program);
+  program.options.push_back({{"--version"}, "", "Show the version and exit"});
 }
 
 }  // namespace kinetri::app

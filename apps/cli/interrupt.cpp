@@ -28,9 +28,15 @@ std::atomic<int> stage = reading;
 std::atomic<bool> stop_requested = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
               "a signal handler may not wait for a lock");
+std::string_view program_name;  // set before there is a handler
 
 // How long a run may take until it notices that it is to stop: some of its steps are long.
 constexpr suseconds_t patience_us = 400'000;
+
+// Async-signal-safe.
+void write_error(std::string_view text) {
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+}
 
 // Sends SIGALRM after so many microseconds; not at all after 0.
 void set_alarm(suseconds_t microseconds) {
@@ -49,18 +55,20 @@ static void on_signal(int signal) {
     if (stage == running) set_alarm(patience_us);
     return;
   }
-  constexpr std::string_view at_once = "\nkinetri: interrupted, nothing written\n";
+  constexpr std::string_view at_once = ": interrupted, nothing written\n";
   constexpr std::string_view within =
-      "\nkinetri: interrupted within an instant, or another step that is long; nothing written\n";
-  const std::string_view message = signal == SIGALRM ? within : at_once;
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+      ": interrupted within an instant, or another step that is long; nothing written\n";
+  write_error("\n");
+  write_error(program_name);
+  write_error(signal == SIGALRM ? within : at_once);
   Output_file::remove_all_temporaries();
   Output_directory::remove_all_temporaries();
   ::_exit(static_cast<int>(Exit_code::interrupted));
 }
 }
 
-void install_signal_handlers() {
+void install_signal_handlers(std::string_view program) {
+  program_name = program;
   struct sigaction action = {};
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;

@@ -9,11 +9,14 @@
 #ifndef KINETRI_APPS_INTERRUPT_H
 #define KINETRI_APPS_INTERRUPT_H
 
+#include <string_view>
+
 namespace kinetri::app {
 
-/// Installs the handlers. Also makes writing to a closed pipe, or beyond the size that files may
+/// Installs the handlers; their messages begin with the name of the program, which must stay where
+/// it is. Also makes writing to a closed pipe, or beyond the size that files may
 /// have, an error instead of a signal.
-void install_signal_handlers();
+void install_signal_handlers(std::string_view program);
 
 /// From now on the first signal only makes interrupted() true.
 void stop_gracefully_from_now_on();

@@ -14,10 +14,6 @@ Command resume_command();
 Command tracks_command();
 Command wave_command();
 Command experiment_command();
-/// `names`: those of the other commands.
-Command help_command(const std::vector<std::string>& names);
-Command completion_command();
-Command manual_command();
 
 /// The program with all of them.
 Command program();

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/documentation_commands.h"
 #include "commands/commands.h"
 
 namespace kinetri::app {
-namespace {
-
-// Each command knows --help, and so do its commands.
-void add_help(Command& command) {
-  command.options.insert(command.options.begin(),
-                         {{"-h", "--help"}, "", "Show this help and exit"});
-  for (Command& inner : command.commands) add_help(inner);
-}
-
-}  // namespace
-
 Command program() {
   Command result;
   result.name = "kinetri";
@@ -27,13 +17,8 @@ Command program() {
                      "kinetri help simulate"};
   result.commands = {generate_command(), simulate_command(), resume_command(),
                      tracks_command(),   wave_command(),     experiment_command()};
-  result.commands.push_back(completion_command());
-  result.commands.push_back(manual_command());
-  std::vector<std::string> names;
-  for (const Command& command : result.commands) names.push_back(command.name);
-  result.commands.push_back(help_command(names));
-  add_help(result);
-  result.options.push_back({{"--version"}, "", "Show the version and exit"});
+  add_documentation_commands(result, " A scenario of generate is named after it.",
+                             {"kinetri help simulate", "kinetri help generate uniform"});
   return result;
 }
 
