@@ -54,7 +54,7 @@ on_files() {
   command -v "${command[0]}" >/dev/null || return 77
   while (($# > 0)); do names+=(-o -name "$1") && shift; done
   mapfile -d '' files < <(find .ci apps bench data examples include python scripts setup.py src test \
-    verify viewer -type f \( "${names[@]:1}" \) -print0 | sort -z)
+    verify video viewer -type f \( "${names[@]:1}" \) -print0 | sort -z)
   "${command[@]}" "${files[@]}" || return 1
 }
 

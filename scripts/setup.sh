@@ -4,7 +4,7 @@
 # What scripts/demo.sh, test.sh, coverage.sh, lint.sh and fuzz.sh have in common: the packages they
 # need, and the calls of CMake. Source it for its functions, or run it to install what is missing:
 #
-#   scripts/setup.sh demo|test|browser|python|coverage|lint|fuzz
+#   scripts/setup.sh demo|test|browser|python|video|coverage|lint|fuzz
 
 kinetri_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -40,6 +40,10 @@ kinetri_packages() {
     printf '%s\n' pybind11-dev python3-dev python3-distributed python3-hypothesis python3-matplotlib \
       python3-mypy python3-numpy python3-pandas python3-pip python3-pytest python3-scipy \
       python3-setuptools python3-shapely python3-venv python3-wheel
+  fi
+  # The program kinetri-video.
+  if [[ $1 == video ]]; then
+    printf '%s\n' libopencv-core-dev libopencv-imgproc-dev libopencv-video-dev libpng-dev libzstd-dev
   fi
   if [[ $1 == coverage ]]; then printf '%s\n' g++ gcovr=gcovr; fi
   if [[ $1 == lint ]]; then
@@ -191,8 +195,8 @@ kinetri_build() {
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
   set -euo pipefail
-  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|python|coverage|lint|fuzz)$ ]]; then
-    printf 'usage: %s demo|test|browser|python|coverage|lint|fuzz\n%s\n' "$0" \
+  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|python|video|coverage|lint|fuzz)$ ]]; then
+    printf 'usage: %s demo|test|browser|python|video|coverage|lint|fuzz\n%s\n' "$0" \
       'Installs the Debian packages that are missing.' >&2
     exit 2
   fi

@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 usage() {
   cat <<EOF
-usage: scripts/test.sh [--preset PRESET] [--compiler CXX] [--browser] [--python]
+usage: scripts/test.sh [--preset PRESET] [--compiler CXX] [--browser] [--python] [--video]
                        [CTEST_OPTION...]
 
 Installs what is missing (with apt-get, as root), builds everything, and runs every test. The last
@@ -22,6 +22,7 @@ line reads "N passed, N failed"; the exit code is 0 if none failed.
                    installed if missing, and else their tests run where they are already
   --python         with the Python package and its tests: what they need is installed if missing, and
                    else they are built and run where it is there already
+  --video          the same with the program kinetri-video
 
 Other options are those of ctest, for example -R REGEX for the tests whose names match, or -LE slow
 for those without the label slow. The labels are slow, install and threads.
@@ -36,6 +37,7 @@ while (($# > 0)); do
     --help | -h) usage && exit 0 ;;
     --browser) packages+=(browser) ;;
     --python) packages+=(python) ;;
+    --video) packages+=(video) ;;
     --preset | --compiler)
       (($# >= 2)) || kinetri_misused "$1 has no value"
       printf -v "${1#--}" '%s' "$2"

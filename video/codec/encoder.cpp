@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "video/codec/encoder.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <deque>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/base/error.h"
+#include "video/codec/color_fit.h"
+#include "video/codec/group_motion.h"
+#include "video/codec/moving_picture.h"
+#include "video/codec/optical_flow.h"
+#include "video/codec/placement.h"
+#include "video/codec/point_choice.h"
+#include "video/stream/stream_writer.h"
+
+namespace kinetri::video {
+namespace {
+
+// A frame of which so many points are lost, or whose histogram differs by so much, begins a scene.
+constexpr double share_of_cut = 0.6;
+constexpr double histogram_of_cut = 0.5;
+// How much a point is pulled towards its color before, in samples.
+constexpr double inertia = 0.05;
+// A color changes only if it is off by more than this many steps.
+constexpr double dead_zone = 0.6;
+// The last frame of a group counts as much as all others together. Else the colors there, with
+// which the next group begins, would be wrong in favor of the frames before, in turns too high and
+// too low.
+double importance_of(std::uint32_t frame, std::uint32_t frames) {
+  return frame == frames ? std::max(frames, 1U) : 1.0;
+}
+// Of the stage, in pixels.
+constexpr unsigned margin = 32;
+// How often points of a key are replaced by better ones.
+constexpr int key_rounds = 10;
+// Of the points, so many may be replaced by better ones at the begin of a group.
+constexpr double most_replaced = 1.0 / 16;
+// A triangle must be so much worse than what the removal of a point makes worse.
+constexpr double worth_replacing = 2;
+
+// Half of the sum of differences: 0 for equal histograms, 1 for those without common levels.
+double histogram_distance(const Frame& a, const Frame& b) {
+  std::array<double, 32> counts = {};
+  for (const std::uint8_t sample : a.planes[0]) counts[sample / 8] += 1;
+  for (const std::uint8_t sample : b.planes[0]) counts[sample / 8] -= 1;
+  double sum = 0;
+  for (const double count : counts) sum += std::abs(count);
+  return sum / 2 / static_cast<double>(a.planes[0].size());
+}
+
+// Planes that have samples at the same places.
+struct Plane_set {
+  std::size_t first = 0;
+  std::size_t count = 1;
+  Grid_2 grid;
+};
+
+std::vector<Plane_set> plane_sets(const Video_format& format) {
+  const Grid_2 brightness = format.grid(0, format);
+  if (format.chroma == Chroma::mono) return {{0, 1, brightness}};
+  if (format.chroma == Chroma::yuv444) return {{0, 3, brightness}};
+  return {{0, 1, brightness}, {1, 2, format.grid(1, format)}};
+}
+
+class Encoder {
+ public:
+  Encoder(Frame_source& source, std::ostream& out, const Encoder_settings& settings,
+          const std::function<void(std::uint32_t)>& progress)
+      : source_(source),
+        settings_(settings),
+        progress_(progress),
+        header_{source.format(), settings.place_bits, settings.color_step,
+                settings.has_motion ? margin : 0},
+        sets_(plane_sets(header_.format)),
+        writer_(out, header_),
+        picture_(header_),
+        flow_(header_.format.width, header_.format.height),
+        weights_(sets_[0].grid.rows * sets_[0].grid.columns) {}
+
+  Encoded run() {
+    std::uint32_t next = 0;
+    while (frame(next) != nullptr) {
+      begin_segment(next);
+      const bool has_groups = settings_.key_frames != 1;
+      const std::uint32_t segment_end =
+          settings_.key_frames == 0 ? UINT32_MAX : next + settings_.key_frames;
+      while (has_groups && now() < segment_end && add_group(segment_end)) {
+      }
+      const bool is_periodic = has_groups && now() == segment_end;
+      if (is_periodic && frame(now() + 1) == nullptr) break;
+      next = is_periodic ? now() : now() + 1;
+      if (has_groups && !is_periodic && frame(next) != nullptr) ++result_.scene_cuts;
+    }
+    result_.frames = first_frame_ + static_cast<std::uint32_t>(frames_.size());
+    if (result_.frames == 0) throw Input_error(source_.name(), 0, "there is no frame");
+    writer_.write(End{result_.frames});
+    result_.bytes = writer_.bytes();
+    result_.events = picture_.events();
+    return result_;
+  }
+
+ private:
+  using Points = std::vector<Present_points::Point>;
+  using Index_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  // The time of the last block.
+  std::uint32_t now() const { return writer_.points().time(); }
+  double unit() const { return header_.color_step / 8.0; }
+  double width() const { return header_.format.width; }
+  double height() const { return header_.format.height; }
+
+  // None after the last one. Those before the present time are forgotten.
+  const Frame* frame(std::uint32_t number) {
+    while (number >= first_frame_ + frames_.size()) {
+      Frame next;
+      if (!source_.read(next)) return nullptr;
+      frames_.push_back(std::move(next));
+    }
+    return &frames_[number - first_frame_];
+  }
+
+  std::int16_t quantized(double value) const {
+    return static_cast<std::int16_t>(
+        std::clamp(std::floor(value / unit() + 0.5), -32000.0, 32000.0));
+  }
+
+  Node node_at(const Place& place, const Frame& frame) const {
+    Node result = {place, {}};
+    for (std::size_t plane = 0; plane < header_.format.planes(); ++plane) {
+      result.colors[plane] =
+          quantized(sample_at(header_, frame, plane, position_of(header_, place)));
+    }
+    return result;
+  }
+
+  void write(const Block& block) {
+    writer_.write(block);
+    for (; first_frame_ < now(); ++first_frame_) frames_.pop_front();
+    if (!std::holds_alternative<End>(block)) find_error(writer_.points().points());
+    if (progress_) progress_(now());
+  }
+
+  // Of brightness, at the present time, for which the weights are known.
+  void find_error(const Points& points) {
+    std::vector<double> values(points.back().id + std::size_t{1});
+    for (const auto& point : points) values[point.id] = point.node.colors[0] * unit();
+    const auto& samples = frames_.front().planes[0];
+    error_.resize(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      error_[i] = samples[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        error_[i] -= weights_[i].weights[k] * values[weights_[i].corners[k]];
+      }
+    }
+  }
+
+  void begin_segment(std::uint32_t number) {
+    for (; first_frame_ < number; ++first_frame_) frames_.pop_front();
+    const Frame& picture = frames_.front();
+    const bool is_grid = settings_.placement == Placement::grid;
+    std::vector<Place> places = is_grid ? places_on_grid(header_, settings_.points)
+                                        : places_by_content(header_, picture, settings_.points);
+    Key key;
+    for (int round = 0;; ++round) {
+      sort_places(header_, places);
+      key = {number, {}};
+      for (const Place& place : places) key.points.push_back(node_at(place, picture));
+      picture_.begin(key);
+      Points points = points_of(key);
+      fit_colors(points, number, 0, key.points);
+      if (is_grid || round == key_rounds) break;
+      points = points_of(key);
+      find_error(points);
+      std::vector<bool> is_replaced(points.size());
+      const std::vector<Node> inserted = new_points(points, is_replaced);
+      if (inserted.empty()) break;
+      places.clear();
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!is_replaced[i]) places.push_back(points[i].node.place);
+      }
+      for (const Node& node : inserted) places.push_back(node.place);
+    }
+    picture_.begin(key);
+    ++result_.keys;
+    write(key);
+  }
+
+  static Points points_of(const Key& key) {
+    Points points;
+    for (const Node& node : key.points) {
+      points.push_back({static_cast<Point_id>(points.size()), node, {}, 0});
+    }
+    return points;
+  }
+
+  // Finds the colors of `targets`, which begin as those of the points. `frames` is the number of
+  // those after the first; 0 at a key, whose colors are fitted to that frame alone.
+  void fit_colors(const Points& points, std::uint32_t first, std::uint32_t frames,
+                  std::vector<Node>& targets) {
+    const std::size_t ids = points.back().id + std::size_t{1};
+    std::vector<Color_fit> fits;
+    std::vector<std::vector<double>> colors;
+    for (const Plane_set& set : sets_) {
+      fits.emplace_back(ids, set.count);
+      colors.emplace_back(ids * set.count);
+    }
+    for (std::size_t s = 0; s < sets_.size(); ++s) {
+      const auto [begin, count, grid] = sets_[s];
+      for (const auto& point : points) {
+        double* here = &colors[s][point.id * count];
+        for (std::size_t c = 0; c < count; ++c) here[c] = point.node.colors[begin + c] * unit();
+        fits[s].pull(point.id, inertia, {here, count});
+      }
+    }
+    for (std::uint32_t k = frames == 0 ? 0 : 1; k <= frames; ++k) {
+      picture_.advance_to(static_cast<double>(first) + k);
+      const double share = frames == 0 ? 1 : static_cast<double>(k) / frames;
+      for (std::size_t s = 0; s < sets_.size(); ++s)
+        add_frame(sets_[s], first + k, importance_of(k, frames), share, colors[s], fits[s]);
+    }
+    for (std::size_t s = 0; s < sets_.size(); ++s) {
+      const std::vector<double> found = fits[s].solve(colors[s]);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t c = 0; c < sets_[s].count; ++c) {
+          const double value = found[points[i].id * sets_[s].count + c];
+          const std::int16_t before = points[i].node.colors[sets_[s].first + c];
+          const bool stays = frames > 0 && std::abs(value - before * unit()) <= dead_zone * unit();
+          targets[i].colors[sets_[s].first + c] = stays ? before : quantized(value);
+        }
+      }
+    }
+  }
+
+  void add_frame(const Plane_set& set, std::uint32_t number, double importance, double share,
+                 const std::vector<double>& colors, Color_fit& fit) {
+    // The weights of brightness at the last frame are needed once more.
+    std::vector<Corner_weights>& weights = set.first == 0 ? weights_ : color_weights_;
+    weights.resize(set.grid.rows * set.grid.columns);
+    find_corner_weights(picture_.triangulation(), set.grid, weights);
+    std::vector<double> known(colors);
+    for (double& value : known) value *= 1 - share;
+    const Frame& picture = *frame(number);
+    fit.add(weights, importance, share, known, [&](std::size_t i, std::size_t channel) {
+      return static_cast<double>(picture.planes[set.first + channel][i]);
+    });
+  }
+
+  // A group up to `segment_end` at most. False if the next frame is not there, or begins a scene.
+  bool add_group(std::uint32_t segment_end) {
+    const std::uint32_t first = now();
+    std::vector<bool> is_replaced(writer_.points().points().size());
+    const std::vector<Node> inserted = new_points(writer_.points().points(), is_replaced);
+    Points points;
+    std::vector<std::size_t> index(writer_.points().next_id(), SIZE_MAX);
+    for (std::size_t i = 0; i < is_replaced.size(); ++i) {
+      if (is_replaced[i]) continue;
+      points.push_back(writer_.points().points()[i]);
+      index[points.back().id] = points.size() - 1;
+    }
+    const std::size_t staying = points.size();
+    for (const Node& node : inserted) points.push_back({no_point, node, {}, 0});
+
+    std::vector<Vector_2> places;
+    for (const auto& point : points) places.push_back(position_of(header_, point.node.place));
+    Followed_points followed(std::move(places));
+    const std::uint32_t steps =
+        follow(followed, first, std::min(settings_.group_frames, segment_end - first));
+    if (steps == 0) return false;
+    const std::uint32_t frames = std::bit_floor(steps);
+    std::vector<std::optional<Place>> targets;
+    if (settings_.has_motion) {
+      targets = targets_of(header_, points, followed, frames, edges_of(index, points, staying));
+    } else {
+      for (const auto& point : points) targets.emplace_back(point.node.place);
+    }
+    if (settings_.has_motion) add_entering_points(first + frames, staying, points, targets);
+    write_group(first, frames, points, targets, staying);
+    return true;
+  }
+
+  // Adds points for what enters the picture until the time `last`. Where there is no room for them,
+  // the points that are worth least go.
+  void add_entering_points(std::uint32_t last, std::size_t staying, Points& points,
+                           std::vector<std::optional<Place>>& targets) {
+    if (settings_.placement == Placement::grid) return;
+    const auto entering = entering_points(header_, settings_.points, points, targets);
+    std::size_t count = static_cast<std::size_t>(
+        std::ranges::count_if(targets, [](const auto& target) { return target.has_value(); }));
+    const Points old(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(staying));
+    const auto removable = removable_points(header_, settings_.points, writer_.points().points(),
+                                            weights_, picture_.triangulation().finite_edge_ids());
+    std::vector<std::size_t> index(writer_.points().next_id(), SIZE_MAX);
+    for (std::size_t i = 0; i < old.size(); ++i) index[old[i].id] = i;
+    auto next = removable.begin();
+    for (const Entering& point : entering) {
+      while (count >= settings_.points && next != removable.end()) {
+        const std::size_t i = index[writer_.points().points()[next->index].id];
+        if (i != SIZE_MAX && targets[i]) {
+          targets[i].reset();
+          --count;
+        }
+        ++next;
+      }
+      if (count >= settings_.points) break;
+      Node node = node_at(point.target, *frame(last));
+      node.place = point.begin;
+      points.push_back({no_point, node, {}, 0});
+      targets.emplace_back(point.target);
+      ++count;
+    }
+  }
+
+  // Over how many frames the points can be followed, at most `most`.
+  std::uint32_t follow(Followed_points& followed, std::uint32_t first, std::uint32_t most) {
+    if (settings_.has_motion && flow_end_ != first + 1) flow_.add(frame(first)->planes[0]);
+    for (std::uint32_t step = 1; step <= most; ++step) {
+      if (frame(first + step) == nullptr) return step - 1;
+      if (settings_.has_motion) {
+        flow_.add(frame(first + step)->planes[0]);
+        flow_end_ = first + step + 1;
+        followed.step(flow_, width(), height());
+      }
+      const double distance = histogram_distance(*frame(first + step - 1), *frame(first + step));
+      if (settings_.has_scene_cuts &&
+          (distance > histogram_of_cut || followed.lost_share() > share_of_cut)) {
+        return step - 1;
+      }
+    }
+    return most;
+  }
+
+  // Neighbors, as indices; a new point has the corners of the triangle that it is in as such.
+  Index_pairs edges_of(const std::vector<std::size_t>& index, const Points& points,
+                       std::size_t staying) const {
+    Index_pairs result;
+    const auto add = [&](Point_id a, std::size_t b) {
+      if (index[a] != SIZE_MAX && b != SIZE_MAX) result.emplace_back(index[a], b);
+    };
+    for (const auto& [a, b] : picture_.triangulation().finite_edge_ids()) add(a, index[b]);
+    for (std::size_t i = staying; i < points.size(); ++i) {
+      const Vector_2 p = position_of(header_, points[i].node.place);
+      const auto column = static_cast<std::size_t>(std::clamp(p.x, 0.0, width() - 1));
+      const auto row = static_cast<std::size_t>(std::clamp(p.y, 0.0, height() - 1));
+      const std::size_t pixel = row * header_.format.width + column;
+      for (const Point_id corner : weights_[pixel].corners) add(corner, i);
+    }
+    return result;
+  }
+
+  void write_group(std::uint32_t first, std::uint32_t frames, const Points& candidates,
+                   const std::vector<std::optional<Place>>& targets, std::size_t staying) {
+    Group group;
+    group.first = first;
+    group.frames = frames;
+    std::size_t next = 0;
+    for (const auto& point : writer_.points().points()) {
+      const bool is_candidate = next < staying && candidates[next].id == point.id;
+      if (!is_candidate || !targets[next]) group.erased.push_back(point.id);
+      if (is_candidate) ++next;
+    }
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (!targets[i]) continue;
+      if (i >= staying) group.inserted.push_back(candidates[i].node);
+      group.targets.push_back({*targets[i], candidates[i].node.colors});
+    }
+    const Points points = writer_.points().at_begin_of(group);
+    picture_.begin(group);
+    fit_colors(points, first, frames, group.targets);
+    picture_.set_target_colors(group);
+    result_.inserted += group.inserted.size();
+    result_.erased += group.erased.size();
+    write(group);
+  }
+
+  // New points: around the picture where others have left a gap, and where the error is largest, as
+  // many as are missing, and some in place of points that make the picture little better, which are
+  // marked.
+  std::vector<Node> new_points(const Points& points, std::vector<bool>& is_replaced) const {
+    std::vector<Node> result;
+    if (settings_.placement == Placement::grid) return result;
+    std::vector<Vector_2> positions(points.back().id + std::size_t{1});
+    for (const auto& point : points) positions[point.id] = position_of(header_, point.node.place);
+    std::vector<Candidate> wanted = ring_gaps(header_, settings_.points, points);
+    const std::size_t in_ring = wanted.size();
+    std::ranges::copy(candidates(header_, weights_, error_, positions), std::back_inserter(wanted));
+    const std::size_t missing = settings_.points - std::min(settings_.points, points.size());
+    const auto removable = removable_points(header_, settings_.points, points, weights_,
+                                            picture_.triangulation().finite_edge_ids());
+    const auto most =
+        in_ring + static_cast<std::size_t>(most_replaced * static_cast<double>(settings_.points));
+    const Frame& picture = frames_.front();
+    std::size_t removed = 0;
+    for (std::size_t i = 0; i < std::min(wanted.size(), missing + most); ++i) {
+      if (i >= missing) {
+        if (removed == removable.size()) break;
+        if (wanted[i].error <= worth_replacing * removable[removed].worth) break;
+        is_replaced[removable[removed].index] = true;
+        ++removed;
+      }
+      result.push_back(node_at(wanted[i].place, picture));
+    }
+    return result;
+  }
+
+  Frame_source& source_;
+  Encoder_settings settings_;
+  const std::function<void(std::uint32_t)>& progress_;
+  Stream_header header_;
+  std::vector<Plane_set> sets_;
+  Stream_writer writer_;
+  Moving_picture picture_;
+  Optical_flow flow_;
+  std::uint32_t flow_end_ = 0;  // one more than the last frame that the flow has
+  std::deque<Frame> frames_;    // those that are read, from the present one on
+  std::uint32_t first_frame_ = 0;
+  std::vector<Corner_weights> weights_;        // of brightness, at the present time
+  std::vector<Corner_weights> color_weights_;  // of color, in fit_colors
+  std::vector<double> error_;                  // of brightness, at the present time
+  Encoded result_;
+};
+
+}  // namespace
+
+Encoded encode(Frame_source& source, std::ostream& out, const Encoder_settings& settings,
+               const std::function<void(std::uint32_t)>& progress) {
+  KINETRI_PRECONDITION(settings.points >= number_of_corners && settings.points <= most_points,
+                       "the number of points is too small or too large");
+  KINETRI_PRECONDITION(
+      std::has_single_bit(settings.group_frames) && settings.group_frames <= most_group_frames,
+      "the frames of a group are no power of two, or too many");
+  KINETRI_PRECONDITION(settings.place_bits > 0 && settings.place_bits <= most_place_bits &&
+                           settings.color_step > 0 && settings.color_step < 256,
+                       "the numbers of the stream are too coarse or too fine");
+  return Encoder(source, out, settings, progress).run();
+}
+
+}  // namespace kinetri::video

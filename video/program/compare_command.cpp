@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/arguments.h"
+#include "cli/text.h"
+#include "io/output_file.h"
+#include "io/text.h"
+#include "kinetri/base/error.h"
+#include "video/codec/decoder.h"
+#include "video/codec/quality.h"
+#include "video/program/commands.h"
+
+namespace kinetri::video {
+namespace {
+
+using app::Command;
+
+constexpr std::array<std::string_view, 3> plane_names = {"y", "cb", "cr"};
+
+// The options' values as they stand on the command line.
+struct Compare_options {
+  std::string source;
+  std::string other;
+  std::optional<std::string> table;
+  std::string rate = "25";
+};
+
+void check_formats(const Video_format& source, const Video_format& other,
+                   const Compare_options& options) {
+  if (source.width == other.width && source.height == other.height &&
+      source.chroma == other.chroma && source.is_full_range == other.is_full_range) {
+    return;
+  }
+  throw Input_error(
+      options.other, 0,
+      joined("it has ", other.width, " x ", other.height, " samples; expected ", source.width,
+             " x ", source.height, " and the kind of color that ", options.source, " has"));
+}
+
+bool is_stream(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".kvd";
+}
+
+// Adds frame by frame, and sees that both have as many.
+class Pairs {
+ public:
+  Pairs(Frame_source& source, const std::string& other, Quality& quality)
+      : source_(source), other_(other), quality_(quality) {}
+
+  void take(const Frame& other) {
+    if (!source_.read(frame_)) {
+      throw Input_error(other_, 0,
+                        joined("it has more frames than ", source_.name(), ": expected ",
+                               quality_.frames().size()));
+    }
+    quality_.add(frame_, other);
+  }
+
+  void end() {
+    if (source_.read(frame_)) {
+      throw Input_error(other_, 0,
+                        joined("it has ", quality_.frames().size(), " frames; expected ",
+                               "more, as ", source_.name(), " has"));
+    }
+  }
+
+ private:
+  Frame_source& source_;
+  const std::string& other_;
+  Quality& quality_;
+  Frame frame_;
+};
+
+std::string psnr_text(double psnr) {
+  return std::isinf(psnr) ? "inf" : app::fixed(psnr, 3);
+}
+
+void write_table(const std::string& path, const Quality& quality, std::size_t planes) {
+  Output_file output(path);
+  std::string text = "frame";
+  for (std::size_t p = 0; p < planes; ++p) append(text, ",psnr_", plane_names[p]);
+  for (std::size_t p = 0; p < planes; ++p) append(text, ",ssim_", plane_names[p]);
+  text += '\n';
+  for (std::size_t i = 0; i < quality.frames().size(); ++i) {
+    const Frame_quality& frame = quality.frames()[i];
+    append(text, i);
+    for (std::size_t p = 0; p < planes; ++p) append(text, ",", psnr_text(frame.psnr(p)));
+    for (std::size_t p = 0; p < planes; ++p) append(text, ",", app::fixed(frame.ssim[p], 5));
+    text += '\n';
+  }
+  output.stream() << text;
+  output.commit();
+}
+
+app::Exit_code run(const Compare_options& options) {
+  const Ratio rate = rate_argument("--rate", options.rate);
+  const auto source = open_frames(options.source, rate);
+  const Video_format& format = source->format();
+  Quality quality(format);
+  Pairs pairs(*source, options.other, quality);
+  std::optional<std::uint64_t> bytes;
+  if (is_stream(options.other)) {
+    Stream_reader stream = Stream_reader::open(options.other);
+    check_formats(format, stream.header().format, options);
+    Decoded decoded;
+    decode(
+        stream, {}, [&](const Frame& frame) { pairs.take(frame); }, decoded);
+    bytes = stream.bytes();
+  } else {
+    const auto other = open_frames(options.other, rate);
+    check_formats(format, other->format(), options);
+    Frame frame;
+    while (other->read(frame)) pairs.take(frame);
+  }
+  pairs.end();
+  if (options.table) write_table(*options.table, quality, format.planes());
+  if (options.table == "-") return app::Exit_code::done;
+
+  std::string text = joined("frames    ", quality.frames().size(), '\n');
+  const Frame_quality mean = quality.mean();
+  for (std::size_t p = 0; p < format.planes(); ++p) {
+    append(text, app::left_aligned(std::string(plane_names[p]), 10), "PSNR ",
+           psnr_text(mean.psnr(p)), " dB, SSIM ", app::fixed(mean.ssim[p], 5), '\n');
+  }
+  if (bytes) {
+    const double pixels = static_cast<double>(format.width) * format.height *
+                          static_cast<double>(quality.frames().size());
+    append(text, "bits      ", app::significant(8.0 * static_cast<double>(*bytes) / pixels, 4),
+           " per pixel\n");
+  }
+  const auto flicker = quality.flicker();
+  append(text, "flicker   ",
+         flicker ? app::significant(*flicker, 3) : "none: no sample of the source rests", '\n');
+  std::cout << text;
+  return app::Exit_code::done;
+}
+
+}  // namespace
+
+Command compare_command() {
+  const auto options = std::make_shared<Compare_options>();
+  Command result;
+  result.name = "compare";
+  result.summary = "Show how near a stream, or another video, is to its source";
+  result.add_required("A", &options->source, "FILE",
+                      "The source: YUV4MPEG2 video (Y4M), or a folder of PNG files");
+  result.add_required("B", &options->other, "FILE",
+                      "What stands for it: a stream (.kvd), or as the source");
+  result.add("--csv", &options->table, "FILE", "Write a row for each frame, - for standard output");
+  result.add("--rate", &options->rate, "FPS", "Frames a second of folders (default 25)");
+  result.description = {
+      "PSNR is that of the mean of squares over all frames; SSIM is the mean of all frames. "
+      "Flicker "
+      "is the mean change of brightness from frame to frame where the source changes by at most 1.",
+      "Exit codes: see kinetri-video encode."};
+  result.examples = {"kinetri-video compare clip.y4m clip.kvd --csv frames.csv"};
+  result.run = [options](const Command& /*program*/) { return run(*options); };
+  return result;
+}
+
+}  // namespace kinetri::video
