@@ -199,6 +199,13 @@ void Connected_components<Traits>::change(const Time& time, std::span<const Edge
       ended.push_back(edge);
     }
   }
+  // For a moment.
+  departures_.change(time, points, graph, range_, 0, [&](const auto& gone, const auto& come) {
+    if (!connectivity_.contains(gone.id())) return;
+    if (!this->traits().do_touch(gone, come, range_, time)) return;
+    ended.push_back(edge_ids(gone.id(), come.id()));
+    link(ended.back(), time);
+  });
   std::ranges::sort(ended);
   for (const Edge_ids& edge : ended) cut(edge, time);
   for (const Changed_point& point : points) {

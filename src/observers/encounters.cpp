@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/observers/encounters.h"
 
-#include <CGAL/box_intersection_d.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "kinetri/base/check.h"
-#include "kinetri/simulation/detail/disc_boxes.h"
 #include "observers/encounter_candidates_impl.h"
 #include "observers/later_time_in_range.h"
 
@@ -81,7 +78,8 @@ void Encounters<Traits>::change(
     std::span<const typename Edge_follower<Traits>::Changed_point> points) {
   if (partners_.size() < this->graph().next_id()) partners_.resize(this->graph().next_id());
   for (const auto& point : points) turn(point.id, time, points);
-  meet_those_gone(time, points);
+  departures_.change(time, points, this->graph(), range_, radius_,
+                     [&](const auto& p, const auto& q) { meet_for_a_moment(p, q, time); });
   if constexpr (has_radii) {
     if (!points.empty()) enlarged_discs_->change(points, this->graph());
   } else {
@@ -177,39 +175,7 @@ void Encounters<Traits>::turn(
   }
 }
 
-// Points that come meet those that have gone at the same time.
-template <ContactKineticTraits_2 Traits>
-void Encounters<Traits>::meet_those_gone(
-    const Time& time, std::span<const typename Edge_follower<Traits>::Changed_point> changed) {
-  if (changed.empty()) return;
-  if (gone_at_ != time) gone_.clear();
-  gone_at_ = time;
-  std::vector<Point_id> come;
-  for (const auto& [id, before] : changed) {
-    const bool is_there = this->graph().contains(id);
-    if (before && !is_there) gone_.push_back(*before);
-    if (!before && is_there) come.push_back(id);
-  }
-  if (gone_.empty() || come.empty()) return;
-  const Double_interval times = time.tight_interval();
-  const auto box = [&](const Point_2& point, double range, std::size_t index) {
-    Disc large = disc(point.motion());
-    large.radius = std::nextafter(large.radius + range, std::numeric_limits<double>::infinity());
-    return detail::box_around(large, static_cast<Point_id>(index), times.lower, times);
-  };
-  std::vector<detail::Disc_box> boxes_gone;
-  for (std::size_t i = 0; i < gone_.size(); ++i) boxes_gone.push_back(box(gone_[i], range_, i));
-  std::vector<detail::Disc_box> boxes_come;
-  for (const Point_id id : come) boxes_come.push_back(box(this->graph().point(id), 0, id));
-  std::vector<std::pair<Point_id, Point_id>> close;
-  CGAL::box_intersection_d(
-      boxes_gone.begin(), boxes_gone.end(), boxes_come.begin(), boxes_come.end(),
-      [&](const auto& p, const auto& q) { close.emplace_back(p.info(), q.info()); });
-  for (const auto& [index, id] : close) {
-    meet_for_a_moment(gone_[index], this->graph().point(id), time);
-  }
-}
-
+// Of a point that has gone at the time, and one that comes then.
 template <ContactKineticTraits_2 Traits>
 void Encounters<Traits>::meet_for_a_moment(const Point_2& p, const Point_2& q, const Time& time) {
   if (p.id() > q.id()) return meet_for_a_moment(q, p, time);

@@ -401,6 +401,36 @@ TEST(Connected_components, are_those_of_all_pairs_through_scheduled_changes) {
   }
 }
 
+// They are in no triangulation together.
+TEST(Connected_components, link_who_goes_with_who_comes_at_that_time) {
+  const std::vector<Linear_motion_2> motions = {
+      {{0, 0}, {0, 0}, 0}, {{50, 0}, {0, 0}, 0}, {{0, 50}, {0, 0}, 0}};
+  Simulation_2<> simulation(motions, {});
+  Linear_motion_2 next_to_it;
+  next_to_it.position = {2, 0};
+  next_to_it.epoch = 4;
+  simulation.schedule_insert(4, next_to_it);
+  simulation.schedule_erase(4, 0);
+  Connected_components components(simulation, 2);
+  components.watch({0, 3});
+  simulation.advance_to(8);
+  std::vector<std::pair<Kind, Edge_ids>> found;
+  for (const Component_event& event : components.events()) {
+    EXPECT_EQ(event.time, Algebraic_number(event.kind == Kind::start ? 0.0 : 4.0));
+    found.emplace_back(event.kind, event.points);
+  }
+  const std::vector<std::pair<Kind, Edge_ids>> expected = {{Kind::start, {no_point, no_point}},
+                                                           {Kind::insert, {3, no_point}},
+                                                           {Kind::merge, {0, 3}},
+                                                           {Kind::split, {0, 3}},
+                                                           {Kind::erase, {0, no_point}}};
+  EXPECT_EQ(found, expected);
+  const auto intervals = components.connected_intervals({0, 3});
+  ASSERT_EQ(intervals.size(), 1U);
+  EXPECT_EQ(intervals[0].begin, Algebraic_number(4.0));
+  EXPECT_EQ(intervals[0].end, Algebraic_number(4.0));
+}
+
 // ---- recorded pedestrians ----
 
 class Connected_crowd : public testing::TestWithParam<const char*> {};

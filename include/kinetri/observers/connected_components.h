@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinetri/observers/detail/departures.h"
 #include "kinetri/observers/detail/failure_queue.h"
 #include "kinetri/observers/dynamic_connectivity.h"
 #include "kinetri/observers/edge_follower.h"
@@ -59,10 +60,12 @@ struct Time_interval {
 ///
 /// All of it is closed. Two points are linked also at the moment at which they touch the range from
 /// outside: then a merge and a split have the same time. A point that comes or goes at a time is
-/// there at that time, and one that jumps is there at both of its places. So at each time there are
-/// first the inserts and merges, then the splits and erasures, and between them the components are
-/// those of the time itself. Which link it is that joins or splits, if several begin or end at one
-/// time, follows from their ids.
+/// there at that time, and one that jumps is there at both of its places. (Of a point that jumps
+/// and one that jumps, comes or goes at the same time, the places before it are looked at, and
+/// those after it, but not one of each.) So at each time there are first the inserts and merges,
+/// then the splits and erasures, and between them the components are those of the time itself.
+/// Which link it is that joins or splits, if several begin or end at one time, follows from their
+/// ids.
 ///
 /// The links of edges of the triangulation have the same components as all links (docs/MATH.md,
 /// section 12). Cost: for each edge that comes, and each edge of a point that gets another motion,
@@ -172,6 +175,7 @@ class Connected_components : public Edge_follower<Traits> {
   std::vector<Watched_pair> watched_;
   detail::Failure_queue<Entry, Connected_components> queue_{*this};
   std::vector<std::vector<Scheduled_edge>> scheduled_;  // by the smaller id
+  detail::Departures<typename Traits::Point_2> departures_;
 };
 
 extern template class Connected_components<Linear_kinetic_traits_2>;

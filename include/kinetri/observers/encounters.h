@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "kinetri/observers/detail/departures.h"
 #include "kinetri/observers/detail/failure_queue.h"
 #include "kinetri/observers/detail/gap_of_pair.h"
 #include "kinetri/observers/edge_follower.h"
@@ -223,8 +224,6 @@ class Encounters final : public Edge_follower<Traits> {
   void end(std::size_t index, const Time& time, const Motion& p, const Motion& q);
   void turn(Point_id id, const Time& time,
             std::span<const typename Edge_follower<Traits>::Changed_point> changed);
-  void meet_those_gone(const Time& time,
-                       std::span<const typename Edge_follower<Traits>::Changed_point> changed);
   void meet_for_a_moment(const Point_2& p, const Point_2& q, const Time& time);
   void finish_piece(Record& record, const Time& time, const Motion& p, const Motion& q) const;
   Least_gap least_gap(const std::vector<Piece>& pieces) const;
@@ -238,8 +237,7 @@ class Encounters final : public Edge_follower<Traits> {
   using Large_blocks =
       boost::container::deque_options<boost::container::block_bytes<1U << 16>>::type;
   boost::container::deque<Record, void, Large_blocks> records_;
-  std::vector<Point_2> gone_;  // at one time
-  Time gone_at_;
+  detail::Departures<Point_2> departures_;
   // If has_radii. Not shared, but of a type that is incomplete here.
   std::shared_ptr<detail::Enlarged_discs<Traits>> enlarged_discs_;
   std::vector<Encounter_observer*> observers_;
