@@ -164,26 +164,32 @@ struct Closed_interval {
   bool contains_after(const Algebraic_number& t) const { return begin <= t && t < end; }
 };
 
+/// The squared distance less the square of the range, but for a positive factor.
+template <class Motion>
+Polynomial excess(const Motion& p, const Motion& q, double range) {
+  const Rational r = to_rational(range);
+  return primitive_polynomial(sum(squared_distance(p, q), {r * r}, -1));
+}
+
 /// The times from `from` to `to` at which two points are at most `range` apart, where from < to.
 template <class Motion>
 std::vector<Closed_interval> near_times(const Motion& p, const Motion& q, double range,
                                         const Algebraic_number& from, const Algebraic_number& to) {
-  const Rational r = to_rational(range);
-  const Polynomial excess = primitive_polynomial(sum(squared_distance(p, q), {r * r}, -1));
+  const Polynomial squared_excess = excess(p, q, range);
   std::vector<Algebraic_number> times = {from};
-  if (!excess.is_zero()) {
-    for (const Real_root& root : real_roots(excess)) {
+  if (!squared_excess.is_zero()) {
+    for (const Real_root& root : real_roots(squared_excess)) {
       if (from < root.value && root.value < to) times.push_back(root.value);
     }
   }
   times.push_back(to);
   std::vector<Closed_interval> result;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (sign_at(excess, times[i]) == CGAL::POSITIVE) continue;
+    if (sign_at(squared_excess, times[i]) == CGAL::POSITIVE) continue;
     const bool goes_on = !result.empty() && result.back().end == times[i];
     if (!goes_on) result.push_back({times[i], times[i]});
     if (i + 1 == times.size()) break;
-    if (excess.sign_at(simplest_between(times[i], times[i + 1])) != CGAL::POSITIVE) {
+    if (squared_excess.sign_at(simplest_between(times[i], times[i + 1])) != CGAL::POSITIVE) {
       result.back().end = times[i + 1];
     }
   }
@@ -215,7 +221,14 @@ class Component_oracle {
         const auto& [b, q, q_from, q_to] = pieces[j];
         const Algebraic_number from = std::max(p_from, q_from);
         const Algebraic_number to = std::min(p_to, q_to);
-        if (a == b || from >= to) continue;
+        if (a == b || from > to) continue;
+        if (from == to) {
+          const bool meet = (goes(a, to) && comes(b, to)) || (goes(b, to) && comes(a, to));
+          if (meet && sign_at(excess(p, q, range), to) != CGAL::POSITIVE) {
+            links_.push_back({edge_ids(a, b), {to, to}});
+          }
+          continue;
+        }
         for (const Closed_interval& times : near_times(p, q, range, from, to)) {
           links_.push_back({edge_ids(a, b), times});
         }
@@ -278,6 +291,14 @@ class Component_oracle {
   }
 
  private:
+  bool comes(Point_id id, const Algebraic_number& t) const {
+    const auto& times = presence_.at(id);
+    return std::ranges::find(times, t, &Closed_interval::begin) != times.end();
+  }
+  bool goes(Point_id id, const Algebraic_number& t) const {
+    const auto& times = presence_.at(id);
+    return std::ranges::find(times, t, &Closed_interval::end) != times.end();
+  }
   template <class Condition>
   std::size_t number(Condition condition) const {
     std::size_t result = 0;
