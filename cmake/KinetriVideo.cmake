@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Whether the program kinetri-video can be built: OpenCV (core, imgproc, video), libpng and zstd are
+# Whether the program kinetri-video can be built, as kinetri is: OpenCV (core, imgproc, video), libpng and zstd are
 # there. Sets kinetri_video_default, and defines Kinetri::opencv_core, _imgproc, _video, Kinetri::png and
 # Kinetri::zstd where they are.
 set(kinetri_video_default OFF)
-if(PROJECT_IS_TOP_LEVEL OR KINETRI_VIDEO)
+if((PROJECT_IS_TOP_LEVEL AND KINETRI_BUILD_PROGRAM) OR KINETRI_VIDEO)
   set(kinetri_video_missing "")
   # kinetri_video_library(NAME HEADER LIBRARY PACKAGE)
   macro(kinetri_video_library name header library package)

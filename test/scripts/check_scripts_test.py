@@ -114,7 +114,7 @@ class Layers(Tree):
             ("src/io/a.cpp", "fmt/format.h"),
             ("src/io/b.cpp", "nlohmann/json.hpp"),
             ("src/io/c.cpp", "unistd.h"),
-            ("apps/kinetri/a.cpp", "CLI/CLI.hpp"),
+            ("apps/cli/a.cpp", "CLI/CLI.hpp"),
             ("apps/kinetri/b.cpp", "sys/resource.h"),
             ("test/algebra/a_test.cpp", "gtest/gtest.h"),
         ):
