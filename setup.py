@@ -2,7 +2,7 @@
 """Compiles the extension module of the Python package by CMake, for pip (pyproject.toml).
 
 A wheel holds the shared libraries that the module needs, so that it runs where there is only NumPy.
-The build needs what the library needs (README.md), in about two minutes on two processors.
+The build needs what the library needs (README.md), and takes several minutes on two processors.
 
 Environment variables:
     KINETRI_BUILD_DIR  a build directory that has been configured with KINETRI_PYTHON=ON for this
