@@ -142,10 +142,7 @@ template <ContactKineticTraits_2 Traits>
 KINETRI_ALWAYS_INLINE void Encounters<Traits>::prefetch(const Entry& entry) const {
   for (const Point_id id : entry.points) {
     this->graph().prefetch(id);
-    const auto* const begin = reinterpret_cast<const std::byte*>(&partners_[id]);
-    detail::prefetch_address(begin);
-    detail::prefetch_address(begin + sizeof(Partners) / 2);
-    detail::prefetch_address(begin + sizeof(Partners) - 1);
+    detail::prefetch_object(partners_[id]);
   }
 }
 

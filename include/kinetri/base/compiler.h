@@ -6,6 +6,8 @@
 #ifndef KINETRI_BASE_COMPILER_H
 #define KINETRI_BASE_COMPILER_H
 
+#include <cstddef>
+
 #include "kinetri/base/cxx20.h"
 
 /// Begins the declaration of a function that is to be inlined at every call.
@@ -38,6 +40,15 @@ KINETRI_ALWAYS_INLINE void prefetch_address([[maybe_unused]] const void* address
 #if defined(__GNUC__) || defined(__clang__)
   __builtin_prefetch(address);
 #endif
+}
+
+/// Starts to load all of an object.
+template <class Object>
+KINETRI_ALWAYS_INLINE void prefetch_object(const Object& object) {
+  constexpr std::size_t line = 64;
+  const auto* const begin = reinterpret_cast<const std::byte*>(&object);
+  for (std::size_t i = 0; i < sizeof(Object); i += line) prefetch_address(begin + i);
+  prefetch_address(begin + sizeof(Object) - 1);
 }
 
 /// @{

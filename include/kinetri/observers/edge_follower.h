@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -53,12 +52,7 @@ class Neighbor_graph {
   /// More than any id so far.
   Point_id next_id() const { return static_cast<Point_id>(nodes_.size()); }
   /// Starts to load a point and its neighbors. Precondition: id < next_id().
-  KINETRI_ALWAYS_INLINE void prefetch(Point_id id) const {
-    const auto* const begin = reinterpret_cast<const std::byte*>(&nodes_[id]);
-    detail::prefetch_address(begin);
-    detail::prefetch_address(begin + sizeof(Node) / 2);
-    detail::prefetch_address(begin + sizeof(Node) - 1);
-  }
+  KINETRI_ALWAYS_INLINE void prefetch(Point_id id) const { detail::prefetch_object(nodes_[id]); }
 
  private:
   template <ContactKineticTraits_2>

@@ -103,7 +103,9 @@ class Encounters final : public Edge_follower<Traits> {
 
   /// All encounters up to the current time, those that go on included, in the order of `begin`,
   /// then of ids. Cost: O(m log m) comparisons of times for m encounters, and for each that has
-  /// ended since the last call, and each that goes on, exact arithmetic.
+  /// ended since the last call, and each that goes on, the rounding of its least distance: some
+  /// hundred floating-point operations where that is certain (points in linear motion), else exact
+  /// arithmetic.
   std::vector<Encounter> encounters();
 
   /// The points in range of a point at the current time, sorted. Precondition: the triangulation

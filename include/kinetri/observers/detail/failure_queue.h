@@ -27,8 +27,9 @@ struct Failure : Scheduled {
 /// |---|---|
 /// | `failure_time(entry)` | the exact time of an entry whose certificate has told bounds alone |
 /// | `precedes(a, b)` | the order of two entries of one time, strict and total |
-/// | `prefetch(entry)` | starts to load memory for the first entry; KINETRI_ALWAYS_INLINE, may be
-/// missing |
+/// | `prefetch(entry)` | optional: starts to load memory for the first entry |
+///
+/// `prefetch` must be KINETRI_ALWAYS_INLINE (see detail::prefetch_address).
 template <class Entry, class Observer>
 class Failure_queue {
  public:
