@@ -129,8 +129,8 @@ class Resume_logs : public Resume {
   void run_first_part(const std::string& points = one_flip) const {
     write("p.csv", points);
     done({"simulate", "p.csv", "--until", "2", "--events", "first.csv", "--initial-edges", "i.csv",
-          "--edges", "d.csv", "--checkpoint", "run.kinetri", "--stats", "s.json", "--html",
-          "h.html", "--quiet"});
+          "--edges", "d.csv", "--motions", "m.csv", "--checkpoint", "run.kinetri", "--stats",
+          "s.json", "--html", "h.html", "--quiet"});
   }
 
   Outcome resume(Arguments more) const {
@@ -149,16 +149,18 @@ TEST_F(Resume_logs, continued_as_they_were_are_accepted) {
 }
 
 TEST_F(Resume_logs, of_another_run_are_refused) {
-  for (const std::string name : {"first.csv", "i.csv", "d.csv"}) {
+  for (const std::string name : {"first.csv", "i.csv", "d.csv", "m.csv"}) {
     SCOPED_TRACE(name);
     run_first_part();
     // As where a second run was killed after its events had taken their place.
     const std::string before = read(name);
     write(name, before.substr(0, before.size() - 2) + "9\n");
-    const Outcome outcome = resume({"--events", "second.csv", "--stats", "new.json"});
+    const Outcome outcome =
+        resume({name == "m.csv" ? "--motions" : "--events", "second.csv", "--stats", "new.json"});
     EXPECT_EQ(outcome.exit_code, 2);
     const std::string option = name == "first.csv" ? "events"
                                : name == "i.csv"   ? "initial-edges"
+                               : name == "m.csv"   ? "motions"
                                                    : "edges";
     EXPECT_EQ(
         outcome.err.rfind(name + ": is not what --" + option + " wrote for run.kinetri: it has " +
@@ -196,7 +198,7 @@ TEST_F(Resume_logs, that_are_gone_are_named_in_the_summary) {
 TEST_F(Resume_logs, are_found_from_another_directory) {
   run_first_part();
   std::filesystem::create_directory(file("moved"));
-  for (const char* name : {"first.csv", "run.kinetri", "i.csv", "d.csv"}) {
+  for (const char* name : {"first.csv", "run.kinetri", "i.csv", "d.csv", "m.csv"}) {
     std::filesystem::rename(file(name), file(std::string("moved/") + name));
   }
   const Arguments resume = {"resume", "moved/run.kinetri", "--until", "3", "--events", "-"};

@@ -96,6 +96,7 @@ def output_cases():
     yield simulate("--edges old.csv --events .", path=".")
     yield simulate("--events p.csv/events.csv", path="p.csv/events.csv", reason="Not a directory")
     yield simulate("--events missing/events.csv", path="missing/events.csv", reason=NO_FILE)
+    yield simulate("--edges old.csv --motions missing/m.csv", path="missing/m.csv", reason=NO_FILE)
     yield case("generate uniform --points 3 --output missing/p.csv", path="missing/p.csv",
                reason=NO_FILE)
     yield case("wave --html nowhere/x.html", path="nowhere/x.html", reason=NO_FILE)
@@ -105,7 +106,7 @@ def output_cases():
                    prepare=chmod("old.csv", 0o444))
     yield simulate("--events pipe", path="pipe", reason=DENIED, unprivileged=True,
                    prepare=lambda d: os.mkfifo(d / "pipe", 0o444))
-    for option in ("--events", "--edges", "--stats", "--checkpoint", "--html"):
+    for option in ("--events", "--motions", "--edges", "--stats", "--checkpoint", "--html"):
         outputs = {"--edges": "old.csv", "--stats": "stats.json", option: "/dev/full"}
         yield simulate(" ".join(f"{name} {path}" for name, path in outputs.items()),
                        path="/dev/full", reason="No space left on device")

@@ -34,8 +34,8 @@ Command resume_command() {
       "this one together are the log of one long run, byte for byte, and events keep counting. "
       "Box, "
       "discs and collisions are those of the checkpoint. Counts in --stats include the first part.",
-      "With --events, the files that --events, --initial-edges and --edges of the first part have "
-      "written must be as it left them, or not be there.",
+      "With --events or --motions, the files that --events, --motions, --initial-edges and --edges "
+      "of the first part have written must be as it left them, or not be there.",
       "Exit codes: see kinetri simulate."};
   result.examples = {"kinetri resume run.kinetri --until 20 --events more.csv --edges edges.csv",
                      "kinetri resume run.kinetri --until 20 --checkpoint later.kinetri"};

@@ -15,6 +15,7 @@ namespace kinetri::app {
 
 enum class Output {
   events,
+  motions,
   initial_edges,
   edges,
   stats,
@@ -37,7 +38,7 @@ enum class Output {
   contact_plan,
 };
 
-constexpr std::size_t number_of_outputs = 21;
+constexpr std::size_t number_of_outputs = 22;
 
 /// The commands that have an output.
 enum class Offered {
@@ -62,6 +63,9 @@ struct Output_row {
 inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
     {Output::events, "--events", "-o,--events", "FILE",
      "Write the event log here, as CSV; - is standard output"},
+    {Output::motions, "--motions", "--motions", "FILE",
+     "Write the motions of the points at the start, and each change of a motion with the number of "
+     "its event, here, as CSV"},
     {Output::initial_edges, "--initial-edges", "--initial-edges", "FILE",
      "Write the edges of the triangulation just after the start here, as CSV"},
     {Output::edges, "--edges", "--edges", "FILE",

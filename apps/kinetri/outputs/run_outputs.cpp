@@ -14,7 +14,8 @@ namespace kinetri::app {
 namespace {
 
 // Those that a checkpoint notes: they continue with it, and do not depend on the machine.
-constexpr std::array noted_outputs = {Output::events, Output::initial_edges, Output::edges};
+constexpr std::array noted_outputs = {Output::events, Output::motions, Output::initial_edges,
+                                      Output::edges};
 
 }  // namespace
 

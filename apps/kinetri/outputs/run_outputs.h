@@ -42,7 +42,8 @@ class Run_outputs {
   /// other outputs, these are still worth the run.
   void finish(Output output) { finish(*file(output)); }
 
-  /// What belongs to the checkpoint: the events and edges that are files, which are then complete.
+  /// What belongs to the checkpoint: the events, motions and edges that are files, which are then
+  /// complete.
   std::vector<Checkpoint_log> finish_logs();
 
   /// All are complete before the first takes its place; the checkpoint is the last one. Throws

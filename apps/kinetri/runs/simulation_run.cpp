@@ -23,6 +23,7 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
+#include "kinetri/io/motion_log.h"
 #include "kinetri/simulation/growth.h"
 #include "outputs/area_output.h"
 #include "outputs/frame_outputs.h"
@@ -119,6 +120,7 @@ class Simulation_run {
   Stopwatch stopwatch_;
   Run_statistics statistics_;
   std::optional<Event_log_writer> log_;
+  std::unique_ptr<Event_observer> motion_log_;
   Any_simulation simulation_;
   std::optional<Viewer_output> viewer_;
   std::vector<Followed_answer> answers_;
@@ -162,7 +164,9 @@ Exit_code Simulation_run::run() {
 void Simulation_run::build() {
   progress_.show_stage("reading");
   source_.read();
-  if (outputs_.has(Output::events)) source_.expect_logs(outputs_.identities());
+  if (outputs_.has(Output::events) || outputs_.has(Output::motions)) {
+    source_.expect_logs(outputs_.identities());
+  }
   read_limits();
   statistics_.points = source_.number_of_points();
   statistics_.from = source_.from();
@@ -185,6 +189,13 @@ void Simulation_run::build() {
   if (outputs_.has(Output::events)) {
     log_.emplace(outputs_.stream(Output::events));
     simulation_.visit([this](auto& s) { s.add_observer(*log_); });
+  }
+  if (outputs_.has(Output::motions)) {
+    simulation_.visit([this]<class Traits>(Simulation_2<Traits>& s) {
+      motion_log_ = std::make_unique<Motion_log_writer<Traits>>(
+          outputs_.stream(Output::motions), s.triangulation(), s.options().radius);
+      s.add_observer(*motion_log_);
+    });
   }
   if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_, statistics_.until);
   answers_ = follow_answers(outputs_, asked_, simulation_, source_);
@@ -309,7 +320,9 @@ bool Simulation_run::go_to(double end) {
     }
     executed_ += events;
     jammed_ = is_jammed();
-    if (log_ && !outputs_.stream(Output::events)) outputs_.finish(Output::events);
+    for (const Output log : {Output::events, Output::motions}) {
+      if (outputs_.has(log) && !outputs_.stream(log)) outputs_.finish(log);
+    }
     if (progress_.due()) progress_.show(time(), number_of_events());
     // Recomputing all certificates exactly is left to the audits at the two ends: it would take
     // nearly all the time of the run.
@@ -386,8 +399,8 @@ void Simulation_run::write_outputs() {
     Output output;
     void (Simulation_run::*write)(std::ostream&);
   };
-  // The plot and the statistics say how long writing the others took. The edges at the start and
-  // the events have been written before.
+  // The plot and the statistics say how long writing the others took. The edges at the start, the
+  // events and the motions have been written before.
   constexpr std::array<Writer, 6> writers = {{{Output::edges, &Simulation_run::write_edges_now},
                                               {Output::ids, &Simulation_run::write_ids},
                                               {Output::checkpoint, &Simulation_run::write_state},

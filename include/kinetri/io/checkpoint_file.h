@@ -21,7 +21,8 @@ namespace kinetri {
 
 /// A file that belongs to a checkpoint: what a run has written before it was broken off.
 struct Checkpoint_log {
-  std::string output;  ///< what it holds: the program has events, initial-edges and edges
+  /// What it holds: the program has events, motions, initial-edges and edges.
+  std::string output;
   std::string path;    ///< from the checkpoint's directory if it is below that, else from the root
   std::uint64_t bytes = 0;  ///< its size
   std::uint32_t crc32 = 0;  ///< its checksum, the CRC-32 of zlib

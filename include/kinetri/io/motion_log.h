@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The motion log: the motion of each point at the start, and each change of it. With the event log
+// it tells all that happened in a run. docs/PROGRAM.md, section "Motions", says what its rows mean
+// and exactly how a motion goes on after a contact.
+#ifndef KINETRI_IO_MOTION_LOG_H
+#define KINETRI_IO_MOTION_LOG_H
+
+#include <array>
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+
+#include "kinetri/events/event.h"
+#include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+/// An observer that writes the motion which a point has from an event on as one line:
+///
+///   event,id,x,y,vx,vy,ax,ay,jx,jy,radius,growth,epoch
+///
+/// `event` is the number of the event; it is empty in the lines of the points at the start. The
+/// other numbers are those of the motion, with the fewest digits that read back exactly; 0 where
+/// the kind of motion has none. All of them are empty where the event erases the point. A collision
+/// that leaves a point its motion has no line for it.
+///
+/// Errors are those of the stream. Cost: O(1) for each line.
+template <class Traits = Linear_kinetic_traits_2>
+class Motion_log_writer : public Event_observer {
+ public:
+  using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
+  using Motion = typename Traits::Motion;                 ///< of the traits
+
+  /// Writes the header line and the motions that there are now. `radius` is that of all points
+  /// whose motions have none (Simulation_options::radius). `out` and `triangulation` must outlive
+  /// this object. Add it as an observer of the triangulation, or of the simulation that owns it.
+  /// Preconditions: no motion has a weight besides its radius, now or later; the triangulation is
+  /// not reversed while it is observed.
+  Motion_log_writer(std::ostream& out, const Triangulation& triangulation, double radius = 0);
+
+  /// Notes the motions that a collision may change.
+  void before_event(const Event& event) override;
+
+  /// Writes the lines of the event, if there are any.
+  void after_event(const Event& event) override;
+
+ private:
+  std::optional<Motion> motion_now(Point_id id) const;
+  void write(std::optional<std::uint64_t> event, Point_id id, const std::optional<Motion>& motion);
+
+  std::ostream& out_;
+  const Triangulation& triangulation_;
+  double radius_;
+  std::array<std::optional<Motion>, 2> before_collision_;  // of point_a and of point_b
+};
+
+extern template class Motion_log_writer<Linear_kinetic_traits_2>;
+extern template class Motion_log_writer<Polynomial_kinetic_traits_2>;
+extern template class Motion_log_writer<Disc_kinetic_traits_2>;
+extern template class Motion_log_writer<Polynomial_disc_kinetic_traits_2>;
+
+}  // namespace kinetri
+
+#endif  // KINETRI_IO_MOTION_LOG_H
