@@ -12,6 +12,7 @@
 // edge     the ids of the ends of an edge whose certificate is shown
 // theme    light or dark
 // list     on or off: the list of events
+// draw     webgl or canvas: how the picture is drawn; without it, by the faster one
 'use strict';
 
 /** Follows the fragment of an address. Returns messages about the parts that cannot be followed. */
@@ -69,6 +70,12 @@ const ADDRESS_WORDS = {
     if (element('events').hidden === (value === 'on')) viewer.toggleList();
     return true;
   },
+
+  draw(viewer, value) {
+    const isDone = (value === 'webgl' || value === 'canvas') && viewer.stage.choose(value);
+    viewer.requestFrame();
+    return isDone;
+  },
 };
 
 const EXPECTED_VALUES = {
@@ -79,6 +86,7 @@ const EXPECTED_VALUES = {
   edge: () => 'the ids of two points that an edge joins at that time, as in 4-17',
   theme: () => 'light or dark',
   list: () => 'on or off',
+  draw: () => 'webgl, where the browser has it, or canvas',
 };
 
 const switchIds = (recording) => switchesOf(recording).map(({id}) => id);

@@ -7,6 +7,8 @@
 const OUTLIERS = 0.02;       // share of the coordinates at each end that may be outside the picture
 const TIMES_IN_MOTION = 8;   // at which an accelerated motion is sampled
 const TIMES_IN_RUN = 32;     // at which all points are sampled, where the camera follows them
+const MOST_SORTED = 20000;   // numbers; of more, a part that is spread evenly stands for all
+const MOST_FOLLOWED = 4000;  // points whose places are looked at in a sample
 const MOST_GROWTH = 1.5;     // of the extent during a run for which one extent is used
 
 /** The extent at a time: one for the whole run, unless the points spread much. */
@@ -31,17 +33,21 @@ class Extents {
     const {recording, whole} = this;
     const {from, until, points} = recording;
     const playback = new Playback(recording);
-    const xs = new Float64Array(points), ys = new Float64Array(points);
-    const rs = new Float64Array(points), ws = new Float64Array(points);
+    const step = Math.ceil(points / MOST_FOLLOWED);
     const samples = [];
     let least = Infinity;
     for (let i = 0; i <= TIMES_IN_RUN; ++i) {
       playback.goTo(from + (until - from) * i / TIMES_IN_RUN);
-      placePoints(playback, playback.time, xs, ys);
-      sizePoints(playback, playback.time, rs, ws);
-      const isThere = (place) => !Number.isNaN(place);
-      const extent = extentOf(xs.filter(isThere), ys.filter(isThere),
-                              rs.reduce((a, b) => Math.max(a, b), 0));
+      const xs = [], ys = [];
+      let radius = 0;
+      for (let point = 0; point < points; point += step) {
+        const motion = playback.current[point];
+        if (motion < 0 || !recording.motionThere[motion]) continue;
+        xs.push(motionX(recording, motion, playback.time));
+        ys.push(motionY(recording, motion, playback.time));
+        radius = Math.max(radius, motionRadius(recording, motion, playback.time));
+      }
+      const extent = extentOf(xs, ys, radius);
       samples.push(extent);
       least = Math.min(least, Math.max(extent[2] - extent[0], extent[3] - extent[1]));
     }
@@ -58,12 +64,12 @@ function wholeExtent(recording) {
     const [left, bottom, right, top] = recording.box;
     return extentOf([left, right], [bottom, top], 0);
   }
-  const xs = [], ys = [];
+  const xs = new Numbers(Float64Array), ys = new Numbers(Float64Array);
   let radius = recording.radius;
   for (let i = 0; i < recording.motions; ++i) {
     radius = Math.max(radius, sampleMotion(recording, i, xs, ys));
   }
-  return extentOf(xs, ys, radius);
+  return extentOf(xs.finish(), ys.finish(), radius);
 }
 
 /** Of most of the places, with discs of the radius. */
@@ -104,9 +110,16 @@ function sampleMotion(recording, motion, xs, ys) {
 /** [least, greatest] of most of the numbers, with some room. */
 function mostOf(numbers) {
   if (numbers.length === 0) return [-1, 1];
-  const sorted = Float64Array.from(numbers).sort();
+  const step = Math.ceil(numbers.length / MOST_SORTED);
+  const sorted = Float64Array.from({length: Math.ceil(numbers.length / step)},
+                                   (_, i) => numbers[step * i]).sort();
+  let least = Infinity, greatest = -Infinity;
+  for (let i = 0; i < numbers.length; ++i) {
+    if (numbers[i] < least) least = numbers[i];
+    if (numbers[i] > greatest) greatest = numbers[i];
+  }
   const last = sorted.length - 1;
   const low = sorted[Math.floor(OUTLIERS * last)], high = sorted[Math.ceil((1 - OUTLIERS) * last)];
   const room = 0.25 * (high - low);
-  return [Math.max(sorted[0], low - room), Math.min(sorted[last], high + room)];
+  return [Math.max(least, low - room), Math.min(greatest, high + room)];
 }

@@ -4,12 +4,16 @@
 // discs dashed. Its overlays are in overlays.js.
 'use strict';
 
+const TO_LEFT = 1, TO_RIGHT = 2, ABOVE = 4, BELOW = 8, ANY_SIDE = 15, FAR = 16;
+
 class FlatView extends View {
   constructor(viewer) {
     super(viewer);
     this.extents = new Extents(viewer.recording);
     this.camera = new Camera(this.extents.at(viewer.playback.time));
+    this.detail = new Detail();
     this.sw = new Float64Array(viewer.recording.points);  // weights, in squared pixels
+    this.sides = new Uint8Array(viewer.recording.points);  // on which the points are of the picture
   }
 
   resize(width, height) {
@@ -18,140 +22,137 @@ class FlatView extends View {
     this.camera.resize(width, height);
   }
 
-  draw(context) {
-    const {viewer, camera} = this;
-    const {switches, recording} = viewer;
+  /** Computes where the points are on the screen. */
+  project() {
+    const {viewer, camera, sx, sy, sw} = this;
+    const {x, y, w} = viewer;
     camera.follow(this.extents.at(viewer.playback.time));
-    for (let point = 0; point < recording.points; ++point) {
-      this.sx[point] = camera.screenX(viewer.x[point]);
-      this.sy[point] = camera.screenY(viewer.y[point]);
-      this.sw[point] = viewer.w[point] * camera.scale * camera.scale;
+    const {scale} = camera;
+    const left = camera.width / 2 - camera.x * scale, top = camera.height / 2 + camera.y * scale;
+    const {width, height, sides} = this;
+    let inView = 0;
+    for (let point = 0; point < sx.length; ++point) {
+      const px = sx[point] = x[point] * scale + left, py = sy[point] = top - y[point] * scale;
+      let side = 0;
+      if (!(px >= 0)) side = px < -width ? TO_LEFT | FAR : TO_LEFT;
+      else if (px > width) side = px > 2 * width ? TO_RIGHT | FAR : TO_RIGHT;
+      if (!(py >= 0)) side |= py < -height ? ABOVE | FAR : ABOVE;
+      else if (py > height) side |= py > 2 * height ? BELOW | FAR : BELOW;
+      if (side === 0) ++inView;
+      sides[point] = side;
     }
-    if (recording.box !== null) this.drawBox(context);
-    if (recording.points === 0) this.sayEmpty(context);
-    if (switches.discs && hasDiscs(recording)) this.drawAllDiscs(context);
-    if (switches.trails) drawTrails(context, this);
-    if (switches.delaunay) this.drawEdges(context);
-    if (switches.voronoi) drawVoronoi(context, this);
-    if (switches.hull) this.drawHull(context);
-    if (switches.circle) drawCircumcircle(context, this);
-    if (viewer.selected >= 0) drawSelection(context, this);
-    drawEventsAround(context, this);
-    this.drawPoints(context);
-    if (switches.ids) this.drawIds(context);
-    if (viewer.hoverPoint >= 0) this.drawHover(context, viewer.hoverPoint);
+    if (viewer.recording.motionSizes !== null) {
+      for (let point = 0; point < sw.length; ++point) sw[point] = w[point] * scale * scale;
+    }
+    this.detail.measure(this, inView);
   }
 
-  sayEmpty(context) {
-    context.fillStyle = this.viewer.colors.quiet;
-    context.font = '15px system-ui, sans-serif';
-    context.textAlign = 'center';
-    context.fillText('There are no points in this run.', this.width / 2, this.height / 2);
+  draw(painter) {
+    const {viewer} = this;
+    const {switches, recording} = viewer;
+    this.project();
+    if (recording.box !== null) this.drawBox(painter);
+    if (recording.points === 0) this.sayEmpty(painter);
+    if (switches.discs && hasDiscs(recording)) this.drawAllDiscs(painter);
+    if (switches.trails) drawTrails(painter, this);
+    if (switches.delaunay) this.drawEdges(painter);
+    if (switches.voronoi) drawVoronoi(painter, this);
+    if (switches.hull) this.drawHull(painter);
+    if (switches.circle) drawCircumcircle(painter, this);
+    if (viewer.selected >= 0) drawSelection(painter, this);
+    drawEventsAround(painter, this);
+    this.drawPoints(painter);
+    if (switches.ids) this.drawIds(painter);
+    if (viewer.hoverPoint >= 0) this.drawRing(painter, viewer.hoverPoint, 4, viewer.colors.selected);
   }
 
-  drawBox(context) {
+  sayEmpty(painter) {
+    painter.text('There are no points in this run.', this.width / 2, this.height / 2,
+                 {color: this.viewer.colors.quiet, font: '15px system-ui, sans-serif', align: 'center'});
+  }
+
+  drawBox(painter) {
     const [left, bottom, right, top] = this.viewer.recording.box;
-    const x = this.camera.screenX(left), y = this.camera.screenY(top);
-    context.strokeStyle = this.viewer.colors.box;
-    context.lineWidth = 2;
-    context.strokeRect(x, y, this.camera.screenX(right) - x, this.camera.screenY(bottom) - y);
+    const x0 = this.camera.screenX(left), x1 = this.camera.screenX(right);
+    const y0 = this.camera.screenY(top), y1 = this.camera.screenY(bottom);
+    const batch = this.lineBatch.clear();
+    this.addSegment(batch, x0, y0, x1, y0);
+    this.addSegment(batch, x1, y0, x1, y1);
+    this.addSegment(batch, x1, y1, x0, y1);
+    this.addSegment(batch, x0, y1, x0, y0);
+    painter.lines(batch, {color: this.viewer.colors.box, width: 2, cap: 'round'});
   }
 
-  drawAllDiscs(context) {
+  drawAllDiscs(painter) {
     const {colors} = this.viewer;
-    this.traceDiscs(context, 0);
-    context.fillStyle = colors.discFill;
-    context.fill();
-    context.strokeStyle = colors.disc;
-    context.lineWidth = 1.25;
-    context.stroke();
-    this.traceDiscs(context, 1);
-    context.strokeStyle = colors.quiet;
-    context.setLineDash([4, 3]);
-    context.stroke();
-    context.setLineDash([]);
+    painter.circles(this.discs(0), {fill: colors.discFill, stroke: colors.disc, width: this.detail.lineWidth()});
+    painter.circles(this.discs(1), {stroke: colors.quiet, width: 1.25, dash: [4, 3]});
   }
 
-  /** Makes a path of the discs of the points that are hidden, or of the others. */
-  traceDiscs(context, isHidden) {
+  /** The discs of the points that are hidden, or of the others. */
+  discs(isHidden) {
     const {sx, sy} = this;
     const {r, hidden} = this.viewer;
-    context.beginPath();
+    const batch = this.circleBatch.clear();
     for (let point = 0; point < sx.length; ++point) {
       const radius = r[point] * this.camera.scale;
       if (hidden[point] !== isHidden || !this.isSeen(sx[point], sy[point], radius)) continue;
-      context.moveTo(sx[point] + radius, sy[point]);
-      context.arc(sx[point], sy[point], radius, 0, 2 * Math.PI);
+      batch.circle(sx[point], sy[point], radius);
     }
+    return batch;
   }
 
-  drawEdges(context) {
+  drawEdges(painter) {
     const {sx, sy} = this;
     const {playback, recording, colors, switches} = this.viewer;
-    context.beginPath();
-    for (let i = 0; i < playback.liveCount; ++i) {
-      const a = recording.edgeA[playback.live[i]], b = recording.edgeB[playback.live[i]];
-      context.moveTo(sx[a], sy[a]);
-      context.lineTo(sx[b], sy[b]);
+    const alpha = this.detail.edgeStrength(switches.voronoi);
+    if (alpha === 0) return;
+    const {live, liveCount} = playback, {edgeA, edgeB} = recording;
+    const {sides} = this;
+    const batch = this.lineBatch.clear();
+    for (let i = 0; i < liveCount; ++i) {
+      const edge = live[i], a = edgeA[edge], b = edgeB[edge];
+      if ((sides[a] & sides[b] & ANY_SIDE) !== 0) continue;  // both on one side of the picture
+      if (((sides[a] | sides[b]) & FAR) !== 0) this.addSegment(batch, sx[a], sy[a], sx[b], sy[b]);
+      else batch.line(sx[a], sy[a], sx[b], sy[b]);
     }
-    context.strokeStyle = switches.voronoi ? colors.edgeBehind : colors.edge;
-    context.lineWidth = this.lineWidth();
-    context.stroke();
+    painter.lines(batch, {color: switches.voronoi ? colors.edgeBehind : colors.edge, alpha,
+                          width: this.detail.lineWidth()});
   }
 
-  /** Thin where there are many edges in little room. */
-  lineWidth() {
-    const {playback} = this.viewer;
-    const room = Math.sqrt(this.camera.width * this.camera.height / (playback.liveCount + 1));
-    return Math.min(1.4, Math.max(0.7, room * this.camera.scale / this.camera.fitScale / 14));
-  }
-
-  drawHull(context) {
-    const {sx, sy} = this;
-    const {recording, playback} = this.viewer;
+  drawHull(painter) {
+    const {playback, colors} = this.viewer;
     const {left, right} = playback.triangles;
-    context.beginPath();
+    const batch = this.lineBatch.clear();
     for (let i = 0; i < playback.liveCount; ++i) {
-      const edge = playback.live[i], a = recording.edgeA[edge], b = recording.edgeB[edge];
-      if (left[edge] >= 0 && right[edge] >= 0) continue;
-      context.moveTo(sx[a], sy[a]);
-      context.lineTo(sx[b], sy[b]);
+      const edge = playback.live[i];
+      if (left[edge] < 0 || right[edge] < 0) this.addEdge(batch, edge);
     }
-    context.strokeStyle = this.viewer.colors.hull;
-    context.lineWidth = 2;
-    context.stroke();
+    painter.lines(batch, {color: colors.hull, width: 2, cap: 'round'});
   }
 
   pointRadius() {
-    const {width, height, scale, fitScale} = this.camera;
-    const room = Math.sqrt(width * height / (this.sx.length + 1)) * scale / fitScale;
-    return Math.min(4.5, Math.max(1.6, room / 9));
+    return this.detail.dotRadius();
   }
 
-  drawPoints(context) {
-    const {colors} = this.viewer;
-    this.tracePoints(context, 0);
-    context.fillStyle = colors.point;
-    context.fill();
-    this.tracePoints(context, 1);
-    context.fillStyle = colors.background;
-    context.fill();
-    context.strokeStyle = colors.quiet;
-    context.lineWidth = 1.25;
-    context.stroke();
+  drawPoints(painter) {
+    const {colors, recording} = this.viewer;
+    painter.circles(this.dots(0), {fill: colors.point, alpha: this.detail.dotStrength()});
+    if (recording.motionSizes === null) return;
+    painter.circles(this.dots(1), {fill: colors.background, stroke: colors.quiet, width: 1.25});
   }
 
-  /** Makes a path of the dots of the points that are hidden, or of the others. */
-  tracePoints(context, isHidden) {
+  /** The dots of the points that are hidden, or of the others. */
+  dots(isHidden) {
     const {sx, sy} = this;
     const {hidden} = this.viewer;
     const radius = this.pointRadius();
-    context.beginPath();
+    const batch = this.circleBatch.clear();
     for (let point = 0; point < sx.length; ++point) {
       if (hidden[point] !== isHidden || !this.isSeen(sx[point], sy[point], radius)) continue;
-      context.moveTo(sx[point] + radius, sy[point]);
-      context.arc(sx[point], sy[point], radius, 0, 2 * Math.PI);
+      batch.circle(sx[point], sy[point], radius);
     }
+    return batch;
   }
 
   zoom(factor, x, y) {

@@ -7,6 +7,7 @@
  * The object for the console:
  *
  *   time, event        the time shown, and the number of rows executed
+ *   span               [from, until], the times that the recording covers
  *   counts             {points, rows, instants, edges}; edges: how many are there now
  *   edges()            the edges, [a, b] with a < b, sorted
  *   triangles()        the triangles, [a, b, c] counterclockwise, a the least id, sorted
@@ -17,6 +18,8 @@
  *   stepForward()      to just after the next instant; false if there is none
  *   stepBackward()     to just after the previous instant, or to the start; false at the start
  *   screen(x, y)       the position on the page of a point of the plane, in CSS pixels (flat view)
+ *   pan(dx, dy)        moves the picture, in CSS pixels
+ *   zoom(factor)       zooms about the middle
  *   drawNow()          draws now; returns how many milliseconds that took
  */
 function consoleObject(viewer) {
@@ -24,6 +27,7 @@ function consoleObject(viewer) {
   return Object.freeze({
     get time() { return playback.time; },
     get event() { return playback.event; },
+    get span() { return [recording.from, recording.until]; },
     get counts() {
       const {points, rows, instants} = recording;
       return {points, rows, instants, edges: playback.liveCount};
@@ -65,6 +69,11 @@ function consoleObject(viewer) {
       const {camera} = viewer.flatView;
       return [left + camera.screenX(x), top + camera.screenY(y)];
     },
+    pan(dx, dy) {
+      viewer.view.drag(dx, dy, true);
+      viewer.requestFrame();
+    },
+    zoom: (factor) => viewer.zoom(factor),
     drawNow() {
       const start = performance.now();
       viewer.draw();

@@ -9,32 +9,28 @@ const TRAIL_STEPS = 4;             // in a part of the trail of an accelerated p
 const MOST_EVENTS_SHOWN = 24;      // before and after the time shown, besides those at it
 const CENTER = {x: 0, y: 0};
 const ENDS = new Float64Array(4);
-const CLIP_MARGIN = 4;
+const REMOVED_DASH = [7, 5], GONE_DASH = [3, 6], QUADRILATERAL_DASH = [2, 4];
 
 /** The recent path of each point, with its turns. */
-function drawTrails(context, view) {
+function drawTrails(painter, view) {
   const {viewer} = view;
-  const {recording, playback} = viewer;
+  const {recording, playback, colors} = viewer;
   const length = viewer.trailLength() / TRAIL_PARTS;
-  context.strokeStyle = viewer.colors.trail;
-  context.lineWidth = 2.2;
-  context.lineJoin = 'round';
   for (let part = 0; part < TRAIL_PARTS; ++part) {
     const end = playback.time - part * length;
     if (end <= recording.from) break;
     const begin = Math.max(end - length, recording.from);
-    context.globalAlpha = 0.95 * (1 - part / TRAIL_PARTS);
-    context.beginPath();
+    const batch = view.lineBatch.clear();
     for (let point = 0; point < recording.points; ++point) {
-      traceMotion(context, view, playback.current[point], begin, end);
+      addPath(batch, view, playback.current[point], begin, end);
     }
-    context.stroke();
+    painter.lines(batch, {color: colors.trail, width: 2.2, cap: 'round',
+                          alpha: 0.95 * (1 - part / TRAIL_PARTS)});
   }
-  context.globalAlpha = 1;
 }
 
 /** Adds the path from `end` back to `begin` of a point whose present motion is given. */
-function traceMotion(context, view, motion, begin, end) {
+function addPath(batch, view, motion, begin, end) {
   const {recording} = view.viewer;
   const {camera} = view;
   const steps = recording.degree === 1 ? 1 : TRAIL_STEPS;
@@ -44,12 +40,15 @@ function traceMotion(context, view, motion, begin, end) {
     if (start >= end) continue;
     const first = Math.max(start, begin);
     if (recording.motionThere[motion]) {
-      context.moveTo(camera.screenX(motionX(recording, motion, end)),
-                     camera.screenY(motionY(recording, motion, end)));
+      let x = camera.screenX(motionX(recording, motion, end));
+      let y = camera.screenY(motionY(recording, motion, end));
       for (let step = 1; step <= steps; ++step) {
         const time = end + (first - end) * step / steps;
-        context.lineTo(camera.screenX(motionX(recording, motion, time)),
-                       camera.screenY(motionY(recording, motion, time)));
+        const nextX = camera.screenX(motionX(recording, motion, time));
+        const nextY = camera.screenY(motionY(recording, motion, time));
+        view.addSegment(batch, x, y, nextX, nextY);
+        x = nextX;
+        y = nextY;
       }
     }
     if (start <= begin) return;
@@ -59,46 +58,46 @@ function traceMotion(context, view, motion, begin, end) {
 
 /** The edge of the diagram for each edge: between the centres of its two triangles, or a ray from
  * the centre of its only triangle. */
-function drawVoronoi(context, view) {
-  const {playback, recording, colors} = view.viewer;
-  const {width, height} = view.camera;
-  const far = 4 * (width + height);
-  context.beginPath();
+function drawVoronoi(painter, view) {
+  const alpha = view.detail.edgeStrength();
+  if (alpha === 0) return;
+  const {playback, colors} = view.viewer;
+  const batch = view.lineBatch.clear();
   for (let i = 0; i < playback.liveCount; ++i) {
-    setVoronoiEnds(view, playback.live[i], far);
-    if (!clipSegment(ENDS, width, height, CLIP_MARGIN)) continue;
-    context.moveTo(ENDS[0], ENDS[1]);
-    context.lineTo(ENDS[2], ENDS[3]);
+    setVoronoiEnds(view, playback.live[i]);
+    view.addSegment(batch, ENDS[0], ENDS[1], ENDS[2], ENDS[3]);
   }
-  context.strokeStyle = colors.voronoi;
-  context.lineWidth = 1.6;
-  context.stroke();
+  painter.lines(batch, {color: colors.voronoi, alpha, width: view.detail.lineWidth() + 0.2});
 }
 
-function setVoronoiEnds(view, edge, far) {
-  const {sx, sy, sw} = view;
+/** Writes the ends of the diagram's edge to ENDS. A ray ends outside of the picture. */
+function setVoronoiEnds(view, edge) {
+  const {sx, sy, sw, width, height} = view;
   const {playback, recording} = view.viewer;
   const a = recording.edgeA[edge], b = recording.edgeB[edge];
-  const [left, right] = cornersOf(playback, edge);
+  const left = playback.triangles.left[edge], right = playback.triangles.right[edge];
+  const hasLeft = left >= 0 && setCenter(view, a, b, left, 0);
+  const hasRight = right >= 0 && setCenter(view, a, b, right, 2);
+  if (hasLeft && hasRight) return;
   // On the screen y is down, so that the left of ab is at (dy, -dx).
   const dx = sx[b] - sx[a], dy = sy[b] - sy[a], length = Math.hypot(dx, dy);
   // Where the edge of the diagram crosses the line of ab.
   const part = 0.5 + (sw[a] - sw[b]) / (2 * length * length);
   const mx = sx[a] + part * dx, my = sy[a] + part * dy;
-  const hasLeft = left >= 0 && setCenter(view, a, b, left, 0);
-  const hasRight = right >= 0 && setCenter(view, a, b, right, 2);
   const ux = dy / length, uy = -dx / length;
   // A ray begins far from the picture where the centre is, but has to reach across it.
-  const reach = (x, y) => far + Math.hypot(x - mx, y - my);
+  const far = 4 * (width + height);
   if (!hasLeft) {
-    const x = hasRight ? ENDS[2] : mx, y = hasRight ? ENDS[3] : my, r = reach(x, y);
-    ENDS[0] = x + r * ux;
-    ENDS[1] = y + r * uy;
+    const x = hasRight ? ENDS[2] : mx, y = hasRight ? ENDS[3] : my;
+    const reach = far + Math.hypot(x - mx, y - my);
+    ENDS[0] = x + reach * ux;
+    ENDS[1] = y + reach * uy;
   }
   if (!hasRight) {
-    const x = hasLeft ? ENDS[0] : mx, y = hasLeft ? ENDS[1] : my, r = reach(x, y);
-    ENDS[2] = x - r * ux;
-    ENDS[3] = y - r * uy;
+    const x = hasLeft ? ENDS[0] : mx, y = hasLeft ? ENDS[1] : my;
+    const reach = far + Math.hypot(x - mx, y - my);
+    ENDS[2] = x - reach * ux;
+    ENDS[3] = y - reach * uy;
   }
 }
 
@@ -112,7 +111,7 @@ function setCenter(view, a, b, c, at) {
 
 /** The triangle under the pointer, and its circumcircle: with weights the circle whose centre has
  * the squared radius as its power to the three, if that is positive. */
-function drawCircumcircle(context, view) {
+function drawCircumcircle(painter, view) {
   const {triangleList, pointer, colors} = view.viewer;
   const {sx, sy, sw} = view;
   if (pointer === null) return;
@@ -121,22 +120,16 @@ function drawCircumcircle(context, view) {
   for (let i = 0; i < 3 * triangles; i += 3) {
     const a = corners[i], b = corners[i + 1], c = corners[i + 2];
     if (!isInTriangle(sx, sy, a, b, c, pointer.x, pointer.y)) continue;
-    context.beginPath();
-    context.moveTo(sx[a], sy[a]);
-    context.lineTo(sx[b], sy[b]);
-    context.lineTo(sx[c], sy[c]);
-    context.closePath();
-    context.fillStyle = colors.circleFill;
-    context.fill();
+    const triangle = view.triangleBatch.clear();
+    triangle.triangle(sx[a], sy[a], sx[b], sy[b], sx[c], sy[c]);
+    painter.triangles(triangle, {color: colors.circleFill});
     powerCenter(CENTER, sx[a], sy[a], sw[a], sx[b], sy[b], sw[b], sx[c], sy[c], sw[c]);
     const dx = sx[a] - CENTER.x, dy = sy[a] - CENTER.y;
     const radius = Math.sqrt(dx * dx + dy * dy - sw[a]);
     if (!(radius < 1e6)) return;  // a line, as far as the picture goes; or not real
-    context.strokeStyle = colors.circle;
-    context.lineWidth = 2.5;
-    context.beginPath();
-    context.arc(CENTER.x, CENTER.y, radius, 0, 2 * Math.PI);
-    context.stroke();
+    const circle = view.circleBatch.clear();
+    circle.circle(CENTER.x, CENTER.y, radius);
+    painter.circles(circle, {stroke: colors.circle, width: 2.5});
     return;
   }
 }
@@ -151,7 +144,7 @@ function isLeft(sx, sy, p, q, x, y) {
 }
 
 /** The edges of the events around the time shown: removed ones dashed, added ones bold. */
-function drawEventsAround(context, view) {
+function drawEventsAround(painter, view) {
   const {playback, recording} = view.viewer;
   const while_ = view.viewer.highlightLength();
   const {time, event} = playback;
@@ -159,73 +152,53 @@ function drawEventsAround(context, view) {
     const since = time - shownTime(recording, row);
     const isPresent = recording.instantEnd[row] === event && since === 0;
     if (!isPresent && !(since < while_ && row >= event - MOST_EVENTS_SHOWN)) break;
-    drawEvent(context, view, row, isPresent ? 1 : 1 - since / while_);
+    drawEvent(painter, view, row, isPresent ? 1 : 1 - since / while_);
   }
   for (let row = event; row < Math.min(event + MOST_EVENTS_SHOWN, recording.rows); ++row) {
     const ahead = recording.rowTime[row] - time;
     if (!(ahead < while_)) break;
-    drawEvent(context, view, row, 0.8 * (1 - ahead / while_), true);
+    drawEvent(painter, view, row, 0.8 * (1 - ahead / while_), true);
   }
 }
 
-function drawEvent(context, view, row, strength, isAhead = false) {
+function drawEvent(painter, view, row, strength, isAhead = false) {
   const {recording, colors} = view.viewer;
-  context.globalAlpha = Math.max(strength, 0);
-  context.lineCap = 'round';
-  strokeEdge(context, view, recording.rowRemoved[row], colors.removed, 2.5, [7, 5]);
-  if (!isAhead) {
-    strokeEdge(context, view, recording.rowAdded[row], colors.added, 4, []);
-    for (const point of [recording.rowA[row], recording.rowB[row]]) {
-      if (point < 0) continue;
-      context.strokeStyle = colors.added;
-      context.lineWidth = 2.5;
-      context.beginPath();
-      context.arc(view.sx[point], view.sy[point], view.pointRadius() + 5, 0, 2 * Math.PI);
-      context.stroke();
-    }
+  const alpha = Math.max(strength, 0);
+  strokeEdge(painter, view, recording.rowRemoved[row],
+             {color: colors.removed, width: 2.5, dash: REMOVED_DASH, cap: 'round', alpha});
+  if (isAhead) return;
+  strokeEdge(painter, view, recording.rowAdded[row],
+             {color: colors.added, width: 4, cap: 'round', alpha});
+  for (const point of [recording.rowA[row], recording.rowB[row]]) {
+    if (point >= 0) view.drawRing(painter, point, 5, colors.added, 2.5, alpha);
   }
-  context.setLineDash([]);
-  context.lineCap = 'butt';
-  context.globalAlpha = 1;
 }
 
-function strokeEdge(context, view, edge, color, width, dashes) {
+function strokeEdge(painter, view, edge, style) {
   if (edge < 0) return;
-  const {recording} = view.viewer;
-  const a = recording.edgeA[edge], b = recording.edgeB[edge];
-  context.strokeStyle = color;
-  context.lineWidth = width;
-  context.setLineDash(dashes);
-  context.beginPath();
-  context.moveTo(view.sx[a], view.sy[a]);
-  context.lineTo(view.sx[b], view.sy[b]);
-  context.stroke();
+  const batch = view.lineBatch.clear();
+  view.addEdge(batch, edge);
+  painter.lines(batch, style);
 }
 
 /** The selected edge and its quadrilateral. */
-function drawSelection(context, view) {
+function drawSelection(painter, view) {
   const {viewer, sx, sy} = view;
   const {certificate, colors, selected} = viewer;
   if (certificate !== null) {
     const {a, b, left, right} = certificate;
-    context.beginPath();
+    const triangles = view.triangleBatch.clear(), sides = view.lineBatch.clear();
     for (const c of [left, right]) {
       if (c < 0) continue;
-      context.moveTo(sx[a], sy[a]);
-      context.lineTo(sx[c], sy[c]);
-      context.lineTo(sx[b], sy[b]);
-      context.closePath();
+      triangles.triangle(sx[a], sy[a], sx[c], sy[c], sx[b], sy[b]);
+      view.addSegment(sides, sx[a], sy[a], sx[c], sy[c]);
+      view.addSegment(sides, sx[c], sy[c], sx[b], sy[b]);
     }
-    context.fillStyle = colors.selectedFill;
-    context.fill();
-    context.strokeStyle = colors.selected;
-    context.lineWidth = 1.5;
-    context.setLineDash([2, 4]);
-    context.stroke();
-    context.setLineDash([]);
+    painter.triangles(triangles, {color: colors.selectedFill});
+    painter.lines(sides, {color: colors.selected, width: 1.5, dash: QUADRILATERAL_DASH});
   }
   const isThere = viewer.playback.where[selected] >= 0;
-  strokeEdge(context, view, selected, colors.background, 7, []);
-  strokeEdge(context, view, selected, colors.selected, 4, isThere ? [] : [3, 6]);
-  context.setLineDash([]);
+  strokeEdge(painter, view, selected, {color: colors.background, width: 7});
+  strokeEdge(painter, view, selected,
+             {color: colors.selected, width: 4, dash: isThere ? NO_DASH : GONE_DASH});
 }

@@ -5,73 +5,8 @@
 // number here, so that executing an event needs no look-up.
 'use strict';
 
-/** The recording cannot be played; the message says why. */
-class RecordingError extends Error {}
-
-function demand(condition, what) {
-  if (!condition) throw new RecordingError(what);
-}
-
-/** The numbers of type 'Uint8', 'Uint16', 'Uint32' or 'Float64' in the base64 text. */
-function decodeNumbers(text, type, what) {
-  demand(typeof text === 'string', `${what} is not there`);
-  let bytes;
-  try {
-    bytes = atob(text);
-  } catch {
-    throw new RecordingError(`${what} is not base64`);
-  }
-  const size = {Uint8: 1, Uint16: 2, Uint32: 4, Float64: 8}[type];
-  demand(bytes.length % size === 0, `${what} ends within a number`);
-  const view = new DataView(new ArrayBuffer(bytes.length));
-  for (let i = 0; i < bytes.length; ++i) view.setUint8(i, bytes.charCodeAt(i));
-  const Numbers = {Uint8: Uint8Array, Uint16: Uint16Array, Uint32: Uint32Array,
-                   Float64: Float64Array}[type];
-  const numbers = new Numbers(bytes.length / size);
-  const get = view[`get${type}`].bind(view);
-  for (let i = 0; i < numbers.length; ++i) numbers[i] = get(size * i, true);
-  return numbers;
-}
-
-const DOUBLE_BITS = new BigInt64Array(1);
-const DOUBLE_VALUE = new Float64Array(DOUBLE_BITS.buffer);
-
-/** The next binary64 number above (direction 1) or below (-1) the finite number x. */
-function neighborDouble(x, direction) {
-  if (x === 0) return direction * Number.MIN_VALUE;
-  DOUBLE_VALUE[0] = x;
-  DOUBLE_BITS[0] += (x > 0) === (direction > 0) ? 1n : -1n;
-  return DOUBLE_VALUE[0];
-}
-
 const FIELD_REMOVED = 1, FIELD_ADDED = 2, FIELD_POINT_A = 4, FIELD_POINT_B = 8;
 const FIELD_ABOVE = 16, FIELD_BELOW = 32;
-
-/** Gives numbers to pairs of points, in the order in which the pairs occur. */
-class EdgeNumbers {
-  constructor(points) {
-    this.points = points;
-    this.numbers = new Map();
-    this.a = [];
-    this.b = [];
-  }
-
-  number(a, b, what) {
-    demand(a < this.points && b < this.points, `${what} names the point ${Math.max(a, b)}, but ` +
-           `the ids end with ${this.points - 1}`);
-    demand(a !== b, `${what} has an edge from point ${a} to itself`);
-    const low = Math.min(a, b), high = Math.max(a, b);
-    const key = low * this.points + high;
-    let number = this.numbers.get(key);
-    if (number === undefined) {
-      number = this.a.length;
-      this.numbers.set(key, number);
-      this.a.push(low);
-      this.b.push(high);
-    }
-    return number;
-  }
-}
 
 /**
  * The recording of the JSON text. Throws RecordingError where it is damaged.
@@ -136,17 +71,17 @@ function readRecording(text) {
   const triangles = readTriangles(recording, json.triangles, ids, edges);
   const initial = decodeNumbers(json.initial_edges, ids, 'the list of edges at the start');
   demand(initial.length % 2 === 0, 'the list of edges at the start ends within an edge');
-  const sides = edges.a.length;
+  const sides = edges.count;
   for (let i = 0; i < initial.length; i += 2) {
     edges.number(initial[i], initial[i + 1], 'the list of edges at the start');
   }
-  recording.initialEdges = edges.a.length;
-  demand(2 * (edges.a.length - sides) === initial.length,
+  recording.initialEdges = edges.count;
+  demand(2 * (edges.count - sides) === initial.length,
          'an edge is twice in the list of those at the start');
   readEvents(recording, json.events, ids, edges);
   readMotions(recording, json.motions, ids);
-  recording.edgeA = Uint32Array.from(edges.a);
-  recording.edgeB = Uint32Array.from(edges.b);
+  recording.edgeA = edges.a.finish();
+  recording.edgeB = edges.b.finish();
   findInstants(recording);
   checkEdges(recording);
   findTriangles(recording, triangles, edges);
@@ -185,15 +120,21 @@ function readTriangles(recording, json, ids, edges) {
 class TriangleChanges {
   constructor(edges) {
     this.edges = edges;
-    this.corners = [];
-    this.sides = [];
-    this.isAdded = [];
+    this.corners = new Numbers(Uint32Array);
+    this.sides = new Numbers(Uint32Array);
+    this.isAdded = new Numbers(Uint8Array);
   }
 
   add(a, b, c, isAdded, what) {
-    this.corners.push(a, b, c);
-    for (const [p, q] of [[a, b], [b, c], [c, a]]) this.sides.push(this.edges.number(p, q, what));
+    this.addSide(a, b, what);
+    this.addSide(b, c, what);
+    this.addSide(c, a, what);
     this.isAdded.push(isAdded ? 1 : 0);
+  }
+
+  addSide(p, q, what) {
+    this.corners.push(p);
+    this.sides.push(this.edges.number(p, q, what));
   }
 }
 
@@ -202,21 +143,21 @@ class TriangleChanges {
 function findTriangles(recording, {initial, count, row, removed, added, id}, edges) {
   const {rows, rowKind, kinds} = recording;
   const changes = new TriangleChanges(edges);
-  const edgeCount = edges.a.length;
+  const edgeCount = edges.count;
   recording.rowTriangle = new Uint32Array(rows + 1);
-  recording.triangleCorners = changes.corners;
-  recording.triangleSides = changes.sides;
   const triangles = new Triangles(edgeCount);
   const follow = (first, what) => {
-    demand(edges.a.length === edgeCount,
-           `${what} has a triangle with a side that is never an edge`);
+    demand(edges.count === edgeCount, `${what} has a triangle with a side that is never an edge`);
+    const present = {edgeA: recording.edgeA, triangleCorners: changes.corners.values,
+                     triangleSides: changes.sides.values};
     for (let i = first; i < changes.isAdded.length; ++i) {
-      const isAdded = changes.isAdded[i] === 1;
-      const name = changes.corners.slice(3 * i, 3 * i + 3).join('\u2013');
-      demand(triangles.sidesInUse(recording, i) === (isAdded ? 0 : 3),
-             isAdded ? `${what} adds the triangle ${name}, which overlaps another one` :
-             `${what} removes the triangle ${name}, which is not there then`);
-      triangles.set(recording, i, isAdded);
+      const isAdded = changes.isAdded.values[i] === 1;
+      if (triangles.sidesInUse(present, i) !== (isAdded ? 0 : 3)) {
+        const name = present.triangleCorners.slice(3 * i, 3 * i + 3).join('\u2013');
+        demand(false, isAdded ? `${what} adds the triangle ${name}, which overlaps another one` :
+               `${what} removes the triangle ${name}, which is not there then`);
+      }
+      triangles.set(present, i, isAdded);
     }
   };
   for (let i = 0; i < initial.length; i += 3) {
@@ -239,9 +180,9 @@ function findTriangles(recording, {initial, count, row, removed, added, id}, edg
   }
   demand(group === count, `triangles change with event ${row[group]}, which is not there`);
   recording.rowTriangle[rows] = changes.isAdded.length;
-  recording.triangleCorners = Uint32Array.from(changes.corners);
-  recording.triangleSides = Uint32Array.from(changes.sides);
-  recording.triangleAdded = Uint8Array.from(changes.isAdded);
+  recording.triangleCorners = changes.corners.finish();
+  recording.triangleSides = changes.sides.finish();
+  recording.triangleAdded = changes.isAdded.finish();
 }
 
 /** The triangles of a flip: the two at the removed edge, which go, and the two at the added one. */

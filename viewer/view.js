@@ -4,7 +4,10 @@
 // ids, and which point or edge is at a position on the screen.
 'use strict';
 
-const LABEL_CELL = {width: 26, height: 15};  // pixels; one label each, so that they can be read
+const LABEL_CELL = 6;  // pixels; a label takes the cells that it touches, so that none overlap
+const LABEL_HEIGHT = 13;
+const LABEL_FONT = '11px system-ui, sans-serif';
+const SEEN_MARGIN = 16;
 
 class View {
   constructor(viewer) {
@@ -13,45 +16,97 @@ class View {
     this.sx = new Float64Array(viewer.recording.points);  // on the screen; NaN: not there
     this.sy = new Float64Array(viewer.recording.points);
     this.labelled = new Uint8Array(0);
+    this.labelWidth = new Float32Array(viewer.recording.points);  // 0: not measured yet
+    // For drawing; each is filled and drawn before the next use.
+    this.lineBatch = new Batch(LINE);
+    this.circleBatch = new Batch(CIRCLE);
+    this.triangleBatch = new Batch(TRIANGLE);
   }
 
-  drawIds(context) {
-    const {sx, sy, width, height} = this;
-    const columns = Math.ceil(width / LABEL_CELL.width) + 1;
-    const cells = columns * (Math.ceil(height / LABEL_CELL.height) + 1);
+  /** Writes the ids of as many points as there is room for, the lesser ids first. */
+  drawIds(painter) {
+    const {sx, sy, width, height, labelWidth} = this;
+    const {colors} = this.viewer;
+    const columns = Math.ceil(width / LABEL_CELL) + 1;
+    const cells = columns * (Math.ceil(height / LABEL_CELL) + 1);
     if (this.labelled.length < cells) this.labelled = new Uint8Array(cells);
     this.labelled.fill(0);
-    context.font = '11px system-ui, sans-serif';
-    context.textAlign = 'left';
-    context.lineWidth = 3;
-    context.strokeStyle = this.viewer.colors.background;
-    context.fillStyle = this.viewer.colors.text;
-    context.lineJoin = 'round';
+    const {context} = this.viewer.stage.canvasPainter;
+    context.font = LABEL_FONT;
+    const style = {color: colors.text, halo: colors.background, font: LABEL_FONT};
     for (let point = 0; point < sx.length; ++point) {
       if (!this.isSeen(sx[point], sy[point], 0)) continue;
-      const cell = columns * Math.floor(sy[point] / LABEL_CELL.height) +
-        Math.floor(sx[point] / LABEL_CELL.width);
-      if (this.labelled[cell]) continue;
-      this.labelled[cell] = 1;
       const name = this.viewer.pointName(point);
-      context.strokeText(name, sx[point] + 6, sy[point] - 5);
-      context.fillText(name, sx[point] + 6, sy[point] - 5);
+      if (labelWidth[point] === 0) labelWidth[point] = context.measureText(name).width + 1;
+      const x = sx[point] + 6, y = sy[point] - 5;
+      if (this.takeRoom(x, y - LABEL_HEIGHT + 3, labelWidth[point], columns)) {
+        painter.text(name, x, y, style);
+      }
     }
   }
 
-  drawHover(context, point) {
-    const radius = this.pointRadius() + 4;
-    context.strokeStyle = this.viewer.colors.selected;
-    context.lineWidth = 2;
-    context.beginPath();
-    context.arc(this.sx[point], this.sy[point], radius, 0, 2 * Math.PI);
-    context.stroke();
+  /** Whether there is room for a label, which is then taken. */
+  takeRoom(x, y, width, columns) {
+    const {labelled} = this;
+    const left = Math.max(Math.floor(x / LABEL_CELL), 0);
+    const right = Math.floor((x + width) / LABEL_CELL);
+    const top = Math.max(Math.floor(y / LABEL_CELL), 0);
+    const bottom = Math.max(Math.floor((y + LABEL_HEIGHT) / LABEL_CELL), top);
+    const last = Math.min(right, columns - 1);
+    for (let row = top; row <= bottom; ++row) {
+      for (let column = left; column <= last; ++column) {
+        if (labelled[columns * row + column] === 1) return false;
+      }
+    }
+    for (let row = top; row <= bottom; ++row) {
+      labelled.fill(1, columns * row + left, columns * row + last + 1);
+    }
+    return true;
+  }
+
+  /** A ring about the dot of a point. */
+  drawRing(painter, point, more, color, width = 2, alpha = 1) {
+    if (Number.isNaN(this.sx[point])) return;
+    const ring = this.circleBatch.clear();
+    ring.circle(this.sx[point], this.sy[point], this.pointRadius() + more);
+    painter.circles(ring, {stroke: color, width, alpha});
   }
 
   /** Whether a disc on the screen is in the picture; false for a point that is not there. */
   isSeen(x, y, radius) {
     return x >= -radius && y >= -radius && x <= this.width + radius &&
       y <= this.height + radius;
+  }
+
+  /** Adds the part of a segment that may be seen. */
+  addSegment(batch, x0, y0, x1, y1, shade = 0) {
+    const {width, height} = this;
+    const right = width + SEEN_MARGIN, bottom = height + SEEN_MARGIN;
+    if (x0 < -SEEN_MARGIN && x1 < -SEEN_MARGIN || x0 > right && x1 > right ||
+        y0 < -SEEN_MARGIN && y1 < -SEEN_MARGIN || y0 > bottom && y1 > bottom) {
+      return;
+    }
+    const isInside = x0 >= -width && x0 <= 2 * width && x1 >= -width && x1 <= 2 * width &&
+      y0 >= -height && y0 <= 2 * height && y1 >= -height && y1 <= 2 * height;
+    if (isInside) {
+      batch.line(x0, y0, x1, y1, shade);
+      return;
+    }
+    // Of a long one numbers of 32 bits would not keep the direction. What is not finite is left out.
+    ENDS[0] = x0;
+    ENDS[1] = y0;
+    ENDS[2] = x1;
+    ENDS[3] = y1;
+    if (clipSegment(ENDS, width, height, SEEN_MARGIN)) {
+      batch.line(ENDS[0], ENDS[1], ENDS[2], ENDS[3], shade);
+    }
+  }
+
+  /** Adds the edge. */
+  addEdge(batch, edge, shade = 0) {
+    const {sx, sy} = this;
+    const a = this.viewer.recording.edgeA[edge], b = this.viewer.recording.edgeB[edge];
+    this.addSegment(batch, sx[a], sy[a], sx[b], sy[b], shade);
   }
 
   pointAt(x, y, reach) {

@@ -39,6 +39,7 @@ class Viewer {
     };
     const span = recording.until - recording.from;
     this.speedStep = span > 0 ? Math.round(3 * Math.log10(span / WHOLE_RUN)) : 0;
+    this.stage = new Stage();
     this.flatView = new FlatView(this);
     this.waveView = recording.wave === null ? null : new WaveView(this);
     this.frameRequested = false;
@@ -208,6 +209,7 @@ class Viewer {
     const {clientWidth, clientHeight} = element('stage');
     this.width = clientWidth;
     this.height = clientHeight;
+    this.stage.resize(clientWidth, clientHeight);
     this.flatView.resize(clientWidth, clientHeight);
     this.waveView?.resize(clientWidth, clientHeight);
     this.list.shownEvent = -1;
@@ -240,14 +242,10 @@ class Viewer {
   }
 
   draw() {
-    const {playback} = this;
-    const context = sizedContext(element('picture'), this.width, this.height);
     this.place();
     this.followSelected();
-    context.fillStyle = this.colors.background;
-    context.fillRect(0, 0, this.width, this.height);
     this.pointerInput.find();
-    this.view.draw(context);
+    this.stage.draw(this.view, this.colors.background);
     this.pointerInput.updateTip();
     this.timeline.update();
     this.list.update();

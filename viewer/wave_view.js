@@ -71,7 +71,13 @@ class WaveView extends View {
     return 2;
   }
 
-  draw(context) {
+  /** Drawn triangle by triangle, by the 2D context itself. */
+  get usesContext() {
+    return true;
+  }
+
+  draw(painter) {
+    const {context} = painter;
     const {triangleList, switches} = this.viewer;
     triangleList.update();
     this.raise();
@@ -79,10 +85,10 @@ class WaveView extends View {
     context.lineJoin = 'round';
     context.lineWidth = 0.8;
     for (let i = 0; i < triangleList.triangles; ++i) this.drawTriangle(context, this.order[i]);
-    if (this.viewer.selected >= 0) drawSelection(context, this);
-    drawEventsAround(context, this);
-    if (switches.ids) this.drawIds(context);
-    if (this.viewer.hoverPoint >= 0) this.drawHover(context, this.viewer.hoverPoint);
+    if (this.viewer.selected >= 0) drawSelection(painter, this);
+    drawEventsAround(painter, this);
+    if (switches.ids) this.drawIds(painter);
+    if (this.viewer.hoverPoint >= 0) this.drawRing(painter, this.viewer.hoverPoint, 4, this.viewer.colors.selected);
   }
 
   /** Computes the heights, and the positions on the screen. */

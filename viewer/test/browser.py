@@ -12,7 +12,8 @@ import time
 import zlib
 
 FLAGS = [
-    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--headless", "--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-quic",
+    "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
     "--remote-debugging-pipe", "--hide-scrollbars", "about:blank",
 ]
@@ -32,14 +33,14 @@ class Browser:
     """One page at a time. `problems` collects its console errors, exceptions, and requests that are not
     for the file itself. Use it as a context manager."""
 
-    def __init__(self, width=1280, height=800, media=()):
+    def __init__(self, width=1280, height=800, media=(), flags=()):
         self.folder = tempfile.TemporaryDirectory(prefix="kinetri-viewer-", ignore_cleanup_errors=True)
         ours_in, self.output = os.pipe()
         self.input, ours_out = os.pipe()
         self.log = open(os.path.join(self.folder.name, "log"), "w+b")
         self.process = subprocess.Popen(
             ["sh", "-c", 'exec "$0" "$@" 3<&' + str(ours_in) + " 4>&" + str(ours_out),
-             executable(), f"--user-data-dir={self.folder.name}/profile", *FLAGS],
+             executable(), f"--user-data-dir={self.folder.name}/profile", *flags, *FLAGS],
             stdin=subprocess.DEVNULL, stdout=self.log, stderr=self.log,
             pass_fds=(ours_in, ours_out), start_new_session=True)
         os.close(ours_in)
@@ -133,7 +134,9 @@ class Browser:
         elif method == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "warning"):
             self.problems.append(f"console: {parameters['args']}")
         elif method == "Log.entryAdded" and parameters["entry"]["level"] in ("error", "warning"):
-            self.problems.append("log: " + parameters["entry"]["text"])
+            # A screenshot of what WebGL has drawn waits for it, which chromium reports.
+            if "GPU stall due to ReadPixels" not in parameters["entry"]["text"]:
+                self.problems.append("log: " + parameters["entry"]["text"])
         elif method == "Network.requestWillBeSent":
             url = parameters["request"]["url"]
             if url != self.url:
@@ -295,6 +298,22 @@ class Picture:
                 color = row[x:x + 3]
                 result[color] = result.get(color, 0) + 1
         return result
+
+    def difference(self, other, least=64):
+        """The share of the pixels in which a colour differs by more than a little, as it does where two
+        ways of drawing smooth edges otherwise. The pictures are of the same size."""
+        width, height, rows, size = decode_png(self.png)
+        _, _, others, other_size = decode_png(other.png)
+        if (len(rows), size) != (len(others), other_size):
+            raise ValueError("the pictures have different sizes")
+        count = 0
+        for row, wanted in zip(rows, others):
+            if row == wanted:
+                continue
+            for x in range(0, len(row), size):
+                if row[x:x + size] != wanted[x:x + size]:
+                    count += any(abs(row[x + k] - wanted[x + k]) > least for k in range(3))
+        return count / (width * height)
 
     def most_frequent(self):
         counts = self.counts()

@@ -197,9 +197,11 @@ class Interface(Page):
             "hide=wave": f"hide: 'wave' is not possible; expected {switches}",
             "edge=0-0": f"edge: '0-0' is not possible; expected {edge}",
             "edge=x": f"edge: 'x' is not possible; expected {edge}",
+            "draw=ink": "draw: 'ink' is not possible; expected webgl, where the browser has it, or canvas",
             "theme=blue&list=maybe": "theme: 'blue' is not possible; expected light or dark, and "
                                      "list: 'maybe' is not possible; expected on or off",
-            "speed=1": "'speed' is unknown; expected t, event, show, hide, edge, theme, list"}
+            "speed=1": "'speed' is unknown; expected t, event, show, hide, edge, theme, list, "
+                       "draw"}
         for wrong, problem in problems.items():
             self.assertEqual(follow(wrong),
                              "The address of this page asks for something that is not possible: "

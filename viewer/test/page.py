@@ -26,10 +26,11 @@ class Page(unittest.TestCase):
     of a class share: to start it takes longer than most of them."""
 
     program = folder = None  # the arguments of viewer_test.py
+    flags = ()  # more of chromium's
 
     @classmethod
     def setUpClass(cls):
-        cls.browser = browser.Browser()
+        cls.browser = browser.Browser(flags=cls.flags)
         cls.addClassCleanup(cls.browser.close)
 
     def setUp(self):

@@ -5,8 +5,7 @@
 usage: viewer_test.py PROGRAM WORK_DIR TEST
 
 TEST is the name of a run (runs.py): its page is opened from its file, played event by event, forward
-and backward, and must show the edges of the program's own logs; or `interface`, `certificate`,
-`small`, `damaged`. Exit code 77 where there is no chromium.
+and backward, and must show the edges of the program's own logs; or one of CASES. Exit code 77 where there is no chromium.
 """
 import pathlib
 import sys
@@ -16,12 +15,15 @@ sys.dont_write_bytecode = True
 import browser  # noqa: E402
 import runs  # noqa: E402
 from certificate import Certificate  # noqa: E402
+from drawing import Drawing, Without_webgl  # noqa: E402
 from interface import Interface  # noqa: E402
 from page import Page  # noqa: E402
 from playing import Playing  # noqa: E402
 from recordings import Damaged, Small  # noqa: E402
 
 SKIPPED = 77
+CASES = {"interface": Interface, "certificate": Certificate, "drawing": Drawing,
+         "without_webgl": Without_webgl, "small": Small, "damaged": Damaged}
 
 
 def main():
@@ -33,8 +35,7 @@ def main():
     name = sys.argv[3]
     Page.program, Page.folder = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
     Playing.name = name
-    case = {"interface": Interface, "certificate": Certificate, "small": Small,
-            "damaged": Damaged}.get(name, Playing)
+    case = CASES.get(name, Playing)
     if case is Playing and name not in runs.RUNS:
         sys.exit(f"no such test: {name}")
     suite = unittest.defaultTestLoader.loadTestsFromTestCase(case)

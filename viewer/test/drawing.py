@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The painters, and what is drawn of many points."""
+import runs
+from page import SWITCHES, Page
+
+LEAST_CHANGE = 0.004  # share of the pixels, where something else is shown
+MOST_NOISE = 0.002    # share of the pixels in which two painters differ
+SCENE = "document.getElementById('scene').hidden"
+BUSY = "show=voronoi,trails,discs&hide=ids"
+
+
+class Drawing(Page):
+    """WebGL, the 2D context, and the level of detail."""
+
+    def open_with(self, page, fragment):
+        self.browser.open(page, fragment)
+        self.assertTrue(self.evaluate("document.getElementById('address-note').hidden"))
+        return self.look(SWITCHES)
+
+    def test_both_painters_show_the_same(self):
+        for name, words in (("sizes", "t=2&show=voronoi,trails,discs&hide=ids"),
+                            ("discs", "t=3&show=trails&hide=ids"), ("uniform", "t=4&event=20")):
+            page = self.run_of(name).page
+            with self.subTest(run=name):
+                canvas = self.open_with(page, f"#{words}&draw=canvas")
+                self.assertTrue(self.evaluate(SCENE))
+                webgl = self.open_with(page, f"#{words}&draw=webgl")
+                self.assertFalse(self.evaluate(SCENE))
+                self.assertLess(canvas.difference(webgl), MOST_NOISE)
+                for switch in ("delaunay", "voronoi" if name == "sizes" else "hull"):
+                    without = self.open_with(page, f"#{words}&draw=webgl&hide={switch}")
+                    self.assertGreater(without.difference(webgl, 24), LEAST_CHANGE, switch)
+
+    def test_the_page_draws_on_when_webgl_is_lost(self):
+        page = self.run_of("uniform").page
+        before = self.open_with(page, "#t=4&draw=webgl")
+        self.evaluate("void document.getElementById('scene').getContext('webgl2')"
+                      ".getExtension('WEBGL_lose_context').loseContext()")
+        self.browser.settle()
+        self.assertTrue(self.evaluate(SCENE))
+        self.evaluate("kinetri.goTo(4)")
+        self.browser.settle()
+        self.assertLess(before.difference(self.look(SWITCHES)), MOST_NOISE)
+        self.browser.problems.clear()  # chromium reports the loss
+
+    def generate(self, points, until):
+        """The page of points in a square."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        csv = self.folder / f"{points}.csv"
+        page = csv.with_suffix(".html")
+        runs.execute(self.program, "generate", "uniform", "--points", points, "--seed", 3, "--output", csv)
+        runs.execute(self.program, "simulate", csv, "--until", until, "--html", page, "--quiet")
+        return page
+
+    def ink(self):
+        """The share of the pixels that are not of the background."""
+        counts = self.look(SWITCHES).counts()
+        return 1 - max(counts.values()) / sum(counts.values())
+
+    def test_many_points(self):
+        """Dots and edges shrink: the picture is no black carpet. Zoomed in, edges are seen."""
+        self.browser.resize(1500, 960)
+        for points, until in ((1000, 1), (20000, 0.2), (100000, 0.02)):
+            with self.subTest(points=points):
+                self.browser.open(self.generate(points, until))
+                self.assertEqual(self.evaluate("kinetri.counts.points"), points)
+                first = self.look(SWITCHES)
+                counts = first.counts()
+                dark = sum(count for color, count in counts.items() if max(color) < 160) / sum(counts.values())
+                self.assertLess(dark, 0.25)
+                self.assertGreater(dark, 0.01)  # the dots
+                self.browser.key("d")
+                has_edges = first.difference(self.look(SWITCHES), 8) > LEAST_CHANGE
+                self.assertEqual(has_edges, points <= 20000)
+                self.browser.key("d")
+                for _ in range(9):
+                    self.browser.key("+")
+                near = self.look(SWITCHES)
+                self.browser.key("d")
+                self.assertGreater(near.difference(self.look(SWITCHES), 24), LEAST_CHANGE)
+                self.evaluate("kinetri.goTo(kinetri.span[1]); kinetri.pan(30, 0)")
+                self.browser.settle()
+                self.assertNotEqual(self.look(SWITCHES), near)
+
+    def test_labels_do_not_overlap(self):
+        """Each label stands on its own: where two overlapped, ids are left out."""
+        self.browser.open(self.generate(1000, 1), "#show=ids")
+        self.evaluate("""void (() => {
+          window.labels = [];
+          const write = CanvasRenderingContext2D.prototype.fillText;
+          CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+            if (this.canvas.id === 'picture') labels.push([text, x, y, this.measureText(text).width]);
+            return write.call(this, text, x, y);
+          };
+        })()""")
+        self.evaluate("kinetri.drawNow()")
+        labels = self.evaluate("labels")
+        self.assertGreater(len(labels), 50)
+        self.assertLess(len(labels), 1000)
+        for i, (text, x, y, width) in enumerate(labels):
+            for other, u, v, other_width in labels[:i]:
+                apart = abs(y - v) >= 11 or x + width <= u or u + other_width <= x
+                self.assertTrue(apart, f"{text} and {other}")
+
+
+class Without_webgl(Page):
+    """A browser that has no WebGL."""
+
+    flags = ("--disable-3d-apis",)
+
+    def test_the_canvas_is_used(self):
+        self.open(self.run_of("uniform").page)
+        self.assertTrue(self.evaluate(SCENE))
+        self.assertGreater(len(self.look(SWITCHES).counts()), 12)
+        self.evaluate("void (location.hash = 'draw=webgl')")
+        self.browser.settle()
+        self.assertIn("draw: 'webgl' is not possible",
+                      self.evaluate("document.getElementById('address-note').textContent"))
+        self.assertGreater(len(self.look(SWITCHES).counts()), 12)
