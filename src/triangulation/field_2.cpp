@@ -211,15 +211,21 @@ requires(!WeightedKineticTraits_2<Traits>) void Kinetic_field_2<Traits>::raster(
   present.round_all();
   const Raster<Traits> raster(present, grid);
   if (interpolation == Interpolation::linear) {
-    std::array<double, 3> at_corners;
-    raster.for_each_corner_weights([&](std::size_t position, const Corner_weights& here) {
-      for (std::size_t channel = 0; channel < channels_; ++channel) {
-        for (std::size_t i = 0; i < 3; ++i) {
-          at_corners[i] = of_points[here.corners[i] * channels_ + channel];
-        }
-        result[position * channels_ + channel] = detail::weighted_mean(at_corners, here.weights);
-      }
-    });
+    std::vector<double> of_corners(3 * channels_);  // by channel
+    raster.for_each_corner_weights(
+        [&](const std::array<Point_id, 3>& corners) {
+          for (std::size_t channel = 0; channel < channels_; ++channel) {
+            for (std::size_t i = 0; i < 3; ++i) {
+              of_corners[3 * channel + i] = of_points[corners[i] * channels_ + channel];
+            }
+          }
+        },
+        [&](std::size_t position, const std::array<double, 3>& weights) {
+          for (std::size_t channel = 0; channel < channels_; ++channel) {
+            result[position * channels_ + channel] =
+                detail::weighted_mean(std::span(of_corners).subspan(3 * channel, 3), weights);
+          }
+        });
   } else {
     Combination<Traits> combination;
     std::vector<double> at_points;
@@ -248,9 +254,13 @@ requires(!WeightedKineticTraits_2<Traits>) void find_corner_weights(
   if (result.empty()) return;
   Present<Traits> present(triangulation);
   present.round_all();
+  std::array<Point_id, 3> of_triangle = {};
   Raster<Traits>(present, grid)
       .for_each_corner_weights(
-          [&](std::size_t position, const Corner_weights& here) { result[position] = here; });
+          [&](const std::array<Point_id, 3>& corners) { of_triangle = corners; },
+          [&](std::size_t position, const std::array<double, 3>& weights) {
+            result[position] = {of_triangle, weights};
+          });
 }
 
 template void find_corner_weights(const Kinetic_triangulation_2<Linear_kinetic_traits_2>&,

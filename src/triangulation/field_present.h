@@ -44,9 +44,10 @@ class Present {
   // Rounds the places of all points, so that most signs need no exact arithmetic.
   void round_all() {
     places_.resize(kinetic_.next_id());
+    balls_.resize(kinetic_.next_id());
     for (const Vertex_handle v : topology().finite_vertex_handles()) {
-      const Vector_2 p = rounded(v);
-      places_[id(v)] = p;
+      const Ball_2& ball = balls_[id(v)] = ball_place(v->point().motion(), time_);
+      const Vector_2 p = places_[id(v)] = rounded(v, ball);
       error_ = std::max(error_, 0x1p-53 * size_of(p));
     }
     error_ += std::numeric_limits<double>::denorm_min();
@@ -59,7 +60,9 @@ class Present {
   static Point_id id(Vertex_handle v) { return v->point().id(); }
 
   // Each coordinate is the nearest binary64 number.
-  Vector_2 place(Vertex_handle v) const { return places_.empty() ? rounded(v) : places_[id(v)]; }
+  Vector_2 place(Vertex_handle v) const {
+    return places_.empty() ? rounded(v, ball_place(v->point().motion(), time_)) : places_[id(v)];
+  }
 
   // The ids of the corners in ascending order.
   static std::array<Point_id, 3> ids(Face_handle face) {
@@ -128,8 +131,7 @@ class Present {
   }
 
  private:
-  Vector_2 rounded(Vertex_handle v) const {
-    const Ball_2 ball = ball_place(v->point().motion(), time_);
+  Vector_2 rounded(Vertex_handle v, const Ball_2& ball) const {
     const auto coordinate = [&](const Ball& known, Polynomial Trajectory_2::*axis) {
       if (const auto value = known.rounded()) return *value;
       const Trajectory_2 path = v->point().trajectory();
@@ -150,6 +152,13 @@ class Present {
     if (!places_.empty()) {
       const Sign sign = certain_orientation(place(p), place(q), position, error_);
       if (sign != CGAL::ZERO) return sign;
+      // Certainly zero, too, where coordinates have few bits, as those of pixels mostly have.
+      const Ball_2& from = balls_[id(p)];
+      const Ball_2& to = balls_[id(q)];
+      const Ball area = (to.x - from.x) * (Ball(position.y) - from.y) -
+                        (to.y - from.y) * (Ball(position.x) - from.x);
+      if (area.is_zero()) return CGAL::ZERO;
+      if (area.is_nonzero()) return area.is_positive() ? CGAL::POSITIVE : CGAL::NEGATIVE;
     }
     return at_.orientation_2_object()(p->point(), q->point(), query(position));
   }
@@ -205,6 +214,7 @@ class Present {
   typename Kinetic::Instantaneous_traits at_;
   typename Kinetic::Instantaneous_traits after_;
   std::vector<Vector_2> places_;  // by id; empty before round_all
+  std::vector<Ball_2> balls_;     // the same, with more digits
   double error_ = 0;
   std::vector<std::pair<Face_handle, int>> stack_;  // edges of find_neighbors
 };

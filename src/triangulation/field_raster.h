@@ -28,20 +28,50 @@ struct Index_range {
   std::size_t last = 0;
 };
 
-// The indices at which origin + index * step may be in [lower, upper]. May name more; never fewer:
-// the computed index is off by the roundings of the quotient and of the places.
-inline Index_range indices_between(double lower, double upper, double origin, double step,
-                                   std::size_t count) {
-  double from = (lower - origin) / step;
-  double to = (upper - origin) / step;
-  if (from > to) std::swap(from, to);
-  const double size = std::abs(origin) + std::max(std::abs(lower), std::abs(upper));
-  const double slack = 1 + 0x1p-48 * (size / std::abs(step) + static_cast<double>(count));
-  const double n = static_cast<double>(count);
-  const double first = std::clamp(std::floor(from - slack), 0.0, n);
-  const double last = std::clamp(std::floor(to + slack) + 1, 0.0, n);
-  return {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
-}
+// The indices whose positions on an axis may be in an interval, and those that certainly are.
+struct Indices_between {
+  Index_range possible;
+  Index_range certain;
+};
+
+// Positions on an axis: origin + index * step, for indices below `count`, rounded as Grid_2::place
+// does.
+class Grid_axis {
+ public:
+  Grid_axis(double origin, double step, std::size_t count)
+      : origin_(origin), step_(step), count_(count) {}
+
+  // Of which indices the positions may be in [lower, upper], and of which they certainly are in
+  // [inner_lower, inner_upper]. The computed index is off by the roundings of the quotient and of
+  // the positions: by less than 2^-51 times the size below.
+  Indices_between between(double lower, double upper, double inner_lower,
+                          double inner_upper) const {
+    const double size = std::abs(origin_) + std::max(std::abs(lower), std::abs(upper));
+    const double slack = 0x1p-48 * (size / std::abs(step_) + static_cast<double>(count_));
+    // Beyond that, indices say nothing; and no sum is infinite minus infinite.
+    if (!(slack < 1)) return {{0, count_}, {}};
+    return {range(lower, upper, slack), range(inner_lower, inner_upper, -slack)};
+  }
+
+ private:
+  Index_range range(double lower, double upper, double slack) const {
+    double from = (lower - origin_) / step_;
+    double to = (upper - origin_) / step_;
+    if (step_ < 0) std::swap(from, to);
+    from = std::max(from - slack, 0.0);
+    to = std::min(to + slack, static_cast<double>(count_) - 1);
+    if (!(from <= to)) return {};
+    // Both are at least zero and at most count - 1: truncated is rounded down.
+    const auto first = static_cast<std::int64_t>(from);
+    const bool is_whole = static_cast<double>(first) == from;
+    return {static_cast<std::size_t>(is_whole ? first : first + 1),
+            static_cast<std::size_t>(static_cast<std::int64_t>(to)) + 1};
+  }
+
+  double origin_;
+  double step_;
+  std::size_t count_;
+};
 
 // The positions of a grid, and the triangle of each.
 template <class Traits>
@@ -49,19 +79,33 @@ class Raster {
  public:
   using Face_handle = typename Present<Traits>::Face_handle;
 
-  // Keeps a reference to `present`, in which all places are rounded.
+  // Keeps references to `present`, in which all places are rounded, and to the grid.
   Raster(const Present<Traits>& present, const Grid_2& grid)
-      : present_(present), grid_(grid), triangle_(grid.rows * grid.columns, no_triangle) {
+      : present_(present),
+        grid_(grid),
+        columns_(grid.origin.x, grid.step.x, grid.columns),
+        rows_(grid.origin.y, grid.step.y, grid.rows),
+        triangle_(grid.rows * grid.columns, no_triangle) {
     if (present_.topology().dimension() < 2) return;
-    std::vector<std::pair<std::array<Point_id, 3>, Face_handle>> in_order;
     for (const Face_handle face : present_.topology().finite_face_handles()) {
-      in_order.emplace_back(Present<Traits>::ids(face), face);
+      if (!present_.has_area(face)) continue;
+      faces_.push_back(face);
+      fill(static_cast<std::uint32_t>(faces_.size() - 1));
     }
-    std::ranges::sort(
-        in_order, {}, [](const auto& entry) -> const auto& { return entry.first; });
-    for (const auto& entry : in_order) faces_.push_back(entry.second);
-    for (std::uint32_t i = 0; i < faces_.size(); ++i) {
-      if (present_.has_area(faces_[i])) fill(i);
+  }
+
+  // Calls function(triangle, row, columns) for the triangles that the positions of each row have,
+  // with the columns of each, from left to right.
+  template <class Function>
+  void for_each_run(Function function) const {
+    for (std::size_t row = 0; row < grid_.rows; ++row) {
+      const std::uint32_t* const triangles = &triangle_[row * grid_.columns];
+      for (std::size_t first = 0, last = 0; first < grid_.columns; first = last) {
+        while (last < grid_.columns && triangles[last] == triangles[first]) ++last;
+        if (triangles[first] != no_triangle) {
+          function(faces_[triangles[first]], row, Index_range{first, last});
+        }
+      }
     }
   }
 
@@ -69,31 +113,31 @@ class Raster {
   // numbered row by row.
   template <class Function>
   void for_each_triangle(Function function) const {
-    for_each_found([&](std::size_t position, const Vector_2& place, std::uint32_t index) {
-      function(position, place, faces_[index]);
+    for_each_run([&](Face_handle face, std::size_t row, const Index_range& columns) {
+      for (std::size_t column = columns.first; column < columns.last; ++column) {
+        function(row * grid_.columns + column, grid_.place(column, row), face);
+      }
     });
   }
 
-  // Calls function(position, weights) for each position that has a triangle; its corners begin with
-  // the least id.
-  template <class Function>
-  void for_each_corner_weights(Function function) const {
-    std::uint32_t known = no_triangle;
-    Corner_weights result;
-    std::array<Vector_2, 3> places;
-    for_each_found([&](std::size_t position, const Vector_2& place, std::uint32_t index) {
-      if (index != known) {
-        known = index;
-        const Face_handle face = faces_[index];
-        const int first = index_of_least(face);
-        for (int i = 0; i < 3; ++i) {
-          const auto corner = face->vertex((first + i) % 3);
-          result.corners[static_cast<std::size_t>(i)] = Present<Traits>::id(corner);
-          places[static_cast<std::size_t>(i)] = present_.place(corner);
-        }
+  // Calls on_triangle(corners) for the triangles that the positions of each row have, the least id
+  // first, and after each function(position, weights) for its positions in the row.
+  template <class On_triangle, class Function>
+  void for_each_corner_weights(On_triangle on_triangle, Function function) const {
+    for_each_run([&](Face_handle face, std::size_t row, const Index_range& columns) {
+      std::array<Point_id, 3> corners;
+      std::array<Vector_2, 3> places;
+      const int first = index_of_least(face);
+      for (int i = 0; i < 3; ++i) {
+        const auto corner = face->vertex((first + i) % 3);
+        corners[static_cast<std::size_t>(i)] = Present<Traits>::id(corner);
+        places[static_cast<std::size_t>(i)] = present_.place(corner);
       }
-      result.weights = barycentric_weights(places, place);
-      function(position, result);
+      on_triangle(corners);
+      for (std::size_t column = columns.first; column < columns.last; ++column) {
+        function(row * grid_.columns + column,
+                 barycentric_weights(places, grid_.place(column, row)));
+      }
     });
   }
 
@@ -109,74 +153,105 @@ class Raster {
     return result;
   }
 
-  template <class Function>
-  void for_each_found(Function function) const {
-    std::size_t position = 0;
-    for (std::size_t row = 0; row < grid_.rows; ++row) {
-      for (std::size_t column = 0; column < grid_.columns; ++column, ++position) {
-        const std::uint32_t index = triangle_[position];
-        if (index != no_triangle) function(position, grid_.place(column, row), index);
-      }
-    }
-  }
+  // A side of a triangle: where it meets a row.
+  struct Side {
+    Vector_2 begin;
+    double low = 0;  // the least and greatest y of its ends
+    double high = 0;
+    double slope = 0;  // dx / dy
+    double slack = 0;  // for x where it meets a row
+    bool is_flat = false;
+    double left = 0;  // of a flat one, the ends
+    double right = 0;
+  };
 
-  // The triangles come in ascending order of ids, so that the first one that contains a position
-  // is the position's.
+  // Marks the positions in the triangle. Those that others contain as well, on their boundary, are
+  // of the triangle with the least ids.
   void fill(std::uint32_t index) {
     const Face_handle face = faces_[index];
     const std::array<Vector_2, 3> p = {present_.place(face->vertex(0)),
                                        present_.place(face->vertex(1)),
                                        present_.place(face->vertex(2))};
-    const double e = present_.error();
+    // Of each coordinate and difference.
+    const double e =
+        present_.error() + 0x1p-50 * std::max({size_of(p[0]), size_of(p[1]), size_of(p[2])});
+    const std::array<Side, 3> sides = {side(p[0], p[1], e), side(p[1], p[2], e),
+                                       side(p[2], p[0], e)};
     const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
-    const Index_range rows =
-        indices_between(low - 2 * e, high + 2 * e, grid_.origin.y, grid_.step.y, grid_.rows);
+    const Index_range rows = rows_.between(low - 2 * e, high + 2 * e, low, high).possible;
     for (std::size_t row = rows.first; row < rows.last; ++row) {
       // Those in the triangle follow one another: the positions of a row are on one line, in the
       // order of the columns, rounded as they are.
-      Index_range columns = columns_in(p, grid_.place(0, row).y);
+      auto [columns, certain] = columns_in(sides, grid_.place(0, row).y, e);
       const auto is_in = [&](std::size_t column) {
-        return present_.contains(face, grid_.place(column, row));
+        return (column >= certain.first && column < certain.last) ||
+               present_.contains(face, grid_.place(column, row));
       };
       while (columns.first < columns.last && !is_in(columns.first)) ++columns.first;
       while (columns.first < columns.last && !is_in(columns.last - 1)) --columns.last;
       for (std::size_t column = columns.first; column < columns.last; ++column) {
         std::uint32_t& found = triangle_[row * grid_.columns + column];
-        if (found == no_triangle) found = index;
+        if (found == no_triangle ||
+            Present<Traits>::ids(face) < Present<Traits>::ids(faces_[found])) {
+          found = index;
+        }
       }
     }
   }
 
-  // The columns that may be in the triangle with rounded corners p, at height y. An edge pq meets
-  // it at p + s (q - p), and s is off by at most 8 e / |q.y - p.y| where each coordinate and
-  // difference is off by at most e: by six roundings and errors of that size.
-  Index_range columns_in(const std::array<Vector_2, 3>& p, double y) const {
-    double left = std::numeric_limits<double>::infinity();
-    double right = -left;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector_2& a = p[i];
-      const Vector_2& b = p[(i + 1) % 3];
-      const double size = std::max(std::max(size_of(a), size_of(b)), std::abs(y));
-      const double e = present_.error() + 0x1p-50 * size;
-      if (y < std::min(a.y, b.y) - e || y > std::max(a.y, b.y) + e) continue;
-      const double height = std::abs(b.y - a.y);
-      if (height <= 8 * e) {
-        left = std::min(left, std::min(a.x, b.x) - 4 * e);
-        right = std::max(right, std::max(a.x, b.x) + 4 * e);
-      } else {
-        const double width = b.x - a.x;
-        const double x = a.x + (y - a.y) / (b.y - a.y) * width;
-        const double slack = std::abs(width) * (8 * e / height) + 4 * e;
-        left = std::min(left, x - slack);
-        right = std::max(right, x + slack);
+  // A side ab meets height y at a + (y - a.y) (b.x - a.x) / (b.y - a.y). Where each coordinate and
+  // difference is off by at most e, and the quotient of differences is at most 1.25, x is off by at
+  // most 4 e |b.x - a.x| / |b.y - a.y| + 4 e, roundings included; the slack is twice the first.
+  static Side side(const Vector_2& a, const Vector_2& b, double e) {
+    const double height = std::abs(b.y - a.y);
+    const double width = std::abs(b.x - a.x);
+    if (height <= 8 * e) {
+      return {a,    std::min(a.y, b.y),         std::max(a.y, b.y),        0, 0,
+              true, std::min(a.x, b.x) - 4 * e, std::max(a.x, b.x) + 4 * e};
+    }
+    return {a,
+            std::min(a.y, b.y),
+            std::max(a.y, b.y),
+            (b.x - a.x) / (b.y - a.y),
+            width * (8 * e / height) + 4 * e,
+            false,
+            0,
+            0};
+  }
+
+  // The columns that may be in the triangle at height y, and those that certainly are: the row goes
+  // through two of its sides, and through no corner.
+  Indices_between columns_in(const std::array<Side, 3>& sides, double y, double e) const {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    double left = infinite;
+    double right = -infinite;
+    double inner_left = infinite;
+    double inner_right = -infinite;
+    bool is_certain = true;
+    for (const Side& s : sides) {
+      if (y < s.low - e || y > s.high + e) continue;
+      if (s.is_flat) {
+        is_certain = false;
+        left = std::min(left, s.left);
+        right = std::max(right, s.right);
+        continue;
       }
+      if (y < s.low + e || y > s.high - e) is_certain = false;
+      const double x = s.begin.x + (y - s.begin.y) * s.slope;
+      left = std::min(left, x - s.slack);
+      right = std::max(right, x + s.slack);
+      inner_left = std::min(inner_left, x + s.slack);
+      inner_right = std::max(inner_right, x - s.slack);
     }
     if (left > right) return {};
-    return indices_between(left, right, grid_.origin.x, grid_.step.x, grid_.columns);
+    if (!is_certain) return columns_.between(left, right, infinite, -infinite);
+    return columns_.between(left, right, inner_left, inner_right);
   }
 
   const Present<Traits>& present_;
   const Grid_2& grid_;
+  Grid_axis columns_;
+  Grid_axis rows_;
   std::vector<Face_handle> faces_;
   std::vector<std::uint32_t> triangle_;  // by position; an index of faces_
 };

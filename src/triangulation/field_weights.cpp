@@ -43,19 +43,17 @@ void divide_by_sum(std::span<double, N> weights) {
 
 }  // namespace
 
-std::array<double, 3> barycentric_weights(const std::array<Vector_2, 3>& corners,
-                                          const Vector_2& place) {
+std::array<double, 3> barycentric_weights_of_any(const std::array<Vector_2, 3>& corners,
+                                                 const Vector_2& place) {
   std::array<Vector_2, 3> from;
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     from[i] = difference(corners[i], place);
     size = std::max(size, size_of(from[i]));
   }
-  // Else no product is too large or too small. Powers of two change no quotient.
-  if (!(size > 0x1p-300 && size < 0x1p300)) {
-    const double factor = power_of_two_for(size);
-    for (Vector_2& v : from) v = scaled(v, factor);
-  }
+  // Powers of two change no quotient.
+  const double factor = power_of_two_for(size);
+  for (Vector_2& v : from) v = scaled(v, factor);
   std::array<double, 3> weights;
   for (std::size_t i = 0; i < 3; ++i) {
     weights[i] = std::max(cross(from[(i + 1) % 3], from[(i + 2) % 3]), 0.0);
@@ -124,18 +122,6 @@ void laplace_weights(std::span<const Vector_2> neighbors, const Vector_2& place,
   // A quotient by less might overflow.
   if (!(least_area > 0x1p-500) || !(sum > 0)) return use_side(nearest_side);
   divide_by_sum(weights);
-}
-
-double weighted_mean(std::span<const double> values, std::span<const double> weights) {
-  double sum = 0;
-  double least = values[0];
-  double greatest = values[0];
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    sum += weights[i] * values[i];
-    least = std::min(least, values[i]);
-    greatest = std::max(greatest, values[i]);
-  }
-  return std::clamp(sum, least, greatest);
 }
 
 }  // namespace kinetri::detail

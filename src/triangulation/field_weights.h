@@ -6,18 +6,41 @@
 #ifndef KINETRI_TRIANGULATION_FIELD_WEIGHTS_H
 #define KINETRI_TRIANGULATION_FIELD_WEIGHTS_H
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 
+#include "kinetri/base/compiler.h"
 #include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/rounded_places.h"
 
 namespace kinetri::detail {
+
+/// As barycentric_weights, in any case.
+std::array<double, 3> barycentric_weights_of_any(const std::array<Vector_2, 3>& corners,
+                                                 const Vector_2& place);
 
 /// Barycentric coordinates of a position in a triangle, whose corners come counterclockwise. If the
 /// rounded corners leave no area on any side of it, those of the nearest position on its longest
 /// side.
-std::array<double, 3> barycentric_weights(const std::array<Vector_2, 3>& corners,
-                                          const Vector_2& place);
+KINETRI_ALWAYS_INLINE std::array<double, 3> barycentric_weights(
+    const std::array<Vector_2, 3>& corners, const Vector_2& place) {
+  std::array<Vector_2, 3> from;
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    from[i] = difference(corners[i], place);
+    size = std::max(size, size_of(from[i]));
+  }
+  // Else a product may be too large or too small.
+  if (!(size > 0x1p-300 && size < 0x1p300)) return barycentric_weights_of_any(corners, place);
+  const double a = std::max(cross(from[1], from[2]), 0.0);
+  const double b = std::max(cross(from[2], from[0]), 0.0);
+  const double c = std::max(cross(from[0], from[1]), 0.0);
+  const double sum = a + b + c;
+  if (!(sum > 0)) return barycentric_weights_of_any(corners, place);
+  return {a / sum, b / sum, c / sum};
+}
 
 /// Laplace coordinates of a position, which is none of the neighbors, with regard to its natural
 /// neighbors, which come counterclockwise; no two successive ones are equal. If the rounded
@@ -28,7 +51,17 @@ void laplace_weights(std::span<const Vector_2> neighbors, const Vector_2& place,
 
 /// The mean with the weights, moved between the least and the greatest of the values.
 /// Precondition: as many values as weights, at least one.
-double weighted_mean(std::span<const double> values, std::span<const double> weights);
+inline double weighted_mean(std::span<const double> values, std::span<const double> weights) {
+  double sum = 0;
+  double least = values[0];
+  double greatest = values[0];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sum += weights[i] * values[i];
+    least = std::min(least, values[i]);
+    greatest = std::max(greatest, values[i]);
+  }
+  return std::clamp(sum, least, greatest);
+}
 
 }  // namespace kinetri::detail
 

@@ -4,6 +4,8 @@
 #include <opencv2/video/tracking.hpp>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 
 namespace kinetri::video {
@@ -15,10 +17,75 @@ constexpr float furthest_back = 0.5F;
 // Of the least eigenvalue of the matrix of gradients, for a pixel: below it there is no corner. In
 // OpenCV's unit, gray levels are divided by 32 and gradients by 32.
 constexpr float least_eigenvalue = 1e-3F;
+// In which a fade is looked for: so many parts in a row and in a column.
+constexpr int parts = 8;
+// Of the parts, so many become weaker, or stronger, in contrast in a fade.
+constexpr double share_of_fade = 0.8;
+
+// How samples of one frame become those of the next one where the picture rests: by a factor, and
+// then a sum.
+struct Fade {
+  double factor = 1;
+  double sum = 0;
+};
+
+double median(std::array<double, parts * parts>& values) {
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The fade from one frame to the next one: nearly all parts of the picture change their contrast in
+// the same way. Without one, where things move, as many become stronger as become weaker.
+std::optional<Fade> fade_between(const cv::Mat& present, const cv::Mat& next) {
+  if (present.cols < 2 * parts || present.rows < 2 * parts) return std::nullopt;
+  std::array<double, parts* parts> factors = {};
+  std::array<double, parts* parts> present_means = {};
+  std::array<double, parts* parts> next_means = {};
+  std::size_t weaker = 0;
+  std::size_t stronger = 0;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const int column = static_cast<int>(i) % parts;
+    const int row = static_cast<int>(i) / parts;
+    const cv::Rect part(
+        cv::Point(present.cols * column / parts, present.rows * row / parts),
+        cv::Point(present.cols * (column + 1) / parts, present.rows * (row + 1) / parts));
+    cv::Scalar present_mean;
+    cv::Scalar present_deviation;
+    cv::Scalar next_mean;
+    cv::Scalar next_deviation;
+    cv::meanStdDev(present(part), present_mean, present_deviation);
+    cv::meanStdDev(next(part), next_mean, next_deviation);
+    factors[i] = present_deviation[0] > 0 ? next_deviation[0] / present_deviation[0] : 1;
+    present_means[i] = present_mean[0];
+    next_means[i] = next_mean[0];
+    if (factors[i] < 1) ++weaker;
+    if (factors[i] > 1) ++stronger;
+  }
+  if (static_cast<double>(std::max(weaker, stronger)) <
+      share_of_fade * static_cast<double>(factors.size())) {
+    return std::nullopt;
+  }
+  Fade result;
+  result.factor = median(factors);
+  std::array<double, parts* parts> sums = {};
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    sums[i] = next_means[i] - result.factor * present_means[i];
+  }
+  result.sum = median(sums);
+  return result;
+}
+
+std::vector<cv::Mat> pyramid_of(const cv::Mat& frame) {
+  std::vector<cv::Mat> result;
+  cv::buildOpticalFlowPyramid(frame, result, window, levels);
+  return result;
+}
 
 }  // namespace
 
 struct Optical_flow::Pyramids {
+  cv::Mat next_frame;
   std::vector<cv::Mat> present;
   std::vector<cv::Mat> next;
 };
@@ -31,11 +98,19 @@ Optical_flow::Optical_flow(std::uint32_t width, std::uint32_t height)
 Optical_flow::~Optical_flow() = default;
 
 void Optical_flow::add(std::span<const std::uint8_t> brightness) {
-  pyramids_->present = std::move(pyramids_->next);
   cv::Mat frame(height_, width_, CV_8UC1);
   std::ranges::copy(brightness, frame.data);
-  pyramids_->next = {};
-  cv::buildOpticalFlowPyramid(frame, pyramids_->next, window, levels);
+  pyramids_->present = std::move(pyramids_->next);
+  pyramids_->next = pyramid_of(frame);
+  if (const cv::Mat& present = pyramids_->next_frame; !present.empty()) {
+    // The flow expects samples to keep their brightness.
+    if (const auto fade = fade_between(present, frame)) {
+      cv::Mat faded;
+      present.convertTo(faded, CV_8UC1, fade->factor, fade->sum);
+      pyramids_->present = pyramid_of(faded);
+    }
+  }
+  pyramids_->next_frame = std::move(frame);
 }
 
 std::vector<Track> Optical_flow::follow(std::span<const Vector_2> places) const {

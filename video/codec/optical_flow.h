@@ -32,7 +32,9 @@ class Optical_flow {
   Optical_flow(std::uint32_t width, std::uint32_t height);
   ~Optical_flow();
 
-  /// Makes these samples of brightness the next frame, and the one before the present frame.
+  /// Makes these samples of brightness the next frame, and the one before the present frame. Where
+  /// the whole picture fades from one to the other, the present one is made as bright as the next
+  /// one first.
   void add(std::span<const std::uint8_t> brightness);
 
   /// Where the places go from the present frame to the next one. A place counts as followed only if
