@@ -8,7 +8,7 @@ namespace kinetri::app {
 
 enum class Exit_code {
   done = 0,
-  audit_failed = 1,
+  audit_failed = 1,  ///< or the verification
   bad_input =
       2,  ///< bad usage, unusable input, an output that cannot be written, too little memory
   internal_error = 3,

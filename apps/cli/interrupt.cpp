@@ -26,8 +26,10 @@ enum Stage : int {
 // Atomic since each of two signals may come to a thread of its own.
 std::atomic<int> stage = reading;
 std::atomic<bool> stop_requested = false;
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+                  std::atomic<pid_t>::is_always_lock_free,
               "a signal handler may not wait for a lock");
+std::atomic<pid_t> child = 0;
 std::string_view program_name;  // set before there is a handler
 
 // How long a run may take until it notices that it is to stop: some of its steps are long.
@@ -44,13 +46,19 @@ void set_alarm(suseconds_t microseconds) {
   ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
+// Async-signal-safe.
+[[noreturn]] void end_now() {
+  if (child > 0) ::kill(child, SIGTERM);
+  ::_exit(static_cast<int>(Exit_code::interrupted));
+}
+
 }  // namespace
 
 // A handler: only async-signal-safe calls (setitimer is a plain system call).
 extern "C" {
 static void on_signal(int signal) {
   if (stage == committing) return;
-  if (stage == committed) ::_exit(static_cast<int>(Exit_code::interrupted));
+  if (stage == committed) end_now();
   if (stage != reading && !stop_requested.exchange(true)) {
     if (stage == running) set_alarm(patience_us);
     return;
@@ -63,7 +71,7 @@ static void on_signal(int signal) {
   write_error(signal == SIGALRM ? within : at_once);
   Output_file::remove_all_temporaries();
   Output_directory::remove_all_temporaries();
-  ::_exit(static_cast<int>(Exit_code::interrupted));
+  end_now();
 }
 }
 
@@ -98,6 +106,14 @@ Commit_section::Commit_section() {
 
 Commit_section::~Commit_section() {
   stage = committed;
+}
+
+Child_section::Child_section(pid_t id) {
+  child = id;
+}
+
+Child_section::~Child_section() {
+  child = 0;
 }
 
 bool interrupted() noexcept {

@@ -9,6 +9,8 @@
 #ifndef KINETRI_APPS_INTERRUPT_H
 #define KINETRI_APPS_INTERRUPT_H
 
+#include <sys/types.h>
+
 #include <string_view>
 
 namespace kinetri::app {
@@ -33,6 +35,16 @@ class Commit_section {
   ~Commit_section();
   Commit_section(const Commit_section&) = delete;
   Commit_section& operator=(const Commit_section&) = delete;
+};
+
+/// As long as it lives, a signal that ends this process ends the child too. Of several that live at
+/// a time, only the last one counts.
+class Child_section {
+ public:
+  explicit Child_section(pid_t id);
+  ~Child_section();
+  Child_section(const Child_section&) = delete;
+  Child_section& operator=(const Child_section&) = delete;
 };
 
 /// Whether a signal has asked the run to stop. If so, the caller stops, and may take its time.

@@ -109,7 +109,7 @@ void write_manual(std::ostream& out, const Command& program) {
   }
   out << ".SH EXIT STATUS\n"
          ".TP\n0\nDone.\n"
-         ".TP\n1\nAn audit failed.\n"
+         ".TP\n1\nAn audit failed, or kinetri-verify refuted the run.\n"
          ".TP\n2\nBad usage or bad input; standard error says what was expected.\n"
          ".TP\n3\nAn internal check failed.\n"
          ".TP\n130\nInterrupted, or jammed; the outputs hold what happened until then.\n"

@@ -35,6 +35,11 @@ WITHOUT_CASE = {
         "<path>: is where a file system is mounted; expected a directory in it"],
     "main_test.cpp brings it about": [
         "kinetri: interrupted within an instant, or another step that is long; nothing written"],
+    "verification_test.py brings it about": [
+        "--verify: <path> is not there; expected the program kinetri-verify, which is built and installed with kinetri",
+        "/tmp: writing a temporary file for --verify failed: <reason>; expected room for the logs, or --events, "
+        "--motions, --initial-edges and --edges with files elsewhere",
+        "kinetri: <path> ended without an answer; expected that it verifies the run, or says what is wrong"],
     "it would take a file of many gigabytes": [
         "<file>:<line>: there are too many points; expected at most 4294967294"],
 }

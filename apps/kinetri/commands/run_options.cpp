@@ -217,6 +217,11 @@ void add_run_options(Command& command, Run_options& options,
            "start, after every event and at the end")
       .heading = run_heading;
   command
+      .add_flag("--verify", options.verify,
+                "After the run, let the program kinetri-verify decide from the input and the logs "
+                "alone whether the triangulation was right at all times")
+      .heading = run_heading;
+  command
       .add(
           "--max-events", &options.max_events, "N",
           "Stop once more than N events have happened, and write what there is up to then (default "
@@ -261,6 +266,7 @@ Run_settings run_settings(const Run_options& options) {
   }
   result.audit = static_cast<Audit_mode>(choice_argument("--audit", options.audit, audit_modes));
   result.exact_only = options.exact_only;
+  result.verifies = options.verify;
   result.progress =
       static_cast<Progress_mode>(choice_argument("--progress", options.progress, progress_modes));
   if (options.quiet) result.progress = Progress_mode::never;

@@ -32,6 +32,7 @@ struct Run_options {
   std::string audit = "none";
   std::string progress = "auto";
   bool exact_only = false;
+  bool verify = false;
   bool quiet = false;
 };
 

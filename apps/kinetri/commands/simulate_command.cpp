@@ -139,8 +139,11 @@ Command simulate_command() {
       "run ends, with the outputs of what happened until then.",
       "Ctrl-C stops the run after the events of the present time, and the outputs hold what "
       "happened until then. Where that takes longer than 0.4 s, nothing is written.",
-      "Exit codes: 0 done; 1 an audit failed; 2 bad usage or bad input; 3 an internal check "
-      "failed; 130 interrupted, or jammed."};
+      "With --verify, the answer of kinetri-verify is a line on standard output; on standard error "
+      "if an output of the run goes to standard output. A run that a signal stops is not verified.",
+      "Exit codes: 0 done; 1 an audit failed, or kinetri-verify refuted the run; 2 bad usage or "
+      "bad "
+      "input; 3 an internal check failed; 130 interrupted, or jammed."};
   result.examples = {"kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv",
                      "kinetri simulate points.csv --until 10 --html run.html",
                      "kinetri simulate points.csv --until 10 --box 0,0,100,100 \\",

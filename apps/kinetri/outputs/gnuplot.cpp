@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs/gnuplot.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <cstdio>
-#include <memory>
-#include <system_error>
 
 #include "cli/arguments.h"
-#include "io/output_file.h"
 #include "io/text.h"
-
-extern char** environ;
+#include "kinetri/io/output_error.h"
+#include "outputs/child_process.h"
 
 namespace kinetri::app {
 namespace {
-
-struct Closer {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, Closer>;
-
-// A file without a name, which is gone when it is closed.
-File temporary_file() {
-  File file(std::tmpfile());
-  if (file) return file;
-  throw Output_error(
-      joined("/tmp: no temporary file can be made: ", std::generic_category().message(errno),
-             "; expected a directory in which files can be created"));
-}
 
 std::string content(std::FILE* file) {
   std::string text;
@@ -53,28 +30,15 @@ struct Result {
 };
 
 Result run_gnuplot(const std::string& script, const char* option = nullptr) {
-  const File in = temporary_file();
-  const File out = temporary_file();
-  const File err = temporary_file();
+  const Nameless_file in = nameless_file();
+  const Nameless_file out = nameless_file();
+  const Nameless_file err = nameless_file();
   std::fwrite(script.data(), 1, script.size(), in.get());
   std::rewind(in.get());
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ::fileno(in.get()), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, ::fileno(out.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, ::fileno(err.get()), STDERR_FILENO);
-  std::string name = "gnuplot";
-  std::string argument = option == nullptr ? "-" : option;
-  const std::array<char*, 3> arguments = {name.data(), argument.data(), nullptr};
-  pid_t child = 0;
-  const int failure =
-      ::posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) return {};
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return {true, status, content(out.get()), content(err.get())};
+  const auto status = run_child("gnuplot", {option == nullptr ? "-" : option},
+                                {::fileno(in.get()), ::fileno(out.get()), ::fileno(err.get())});
+  if (!status) return {};
+  return {true, *status, content(out.get()), content(err.get())};
 }
 
 // Colors of M. Okabe and K. Ito, Color universal design, 2008.

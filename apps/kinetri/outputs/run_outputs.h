@@ -4,6 +4,7 @@
 #ifndef KINETRI_APPS_RUN_OUTPUTS_H
 #define KINETRI_APPS_RUN_OUTPUTS_H
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <ostream>
@@ -49,6 +50,11 @@ class Run_outputs {
   /// All are complete before the first takes its place; the checkpoint is the last one. Throws
   /// Output_error.
   void commit();
+
+  /// Whether one of them is standard output.
+  bool has_standard_output() const {
+    return std::ranges::find(files_, "-", &Output_file::path) != files_.end();
+  }
 
   /// Whether nobody reads standard output any more. Known when all are complete.
   bool is_unread() const { return unread_.has_value(); }

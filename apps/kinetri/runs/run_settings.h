@@ -34,6 +34,7 @@ struct Run_settings {
   std::optional<double> until_share;         ///< the run ends where the discs cover this share
   Audit_mode audit = Audit_mode::none;
   bool exact_only = false;  ///< without filters
+  bool verifies = false;    ///< by kinetri-verify, after the run
   Progress_mode progress = Progress_mode::automatic;
   bool quiet = false;
 };

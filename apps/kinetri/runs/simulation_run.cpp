@@ -23,12 +23,13 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
-#include "kinetri/io/motion_log.h"
 #include "kinetri/simulation/growth.h"
 #include "outputs/area_output.h"
 #include "outputs/frame_outputs.h"
+#include "outputs/motion_output.h"
 #include "outputs/run_outputs.h"
 #include "outputs/run_plot.h"
+#include "outputs/verification.h"
 #include "outputs/viewer_output.h"
 
 namespace kinetri::app {
@@ -73,6 +74,7 @@ class Simulation_run {
         asked_(settings.answers),
         outputs_(settings.outputs, input_paths(settings, source)),
         progress_(settings.progress) {
+    if (settings.verifies) verification_.emplace(settings.outputs);
     if (outputs_.has(Output::frames) || outputs_.has(Output::vtu)) {
       frames_.emplace(outputs_.directory(Output::frames), outputs_.directory(Output::vtu),
                       settings.frame_rate);
@@ -111,6 +113,7 @@ class Simulation_run {
   void write_plot(std::ostream& out);
   void write_statistics(std::ostream& out);
   void summarize() const;
+  Exit_code verify() const;
 
   const Run_settings& settings_;
   Run_source& source_;
@@ -121,6 +124,7 @@ class Simulation_run {
   Run_statistics statistics_;
   std::optional<Event_log_writer> log_;
   std::unique_ptr<Event_observer> motion_log_;
+  std::optional<Verification> verification_;
   Any_simulation simulation_;
   std::optional<Viewer_output> viewer_;
   std::vector<Followed_answer> answers_;
@@ -150,11 +154,13 @@ Exit_code Simulation_run::run() {
   progress_.clear();
   report_early_end();
   if (!settings_.quiet && !outputs_.is_unread()) summarize();
+  const Exit_code verified = verify();
   if (statistics_.audits_failed > 0) {
     report("kinetri", joined(statistics_.audits_failed, " of ", statistics_.audits_run,
                              " audits failed; please report this with the input that caused it"));
     return Exit_code::audit_failed;
   }
+  if (verified != Exit_code::done) return verified;
   if (statistics_.interrupted) return Exit_code::interrupted;
   outputs_.expect_reader();
   return Exit_code::done;
@@ -191,12 +197,9 @@ void Simulation_run::build() {
     simulation_.visit([this](auto& s) { s.add_observer(*log_); });
   }
   if (outputs_.has(Output::motions)) {
-    simulation_.visit([this]<class Traits>(Simulation_2<Traits>& s) {
-      motion_log_ = std::make_unique<Motion_log_writer<Traits>>(
-          outputs_.stream(Output::motions), s.triangulation(), s.options().radius);
-      s.add_observer(*motion_log_);
-    });
+    motion_log_ = follow_motions(outputs_.stream(Output::motions), simulation_);
   }
+  if (verification_) verification_->start(simulation_);
   if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_, statistics_.until);
   answers_ = follow_answers(outputs_, asked_, simulation_, source_);
   if (frames_) frames_->start(source_, simulation_, statistics_.until);
@@ -419,7 +422,15 @@ void Simulation_run::write_outputs() {
     statistics_.seconds.write += stopwatch_.lap();
     if (outputs_.has(output)) (this->*write)(outputs_.stream(output));
   }
+  if (verification_) verification_->finish(simulation_);
   outputs_.commit();
+}
+
+// Not where a signal has stopped the run: who sends one does not want to wait.
+Exit_code Simulation_run::verify() const {
+  if (!verification_ || interrupted()) return Exit_code::done;
+  return verification_->run(simulation_, source_,
+                            outputs_.has_standard_output() ? Stream::error : Stream::output);
 }
 
 std::string events_per_kind(const Triangulation_counters& counters) {

@@ -22,6 +22,7 @@ class Points_source final : public Run_source {
   explicit Points_source(Points_settings settings) : settings_(std::move(settings)) {}
 
   std::string path() const override { return settings_.points; }
+  std::string points_file() const override { return settings_.points; }
   void read() override;
   std::size_t number_of_points() const override { return points_.number_of_points(); }
   double from() const override { return settings_.from; }

@@ -38,6 +38,9 @@ class Run_source {
   /// The file, or "-"; empty if there is none.
   virtual std::string path() const = 0;
 
+  /// The file, if it has the points at the start: x, y, vx, vy, ... Else empty.
+  virtual std::string points_file() const { return {}; }
+
   /// What it is, for people.
   virtual std::string title() const;
 

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outputs/verification.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <concepts>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "io/text.h"
+#include "kinetri/io/edges_file.h"
+#include "kinetri/io/output_error.h"
+#include "outputs/motion_output.h"
+#include "sources/run_source.h"
+
+namespace kinetri::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string path_of_verifier() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return "kinetri-verify";  // where the system does not tell, PATH may lead to it
+  const fs::path path = program.parent_path() / "kinetri-verify";
+  if (::access(path.c_str(), X_OK) == 0) return path.string();
+  throw Usage_error(joined("--verify: ", path.string(),
+                           " is not there; expected the program kinetri-verify, which is built and "
+                           "installed with kinetri"));
+}
+
+// What is there after the run to be read once more.
+bool is_lasting(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
+}
+
+template <class Simulation>
+std::vector<Edge_ids> edges_now(const Simulation& simulation) {
+  return simulation.visit([](const auto& s) { return s.triangulation().finite_edge_ids(); });
+}
+
+// Whether the points move linearly, and nothing touches them.
+bool is_plain(const Any_simulation& simulation) {
+  return simulation.visit([]<class Traits>(const Simulation_2<Traits>& s) {
+    return std::same_as<typename Traits::Motion, Linear_motion_2> && !s.options().box &&
+           !s.options().response;
+  });
+}
+
+// A time as a binary64 number: the next one after it if it is none. There is no event between the
+// two but where two events are as near.
+double upper_bound_of_now(const Any_simulation& simulation) {
+  return simulation.visit([](const auto& s) { return s.current_time().tight_interval().upper; });
+}
+
+}  // namespace
+
+Verification::Verification(const Output_paths& outputs) : program_(path_of_verifier()) {
+  constexpr std::array<Output, number_of_files> of_kind = {Output::events, Output::motions,
+                                                           Output::initial_edges, Output::edges};
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    File& file = files_[i];
+    const auto& output = outputs[of_kind[i]];
+    if (output && is_lasting(*output)) {
+      file.path = *output;
+      continue;
+    }
+    file.own = nameless_file();
+    file.path = path_of(file.own);
+    file.stream.open(file.path);
+  }
+}
+
+void Verification::start(const Any_simulation& simulation) {
+  from_ = upper_bound_of_now(simulation);
+  if (files_[initial_edges].own) write_edges(files_[initial_edges].stream, edges_now(simulation));
+  if (files_[events].own) {
+    event_log_.emplace(files_[events].stream);
+    simulation.visit([this](auto& s) { s.add_observer(*event_log_); });
+  }
+  if (files_[motions].own) motion_log_ = follow_motions(files_[motions].stream, simulation);
+}
+
+void Verification::finish(const Any_simulation& simulation) {
+  if (files_[edges].own) write_edges(files_[edges].stream, edges_now(simulation));
+  for (File& file : files_) {
+    if (!file.own) continue;
+    errno = 0;
+    file.stream.close();
+    if (file.stream) continue;
+    throw Output_error(joined("/tmp: writing a temporary file for --verify failed: ",
+                              std::generic_category().message(errno != 0 ? errno : EIO),
+                              "; expected room for the logs, or --events, --motions, "
+                              "--initial-edges and --edges with files elsewhere"));
+  }
+}
+
+Exit_code Verification::run(const Any_simulation& simulation, const Run_source& source,
+                            Stream answer) const {
+  const std::string points = source.points_file();
+  const bool has_points = !points.empty() && is_lasting(points);
+  std::vector<std::string> arguments = {has_points ? points : files_[motions].path,
+                                        files_[events].path};
+  const auto add = [&](const char* option, const auto&... value) {
+    arguments.emplace_back(option);
+    if constexpr (sizeof...(value) > 0) arguments.push_back(joined(value...));
+  };
+  add("--from", from_);
+  add("--until", upper_bound_of_now(simulation));
+  add("--initial-edges", files_[initial_edges].path);
+  add("--edges", files_[edges].path);
+  // Else the points file says it all.
+  if (!has_points || !is_plain(simulation)) add("--motions", files_[motions].path);
+  simulation.visit([&](const auto& s) {
+    const Simulation_options& options = s.options();
+    if (!options.box) return;
+    const auto& [xmin, ymin, xmax, ymax] = *options.box;
+    add("--box", xmin, ',', ymin, ',', xmax, ',', ymax);
+    if (options.rim_touches) add("--rim");
+  });
+  if (source.response() != "none") add("--collisions", source.response());
+  const auto status = run_child(
+      program_, arguments,
+      {STDIN_FILENO, answer == Stream::output ? STDOUT_FILENO : STDERR_FILENO, STDERR_FILENO});
+  if (status && WIFEXITED(*status)) {
+    switch (WEXITSTATUS(*status)) {
+      case 0:
+        return Exit_code::done;
+      case 1:
+        return Exit_code::audit_failed;
+      case 2:
+        return Exit_code::bad_input;
+      default:
+        break;
+    }
+  }
+  report("kinetri", joined(program_,
+                           " ended without an answer; expected that it verifies the run, "
+                           "or says what is wrong"));
+  return Exit_code::internal_error;
+}
+
+}  // namespace kinetri::app
