@@ -6,10 +6,9 @@
 #ifndef KINETRI_ALGEBRA_NUMBER_TYPES_H
 #define KINETRI_ALGEBRA_NUMBER_TYPES_H
 
-#include <CGAL/enum.h>
-
 #include <boost/multiprecision/gmp.hpp>
 
+#include "kinetri/algebra/sign.h"
 #include "kinetri/base/double_interval.h"
 
 namespace kinetri {
@@ -20,9 +19,6 @@ using Integer =
 /// A fraction of two integers.
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
-
-using CGAL::Comparison_result;
-using CGAL::Sign;
 
 /// @{
 /// The sign of `x`.

@@ -19,7 +19,7 @@
 #include "bernstein.h"
 #include "filter_result.h"
 #include "frame.h"
-#include "kinetri/algebra/number_types.h"
+#include "kinetri/algebra/sign.h"
 
 namespace kinetri {
 
