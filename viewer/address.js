@@ -9,6 +9,15 @@
 // event    a number of events: the state just after them, instead of a time
 // show     switches to turn on: wave, delaunay, hull, voronoi, circle, discs, trails, ids
 // hide     switches to turn off
+// point    the id or name of a point that is selected
+// follow   on or off: whether the camera follows it
+// color    what points are coloured by: none, area, density, speed, degree, changes, size, kind
+// at       the place in the middle of the flat view, and how much of the plane is as wide as the
+//          picture: x,y,width
+// kinds    the kinds of event that are shown
+// unit     of lengths, such as m
+// legend   on or off
+// play     on or off
 // edge     the ids of the ends of an edge whose certificate is shown
 // theme    light or dark
 // list     on or off: the list of events
@@ -59,6 +68,42 @@ const ADDRESS_WORDS = {
     return false;
   },
 
+  point: (viewer, value) => viewer.selectedPoint.find(value),
+  follow: ({selectedPoint}, value) =>
+    followSwitch(value, selectedPoint.follows, () => selectedPoint.toggleFollowing()),
+
+  color(viewer, value) {
+    const isThere = value === 'none' || quantitiesOf(viewer.recording).some(({id}) => id === value);
+    if (isThere) viewer.colorBy(value);
+    return isThere;
+  },
+
+  at(viewer, value) {
+    const numbers = value.split(',').map((text) => (text.trim() === '' ? NaN : Number(text)));
+    const isPossible = numbers.length === 3 && numbers.every(Number.isFinite) && numbers[2] > 0;
+    if (isPossible) viewer.flatView.camera.look(...numbers);
+    viewer.requestFrame();
+    return isPossible;
+  },
+
+  kinds(viewer, value) {
+    const {filter, recording} = viewer;
+    const ids = value.split(',').map((kind) => recording.kinds.indexOf(kind));
+    if (ids.includes(-1)) return false;
+    filter.hiddenKinds = new Set(filter.kinds.filter((kind) => !ids.includes(kind)));
+    viewer.filterChanged();
+    return true;
+  },
+
+  unit(viewer, value) {
+    viewer.unit = value;
+    viewer.requestFrame();
+    return true;
+  },
+
+  legend: (viewer, value) => followSwitch(value, viewer.showsLegend, () => viewer.toggleLegend()),
+  play: (viewer, value) => followSwitch(value, viewer.isPlaying(), () => viewer.togglePlaying(viewer.direction || 1)),
+
   theme(viewer, value) {
     if (value !== 'light' && value !== 'dark') return false;
     viewer.setTheme(value === 'dark');
@@ -83,11 +128,53 @@ const EXPECTED_VALUES = {
   event: ({rows}) => `a whole number from 0 to ${rows}`,
   show: (recording) => `of ${switchIds(recording).join(', ')}`,
   hide: (recording) => `of ${switchIds(recording).join(', ')}`,
+  point: () => 'the id or the name of a point',
+  follow: () => 'on or off',
+  color: (recording) => `none or one of ${quantitiesOf(recording).map(({id}) => id).join(', ')}`,
+  at: () => 'two coordinates and a width, as in 10,20,5',
+  kinds: ({kinds}) => `of ${kinds.join(', ')}`,
+  unit: () => 'a text',
+  legend: () => 'on or off',
+  play: () => 'on or off',
   edge: () => 'the ids of two points that an edge joins at that time, as in 4-17',
   theme: () => 'light or dark',
   list: () => 'on or off',
   draw: () => 'webgl, where the browser has it, or canvas',
 };
+
+/** Follows "on" or "off" for something that `toggle` changes. */
+function followSwitch(value, isOn, toggle) {
+  if (value !== 'on' && value !== 'off') return false;
+  if (isOn !== (value === 'on')) toggle();
+  return true;
+}
+
+/** The address of the page with the present view. */
+function linkTo(viewer) {
+  const {recording, playback, switches, filter, coloring} = viewer;
+  const words = [['t', playback.time]];
+  const all = switchIds(recording);
+  words.push(['show', all.filter((id) => switches[id]).join(',')]);
+  words.push(['hide', all.filter((id) => !switches[id]).join(',')]);
+  if (coloring !== null) words.push(['color', coloring.quantity.id]);
+  if (!filter.isEverything()) {
+    words.push(['kinds', filter.kinds.filter((kind) => !filter.hiddenKinds.has(kind))
+      .map((kind) => recording.kinds[kind]).join(',')]);
+  }
+  if (viewer.selected >= 0 && playback.where[viewer.selected] >= 0) {
+    words.push(['edge', `${recording.edgeA[viewer.selected]}-${recording.edgeB[viewer.selected]}`]);
+  }
+  if (viewer.selectedPoint.id >= 0) words.push(['point', viewer.selectedPoint.id]);
+  if (viewer.selectedPoint.follows) words.push(['follow', 'on']);
+  const {camera} = viewer.flatView;
+  if (!camera.isFitted) words.push(['at', [camera.x, camera.y, camera.width / camera.scale].join(',')]);
+  if (viewer.unit !== '') words.push(['unit', viewer.unit]);
+  if (viewer.showsLegend) words.push(['legend', 'on']);
+  words.push(['theme', document.documentElement.classList.contains('dark') ? 'dark' : 'light']);
+  const fragment = words.filter(([, value]) => value !== '')
+    .map(([name, value]) => `${name}=${encodeURIComponent(value).replace(/%2C/g, ',')}`).join('&');
+  return `${window.location.href.replace(/#.*$/, '')}#${fragment}`;
+}
 
 const switchIds = (recording) => switchesOf(recording).map(({id}) => id);
 

@@ -67,6 +67,19 @@ class Camera {
     this.isFitted = false;
   }
 
+  /** Shows the place in the middle. */
+  centre(x, y) {
+    this.x = x;
+    this.y = y;
+    this.isFitted = false;
+  }
+
+  /** Shows so much of the plane, with the place in the middle. */
+  look(x, y, planeWidth) {
+    this.centre(x, y);
+    this.scale = this.width / planeWidth;
+  }
+
   pan(dx, dy) {
     this.x -= dx / this.scale;
     this.y += dy / this.scale;

@@ -150,7 +150,8 @@ class CanvasPainter {
     context.globalAlpha = 1;
   }
 
-  /** The path is stroked too, as thin as possible, so that no seams are seen between colours. */
+  /** The path of an opaque colour is stroked too, as thin as possible, so that no seams are seen between
+   * colours. */
   fillTriangles({data, count}, order, first, end, color) {
     const {context} = this;
     context.fillStyle = context.strokeStyle = color;
@@ -166,7 +167,7 @@ class CanvasPainter {
         context.closePath();
       }
       context.fill();
-      if (order !== null && count <= 4 * MANY) context.stroke();
+      if (order !== null && count <= 4 * MANY && !color.includes('/')) context.stroke();
     }
   }
 

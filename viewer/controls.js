@@ -21,10 +21,19 @@ function actionsOf(viewer) {
     {id: 'fit', keys: ['f', '0'], label: 'Fit the whole picture', run: () => viewer.fit()},
     {keys: ['n'], label: 'Certificate of the edge that is removed next',
      run: () => viewer.selectNextRemoved()},
+    {keys: ['p', ']'], label: 'Point in the middle, then the next point',
+     run: () => viewer.selectedPoint.selectNext(1)},
+    {keys: ['['], label: 'Previous point', run: () => viewer.selectedPoint.selectNext(-1)},
+    {keys: ['j'], label: 'Follow the selected point', run: () => viewer.selectedPoint.toggleFollowing()},
+    {keys: ['r'], label: 'Trail of the selected point', run: () => viewer.selectedPoint.toggleTrail()},
+    {id: 'find', keys: ['/'], label: 'Find a point by id or name', run: () => openSearch()},
+    {keys: ['k'], label: 'Colour by the next quantity', run: () => viewer.colorByNext()},
+    {id: 'legend', keys: ['g'], label: 'Legend', run: () => viewer.toggleLegend()},
+    {id: 'take', keys: ['s'], label: 'Pictures, film and link to take along', run: () => viewer.takeAlong.toggle()},
     {id: 'list', keys: ['e'], label: 'Show or hide the list of events',
      run: () => viewer.toggleList()},
     {id: 'theme', keys: ['l'], label: 'Light or dark colours', run: () => viewer.toggleTheme()},
-    {id: 'close', keys: ['Escape'], label: 'Close the certificate', run: () => viewer.select(-1)},
+    {id: 'close', keys: ['Escape'], label: 'Close the panel', run: () => viewer.closePanels()},
     {id: 'help', keys: ['?'], label: 'Show this list of keys', run: () => viewer.toggleHelp()},
   ];
 }
@@ -44,6 +53,9 @@ function switchesOf(recording) {
     {id: 'discs', key: 'o', label: 'Discs', isThere: hasDiscs(recording), mark: '--disc'},
     {id: 'trails', key: 't', label: 'Trails', isThere: !turnsAreLeftOut(recording),
      mark: '--trail'},
+    {id: 'arrows', key: 'a', label: 'Velocities', isThere: !turnsAreLeftOut(recording), mark: '--arrow'},
+    {id: 'heat', key: 'm', label: 'Heat of events', isThere: recording.rows > 0, mark: '--removed'},
+    {id: 'scale', key: 'u', label: 'Scale', isThere: true, mark: '--quiet'},
     {id: 'ids', key: 'i', label: recording.names === null ? 'Ids' : 'Names', isThere: true,
      mark: '--quiet'},
   ];
@@ -69,14 +81,53 @@ class Controls {
       const button = element(`button-${action.id}`);
       button.addEventListener('click', action.run);
       button.title = `${action.label} (${keyName(action.keys[0])})`;
-      button.setAttribute('aria-label', action.label);
+      if (action.id !== 'legend') button.setAttribute('aria-label', action.label);
     }
-    element('button-help-close').setAttribute('aria-label', 'Close the list of keys');
-    element('button-help-close').addEventListener('click', () => viewer.toggleHelp());
+    this.addClosing('button-help-close', 'Close the list of keys', () => viewer.toggleHelp());
+    this.addClosing('button-close-point', 'Close the panel', () => viewer.closePanels());
+    this.addClosing('button-take-close', 'Close', () => viewer.takeAlong.toggle());
     this.switches = switchesOf(viewer.recording);
     for (const one of this.switches) this.addSwitch(one);
+    this.addChoices();
     this.writeKeys(actions);
     document.addEventListener('keydown', (event) => this.press(event));
+  }
+
+  addClosing(id, label, run) {
+    element(id).setAttribute('aria-label', label);
+    element(id).addEventListener('click', run);
+  }
+
+  /** The choice of colours, the kinds of event, and the search. */
+  addChoices() {
+    const {viewer} = this;
+    const select = element('color');
+    for (const {id, label} of [{id: 'none', label: 'none'}, ...quantitiesOf(viewer.recording)]) {
+      select.append(new Option(label, id));
+    }
+    select.addEventListener('change', () => viewer.colorBy(select.value));
+    const {kinds} = viewer.filter;
+    for (const kind of kinds.length > 1 ? kinds : []) {
+      const button = document.createElement('button');
+      button.className = 'choice';
+      button.dataset.kind = kind;
+      button.textContent = `${viewer.recording.kinds[kind].replace(/_/g, ' ')} ${viewer.filter.count[kind]}`;
+      button.style.setProperty('--mark', viewer.filter.color(kind));
+      button.addEventListener('click', () => viewer.toggleKind(kind));
+      element('kinds').append(button);
+    }
+    element('find').addEventListener('submit', (event) => {
+      event.preventDefault();
+      const text = element('find-text');
+      const isFound = viewer.selectedPoint.find(text.value);
+      element('status').textContent = isFound ? `${viewer.longName(viewer.selectedPoint.id)} is selected` :
+        `There is no point '${text.value}'`;
+      if (isFound) text.blur();
+    });
+    element('find-text').addEventListener('blur', () => {
+      element('find').classList.remove('open');
+      if (viewer.selectedPoint.id >= 0) element('status').textContent = '';
+    });
   }
 
   addSwitch(one) {
@@ -98,6 +149,7 @@ class Controls {
     const list = element('keys');
     const entries = actions.map(({keys, label}) => [keys.map(keyName), label]);
     for (const {key, label} of this.switches) entries.push([[keyName(key)], `Switch: ${label}`]);
+    entries.push([['Shift', '\u2190\u2191\u2192\u2193'], 'Move the picture']);
     for (const [keys, label] of entries) {
       const dt = document.createElement('dt'), dd = document.createElement('dd');
       for (const key of keys) {
@@ -112,8 +164,16 @@ class Controls {
 
   press(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (element('help').open && event.key !== '?') return;
+    if (element('help').open && event.key !== '?' || element('take-along').open) return;
     const {target} = event;
+    if (target.matches('input:not([type=range]), select')) {
+      if (event.key === 'Escape') target.blur();
+      return;
+    }
+    if (event.shiftKey && event.key.startsWith('Arrow')) {
+      this.pan(event);
+      return;
+    }
     if ((event.key === ' ' || event.key === 'Enter') && target instanceof HTMLButtonElement) return;
     let key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     // In the list, up and down go from event to event.
@@ -126,6 +186,16 @@ class Controls {
     run();
   }
 
+  /** Moves what is seen, by a tenth of the picture. */
+  pan(event) {
+    const {viewer} = this;
+    const [dx, dy] = {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
+    event.preventDefault();
+    viewer.selectedPoint.follows = false;
+    viewer.view.drag(dx * viewer.width / 10, dy * viewer.height / 10, true);
+    viewer.requestFrame();
+  }
+
   /** Updates the buttons after a change. */
   update() {
     const {viewer} = this;
@@ -133,6 +203,11 @@ class Controls {
     for (const {id, button} of this.switches) {
       button.setAttribute('aria-pressed', String(viewer.switches[id]));
       button.hidden = viewer.switches.wave && !isOfWave(id);
+    }
+    element('color-label').hidden = viewer.switches.wave;
+    element('button-legend').setAttribute('aria-pressed', String(viewer.showsLegend));
+    for (const button of element('kinds').children) {
+      button.setAttribute('aria-pressed', String(!viewer.filter.hiddenKinds.has(Number(button.dataset.kind))));
     }
     this.setIcon('play', direction === 1 ? 'pause' : 'play');
     this.setIcon('back', direction === -1 ? 'pause' : 'back');
@@ -149,6 +224,13 @@ class Controls {
     const href = `#icon-${icon}`;
     if (use.getAttribute('href') !== href) use.setAttribute('href', href);
   }
+}
+
+/** Puts the cursor into the search. */
+function openSearch() {
+  element('find').classList.add('open');
+  element('find-text').focus();
+  element('find-text').select();
 }
 
 function keyName(key) {

@@ -10,6 +10,7 @@ const FAINTEST_DOT = 0.25;
 const DOTS_APART = 9;                        // radii of a dot between neighbours
 const EDGES_FADE = 5.5, EDGES_VANISH = 2.6;  // distances of neighbours, in pixels
 const ROOM_BEHIND = 3;
+const MOST_CELLS = 4000, MOST_CELLS_WEBGL = 100000;  // in view, that are filled
 const LEAST_WIDTH = 0.7, GREATEST_WIDTH = 1.4;
 
 class Detail {
@@ -43,6 +44,11 @@ class Detail {
     const spacing = isBehind ? this.spacing / ROOM_BEHIND : this.spacing;
     const share = (spacing - EDGES_VANISH) / (EDGES_FADE - EDGES_VANISH);
     return Math.min(Math.max(share, 0), 1);
+  }
+
+  /** Whether there is room, and time, to fill the cells. */
+  showsCells(painter) {
+    return this.inView <= (painter instanceof WebGLPainter ? MOST_CELLS_WEBGL : MOST_CELLS);
   }
 
   lineWidth() {

@@ -57,11 +57,7 @@ class EventList {
     this.pool = [];
     this.shownEvent = -1;
     this.userScrolled = -Infinity;
-    const {rows, instants} = viewer.recording;
-    element('events-count').textContent = rows === 0 ? 'none' :
-      instants === rows ? `${rows}` : `${rows} at ${instants} instants`;
-    this.total = ROW_HEIGHT * rows;
-    this.rows.style.height = `${Math.min(this.total, LONGEST_LIST)}px`;
+    this.filterChanged();
     this.list.addEventListener('scroll', () => this.draw(), {passive: true});
     for (const type of ['wheel', 'touchmove', 'pointerdown']) {
       this.list.addEventListener(type, () => { this.userScrolled = performance.now(); },
@@ -71,6 +67,19 @@ class EventList {
       const row = event.target.closest('.row');
       if (row !== null) viewer.goToRow(Number(row.dataset.row));
     });
+  }
+
+  /** Makes the list that of the events that the filter shows. */
+  filterChanged() {
+    const {recording, filter} = this.viewer;
+    const {rows, instants} = recording;
+    const shown = filter.rows.length;
+    element('events-count').textContent = rows === 0 ? 'none' : shown < rows ? `${shown} of ${rows}` :
+      instants === rows ? `${rows}` : `${rows} at ${instants} instants`;
+    this.total = ROW_HEIGHT * shown;
+    this.rows.style.height = `${Math.min(this.total, LONGEST_LIST)}px`;
+    this.shownEvent = -1;
+    for (const row of this.pool) row.row = -1;
   }
 
   /** How many pixels of the whole list are above the window. */
@@ -94,7 +103,7 @@ class EventList {
     if (this.shownEvent === event || this.list.clientHeight === 0) return;
     this.shownEvent = event;
     if (performance.now() - this.userScrolled > LEFT_ALONE) {
-      const at = ROW_HEIGHT * Math.max(event - 1, 0), offset = this.offset();
+      const at = ROW_HEIGHT * Math.max(this.viewer.filter.before(event) - 1, 0), offset = this.offset();
       const height = this.list.clientHeight;
       const isInSight = at >= offset && at + 2 * ROW_HEIGHT <= offset + height;
       if (!isInSight) this.scrollTo(at - height / 2 + ROW_HEIGHT);
@@ -103,10 +112,10 @@ class EventList {
   }
 
   draw() {
-    const {recording, playback} = this.viewer;
+    const {recording, playback, filter} = this.viewer;
     const offset = this.offset(), height = this.list.clientHeight;
     const first = Math.max(Math.floor(offset / ROW_HEIGHT), 0);
-    const count = Math.min(Math.ceil(height / ROW_HEIGHT) + 1, recording.rows - first);
+    const count = Math.min(Math.ceil(height / ROW_HEIGHT) + 1, filter.rows.length - first);
     while (this.pool.length < count) this.pool.push(this.newRow());
     const shift = this.list.scrollTop - offset;
     const {event} = playback;
@@ -116,10 +125,11 @@ class EventList {
       const row = this.pool[i];
       row.root.hidden = i >= count;
       if (i >= count) continue;
-      this.fill(row, first + i);
+      const index = filter.rows[first + i];
+      this.fill(row, index, first + i);
       row.root.style.transform = `translateY(${ROW_HEIGHT * (first + i) + shift}px)`;
-      const isPresent = first + i >= presentBegin && first + i < event;
-      row.root.className = isPresent ? 'row present' : first + i >= event ? 'row future' : 'row';
+      const isPresent = index >= presentBegin && index < event;
+      row.root.className = isPresent ? 'row present' : index >= event ? 'row future' : 'row';
       row.root.setAttribute('aria-selected', String(isPresent));
       if (isPresent) active = row.root.id;
     }
@@ -139,13 +149,14 @@ class EventList {
             time: when.firstChild, number: when.lastChild};
   }
 
-  fill(element, row) {
+  /** Makes an element that of a row, which is the `place`-th in the list. */
+  fill(element, row, place) {
     if (element.row === row) return;
     element.row = row;
-    const {recording} = this.viewer;
+    const {recording, filter} = this.viewer;
     element.root.dataset.row = row;
-    element.root.setAttribute('aria-posinset', row + 1);
-    element.root.setAttribute('aria-setsize', recording.rows);
+    element.root.setAttribute('aria-posinset', place + 1);
+    element.root.setAttribute('aria-setsize', filter.rows.length);
     element.glyph.textContent = GLYPHS[recording.kinds[recording.rowKind[row]]] ?? '\u2022';
     element.kind.textContent = kindName(recording, row);
     element.change.textContent = changeText(this.viewer, row);

@@ -53,16 +53,25 @@ class FlatView extends View {
     this.project();
     if (recording.box !== null) this.drawBox(painter);
     if (recording.points === 0) this.sayEmpty(painter);
+    if (switches.heat) viewer.heat.draw(painter, this);
+    if (viewer.coloring !== null) drawColors(painter, this);
     if (switches.discs && hasDiscs(recording)) this.drawAllDiscs(painter);
     if (switches.trails) drawTrails(painter, this);
     if (switches.delaunay) this.drawEdges(painter);
     if (switches.voronoi) drawVoronoi(painter, this);
     if (switches.hull) this.drawHull(painter);
+    if (switches.arrows) drawArrows(painter, this);
     if (switches.circle) drawCircumcircle(painter, this);
+    if (viewer.hoverEdge >= 0) {
+      strokeEdge(painter, this, viewer.hoverEdge, {color: viewer.colors.selected, width: 3, alpha: 0.45});
+    }
     if (viewer.selected >= 0) drawSelection(painter, this);
+    if (viewer.selectedPoint.id >= 0) drawSelectedPoint(painter, this);
     drawEventsAround(painter, this);
     this.drawPoints(painter);
+    if (viewer.selectedPoint.id >= 0) drawPointRings(painter, this);
     if (switches.ids) this.drawIds(painter);
+    if (switches.scale) drawScaleBar(painter, this);
     if (viewer.hoverPoint >= 0) this.drawRing(painter, viewer.hoverPoint, 4, viewer.colors.selected);
   }
 
@@ -85,7 +94,8 @@ class FlatView extends View {
 
   drawAllDiscs(painter) {
     const {colors} = this.viewer;
-    painter.circles(this.discs(0), {fill: colors.discFill, stroke: colors.disc, width: this.detail.lineWidth()});
+    const fill = this.viewer.coloring === null ? colors.discFill : undefined;
+    painter.circles(this.discs(0), {fill, stroke: colors.disc, width: this.detail.lineWidth()});
     painter.circles(this.discs(1), {stroke: colors.quiet, width: 1.25, dash: [4, 3]});
   }
 
@@ -153,6 +163,19 @@ class FlatView extends View {
       batch.circle(sx[point], sy[point], radius);
     }
     return batch;
+  }
+
+  /** Moves the camera so that the point is in the middle. */
+  centre(point) {
+    const {x, y} = this.viewer;
+    if (!Number.isNaN(x[point])) this.camera.centre(x[point], y[point]);
+  }
+
+  /** Moves the camera so that the point is in the picture, not at its border. */
+  show(point) {
+    const {camera, viewer} = this;
+    const x = camera.screenX(viewer.x[point]), y = camera.screenY(viewer.y[point]);
+    if (!(x > 40 && y > 60 && x < this.width - 40 && y < this.height - 40)) this.centre(point);
   }
 
   zoom(factor, x, y) {

@@ -17,6 +17,12 @@
  *   goTo(time)         executes each row whose exact time is at or before `time`, and no other
  *   stepForward()      to just after the next instant; false if there is none
  *   stepBackward()     to just after the previous instant, or to the start; false at the start
+ *   point              the id of the selected point, or null
+ *   velocity(point)    [vx, vy] at the time shown
+ *   scale()            the colours of numbers, from the least to the greatest
+ *   areas()            the area of the cell of each point by id; null where it is unbounded or none
+ *   colored()          {id, least, greatest, shades}: what colours stand for, and the shade of each
+ *                      point by id; null without colours
  *   screen(x, y)       the position on the page of a point of the plane, in CSS pixels (flat view)
  *   pan(dx, dy)        moves the picture, in CSS pixels
  *   zoom(factor)       zooms about the middle
@@ -64,6 +70,22 @@ function consoleObject(viewer) {
     },
     stepForward: () => viewer.stepForward(),
     stepBackward: () => viewer.stepBackward(),
+    velocity(point) {
+      const motion = playback.current[point];
+      return [0, 1].map((k) => motionVelocity(recording, motion, playback.time, k));
+    },
+    scale: () => SCALE.slice(),
+    get point() { return viewer.selectedPoint.id < 0 ? null : viewer.selectedPoint.id; },
+    areas() {
+      viewer.place();
+      viewer.cells.update();
+      return Array.from(viewer.cells.area, (area) => (area > 0 ? area : null));
+    },
+    colored() {
+      if (viewer.coloring === null) return null;
+      const {quantity, least, greatest, shades} = viewer.coloring;
+      return {id: quantity.id, least, greatest, shades: Array.from(shades)};
+    },
     screen(x, y) {
       const {left, top} = element('picture').getBoundingClientRect();
       const {camera} = viewer.flatView;
@@ -80,6 +102,18 @@ function consoleObject(viewer) {
       return performance.now() - start;
     },
   });
+}
+
+/** Plays at first, unless the reader prefers less motion or the address has asked for something; and
+ * says what can be clicked. */
+function beginSoftly(viewer, asked) {
+  if (viewer.recording.points === 0) return;
+  const hint = element('hint');
+  hint.hidden = asked !== '';
+  const hide = () => { hint.hidden = true; };
+  for (const type of ['pointerdown', 'keydown']) window.addEventListener(type, hide, {once: true});
+  if (asked !== '' || window.matchMedia('(prefers-reduced-motion: reduce)').matches) return;
+  if (!viewer.isPlaying()) viewer.togglePlaying(1);
 }
 
 /** Shows the error on the page. */
@@ -101,9 +135,12 @@ try {
   const recording = readRecording(source.textContent);
   source.remove();  // it takes memory
   element('viewer').hidden = false;
+  const isEmbedded = new URLSearchParams(window.location.search).has('embed');
+  document.documentElement.classList.toggle('embedded', isEmbedded);
   const viewer = new Viewer(recording);
   const follow = () => {
-    const problems = followAddress(viewer, window.location.hash);
+    const fragment = window.location.hash || `#${recording.view}`;
+    const problems = followAddress(viewer, fragment);
     element('address-note').hidden = problems.length === 0;
     element('address-note').textContent = 'The address of this page asks for something that is ' +
       `not possible: ${problems.join(', and ')}.`;
@@ -111,6 +148,7 @@ try {
   follow();
   window.addEventListener('hashchange', follow);
   window.kinetri = consoleObject(viewer);
+  beginSoftly(viewer, window.location.hash + recording.view);
 } catch (error) {
   showMessage(error);
   if (!(error instanceof RecordingError)) throw error;

@@ -7,9 +7,8 @@ function element(id) {
   return document.getElementById(id);
 }
 
-/** The canvas's context, in CSS pixels, at the display's resolution. */
-function sizedContext(canvas, width, height) {
-  const ratio = window.devicePixelRatio || 1;
+/** The canvas's context, in CSS pixels, at the display's resolution or with `ratio` pixels per CSS pixel. */
+function sizedContext(canvas, width, height, ratio = window.devicePixelRatio || 1) {
   const columns = Math.max(Math.round(width * ratio), 1);
   const rows = Math.max(Math.round(height * ratio), 1);
   if (canvas.width !== columns || canvas.height !== rows) {

@@ -169,6 +169,12 @@ function motionVelocity({motionData: data, stride, degree}, motion, time, coordi
   return data[i] + s * (data[i + 2] + (degree === 3 ? s * data[i + 4] / 2 : 0));
 }
 
+function motionAcceleration({motionData: data, stride, degree}, motion, time, coordinate) {
+  if (degree === 1) return 0;
+  const i = stride * motion + 5 + coordinate;
+  return data[i] + (degree === 3 ? data[i + 2] * (time - data[stride * motion]) : 0);
+}
+
 /** The radius of the disc about the point, in binary64. */
 function motionRadius({motionData: data, stride, motionSizes: sizes, radius}, motion, time) {
   if (sizes === null) return radius;

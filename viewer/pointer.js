@@ -41,6 +41,7 @@ class PointerInput {
     this.moved += Math.abs(dx) + Math.abs(dy);
     if (this.moved <= CLICK_MOVES) return;
     this.picture.classList.add('dragging');
+    viewer.selectedPoint.follows = false;
     if (this.down.size === 1) {
       viewer.view.drag(dx, dy, event.shiftKey);
     } else {
@@ -71,7 +72,11 @@ class PointerInput {
     if (!wasClick) return;
     const {viewer} = this;
     this.point(event);
-    viewer.select(viewer.view.edgeAt(event.offsetX, event.offsetY, REACH[event.pointerType] ?? 9));
+    element('hint').hidden = true;
+    const {kind, id} = viewer.view.thingAt(event.offsetX, event.offsetY, REACH[event.pointerType] ?? REACH.mouse);
+    if (kind === 'edge') viewer.select(id);
+    else if (kind === 'none') viewer.closePanels();
+    else viewer.selectedPoint.select(id);
   }
 
   cancel(event) {
@@ -104,9 +109,20 @@ class PointerInput {
     const {pointer} = viewer;
     viewer.hoverPoint =
       pointer === null ? -1 : viewer.view.pointAt(pointer.x, pointer.y, pointer.reach + 2);
-    const isOnEdge = pointer !== null && !viewer.isPlaying() &&
-      viewer.view.edgeAt(pointer.x, pointer.y, pointer.reach) >= 0;
-    picture.classList.toggle('pointing', isOnEdge && this.down.size === 0);
+    const thing = pointer === null || viewer.isPlaying() || this.down.size > 0 ? NOTHING :
+      viewer.view.thingAt(pointer.x, pointer.y, pointer.reach);
+    viewer.hoverEdge = thing.kind === 'edge' ? thing.id : -1;
+    picture.classList.toggle('pointing', thing.kind !== 'none');
+  }
+
+  /** The number that the point's colour stands for. */
+  colorText(point) {
+    const {viewer} = this;
+    const {coloring} = viewer;
+    if (coloring === null || ['speed', 'size'].includes(coloring.quantity.id)) return '';
+    const {label, isKind} = coloring.quantity, number = coloring.quantity.of(viewer, point);
+    return `\n${label.toLowerCase()}  ${isKind ? kindsOf(viewer.recording)[number] :
+      Number.isFinite(number) ? shortNumber(number) : 'without bounds'}`;
   }
 
   /** Places the tip beside the pointer, inside the picture. */
@@ -120,12 +136,11 @@ class PointerInput {
     const velocity = [0, 1].map((k) => motionVelocity(recording, motion, playback.time, k));
     const pair = (x, y) => `(${shortNumber(x, 7)}, ${shortNumber(y, 7)})`;
     const name = document.createElement('b');
-    name.textContent = recording.names === null ? `Point ${point}` :
-      `${recording.names[point]}, point ${point}`;
+    name.textContent = viewer.longName(point);
     tip.replaceChildren(name, `position  ${pair(viewer.x[point], viewer.y[point])}\n` +
       `velocity  ${pair(...velocity)}\nspeed  ${shortNumber(Math.hypot(...velocity))}` +
       (recording.motionSizes === null ? '' : `\nradius  ${shortNumber(viewer.r[point], 7)}`) +
-      (viewer.hidden[point] === 1 ? '\nhidden: it has no power cell' : ''));
+      (viewer.hidden[point] === 1 ? '\nhidden: it has no power cell' : '') + this.colorText(point));
     const {width, height} = viewer;
     const {x, y} = viewer.pointer;
     const left = x + TIP_OFFSET + tip.offsetWidth > width ? x - TIP_OFFSET - tip.offsetWidth :

@@ -50,6 +50,7 @@ function readRecording(text) {
     from, until, points,
     program: String(json.program ?? ''),
     title: String(json.title ?? ''),
+    view: String(json.view ?? ''),
     names: json.names ?? null,
     box: json.box ?? null,
     radius: json.radius ?? 0,

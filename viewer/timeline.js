@@ -27,28 +27,39 @@ class Timeline {
       `${playback.event} of ${recording.rows}`);
   }
 
-  /** The height of a column is the square root of its number of events: one event is visible. */
+  /** Columns of the events that the filter shows, by kind. The height of a column is the square root of
+   * its number of events: one event is visible. */
   draw() {
     const {viewer, histogram} = this;
-    const {recording} = viewer;
+    const {recording, filter} = viewer;
     const width = histogram.clientWidth, height = histogram.clientHeight;
     const context = sizedContext(histogram, width, height);
     context.clearRect(0, 0, width, height);
     const span = recording.until - recording.from;
     const thumb = 18, columns = Math.floor((width - thumb) / 3);
     if (!(span > 0) || columns < 1) return;
-    const counts = new Uint32Array(columns);
+    const {kinds} = filter;
+    const counts = new Uint32Array(columns * kinds.length), total = new Uint32Array(columns);
+    const place = new Int32Array(recording.kinds.length);
+    kinds.forEach((kind, i) => { place[kind] = i; });
     let most = 1;
-    for (let row = 0; row < recording.rows; ++row) {
+    for (const row of filter.rows) {
       const share = (recording.rowTime[row] - recording.from) / span;
       const column = Math.min(Math.max(Math.floor(share * columns), 0), columns - 1);
-      most = Math.max(most, ++counts[column]);
+      ++counts[column * kinds.length + place[recording.rowKind[row]]];
+      most = Math.max(most, ++total[column]);
     }
-    context.fillStyle = viewer.colors.edge;
     for (let column = 0; column < columns; ++column) {
-      if (counts[column] === 0) continue;
-      const size = Math.max(1.5, height * Math.sqrt(counts[column] / most));
-      context.fillRect(thumb / 2 + (width - thumb) * column / columns, height - size, 2, size);
+      if (total[column] === 0) continue;
+      const size = Math.max(1.5, height * Math.sqrt(total[column] / most));
+      const x = thumb / 2 + (width - thumb) * column / columns;
+      let y = height;
+      kinds.forEach((kind, i) => {
+        const part = size * counts[column * kinds.length + i] / total[column];
+        context.fillStyle = kinds.length > 1 ? filter.color(kind) : viewer.colors.edge;
+        context.fillRect(x, y - part, 2, part);
+        y -= part;
+      });
     }
   }
 }

@@ -8,6 +8,8 @@ const LABEL_CELL = 6;  // pixels; a label takes the cells that it touches, so th
 const LABEL_HEIGHT = 13;
 const LABEL_FONT = '11px system-ui, sans-serif';
 const SEEN_MARGIN = 16;
+const POINT_REACH = 5;  // pixels beside a dot
+const NOTHING = {kind: 'none', id: -1};
 
 class View {
   constructor(viewer) {
@@ -107,6 +109,44 @@ class View {
     const {sx, sy} = this;
     const a = this.viewer.recording.edgeA[edge], b = this.viewer.recording.edgeB[edge];
     this.addSegment(batch, sx[a], sy[a], sx[b], sy[b], shade);
+  }
+
+  /** What a click selects: a point, an edge, or, where cells are shown, the point of a cell: {kind, id}. In
+   * the middle third of an edge the edge is meant, even if a point is near. */
+  thingAt(x, y, reach) {
+    const {switches, coloring} = this.viewer;
+    const point = this.pointAt(x, y, Math.max(this.pointRadius() + POINT_REACH, reach));
+    const edge = switches.delaunay || switches.wave ? this.edgeAt(x, y, reach) : -1;
+    if (point >= 0 && (edge < 0 || !this.isInMiddle(edge, x, y))) return {kind: 'point', id: point};
+    if (edge >= 0) return {kind: 'edge', id: edge};
+    if (!switches.wave && (switches.voronoi || coloring !== null)) {
+      const owner = this.ownerAt(x, y);
+      if (owner >= 0) return {kind: 'cell', id: owner};
+    }
+    return NOTHING;
+  }
+
+  isInMiddle(edge, x, y) {
+    const {sx, sy} = this;
+    const a = this.viewer.recording.edgeA[edge], b = this.viewer.recording.edgeB[edge];
+    const dx = sx[b] - sx[a], dy = sy[b] - sy[a];
+    const along = ((x - sx[a]) * dx + (y - sy[a]) * dy) / (dx * dx + dy * dy);
+    return along > 1 / 3 && along < 2 / 3;
+  }
+
+  /** The point in whose cell the position is: the least power to it. */
+  ownerAt(x, y) {
+    const {sx, sy, sw} = this;
+    let owner = -1, least = Infinity;
+    for (let point = 0; point < sx.length; ++point) {
+      const dx = sx[point] - x, dy = sy[point] - y;
+      const power = dx * dx + dy * dy - sw[point];
+      if (power < least) {
+        least = power;
+        owner = point;
+      }
+    }
+    return owner;
   }
 
   pointAt(x, y, reach) {

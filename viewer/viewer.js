@@ -9,7 +9,7 @@ const HIGHLIGHT = 0.3;          // seconds of playing around an event in which i
 const TRAIL = 6;                // seconds of playing that a trail covers
 const COLOR_NAMES = ['background', 'edge', 'edgeBehind', 'hull', 'point', 'box', 'disc', 'discFill',
                      'trail', 'voronoi', 'circle', 'circleFill', 'removed', 'added', 'selected',
-                     'selectedFill', 'waveEdge', 'waveLowEdge', 'text', 'quiet', 'hover'];
+                     'selectedFill', 'waveEdge', 'waveLowEdge', 'text', 'quiet', 'hover', 'arrow'];
 
 /** The n-th of the numbers 1, 2 and 5 times a power of ten; the zeroth is 1. */
 function roundSpeed(n) {
@@ -31,11 +31,21 @@ class Viewer {
     this.direction = 0;  // of playing: 1, -1, or 0 while paused
     this.pointer = null;
     this.hoverPoint = -1;
-    this.selected = -1;      // edge
+    this.hoverEdge = -1;
+    this.cells = new Cells(this);
+    this.changes = new Changes(recording);
+    this.filter = new EventFilter(recording);
+    this.coloring = null;     // Coloring, if points have colours
+    this.heat = null;         // Heat, from its first use on
+    this.unit = '';           // of lengths
+    this.showsLegend = false;
+    this.selectedPoint = new SelectedPoint(this);
+    this.selected = -1;       // edge
     this.certificate = null;  // its certificate, or its last one if the edge is not there
     this.switches = {
       wave: recording.wave !== null, delaunay: true, hull: true, voronoi: false, circle: false,
-      discs: hasDiscs(recording), trails: false, ids: recording.points <= 40,
+      discs: hasDiscs(recording), trails: false, arrows: false, heat: false, scale: false,
+      ids: recording.points <= 40,
     };
     const span = recording.until - recording.from;
     this.speedStep = span > 0 ? Math.round(3 * Math.log10(span / WHOLE_RUN)) : 0;
@@ -49,6 +59,9 @@ class Viewer {
     this.timeline = new Timeline(this);
     this.list = new EventList(this);
     this.panel = new CertificatePanel(this);
+    this.pointPanel = new PointPanel(this);
+    this.legend = new Legend(this);
+    this.takeAlong = new TakeAlong(this);
     this.pointerInput = new PointerInput(this);
     this.controls = new Controls(this);
     this.followEnvironment();
@@ -60,6 +73,27 @@ class Viewer {
 
   pointName(point) {
     return this.recording.names === null ? String(point) : this.recording.names[point];
+  }
+
+  /** "ada, point 3", or "Point 3". */
+  longName(point) {
+    return this.recording.names === null ? `Point ${point}` : `${this.recording.names[point]}, point ${point}`;
+  }
+
+  /** A speed that few points exceed at the start of their motions. */
+  fastSpeed() {
+    if (this.fast === undefined) {
+      const {recording} = this;
+      const step = Math.max(Math.ceil(recording.motions / 5000), 1);
+      const speeds = [];
+      for (let i = 0; i < recording.motions; i += step) {
+        const begin = recording.motionData[recording.stride * i];
+        speeds.push(Math.hypot(motionVelocity(recording, i, begin, 0), motionVelocity(recording, i, begin, 1)));
+      }
+      speeds.sort((a, b) => a - b);
+      this.fast = speeds[Math.floor(0.9 * (speeds.length - 1))] ?? 0;
+    }
+    return this.fast;
   }
 
   isPlaying() {
@@ -130,11 +164,57 @@ class Viewer {
 
   toggleSwitch(id) {
     this.switches[id] = !this.switches[id];
+    if (id === 'heat' && this.heat === null) this.heat = new Heat(this);
     this.requestFrame();
+  }
+
+  /** Colours the points by the quantity with the id; 'none' for none. */
+  colorBy(id) {
+    const quantity = quantitiesOf(this.recording).find((one) => one.id === id);
+    this.coloring = quantity === undefined ? null : new Coloring(this, quantity);
+    if (this.coloring !== null && !isSmallScreen()) this.showsLegend = true;
+    element('color').value = quantity === undefined ? 'none' : id;
+    this.requestFrame();
+  }
+
+  /** The next quantity, or none after the last. */
+  colorByNext() {
+    const ids = ['none', ...quantitiesOf(this.recording).map(({id}) => id)];
+    this.colorBy(ids[(ids.indexOf(element('color').value) + 1) % ids.length]);
+  }
+
+  toggleLegend() {
+    this.showsLegend = !this.showsLegend;
+    this.requestFrame();
+  }
+
+  toggleKind(kind) {
+    const {hiddenKinds} = this.filter;
+    if (!hiddenKinds.delete(kind)) hiddenKinds.add(kind);
+    this.filterChanged();
+  }
+
+  toggleOnlyPoint() {
+    this.filter.point = this.filter.point === this.selectedPoint.id ? -1 : this.selectedPoint.id;
+    this.filterChanged();
+  }
+
+  filterChanged() {
+    this.filter.update();
+    if (this.heat !== null) this.heat.count();
+    this.list.filterChanged();
+    this.timeline.draw();
+    this.requestFrame();
+  }
+
+  closePanels() {
+    this.select(-1);
+    this.selectedPoint.select(-1);
   }
 
   /** Shows the certificate of the edge, which is there; -1 shows none. */
   select(edge) {
+    if (edge >= 0) this.selectedPoint.select(-1);
     this.selected = edge;
     this.certificate = edge < 0 ? null : certificateOf(this.playback, edge);
     this.requestFrame();
@@ -197,7 +277,7 @@ class Viewer {
     const dark = window.matchMedia('(prefers-color-scheme: dark)');
     this.setTheme(dark.matches);
     dark.addEventListener('change', () => this.setTheme(dark.matches));
-    if (window.innerWidth <= 820) this.toggleList();
+    if (isSmallScreen()) this.toggleList();
     const resized = new ResizeObserver(() => this.resize());
     resized.observe(element('stage'));
     resized.observe(element('histogram'));
@@ -244,12 +324,15 @@ class Viewer {
   draw() {
     this.place();
     this.followSelected();
+    this.selectedPoint.update();
     this.pointerInput.find();
     this.stage.draw(this.view, this.colors.background);
     this.pointerInput.updateTip();
     this.timeline.update();
     this.list.update();
     this.panel.update();
+    this.pointPanel.update();
+    this.legend.update();
     this.showSide();
     this.controls.update();
     writePresent(this);
@@ -276,8 +359,13 @@ class Viewer {
 
   /** Shows the column beside the picture if there is something in it. */
   showSide() {
-    const isEmpty = element('events').hidden && this.selected < 0;
+    const isEmpty = element('events').hidden && this.selected < 0 && this.selectedPoint.id < 0;
     element('side').hidden = isEmpty;
     element('viewer').classList.toggle('without-side', isEmpty);
   }
+}
+
+/** Whether panels cover the picture, as on a phone (style.css has the same). */
+function isSmallScreen() {
+  return window.matchMedia('(max-width: 820px), (max-height: 520px)').matches;
 }

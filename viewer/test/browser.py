@@ -139,7 +139,7 @@ class Browser:
                 self.problems.append("log: " + parameters["entry"]["text"])
         elif method == "Network.requestWillBeSent":
             url = parameters["request"]["url"]
-            if url != self.url:
+            if url.partition("?")[0] != self.url:
                 self.problems.append(f"request: {url[:200]}")
 
     def log_text(self):

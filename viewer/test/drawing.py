@@ -6,7 +6,6 @@ from page import SWITCHES, Page
 LEAST_CHANGE = 0.004  # share of the pixels, where something else is shown
 MOST_NOISE = 0.002    # share of the pixels in which two painters differ
 SCENE = "document.getElementById('scene').hidden"
-BUSY = "show=voronoi,trails,discs&hide=ids"
 
 
 class Drawing(Page):

@@ -18,7 +18,8 @@ class Interface(Page):
     def test_each_switch_changes_the_picture_and_back(self):
         left, top, right, bottom = self.picture_box()
         for key, identifier in (("d", "delaunay"), ("h", "hull"), ("v", "voronoi"), ("o", "discs"),
-                                ("c", "circle"), ("t", "trails"), ("i", "ids")):
+                                ("c", "circle"), ("t", "trails"), ("a", "arrows"), ("m", "heat"),
+                                ("u", "scale"), ("i", "ids")):
             with self.subTest(switch=identifier):
                 # The pointer stays, since it has a circumcircle of its own.
                 middle = ((left + right) / 2, (top + bottom) / 2)
@@ -185,7 +186,7 @@ class Interface(Page):
             self.assertEqual(follow(f"event={number}"), "")
             self.assertGreaterEqual(self.evaluate("kinetri.event"), number)
         count = self.evaluate("kinetri.counts.rows")
-        switches = "of delaunay, hull, voronoi, circle, discs, trails, ids"
+        switches = "of delaunay, hull, voronoi, circle, discs, trails, arrows, heat, scale, ids"
         edge = "the ids of two points that an edge joins at that time, as in 4-17"
         problems = {
             "t=x": "t: 'x' is not possible; expected a number",
@@ -198,10 +199,14 @@ class Interface(Page):
             "edge=0-0": f"edge: '0-0' is not possible; expected {edge}",
             "edge=x": f"edge: 'x' is not possible; expected {edge}",
             "draw=ink": "draw: 'ink' is not possible; expected webgl, where the browser has it, or canvas",
+            "point=1000": "point: '1000' is not possible; expected the id or the name of a point",
+            "color=blue": "color: 'blue' is not possible; expected none or one of area, density, "
+                          "speed, degree, changes",
+            "at=1,2": "at: '1,2' is not possible; expected two coordinates and a width, as in 10,20,5",
             "theme=blue&list=maybe": "theme: 'blue' is not possible; expected light or dark, and "
                                      "list: 'maybe' is not possible; expected on or off",
-            "speed=1": "'speed' is unknown; expected t, event, show, hide, edge, theme, list, "
-                       "draw"}
+            "speed=1": "'speed' is unknown; expected t, event, show, hide, edge, point, follow, color, at, "
+                       "kinds, unit, legend, play, theme, list, draw"}
         for wrong, problem in problems.items():
             self.assertEqual(follow(wrong),
                              "The address of this page asks for something that is not possible: "
@@ -228,5 +233,5 @@ class Interface(Page):
     def test_controls_have_names(self):
         self.assertEqual(self.evaluate(
             "[...document.querySelectorAll('button, input, canvas:not([aria-hidden])')]"
-            ".filter((e) => !e.hidden && !(e.ariaLabel || e.textContent.trim())"
-            " && e.id !== 'plot').map((e) => e.outerHTML)"), [])
+            ".filter((e) => !e.hidden && !(e.ariaLabel || e.textContent.trim() || e.labels?.length)"
+            " && !['plot', 'area-plot'].includes(e.id)).map((e) => e.outerHTML)"), [])

@@ -72,7 +72,9 @@ class Page(unittest.TestCase):
 
     def look(self, skipped=0):
         """What is in the picture, but for the rows at the top, and for its edges: the round corners
-        are not drawn alike each time."""
+        are not drawn alike each time. Nor are the hint and the button of the legend, which are hidden."""
+        self.evaluate("['hint', 'button-legend'].forEach((id) => "
+                      "{ document.getElementById(id).style.visibility = 'hidden'; })")
         left, top, right, bottom = self.picture_box()
         inside = (left + MARGIN, top + max(skipped, MARGIN), right - MARGIN, bottom - MARGIN)
         return browser.Picture(self.browser.screenshot(inside))

@@ -19,11 +19,15 @@ from drawing import Drawing, Without_webgl  # noqa: E402
 from interface import Interface  # noqa: E402
 from page import Page  # noqa: E402
 from playing import Playing  # noqa: E402
+from points import Points  # noqa: E402
 from recordings import Damaged, Small  # noqa: E402
+from screens import Accessible, Screens  # noqa: E402
+from taking import Taking  # noqa: E402
 
 SKIPPED = 77
 CASES = {"interface": Interface, "certificate": Certificate, "drawing": Drawing,
-         "without_webgl": Without_webgl, "small": Small, "damaged": Damaged}
+         "without_webgl": Without_webgl, "points": Points, "screens": Screens,
+         "accessible": Accessible, "taking": Taking, "small": Small, "damaged": Damaged}
 
 
 def main():

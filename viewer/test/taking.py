@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is taken along: PNG, SVG, WebM, and links."""
+import base64
+import time
+import xml.etree.ElementTree as ElementTree
+
+import browser
+from page import SWITCHES, Page
+
+SVG = "{http://www.w3.org/2000/svg}"
+# The bytes of what is saved, in the place of a download.
+CATCH = """void (() => {
+  window.caught = [];
+  URL.createObjectURL = (blob) => {
+    caught.push(blob);
+    return '#';
+  };
+})()"""
+BYTES = """(async () => {
+  const bytes = new Uint8Array(await caught[caught.length - 1].arrayBuffer());
+  let text = '';
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return btoa(text);
+})()"""
+
+
+class Taking(Page):
+    def setUp(self):
+        super().setUp()
+        self.run_ = self.run_of("uniform")
+        self.open(self.run_.page)
+        self.go_to(3.0)
+
+    def saved(self, button):
+        self.evaluate(CATCH)
+        self.browser.key("s")
+        self.browser.click_element(button)
+        deadline = time.monotonic() + browser.SECONDS
+        while self.evaluate("caught.length") == 0:
+            self.assertLess(time.monotonic(), deadline, "nothing is saved")
+        data = base64.b64decode(self.evaluate(BYTES))
+        self.browser.key("Escape")
+        return data
+
+    def test_png(self):
+        self.evaluate("void (location.hash = 'color=area')")
+        self.browser.settle()
+        width, height, rows, _ = browser.decode_png(self.saved("save-png"))
+        box = self.picture_box()
+        self.assertEqual((width, height), (2 * (box[2] - box[0]), 2 * (box[3] - box[1])))
+        self.assertGreater(len({row[i:i + 3] for row in rows for i in range(0, len(row), 4)}), 50)
+
+    def test_svg(self):
+        self.evaluate("void (location.hash = 'show=ids&hide=hull')")
+        self.browser.settle()
+        root = ElementTree.fromstring(self.saved("save-svg").decode())
+        lines = circles = 0
+        for path in root.iter(SVG + "path"):
+            if path.get("stroke") is None:
+                circles += path.get("d").count("M")
+            else:
+                lines += path.get("d").count("L")
+        self.assertEqual(circles, 40)
+        self.assertGreaterEqual(lines, len(self.evaluate("kinetri.edges()")))
+        texts = {text.text for text in root.iter(SVG + "text")}
+        self.assertGreater(len(texts), 15)
+        self.assertLessEqual(texts, {str(i) for i in range(40)})
+
+    def test_webm(self):
+        self.evaluate("document.getElementById('film-seconds').value = 1")
+        self.evaluate("document.getElementById('film-from').value = 2")
+        self.evaluate("document.getElementById('film-until').value = 2.5")
+        data = self.saved("save-film")
+        self.assertEqual(data[:4], b"\x1a\x45\xdf\xa3")  # EBML
+        self.assertGreater(len(data), 2000)
+        self.assertEqual(self.evaluate("kinetri.time"), 2.5)
+
+    def test_webm_of_impossible_times(self):
+        self.evaluate("document.getElementById('film-until').value = 1000")
+        self.browser.key("s")
+        self.browser.click_element("save-film")
+        self.assertIn("expected times from 0 to 8",
+                      self.evaluate("document.getElementById('take-along-says').textContent"))
+
+    def test_link(self):
+        """It opens the same view."""
+        self.evaluate("void (location.hash = 'show=voronoi&hide=hull,ids&color=speed&point=7&at=50,50,70&theme=dark')")
+        self.browser.settle()
+        self.go_to(4.25)
+        self.browser.move(5, 5)
+        view = self.look(SWITCHES)
+        self.browser.key("s")
+        link = self.evaluate("document.getElementById('link').value")
+        self.assertTrue(link.startswith(self.run_.page.resolve().as_uri() + "#"))
+        self.browser.open(self.run_.page, link[link.index("#"):])
+        self.browser.move(5, 5)
+        self.assertTrue(self.evaluate("document.getElementById('address-note').hidden"))
+        self.assertEqual(self.evaluate("[kinetri.time, kinetri.point, kinetri.colored().id]"), [4.25, 7, "speed"])
+        # The width of what is seen, which is written into the link, is rounded.
+        self.assertEqual(view.difference(self.look(SWITCHES), 16), 0)
