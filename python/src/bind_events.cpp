@@ -52,7 +52,7 @@ py::tuple points(const Event& event) {
   return py::tuple();
 }
 
-std::string representation(const Event& event) {
+std::string event_representation(const Event& event) {
   py::list parts;
   const auto add = [&](const char* name, const py::object& value) {
     parts.append(py::str(", {}={}").format(name, py::repr(value)));
@@ -93,7 +93,7 @@ void bind_events(py::module_& module) {
           "added", [](const Event& event) { return edge(event.added); },
           "tuple of two ids, or None: the edge that comes, the smaller id first.")
       .def_property_readonly("points", &points, "tuple of ids: the points concerned, if any.")
-      .def("__repr__", representation);
+      .def("__repr__", event_representation);
 
   py::class_<Event_observer>(module, "Observer");
   py::class_<Event_table, Event_observer>(module, "EventTable")
