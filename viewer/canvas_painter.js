@@ -9,7 +9,7 @@
 const PATH_ITEMS = 500;  // at most in a path
 const MANY = 1500;       // lines; more are drawn with hairlines
 const PATH_ARCS = 40;    // at most in a path; arcs take longer
-const SMALL = 1.5;       // radius of a disc that is drawn as a square
+const SMALL = 1.5, SMALL_OF_MANY = 3;  // radius of a disc that is drawn as a square
 const TINY = 0.8;        // radius of a disc that is drawn as a line, in pixels of the display
 const SQUARE_SIDE = Math.sqrt(Math.PI);  // of the square that is as large as the circle of radius 1
 
@@ -93,6 +93,7 @@ class CanvasPainter {
     this.traceCircles(batch, order, first, end, true);
   }
 
+  /** Fills or strokes circles. */
   traceCircles(batch, order, first, end, isFill) {
     const {context} = this;
     for (let begin = first; begin < end;) {
@@ -115,9 +116,9 @@ class CanvasPainter {
   }
 
   /** How a circle is added to the path. */
-  wayOf({data}, order, i, isFill) {
+  wayOf({data, count}, order, i, isFill) {
     const radius = data[CIRCLE * (order === null ? i : order[i]) + 2];
-    if (!isFill || radius > SMALL) return this.addArc;
+    if (!isFill || radius > (count > MANY ? SMALL_OF_MANY : SMALL)) return this.addArc;
     return radius * this.ratio > TINY ? this.addSquare : this.addBar;
   }
 

@@ -160,15 +160,18 @@ function drawColors(painter, view) {
   const {coloring, switches, recording, hidden} = viewer;
   coloring.update();
   const {shades, hasShade, palette} = coloring;
-  const {camera, sx, sy, detail} = view;
+  const {camera, sx, sy, detail, width, height} = view;
   const onDiscs = switches.discs && hasDiscs(recording);
   if (!onDiscs && detail.showsCells(painter)) {
     if (!coloring.quantity.needsCells) viewer.cells.update();
     const batch = view.triangleBatch.clear();
     viewer.cells.forEachTriangle((point, ax, ay, bx, by, cx, cy) => {
       if (hasShade[point] === 0) return;
-      batch.triangle(camera.screenX(ax), camera.screenY(ay), camera.screenX(bx), camera.screenY(by),
-                     camera.screenX(cx), camera.screenY(cy), shades[point]);
+      const x0 = camera.screenX(ax), x1 = camera.screenX(bx), x2 = camera.screenX(cx);
+      if (x0 < 0 && x1 < 0 && x2 < 0 || x0 > width && x1 > width && x2 > width) return;
+      const y0 = camera.screenY(ay), y1 = camera.screenY(by), y2 = camera.screenY(cy);
+      if (y0 < 0 && y1 < 0 && y2 < 0 || y0 > height && y1 > height && y2 > height) return;
+      batch.triangle(x0, y0, x1, y1, x2, y2, shades[point]);
     });
     painter.triangles(batch, {palette});
     return;

@@ -10,7 +10,7 @@ const FAINTEST_DOT = 0.25;
 const DOTS_APART = 9;                        // radii of a dot between neighbours
 const EDGES_FADE = 5.5, EDGES_VANISH = 2.6;  // distances of neighbours, in pixels
 const ROOM_BEHIND = 3;
-const MOST_CELLS = 4000, MOST_CELLS_WEBGL = 100000;  // in view, that are filled
+const MOST_CELLS = 2000, MOST_CELLS_WEBGL = 100000;  // in view, that are filled
 const LEAST_WIDTH = 0.7, GREATEST_WIDTH = 1.4;
 
 class Detail {

@@ -53,8 +53,8 @@ class FlatView extends View {
     this.project();
     if (recording.box !== null) this.drawBox(painter);
     if (recording.points === 0) this.sayEmpty(painter);
-    if (switches.heat) viewer.heat.draw(painter, this);
     if (viewer.coloring !== null) drawColors(painter, this);
+    if (switches.heat) viewer.heat.draw(painter, this);
     if (switches.discs && hasDiscs(recording)) this.drawAllDiscs(painter);
     if (switches.trails) drawTrails(painter, this);
     if (switches.delaunay) this.drawEdges(painter);

@@ -23,7 +23,7 @@ class Small(Page):
         runs.execute(self.program, "simulate", file, "--until", until, "--html", page, "--quiet", *options)
         self.open(page)
         self.assertEqual(self.evaluate("kinetri.counts.points"), count)
-        for key in "vctdhiofn":
+        for key in "vctdhiofnamukkkkkkgp]jr":
             self.browser.key(key)
         self.assertTrue(self.evaluate("kinetri.screen(0, 0).every(Number.isFinite)"))
         left, top, right, bottom = self.picture_box()
