@@ -64,6 +64,7 @@ write_basic_package_version_file(${generated_dir}/KinetriConfigVersion.cmake
 install(FILES ${generated_dir}/KinetriConfig.cmake ${generated_dir}/KinetriConfigVersion.cmake
   ${PROJECT_SOURCE_DIR}/cmake/KinetriBuildType.cmake
   ${PROJECT_SOURCE_DIR}/cmake/KinetriDependencies.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/KinetriFindLibrary.cmake
   DESTINATION ${package_dir} COMPONENT development)
 
 # pkg-config. The headers need C++20, and CGAL's a definition and an option that its target carries.
@@ -86,21 +87,29 @@ endif()
 configure_file(${PROJECT_SOURCE_DIR}/cmake/kinetri.pc.in ${generated_dir}/kinetri.pc @ONLY)
 install(FILES ${generated_dir}/kinetri.pc DESTINATION ${pkgconfig_dir} COMPONENT development)
 
-# The program, and what it has written about itself (apps/kinetri/CMakeLists.txt).
-if(TARGET kinetri_program)
+# kinetri_install_program(TARGET NAME COMPONENT [OPTIONAL]): a program, and what it has written about itself
+# (kinetri_program_documents); OPTIONAL: where it has been built. Zsh's completions have a component of their own.
+function(kinetri_install_program target name component)
   # It finds an installed shared library next to it.
   if(BUILD_SHARED_LIBS)
     file(RELATIVE_PATH bin_to_lib /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR})
-    set_target_properties(kinetri_program PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
   endif()
-  install(TARGETS kinetri_program
-    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-  install(FILES ${KINETRI_DOCUMENTS_DIR}/${KINETRI_MANUAL_PAGE}
-    DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
-  install(FILES ${KINETRI_DOCUMENTS_DIR}/kinetri.bash DESTINATION ${bash_dir} RENAME kinetri
-    COMPONENT program)
-  install(FILES ${KINETRI_DOCUMENTS_DIR}/_kinetri DESTINATION ${zsh_dir} COMPONENT zsh)
-  install(FILES ${KINETRI_DOCUMENTS_DIR}/kinetri.fish DESTINATION ${fish_dir} COMPONENT program)
+  install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component} ${ARGN})
+  set(page ${name}.1)
+  if(KINETRI_GZIP)
+    set(page ${name}.1.gz)
+  endif()
+  install(FILES ${KINETRI_DOCUMENTS_DIR}/${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+    COMPONENT ${component} ${ARGN})
+  install(FILES ${KINETRI_DOCUMENTS_DIR}/${name}.bash DESTINATION ${bash_dir} RENAME ${name}
+    COMPONENT ${component} ${ARGN})
+  install(FILES ${KINETRI_DOCUMENTS_DIR}/_${name} DESTINATION ${zsh_dir} COMPONENT zsh ${ARGN})
+  install(FILES ${KINETRI_DOCUMENTS_DIR}/${name}.fish DESTINATION ${fish_dir}
+    COMPONENT ${component} ${ARGN})
+endfunction()
+if(TARGET kinetri_program)
+  kinetri_install_program(kinetri_program kinetri program)
 endif()
 
 if(TARGET kinetri_verify)

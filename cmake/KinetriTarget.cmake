@@ -33,3 +33,30 @@ function(kinetri_compile_settings target)
     target_link_options(${target} PUBLIC --coverage)
   endif()
 endfunction()
+
+# kinetri_program_documents(TARGET NAME): the manual page, compressed where that is possible, and the completions
+# of a program, which it writes from its own tables, in the folder KINETRI_DOCUMENTS_DIR.
+set(KINETRI_DOCUMENTS_DIR ${PROJECT_BINARY_DIR}/documents)
+find_program(KINETRI_GZIP gzip)
+mark_as_advanced(KINETRI_GZIP)
+function(kinetri_program_documents target name)
+  set(documents)
+  foreach(document IN ITEMS "${name}.1 manual" "${name}.bash completion bash" "_${name} completion zsh"
+      "${name}.fish completion fish")
+    separate_arguments(document)
+    list(POP_FRONT document file)
+    add_custom_command(OUTPUT ${KINETRI_DOCUMENTS_DIR}/${file}
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${KINETRI_DOCUMENTS_DIR}
+      COMMAND ${target} ${document} > ${KINETRI_DOCUMENTS_DIR}/${file}
+      DEPENDS ${target} COMMENT "Writing ${file}" VERBATIM)
+    list(APPEND documents ${KINETRI_DOCUMENTS_DIR}/${file})
+  endforeach()
+  if(KINETRI_GZIP)
+    add_custom_command(OUTPUT ${KINETRI_DOCUMENTS_DIR}/${name}.1.gz
+      COMMAND ${KINETRI_GZIP} -9nkf ${KINETRI_DOCUMENTS_DIR}/${name}.1
+      DEPENDS ${KINETRI_DOCUMENTS_DIR}/${name}.1 VERBATIM)
+    list(APPEND documents ${KINETRI_DOCUMENTS_DIR}/${name}.1.gz)
+  endif()
+  string(REPLACE - _ prefix ${name})
+  add_custom_target(${prefix}_documents ALL DEPENDS ${documents})
+endfunction()

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -63,6 +64,8 @@ struct Command {
   std::vector<std::string> examples = {};  ///< command lines, at least one
   std::vector<Option> options = {};
   std::vector<Command> commands = {};  ///< one of which must be named, if there are any
+  /// Of a program: its exit codes, and what each means, for the manual page.
+  std::vector<std::pair<int, std::string>> exit_codes = {};
   /// What it does after parsing; it may throw Usage_error. Given the whole program.
   std::function<Exit_code(const Command& program)> run = nullptr;
 

@@ -147,8 +147,9 @@ void write_zsh_function(std::ostream& out, const Command& command, const std::st
 
 // ---- fish ----
 
-void write_fish_option(std::ostream& out, const std::string& condition, const Option& option) {
-  out << "complete -c kinetri -n " << condition;
+// `begin`: how each line begins that completes the command.
+void write_fish_option(std::ostream& out, const std::string& begin, const Option& option) {
+  out << begin;
   for (const std::string& name : option.names) {
     if (option.positional()) break;
     const bool is_long = name.starts_with("--");
@@ -177,8 +178,8 @@ void write_fish_option(std::ostream& out, const std::string& condition, const Op
 
 void write_bash_completion(std::ostream& out, const Command& program) {
   const std::vector<Named_command> table = all_commands(program);
-  out << R"(# Completion for kinetri in bash, made by `kinetri completion bash`.
-_kinetri() {
+  out << with_name(R"(# Completion for NAME in bash, made by `NAME completion bash`.
+_NAME() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
   # To bash, --option=value is three words.
   if [[ $current == = ]]; then
@@ -186,10 +187,11 @@ _kinetri() {
   elif [[ $previous == = ]]; then
     previous=${COMP_WORDS[COMP_CWORD - 2]}
   fi
-  local command=kinetri word words= files=
+  local command=NAME word words= files=
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case "$command $word" in
-)";
+)",
+                   program.name);
   for (const auto& [name, command] : table) {
     for (const std::string& inner : names_of_commands(*command)) {
       out << "      " << shell_quoted(name + " " + inner) << ") command+=\" $word\" ;;\n";
@@ -206,7 +208,7 @@ _kinetri() {
   }
   out << "    *)\n      case $command in\n";
   for (const auto& [name, command] : table) write_bash_command(out, *command, name);
-  out << R"(      esac ;;
+  out << with_name(R"(      esac ;;
   esac
   COMPREPLY=()
   if [[ -n $files ]]; then
@@ -216,54 +218,61 @@ _kinetri() {
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
   fi
 }
-complete -F _kinetri kinetri
-)";
+complete -F _NAME NAME
+)",
+                   program.name);
 }
 
 void write_zsh_completion(std::ostream& out, const Command& program) {
   const std::vector<Named_command> table = all_commands(program);
-  out << "#compdef kinetri\n# Completion for kinetri in zsh, made by `kinetri completion zsh`.\n\n";
+  out << with_name(
+      "#compdef NAME\n# Completion for NAME in zsh, made by `NAME completion zsh`.\n\n",
+      program.name);
   for (const auto& [name, command] : table) write_zsh_function(out, *command, name);
-  out << R"(# Loaded from $fpath this is the function itself, at its first call; else it is being sourced.
-if [[ $funcstack[1] == _kinetri ]]; then
-  _kinetri "$@"
+  out << with_name(
+      R"(# Loaded from $fpath this is the function itself, at its first call; else it is being sourced.
+if [[ $funcstack[1] == _NAME ]]; then
+  _NAME "$@"
 else
-  compdef _kinetri kinetri
+  compdef _NAME NAME
 fi
-)";
+)",
+      program.name);
 }
 
 void write_fish_completion(std::ostream& out, const Command& program) {
   const std::vector<Named_command> table = all_commands(program);
-  out << R"(# Completion for kinetri in fish, made by `kinetri completion fish`.
+  out << with_name(R"(# Completion for NAME in fish, made by `NAME completion fish`.
 
 # Whether the command line has got to the command that is named.
-function __kinetri_is_at
-  set -l command kinetri
+function __NAME_is_at
+  set -l command NAME
   for word in (commandline -opc)[2..]
     switch "$command $word"
-      case)";
+      case)",
+                   program.name);
   for (const auto& [name, command] : table) {
     for (const std::string& inner : names_of_commands(*command)) {
       out << " " << fish_quoted(name + " " + inner);
     }
   }
-  out << R"(
+  out << with_name(R"(
         set command "$command $word"
     end
   end
   test "$command" = "$argv"
 end
 
-complete -c kinetri -f
-)";
+complete -c NAME -f
+)",
+                   program.name);
   for (const auto& [name, command] : table) {
-    const std::string condition = fish_quoted("__kinetri_is_at " + name);
+    const std::string begin = joined("complete -c ", program.name, " -n ",
+                                     fish_quoted(joined("__", program.name, "_is_at ", name)));
     for (const Command& inner : command->commands) {
-      out << "complete -c kinetri -n " << condition << " -a " << inner.name << " -d "
-          << fish_quoted(inner.summary) << "\n";
+      out << begin << " -a " << inner.name << " -d " << fish_quoted(inner.summary) << "\n";
     }
-    for (const Option& option : command->options) write_fish_option(out, condition, option);
+    for (const Option& option : command->options) write_fish_option(out, begin, option);
   }
 }
 

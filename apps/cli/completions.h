@@ -14,7 +14,7 @@ namespace kinetri::app {
 /// For bash 4 or newer; needs nothing of the package bash-completion.
 void write_bash_completion(std::ostream& out, const Command& program);
 
-/// For zsh: works as a file `_kinetri` in $fpath and, after compinit, sourced.
+/// For zsh: works as a file _NAME in $fpath and, after compinit, sourced.
 void write_zsh_completion(std::ostream& out, const Command& program);
 
 /// For fish 3 or newer.

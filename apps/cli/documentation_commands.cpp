@@ -28,16 +28,6 @@ Exit_code print(Write write) {
   return Exit_code::done;
 }
 
-// The text with the name of the program in place of NAME.
-std::string with_name(std::string text, const std::string& name) {
-  constexpr std::string_view placeholder = "NAME";
-  for (std::size_t at = 0; (at = text.find(placeholder, at)) != std::string::npos;
-       at += name.size()) {
-    text.replace(at, placeholder.size(), name);
-  }
-  return text;
-}
-
 Command completion_command(const std::string& program_name) {
   const auto shell = std::make_shared<std::string>();
   Command result;

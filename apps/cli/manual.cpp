@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/manual.h"
 
+#include <algorithm>
+#include <cctype>
 #include <ostream>
 #include <string>
 #include <string_view>
 
+#include "cli/text.h"
 #include "io/text.h"
 #include "kinetri/version.h"
 
@@ -91,11 +94,16 @@ void write_synopsis(std::ostream& out, const Command& command, const std::string
 
 void write_manual(std::ostream& out, const Command& program) {
   const std::vector<Named_command> table = all_commands(program);
-  out << ".\\\" Made by `kinetri manual`.\n.TH KINETRI 1 \"\" \"kinetri " << version
+  std::string title = program.name;
+  std::ranges::transform(title, title.begin(), [](unsigned char c) { return std::toupper(c); });
+  std::string summary = program.summary;
+  summary.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(summary.front())));
+  out << with_name(".\\\" Made by `NAME manual`.\n", program.name) << ".TH " << plain(title)
+      << " 1 \"\" \"" << plain(program.name) << " " << version
       << "\" \"User Commands\"\n"
          ".nh\n.ad l\n"
-         ".SH NAME\nkinetri \\- exact kinetic Delaunay triangulation of moving points\n"
-         ".SH SYNOPSIS\n";
+         ".SH NAME\n"
+      << plain(program.name) << " \\- " << line(summary) << ".SH SYNOPSIS\n";
   for (const auto& [name, command] : table) {
     if (command->commands.empty()) write_synopsis(out, *command, name);
   }
@@ -107,15 +115,11 @@ void write_manual(std::ostream& out, const Command& program) {
   for (const auto& [name, command] : table) {
     if (command != &program) write_command(out, *command, name);
   }
-  out << ".SH EXIT STATUS\n"
-         ".TP\n0\nDone.\n"
-         ".TP\n1\nAn audit failed, or kinetri-verify refuted the run.\n"
-         ".TP\n2\nBad usage or bad input; standard error says what was expected.\n"
-         ".TP\n3\nAn internal check failed.\n"
-         ".TP\n130\nInterrupted, or jammed; the outputs hold what happened until then.\n"
-         ".TP\n141\nNobody reads the pipe to which standard output goes; outputs that are files "
-         "are complete.\n"
-         ".SH ENVIRONMENT\n"
+  out << ".SH EXIT STATUS\n";
+  for (const auto& [code, meaning] : program.exit_codes) {
+    out << ".TP\n" << code << "\n" << line(meaning);
+  }
+  out << ".SH ENVIRONMENT\n"
          ".TP\nNO_COLOR\nIf it is set, and not empty, nothing is colored.\n";
 }
 

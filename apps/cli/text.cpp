@@ -48,6 +48,15 @@ std::string counted(std::uint64_t number, std::string_view noun) {
   return joined(number, ' ', noun, number == 1 ? "" : "s");
 }
 
+std::string with_name(std::string text, std::string_view name) {
+  constexpr std::string_view placeholder = "NAME";
+  for (std::size_t at = 0; (at = text.find(placeholder, at)) != std::string::npos;
+       at += name.size()) {
+    text.replace(at, placeholder.size(), name);
+  }
+  return text;
+}
+
 std::string csv_field(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string result = "\"";

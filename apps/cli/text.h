@@ -31,6 +31,9 @@ std::string left_aligned(std::string text, std::size_t width);
 /// "1 point", "2 points": the number with its noun, whose plural has an s.
 std::string counted(std::uint64_t number, std::string_view noun);
 
+/// The text with the name of a program in place of NAME.
+std::string with_name(std::string text, std::string_view name);
+
 /// The text as a field of CSV: in quotation marks where it has a comma, a quotation mark or a line
 /// end (RFC 4180).
 std::string csv_field(std::string_view text);

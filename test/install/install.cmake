@@ -71,20 +71,23 @@ foreach(file IN LISTS files)
 endforeach()
 
 # An installed program runs, and what belongs to it is there.
-if(EXISTS "${PREFIX}/bin/kinetri")
-  execute_process(COMMAND "${PREFIX}/bin/kinetri" --version OUTPUT_VARIABLE version
-    COMMAND_ERROR_IS_FATAL ANY)
-  if(NOT version MATCHES "${VERSION}")
-    message(SEND_ERROR "kinetri --version prints \"${version}\", expected ${VERSION}")
+foreach(program IN ITEMS kinetri kinetri-video)
+  if(NOT EXISTS "${PREFIX}/bin/${program}")
+    continue()
   endif()
-  foreach(file IN ITEMS man/man1/kinetri.1* bash-completion/completions/kinetri
-      zsh/site-functions/_kinetri fish/vendor_completions.d/kinetri.fish)
+  execute_process(COMMAND "${PREFIX}/bin/${program}" --version OUTPUT_VARIABLE version
+    COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT version MATCHES "^${program} ${VERSION}")
+    message(SEND_ERROR "${program} --version prints \"${version}\", expected ${program} ${VERSION}")
+  endif()
+  foreach(file IN ITEMS man/man1/${program}.1* bash-completion/completions/${program}
+      zsh/site-functions/_${program} fish/vendor_completions.d/${program}.fish)
     file(GLOB found "${PREFIX}/share/${file}")
     if(NOT found)
       message(SEND_ERROR "share/${file} was not installed")
     endif()
   endforeach()
-endif()
+endforeach()
 
 # So does the Python package, and what Python has compiled of it goes as well.
 if(PYTHON)

@@ -24,6 +24,11 @@ app::Command program() {
                      "kinetri-video play clip.kvd --html clip.html"};
   result.commands = {encode_command(), decode_command(), play_command(), info_command(),
                      compare_command()};
+  result.exit_codes = {{0, "Done."},
+                       {2, "Bad usage, input or output; standard error says what was expected."},
+                       {3, "An internal check failed."},
+                       {130, "Interrupted; there is no output, unless it is a pipe."},
+                       {141, "Nobody reads the pipe to which standard output goes."}};
   app::add_documentation_commands(result, "", {"kinetri-video help encode"});
   return result;
 }

@@ -17,6 +17,14 @@ Command program() {
                      "kinetri help simulate"};
   result.commands = {generate_command(), simulate_command(), resume_command(),
                      tracks_command(),   wave_command(),     experiment_command()};
+  result.exit_codes = {{0, "Done."},
+                       {1, "An audit failed, or kinetri-verify refuted the run."},
+                       {2, "Bad usage or bad input; standard error says what was expected."},
+                       {3, "An internal check failed."},
+                       {130, "Interrupted, or jammed; the outputs hold what happened until then."},
+                       {141,
+                        "Nobody reads the pipe to which standard output goes; outputs that are "
+                        "files are complete."}};
   add_documentation_commands(result, " A scenario of generate is named after it.",
                              {"kinetri help simulate", "kinetri help generate uniform"});
   return result;
