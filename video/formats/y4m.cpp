@@ -214,21 +214,12 @@ class Y4m_source : public Frame_source {
 class Y4m_sink : public Frame_sink {
  public:
   Y4m_sink(const std::string& path, const Video_format& format) : output_(path) {
-    std::string header = joined(signature, " W", format.width, " H", format.height, " F",
-                                format.rate.numerator, ":", format.rate.denominator, " Ip A",
-                                format.aspect.numerator, ":", format.aspect.denominator);
-    for (const Chroma_tag& known : chroma_tags) {
-      if (known.chroma != format.chroma) continue;
-      append(header, " C", known.tag);
-      break;
-    }
-    if (format.is_full_range) append(header, " X", full_range);
-    output_.stream() << header << '\n';
+    output_.stream() << y4m_header(format);
   }
 
   void write(const Frame& frame) override {
     std::ostream& out = output_.stream();
-    out << "FRAME\n";
+    out << y4m_frame_line;
     for (const auto& plane : frame.planes) {
       out.write(reinterpret_cast<const char*>(plane.data()),
                 static_cast<std::streamsize>(plane.size()));
@@ -244,6 +235,19 @@ class Y4m_sink : public Frame_sink {
 };
 
 }  // namespace
+
+std::string y4m_header(const Video_format& format) {
+  std::string header = joined(signature, " W", format.width, " H", format.height, " F",
+                              format.rate.numerator, ":", format.rate.denominator, " Ip A",
+                              format.aspect.numerator, ":", format.aspect.denominator);
+  for (const Chroma_tag& known : chroma_tags) {
+    if (known.chroma != format.chroma) continue;
+    append(header, " C", known.tag);
+    break;
+  }
+  if (format.is_full_range) append(header, " X", full_range);
+  return header + "\n";
+}
 
 std::unique_ptr<Frame_source> read_y4m(std::istream& in, const std::string& name) {
   return std::make_unique<Y4m_source>(nullptr, in, name);

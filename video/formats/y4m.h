@@ -9,6 +9,7 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "video/formats/frame.h"
 
@@ -22,6 +23,12 @@ std::unique_ptr<Frame_source> read_y4m(std::istream& in, const std::string& name
 
 /// The same of a file, or of standard input ("-").
 std::unique_ptr<Frame_source> open_y4m(const std::string& path);
+
+/// @{
+/// How a video of the format begins; and each of its frames, before the samples of its planes.
+std::string y4m_header(const Video_format& format);
+inline constexpr std::string_view y4m_frame_line = "FRAME\n";
+/// @}
 
 /// Writes a file, or standard output ("-"). A file is there only when it is whole.
 std::unique_ptr<Frame_sink> create_y4m(const std::string& path, const Video_format& format);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include "video/codec/decoder.h"
 #include "video/codec/quality.h"
 #include "video/program/commands.h"
+#include "video/program/x264.h"
 
 namespace kinetri::video {
 namespace {
@@ -97,6 +99,27 @@ void write_table(const std::string& path, const Quality& quality, std::size_t pl
   output.commit();
 }
 
+// The lines of one video; `name` begins each.
+void append_quality(std::string& text, const Quality& quality, const Video_format& format,
+                    std::string_view name) {
+  const Frame_quality mean = quality.mean();
+  for (std::size_t p = 0; p < format.planes(); ++p) {
+    append(text, app::left_aligned(joined(name, plane_names[p]), 14), "PSNR ",
+           psnr_text(mean.psnr(p)), " dB, SSIM ", app::fixed(mean.ssim[p], 5), '\n');
+  }
+  const auto flicker = quality.flicker();
+  append(text, app::left_aligned(joined(name, "flicker"), 14),
+         flicker ? app::significant(*flicker, 3) : "none: no sample of the source rests", '\n');
+}
+
+void append_bits(std::string& text, std::uint64_t bytes, const Video_format& format,
+                 std::size_t frames, std::string_view name) {
+  const double pixels =
+      static_cast<double>(format.width) * format.height * static_cast<double>(frames);
+  append(text, app::left_aligned(joined(name, "bits"), 14),
+         app::significant(8.0 * static_cast<double>(bytes) / pixels, 4), " per pixel\n");
+}
+
 app::Exit_code run(const Compare_options& options) {
   const Ratio rate = rate_argument("--rate", options.rate);
   const auto source = open_frames(options.source, rate);
@@ -121,21 +144,18 @@ app::Exit_code run(const Compare_options& options) {
   if (options.table) write_table(*options.table, quality, format.planes());
   if (options.table == "-") return app::Exit_code::done;
 
-  std::string text = joined("frames    ", quality.frames().size(), '\n');
-  const Frame_quality mean = quality.mean();
-  for (std::size_t p = 0; p < format.planes(); ++p) {
-    append(text, app::left_aligned(std::string(plane_names[p]), 10), "PSNR ",
-           psnr_text(mean.psnr(p)), " dB, SSIM ", app::fixed(mean.ssim[p], 5), '\n');
-  }
+  std::string text = joined("frames        ", quality.frames().size(), '\n');
+  append_quality(text, quality, format, "");
   if (bytes) {
-    const double pixels = static_cast<double>(format.width) * format.height *
-                          static_cast<double>(quality.frames().size());
-    append(text, "bits      ", app::significant(8.0 * static_cast<double>(*bytes) / pixels, 4),
-           " per pixel\n");
+    append_bits(text, *bytes, format, quality.frames().size(), "");
+    const X264_result x264 = x264_at(options.source, rate, *bytes, quality.frames().size());
+    if (x264.problem.empty()) {
+      append_quality(text, *x264.quality, format, "x264 ");
+      append_bits(text, x264.bytes, format, quality.frames().size(), "x264 ");
+    } else {
+      append(text, "x264          not compared: ", x264.problem, '\n');
+    }
   }
-  const auto flicker = quality.flicker();
-  append(text, "flicker   ",
-         flicker ? app::significant(*flicker, 3) : "none: no sample of the source rests", '\n');
   std::cout << text;
   return app::Exit_code::done;
 }
@@ -157,6 +177,9 @@ Command compare_command() {
       "PSNR is that of the mean of squares over all frames; SSIM is the mean of all frames. "
       "Flicker "
       "is the mean change of brightness from frame to frame where the source changes by at most 1.",
+      "If B is a stream and ffmpeg is installed, the same is shown of x264 at about as many bits, "
+      "in "
+      "two passes.",
       "Exit codes: see kinetri-video encode."};
   result.examples = {"kinetri-video compare clip.y4m clip.kvd --csv frames.csv"};
   result.run = [options](const Command& /*program*/) { return run(*options); };
