@@ -14,10 +14,10 @@
 
 #include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
-#include "video/codec/color_fit.h"
 #include "video/codec/group_motion.h"
 #include "video/codec/moving_picture.h"
 #include "video/codec/optical_flow.h"
+#include "video/codec/picture_fit.h"
 #include "video/codec/placement.h"
 #include "video/codec/point_choice.h"
 #include "video/stream/stream_writer.h"
@@ -28,16 +28,6 @@ namespace {
 // A frame of which so many points are lost, or whose histogram differs by so much, begins a scene.
 constexpr double share_of_cut = 0.6;
 constexpr double histogram_of_cut = 0.5;
-// How much a point is pulled towards its color before, in samples.
-constexpr double inertia = 0.05;
-// A color changes only if it is off by more than this many steps.
-constexpr double dead_zone = 0.6;
-// The last frame of a group counts as much as all others together. Else the colors there, with
-// which the next group begins, would be wrong in favor of the frames before, in turns too high and
-// too low.
-double importance_of(std::uint32_t frame, std::uint32_t frames) {
-  return frame == frames ? std::max(frames, 1U) : 1.0;
-}
 // Of the stage, in pixels.
 constexpr unsigned margin = 32;
 // How often points of a key are replaced by better ones.
@@ -57,20 +47,6 @@ double histogram_distance(const Frame& a, const Frame& b) {
   return sum / 2 / static_cast<double>(a.planes[0].size());
 }
 
-// Planes that have samples at the same places.
-struct Plane_set {
-  std::size_t first = 0;
-  std::size_t count = 1;
-  Grid_2 grid;
-};
-
-std::vector<Plane_set> plane_sets(const Video_format& format) {
-  const Grid_2 brightness = format.grid(0, format);
-  if (format.chroma == Chroma::mono) return {{0, 1, brightness}};
-  if (format.chroma == Chroma::yuv444) return {{0, 3, brightness}};
-  return {{0, 1, brightness}, {1, 2, format.grid(1, format)}};
-}
-
 class Encoder {
  public:
   Encoder(Frame_source& source, std::ostream& out, const Encoder_settings& settings,
@@ -80,11 +56,10 @@ class Encoder {
         progress_(progress),
         header_{source.format(), settings.place_bits, settings.color_step,
                 settings.has_motion ? margin : 0},
-        sets_(plane_sets(header_.format)),
         writer_(out, header_),
         picture_(header_),
-        flow_(header_.format.width, header_.format.height),
-        weights_(sets_[0].grid.rows * sets_[0].grid.columns) {}
+        fit_(header_),
+        flow_(header_.format.width, header_.format.height) {}
 
   Encoded run() {
     std::uint32_t next = 0;
@@ -114,7 +89,6 @@ class Encoder {
 
   // The time of the last block.
   std::uint32_t now() const { return writer_.points().time(); }
-  double unit() const { return header_.color_step / 8.0; }
   double width() const { return header_.format.width; }
   double height() const { return header_.format.height; }
 
@@ -128,16 +102,11 @@ class Encoder {
     return &frames_[number - first_frame_];
   }
 
-  std::int16_t quantized(double value) const {
-    return static_cast<std::int16_t>(
-        std::clamp(std::floor(value / unit() + 0.5), -32000.0, 32000.0));
-  }
-
   Node node_at(const Place& place, const Frame& frame) const {
     Node result = {place, {}};
     for (std::size_t plane = 0; plane < header_.format.planes(); ++plane) {
       result.colors[plane] =
-          quantized(sample_at(header_, frame, plane, position_of(header_, place)));
+          fit_.quantized(sample_at(header_, frame, plane, position_of(header_, place)));
     }
     return result;
   }
@@ -145,22 +114,10 @@ class Encoder {
   void write(const Block& block) {
     writer_.write(block);
     for (; first_frame_ < now(); ++first_frame_) frames_.pop_front();
-    if (!std::holds_alternative<End>(block)) find_error(writer_.points().points());
-    if (progress_) progress_(now());
-  }
-
-  // Of brightness, at the present time, for which the weights are known.
-  void find_error(const Points& points) {
-    std::vector<double> values(points.back().id + std::size_t{1});
-    for (const auto& point : points) values[point.id] = point.node.colors[0] * unit();
-    const auto& samples = frames_.front().planes[0];
-    error_.resize(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      error_[i] = samples[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        error_[i] -= weights_[i].weights[k] * values[weights_[i].corners[k]];
-      }
+    if (!std::holds_alternative<End>(block)) {
+      error_ = fit_.error(writer_.points().points(), frames_.front());
     }
+    if (progress_) progress_(now());
   }
 
   void begin_segment(std::uint32_t number) {
@@ -179,7 +136,7 @@ class Encoder {
       fit_colors(points, number, 0, key.points);
       if (is_grid || round == key_rounds) break;
       points = points_of(key);
-      find_error(points);
+      error_ = fit_.error(points, picture);
       std::vector<bool> is_replaced(points.size());
       const std::vector<Node> inserted = new_points(points, is_replaced);
       if (inserted.empty()) break;
@@ -202,56 +159,11 @@ class Encoder {
     return points;
   }
 
-  // Finds the colors of `targets`, which begin as those of the points. `frames` is the number of
-  // those after the first; 0 at a key, whose colors are fitted to that frame alone.
   void fit_colors(const Points& points, std::uint32_t first, std::uint32_t frames,
                   std::vector<Node>& targets) {
-    const std::size_t ids = points.back().id + std::size_t{1};
-    std::vector<Color_fit> fits;
-    std::vector<std::vector<double>> colors;
-    for (const Plane_set& set : sets_) {
-      fits.emplace_back(ids, set.count);
-      colors.emplace_back(ids * set.count);
-    }
-    for (std::size_t s = 0; s < sets_.size(); ++s) {
-      const auto [begin, count, grid] = sets_[s];
-      for (const auto& point : points) {
-        double* here = &colors[s][point.id * count];
-        for (std::size_t c = 0; c < count; ++c) here[c] = point.node.colors[begin + c] * unit();
-        fits[s].pull(point.id, inertia, {here, count});
-      }
-    }
-    for (std::uint32_t k = frames == 0 ? 0 : 1; k <= frames; ++k) {
-      picture_.advance_to(static_cast<double>(first) + k);
-      const double share = frames == 0 ? 1 : static_cast<double>(k) / frames;
-      for (std::size_t s = 0; s < sets_.size(); ++s)
-        add_frame(sets_[s], first + k, importance_of(k, frames), share, colors[s], fits[s]);
-    }
-    for (std::size_t s = 0; s < sets_.size(); ++s) {
-      const std::vector<double> found = fits[s].solve(colors[s]);
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        for (std::size_t c = 0; c < sets_[s].count; ++c) {
-          const double value = found[points[i].id * sets_[s].count + c];
-          const std::int16_t before = points[i].node.colors[sets_[s].first + c];
-          const bool stays = frames > 0 && std::abs(value - before * unit()) <= dead_zone * unit();
-          targets[i].colors[sets_[s].first + c] = stays ? before : quantized(value);
-        }
-      }
-    }
-  }
-
-  void add_frame(const Plane_set& set, std::uint32_t number, double importance, double share,
-                 const std::vector<double>& colors, Color_fit& fit) {
-    // The weights of brightness at the last frame are needed once more.
-    std::vector<Corner_weights>& weights = set.first == 0 ? weights_ : color_weights_;
-    weights.resize(set.grid.rows * set.grid.columns);
-    find_corner_weights(picture_.triangulation(), set.grid, weights);
-    std::vector<double> known(colors);
-    for (double& value : known) value *= 1 - share;
-    const Frame& picture = *frame(number);
-    fit.add(weights, importance, share, known, [&](std::size_t i, std::size_t channel) {
-      return static_cast<double>(picture.planes[set.first + channel][i]);
-    });
+    fit_.fit(
+        picture_, points, first, frames,
+        [&](std::uint32_t number) -> const Frame& { return *frame(number); }, targets);
   }
 
   // A group up to `segment_end` at most. False if the next frame is not there, or begins a scene.
@@ -296,8 +208,9 @@ class Encoder {
     std::size_t count = static_cast<std::size_t>(
         std::ranges::count_if(targets, [](const auto& target) { return target.has_value(); }));
     const Points old(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(staying));
-    const auto removable = removable_points(header_, settings_.points, writer_.points().points(),
-                                            weights_, picture_.triangulation().finite_edge_ids());
+    const auto removable =
+        removable_points(header_, settings_.points, writer_.points().points(), fit_.weights(),
+                         picture_.triangulation().finite_edge_ids());
     std::vector<std::size_t> index(writer_.points().next_id(), SIZE_MAX);
     for (std::size_t i = 0; i < old.size(); ++i) index[old[i].id] = i;
     auto next = removable.begin();
@@ -351,7 +264,7 @@ class Encoder {
       const auto column = static_cast<std::size_t>(std::clamp(p.x, 0.0, width() - 1));
       const auto row = static_cast<std::size_t>(std::clamp(p.y, 0.0, height() - 1));
       const std::size_t pixel = row * header_.format.width + column;
-      for (const Point_id corner : weights_[pixel].corners) add(corner, i);
+      for (const Point_id corner : fit_.weights()[pixel].corners) add(corner, i);
     }
     return result;
   }
@@ -391,9 +304,10 @@ class Encoder {
     for (const auto& point : points) positions[point.id] = position_of(header_, point.node.place);
     std::vector<Candidate> wanted = ring_gaps(header_, settings_.points, points);
     const std::size_t in_ring = wanted.size();
-    std::ranges::copy(candidates(header_, weights_, error_, positions), std::back_inserter(wanted));
+    std::ranges::copy(candidates(header_, fit_.weights(), error_, positions),
+                      std::back_inserter(wanted));
     const std::size_t missing = settings_.points - std::min(settings_.points, points.size());
-    const auto removable = removable_points(header_, settings_.points, points, weights_,
+    const auto removable = removable_points(header_, settings_.points, points, fit_.weights(),
                                             picture_.triangulation().finite_edge_ids());
     const auto most =
         in_ring + static_cast<std::size_t>(most_replaced * static_cast<double>(settings_.points));
@@ -415,16 +329,14 @@ class Encoder {
   Encoder_settings settings_;
   const std::function<void(std::uint32_t)>& progress_;
   Stream_header header_;
-  std::vector<Plane_set> sets_;
   Stream_writer writer_;
   Moving_picture picture_;
+  Picture_fit fit_;
   Optical_flow flow_;
   std::uint32_t flow_end_ = 0;  // one more than the last frame that the flow has
   std::deque<Frame> frames_;    // those that are read, from the present one on
   std::uint32_t first_frame_ = 0;
-  std::vector<Corner_weights> weights_;        // of brightness, at the present time
-  std::vector<Corner_weights> color_weights_;  // of color, in fit_colors
-  std::vector<double> error_;                  // of brightness, at the present time
+  std::vector<double> error_;  // of brightness, at the present time
   Encoded result_;
 };
 
