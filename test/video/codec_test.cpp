@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -162,14 +163,57 @@ TEST(Codec, in_between_frames_are_the_picture_at_their_exact_times) {
   }
 }
 
-TEST(Codec, a_stream_that_is_cut_off_gives_the_frames_before_that) {
-  const Stream_header header = {gray_format(16, 12), 4, 8, 0};
-  const std::string bytes = bytes_of(header, Random_blocks(header, 4)(10, 2, 3));
-  const std::vector<Frame> all = decoded(bytes);
-  const std::vector<Frame> some = decoded(bytes.substr(0, bytes.size() - 30));
-  ASSERT_LT(some.size(), all.size());
-  ASSERT_GT(some.size(), 1U);
-  EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin()));
+// A damaged stream gives the first frames of the whole one, and an error that names the frame.
+void check_damaged(const std::string& bytes, const std::vector<Frame>& whole) {
+  std::istringstream in(bytes);
+  std::size_t frames = 0;
+  Decoded found;
+  try {
+    Stream_reader stream(in, "stream");
+    const auto take = [&](const Frame& frame) {
+      ASSERT_LT(frames, whole.size());
+      ASSERT_EQ(frame, whole[frames]);
+      ++frames;
+    };
+    decode(stream, {}, take, found);
+    FAIL() << "nothing was noticed";
+  } catch (const Damaged_stream_error& error) {
+    EXPECT_NE(std::string(error.what()).find("at byte "), std::string::npos) << error.what();
+    if (frames > 0 && frames < whole.size()) {
+      const std::string expected = "before frame " + std::to_string(frames) + " can";
+      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
+  } catch (const Input_error&) {
+    EXPECT_EQ(frames, 0U) << "the header is damaged";
+  }
+  EXPECT_EQ(found.frames, frames);
+}
+
+TEST(Codec, a_stream_that_is_cut_off_anywhere_gives_the_frames_before_that) {
+  const Stream_header header = {gray_format(16, 12), 4, 8, 2};
+  const std::string bytes = bytes_of(header, Random_blocks(header, 4)(8, 2, 2));
+  const std::vector<Frame> whole = decoded(bytes);
+  ASSERT_GT(whole.size(), 4U);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    SCOPED_TRACE(size);
+    check_damaged(bytes.substr(0, size), whole);
+  }
+}
+
+TEST(Codec, a_stream_with_wrong_bits_gives_the_frames_before_them) {
+  const Stream_header header = {gray_format(16, 12), 4, 8, 2};
+  const std::string bytes = bytes_of(header, Random_blocks(header, 5)(8, 2, 2));
+  const std::vector<Frame> whole = decoded(bytes);
+  std::mt19937 random(1);
+  for (int i = 0; i < 1000; ++i) {
+    std::string damaged = bytes;
+    for (std::size_t k = random() % 4 + 1; k > 0; --k) {
+      char& byte = damaged[random() % damaged.size()];
+      byte = static_cast<char>(static_cast<unsigned char>(byte) ^ (1U << random() % 8));
+    }
+    SCOPED_TRACE(i);
+    if (damaged != bytes) check_damaged(damaged, whole);
+  }
 }
 
 TEST(Codec, a_picture_is_drawn_at_any_size_and_in_any_style) {

@@ -4,7 +4,10 @@
 
 usage: program_test.py PROGRAM
 """
+import os
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -16,7 +19,7 @@ PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 def clip(width=24, height=16, frames=6, color="420jpeg"):
     """Y4M video of a gradient that moves."""
     result = f"YUV4MPEG2 W{width} H{height} F25:1 C{color}\n".encode()
-    samples = {"mono": 0, "444": 2 * width * height}.get(
+    samples = {"mono": 0, "444": 2 * width * height, "422": 2 * ((width + 1) // 2) * height}.get(
         color, 2 * ((width + 1) // 2) * ((height + 1) // 2))
     for t in range(frames):
         luma = bytes((7 * x + 5 * y + 3 * t) % 256 for y in range(height) for x in range(width))
@@ -117,6 +120,81 @@ class Program(unittest.TestCase):
         self.assertEqual(done.stdout.strip(), b"100")
         self.assertEqual(done.stderr, b"")
 
+    def test_a_disk_that_is_full_leaves_nothing(self):
+        if os.geteuid() != 0:
+            self.skipTest("only root can mount a small disk")
+        disk = self.folder / "disk"
+        disk.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk], check=False,
+                          capture_output=True).returncode != 0:
+            self.skipTest("no small disk can be mounted here")
+        self.addCleanup(subprocess.run, ["umount", disk], check=True)
+        stream = self.run_program("encode", "-", "-", "--points", 30, data=clip(120, 90, 40)).stdout
+        for output in ("disk/a.y4m", "disk/frames/"):
+            message = self.problem("decode", "-", output, "--size", "400x400", data=stream)
+            self.assertIn("No space left", message)
+        page = self.problem("play", "-", "--html", "disk/a.html", data=self.run_program(
+            "encode", "-", "-", "--points", 2000, "--turn-every", 1, "--color-step", 0.125,
+            data=clip(120, 90, 8)).stdout)
+        self.assertIn("No space left", page)
+        self.assertEqual(list(disk.iterdir()), [])
+
+    def test_a_reader_that_goes_is_an_end_and_a_writer_that_goes_an_error(self):
+        video = clip(200, 150, 12)
+        (self.folder / "a.y4m").write_bytes(video)
+        for command in (f"'{PROGRAM}' encode a.y4m - --points 30 --turn-every 1 | head -c 60 | wc -c",
+                        f"'{PROGRAM}' encode a.y4m - | '{PROGRAM}' decode - - | head -c 60 | wc -c"):
+            done = subprocess.run(command, shell=True, capture_output=True, cwd=self.folder, timeout=120)
+            self.assertEqual(done.stdout.strip(), b"60")
+            self.assertEqual(done.stderr, b"")
+        for size in (0, 5, 40, len(video) // 2, len(video) - 1):
+            message = self.problem("encode", "-", "b.kvd", "--points", 30, data=video[:size])
+            self.assertRegex(message, "standard input: .*(empty|begin|cut off|header|no frame)")
+        self.assertEqual(self.names(), ["a.y4m"])
+
+    def test_clips_of_one_frame_and_of_odd_sizes_of_any_color(self):
+        for color in ("mono", "420jpeg", "420mpeg2", "420paldv", "422", "444"):
+            for size in ((1, 1), (3, 5), (17, 2)):
+                for frames in (1, 2):
+                    video = clip(*size, frames, color)
+                    stream = self.run_program("encode", "-", "-", "--points", 9, data=video).stdout
+                    decoded = self.run_program("decode", "-", "-", data=stream).stdout
+                    self.assertEqual(decoded.count(b"FRAME\n"), frames)
+                    self.assertEqual(len(decoded) - decoded.index(b"\n"), len(video) - video.index(b"\n"))
+        self.assertIn("there is no frame", self.problem("encode", "-", "a.kvd", data=clip(4, 4, 0)))
+
+    def test_frames_of_another_size_in_between_are_refused(self):
+        begin, other = clip(24, 16, 2), clip(20, 16, 1)
+        mixed = begin + other[other.index(b"\n") + 1:] + begin[begin.index(b"\n") + 1:]
+        self.assertIn("frame 3 does not begin with FRAME; expected frames of 24 x 16",
+                      self.problem("encode", "-", "a.kvd", data=mixed))
+        for name, size in (("a/", (24, 16)), ("b/", (20, 16))):
+            stream = self.run_program("encode", "-", "-", "--points", 9, data=clip(*size, 1)).stdout
+            self.run_program("decode", "-", name, data=stream)
+        (self.folder / "b/00000.png").rename(self.folder / "a/00001.png")
+        self.assertIn("it has 20 x 16 pixels; expected 24 x 16", self.problem("encode", "a", "c.kvd"))
+
+    def test_events_of_info_are_those_of_encode(self):
+        text = self.run_program("encode", "-", "a.kvd", "--points", 60, "--turn-every", 2,
+                                data=clip(60, 40, 12)).stdout.decode()
+        events = re.search(r"(\d+) events?", text)[1]
+        self.assertRegex(self.run_program("info", "a.kvd").stdout.decode(), rf"events +{events}\n")
+
+    def test_compare_shows_x264_or_why_not(self):
+        video = clip(64, 48, 8)
+        (self.folder / "a.y4m").write_bytes(video)
+        self.run_program("encode", "a.y4m", "a.kvd", "--points", 30)
+        text = self.run_program("compare", "a.y4m", "a.kvd").stdout.decode()
+        if shutil.which("ffmpeg"):
+            self.assertRegex(text, r"x264 y +PSNR \d+\.\d+ dB|x264 +not compared: ffmpeg failed: .")
+        else:
+            self.assertIn("x264          not compared: ffmpeg is not installed", text)
+        done = subprocess.run([PROGRAM, "compare", "a.y4m", "a.kvd"], capture_output=True, check=True,
+                              cwd=self.folder, env={**os.environ, "PATH": "/none"})
+        self.assertIn(b"not compared: ffmpeg is not installed", done.stdout)
+        piped = self.run_program("compare", "-", "a.kvd", data=video).stdout
+        self.assertIn(b"not compared: the source is a pipe", piped)
+
     def test_help_manual_and_completions_name_all_commands(self):
         text = self.run_program("--help").stdout.decode()
         for command in ("encode", "decode", "play", "info", "compare"):
@@ -124,7 +202,9 @@ class Program(unittest.TestCase):
             self.assertIn("Example", self.run_program(command, "--help").stdout.decode())
             self.assertIn(command, self.run_program("completion", "bash").stdout.decode())
         self.assertIn("kinetri-video", self.run_program("--version").stdout.decode())
-        self.assertIn(".TH", self.run_program("manual").stdout.decode())
+        self.assertIn(".TH KINETRI", self.run_program("manual").stdout.decode())
+        self.assertIn("complete -F _kinetri-video kinetri-video",
+                      self.run_program("completion", "bash").stdout.decode())
 
 
 if __name__ == "__main__":
