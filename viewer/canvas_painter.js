@@ -2,8 +2,8 @@
 //
 // The painter of a 2D context. Where there is no graphics card, it is faster than WebGL as browsers
 // emulate it, if three rules are kept: paths stay short, since the time of a path grows faster than
-// its length; many lines are no wider than a pixel of the display, for which browsers have a faster
-// way; and discs that are too small for their shape to be seen are squares, or short lines.
+// its length; many lines are no wider than a pixel of the display, and many dots of about a pixel are
+// no paths at all (coverage.js); and discs that are too small for their shape to be seen are squares.
 'use strict';
 
 const PATH_ITEMS = 500;  // at most in a path
@@ -16,6 +16,7 @@ const SQUARE_SIDE = Math.sqrt(Math.PI);  // of the square that is as large as th
 class CanvasPainter {
   constructor(context) {
     this.context = context;
+    this.coverage = context instanceof CanvasRenderingContext2D ? new Coverage() : null;
     this.ratio = 1;
     this.order = new Uint32Array(0);
     this.starts = new Uint32Array(1);
@@ -39,7 +40,9 @@ class CanvasPainter {
     context.lineWidth = batch.count > MANY ? Math.min(width, 1 / this.ratio) : width;
     context.setLineDash(dash);
     context.lineCap = cap;
-    if (palette === null) {
+    if (palette === null && dash === NO_DASH && batch.count > MANY && this.coverage !== null) {
+      this.coverLines(batch, color, width, alpha);
+    } else if (palette === null) {
       context.strokeStyle = color;
       this.strokeLines(batch, null, 0, batch.count);
     } else {
@@ -52,6 +55,27 @@ class CanvasPainter {
     context.globalAlpha = 1;
     if (dash !== NO_DASH) context.setLineDash(NO_DASH);
     context.lineCap = 'butt';
+  }
+
+  coverLines({data, count}, color, width, alpha) {
+    const {coverage, context, ratio} = this;
+    const {canvas} = context;
+    coverage.begin(canvas.width, canvas.height, color);
+    const strength = Math.round(256 * Math.min(width * ratio, 1));
+    for (let at = 0; at < LINE * count; at += LINE) {
+      coverage.line(ratio * data[at], ratio * data[at + 1], ratio * data[at + 2], ratio * data[at + 3], strength);
+    }
+    coverage.drawOn(context, alpha * parseColor(color)[3]);
+  }
+
+  coverDots({data, count}, color, alpha) {
+    const {coverage, context, ratio} = this;
+    const {canvas} = context;
+    coverage.begin(canvas.width, canvas.height, color);
+    for (let at = 0; at < CIRCLE * count; at += CIRCLE) {
+      coverage.dot(ratio * data[at], ratio * data[at + 1], ratio * data[at + 2]);
+    }
+    coverage.drawOn(context, alpha * parseColor(color)[3]);
   }
 
   strokeLines({data}, order, first, end) {
@@ -74,6 +98,8 @@ class CanvasPainter {
     if (palette !== null) {
       this.sort(batch, palette);
       this.forEachShade(palette, (shade, first, end) => this.fillCircles(batch, this.order, first, end, shade));
+    } else if (fill !== undefined && this.areDots(batch)) {
+      this.coverDots(batch, fill, alpha);
     } else if (fill !== undefined) {
       this.fillCircles(batch, null, 0, batch.count, fill);
     }
@@ -113,6 +139,12 @@ class CanvasPainter {
         isFill ? context.fill() : context.stroke();
       }
     }
+  }
+
+  /** Whether these are many circles of one size that is about a pixel or less, as dots are. */
+  areDots({data, count}) {
+    return this.coverage !== null && count > MANY && data[2] * this.ratio <= TINY &&
+      data[CIRCLE * (count - 1) + 2] === data[2];
   }
 
   /** How a circle is added to the path. */

@@ -51,23 +51,29 @@ class Drawing(Page):
         runs.execute(self.program, "simulate", csv, "--until", until, "--html", page, "--quiet")
         return page
 
-    def ink(self):
-        """The share of the pixels that are not of the background."""
-        counts = self.look(SWITCHES).counts()
-        return 1 - max(counts.values()) / sum(counts.values())
+    def paper(self, picture):
+        """The share of the pixels that are of the background."""
+        counts = picture.counts()
+        return max(counts.values()) / sum(counts.values())
+
+    def lightness(self, picture):
+        """The mean of all channels, from 0 to 255."""
+        counts = picture.counts()
+        return sum(sum(color) * count for color, count in counts.items()) / 3 / sum(counts.values())
 
     def test_many_points(self):
         """Dots and edges shrink: the picture is no black carpet. Zoomed in, edges are seen."""
         self.browser.resize(1500, 960)
         for points, until in ((1000, 1), (20000, 0.2), (100000, 0.02)):
             with self.subTest(points=points):
-                self.browser.open(self.generate(points, until))
+                page = self.generate(points, until)
+                self.browser.open(page)
                 self.assertEqual(self.evaluate("kinetri.counts.points"), points)
                 first = self.look(SWITCHES)
                 counts = first.counts()
                 dark = sum(count for color, count in counts.items() if max(color) < 160) / sum(counts.values())
                 self.assertLess(dark, 0.25)
-                self.assertGreater(dark, 0.01)  # the dots
+                self.assertGreater(dark if points <= 20000 else 1 - self.paper(first), 0.01)  # the dots
                 self.browser.key("d")
                 has_edges = first.difference(self.look(SWITCHES), 8) > LEAST_CHANGE
                 self.assertEqual(has_edges, points <= 20000)
@@ -80,6 +86,15 @@ class Drawing(Page):
                 self.evaluate("kinetri.goTo(kinetri.span[1]); kinetri.pan(30, 0)")
                 self.browser.settle()
                 self.assertNotEqual(self.look(SWITCHES), near)
+
+    def test_both_painters_show_as_much_of_small_dots(self):
+        """Where a dot is about a pixel, and lines are drawn as images."""
+        self.browser.resize(440, 560)
+        page = self.generate(1000, 1)
+        pictures = [self.open_with(page, f"#draw={way}") for way in ("canvas", "webgl")]
+        self.assertGreater(255 - self.lightness(pictures[0]), 20)
+        self.assertAlmostEqual(self.lightness(pictures[0]), self.lightness(pictures[1]), delta=6)
+        self.assertAlmostEqual(self.paper(pictures[0]), self.paper(pictures[1]), delta=0.1)
 
     def test_labels_do_not_overlap(self):
         """Each label stands on its own: where two overlapped, ids are left out."""
