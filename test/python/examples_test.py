@@ -11,7 +11,7 @@ import pytest
 import kinetri
 
 EXAMPLES = pathlib.Path(os.environ["KINETRI_SOURCE_DIR"], "examples", "python")
-WITH_ARGUMENTS = {"gallery", "slurm_array"}
+WITH_ARGUMENTS = {"gallery", "slurm_array", "video_clip"}
 
 
 def started(name, *arguments, **environment):
@@ -30,7 +30,8 @@ def expected(name):
     return (EXAMPLES / f"{name}.txt").read_text()
 
 
-@pytest.mark.parametrize("name", sorted(file.stem for file in EXAMPLES.glob("*.txt")))
+@pytest.mark.parametrize("name", sorted(
+    {file.stem for file in EXAMPLES.glob("*.txt")} - WITH_ARGUMENTS))
 def test_an_example_prints_what_is_beside_it(name):
     assert output(name) == expected(name)
 
@@ -84,3 +85,8 @@ def test_pictures_are_made(tmp_path):
     sizes = {file.name: file.stat().st_size for file in tmp_path.iterdir()}
     assert sorted(sizes) == ["python_crowd.svg", "python_discs.svg", "python_shock.png"]
     assert all(10_000 < size < 150_000 for size in sizes.values()), sizes
+
+
+def test_a_clip_is_written(tmp_path):
+    assert output("video_clip", str(tmp_path / "a.y4m")) == expected("video_clip")
+    assert (tmp_path / "a.y4m").stat().st_size == 49 + 40 * (6 + 160 * 120)

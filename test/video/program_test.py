@@ -195,6 +195,16 @@ class Program(unittest.TestCase):
         piped = self.run_program("compare", "-", "a.kvd", data=video).stdout
         self.assertIn(b"not compared: the source is a pipe", piped)
 
+    def test_the_commands_of_the_lesson_work(self):
+        root = pathlib.Path(__file__).resolve().parents[2]
+        lesson = (root / "docs/guide/video.md").read_text(encoding="utf-8")
+        commands = "".join(re.findall(r"```sh\n(.*?)```", lesson, re.DOTALL))
+        self.assertEqual(len(commands.splitlines()), 7)
+        commands = commands.replace("examples/python/", f"{sys.executable} '{root}'/examples/python/")
+        subprocess.run(["bash", "-euc", commands], check=True, capture_output=True, cwd=self.folder, env={
+            **os.environ, "PATH": f"{pathlib.Path(PROGRAM).parent}:{os.environ['PATH']}"})
+        self.assertEqual(self.names(), ["frames", "slow.y4m", "wheel.html", "wheel.kvd", "wheel.y4m"])
+
     def test_help_manual_and_completions_name_all_commands(self):
         text = self.run_program("--help").stdout.decode()
         for command in ("encode", "decode", "play", "info", "compare"):
