@@ -222,6 +222,7 @@ std::string page_data(const Recording& recording, const Viewer_settings& setting
   json.member("format", 2);
   json.member("program", std::string("kinetri ") + version);
   json.member("title", settings.title);
+  if (!settings.view.empty()) json.member("view", settings.view);
   json.member("from", recording.from);
   json.member("until", recording.until);
   json.member("points", points);

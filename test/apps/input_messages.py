@@ -4,6 +4,8 @@ from message_case import (DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, s
                           walkable)
 
 FORMATS = "auto, rows, frames, ids, table, jupedsim, sumo, lammps, xyz or geojson"
+VIEWER_WORDS = ("t, event, show, hide, edge, point, follow, color, at, kinds, unit, legend, play, theme, list, "
+                "draw")
 COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion, manual or help"
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice, lattice-jitter or packing"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
@@ -153,6 +155,10 @@ def meaning_cases():
     for option in ("--components a", "--connected a --between 0,1"):
         yield simulate(f"--collisions log --radius 0.1 --range 1 {option}", option=option.split()[0])
     yield simulate("--ridge 1")
+    yield simulate("--html-view t=1")
+    yield simulate("--html v.html --html-view 't=1&color'", word="color")
+    yield simulate("--html v.html --html-view colour=area", option="--html-view", text="colour",
+                   choices=VIEWER_WORDS)
     yield simulate("--neighbors n.csv --ridge 0", option="--ridge", number=0)
     yield case("simulate s.csv --until 1 --collisions log --nearest n.csv",
                files={"s.csv": "x,y,vx,vy,radius\n0,0,0,0,1\n9,0,0,0,2\n"})

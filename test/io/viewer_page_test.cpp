@@ -149,11 +149,13 @@ TEST(Viewer_page, has_the_sizes_of_discs) {
 
 TEST(Viewer_page, is_not_broken_by_texts) {
   Viewer_settings settings;
+  settings.view = "t=1&color=area</script>";
   settings.title = "</title></script><!-- recording --> & \"x\" \\";
   settings.names = {"</script>", "<!-- scripts -->", "\xff\xfe not UTF-8"};
   const std::string text = page(small_recording(), settings);
   const json object = data(text);
   EXPECT_EQ(object["title"], settings.title);
+  EXPECT_EQ(object["view"], settings.view);
   EXPECT_EQ(object["names"][0], "</script>");
   EXPECT_EQ(object["names"][1], "<!-- scripts -->");
   const std::size_t title = text.find("<title>");

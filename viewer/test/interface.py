@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Switches, keys, addresses, light and dark, narrow screens."""
+import subprocess
 import time
 
 import browser
+import runs
 from page import SWITCHES, Page, edges
 
 
@@ -217,6 +219,28 @@ class Interface(Page):
         self.browser.open(self.run_.page, "#t=2.25&show=trails")
         self.assertEqual(self.evaluate("kinetri.time"), 2.25)
         self.assertEqual(self.evaluate("document.getElementById('switch-trails').ariaPressed"), "true")
+
+    def test_a_view_that_the_program_was_asked_for(self):
+        """--html-view is followed, unless the address asks for something; the program and the page know the
+        same words."""
+        source = self.folder / "discs.csv"
+        page = self.folder / "view.html"
+        runs.execute(self.program, "simulate", source, "--until", 2, "--html", page, "--quiet",
+                     "--html-view", "t=1.25&color=speed&theme=dark&point=4")
+        self.open(page)
+        state = "[kinetri.time, kinetri.point, kinetri.colored()?.id ?? null]"
+        self.assertEqual(self.evaluate(state), [1.25, 4, "speed"])
+        self.browser.open(page, "#t=0.5")
+        self.assertEqual(self.evaluate(state), [0.5, None, None])
+        self.evaluate("void (location.hash = 'x=1')")
+        self.browser.settle()
+        known = self.evaluate("document.getElementById('address-note').textContent").split("expected ")[1]
+        done = subprocess.run([self.program, "simulate", source, "--until", "1", "--html", page, "--html-view",
+                               "x=1"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        wanted = known.rstrip(".").split(", ")
+        found = done.stderr.split("expected ")[1].splitlines()[0].split(", ")
+        self.assertEqual(sorted(found), sorted(wanted))
 
     def test_narrow_screens_have_room_for_everything(self):
         self.browser.resize(360, 640, 2)

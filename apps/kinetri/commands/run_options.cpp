@@ -15,6 +15,7 @@
 #include "io/text.h"
 #include "io/text_table.h"
 #include "kinetri/base/error.h"
+#include "kinetri/io/viewer_page.h"
 #include "outputs/gnuplot.h"
 
 namespace kinetri::app {
@@ -127,6 +128,30 @@ void set_limits(const Run_options& options, Answer_settings& settings) {
   }
 }
 
+// The value of --html-view: words with values. Whether the run has what they name is known to the
+// page.
+std::string html_view(const Run_options& options) {
+  if (!options.html_view) return {};
+  static const std::string option = "--html-view";
+  if (!options.outputs[Output::html]) {
+    throw Usage_error(joined(option, ": no page is written; expected --html as well"));
+  }
+  std::istringstream words(*options.html_view);
+  for (std::string word; std::getline(words, word, '&');) {
+    const std::size_t end = word.find('=');
+    if (end == std::string::npos) {
+      throw Usage_error(joined(option, ": ", kinetri::quoted(word),
+                               " has no value; expected words such as t=2&color=area"));
+    }
+    const std::string name = word.substr(0, end);
+    if (std::ranges::find(viewer_words, name) != viewer_words.end()) continue;
+    const std::vector<std::string> known(viewer_words.begin(), viewer_words.end());
+    throw Usage_error(joined(option, ": ", kinetri::quoted(name), " is unknown; expected ",
+                             separated(known, ", ")));
+  }
+  return *options.html_view;
+}
+
 void add_outputs(Command& command, Run_options& options, std::initializer_list<Output> requested) {
   bool has_range = false;
   bool has_limits = false;
@@ -212,6 +237,11 @@ void add_run_options(Command& command, Run_options& options,
                  "to end)")
       .heading = outputs_heading;
   command
+      .add("--html-view", &options.html_view, "WORDS",
+           "What the page of --html shows first, as in the part of its address after #: "
+           "t=2&color=area")
+      .heading = outputs_heading;
+  command
       .add("--audit", &options.audit, choice_type(audit_modes),
            "Check the triangulation by exact arithmetic: never (default); at the end; or at the "
            "start, after every event and at the end")
@@ -247,6 +277,7 @@ Run_settings run_settings(const Run_options& options) {
   result.answers.between = between_arguments(options);
   result.answers.ridge = ridge_argument(options);
   set_limits(options, result.answers);
+  result.html_view = html_view(options);
   if (options.frames_per_time) {
     const std::string& option = options.frames_per_time_option;
     if (!result.outputs[Output::frames] && !result.outputs[Output::vtu] &&

@@ -28,6 +28,7 @@ struct Run_options {
   bool has_areas = false;  ///< whether the command has the output
   std::optional<std::string> frames_per_time;
   std::string frames_per_time_option;  ///< with all its names: any of them may have been used
+  std::optional<std::string> html_view;
   std::optional<std::string> max_events;
   std::string audit = "none";
   std::string progress = "auto";

@@ -18,8 +18,9 @@ std::size_t most_rows(std::size_t points) {
 }  // namespace
 
 Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source& source,
-                             double until) {
+                             double until, const std::string& view) {
   source.describe(settings_);
+  settings_.view = view;
   simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) {
     settings_.box = s.options().box;
     settings_.radius = s.options().radius;

@@ -6,6 +6,7 @@
 
 #include <iosfwd>
 #include <memory>
+#include <string>
 #include <variant>
 
 #include "kinetri/io/viewer_page.h"
@@ -18,7 +19,9 @@ namespace kinetri::app {
 /// Records a run from its construction on. The simulation must outlive it, and calls it.
 class Viewer_output {
  public:
-  Viewer_output(const Any_simulation& simulation, const Run_source& source, double until);
+  /// `view`: what the page shows first, see Viewer_settings.
+  Viewer_output(const Any_simulation& simulation, const Run_source& source, double until,
+                const std::string& view);
 
   /// Writes the page of the run up to now.
   void write(std::ostream& out) const;

@@ -200,7 +200,9 @@ void Simulation_run::build() {
     motion_log_ = follow_motions(outputs_.stream(Output::motions), simulation_);
   }
   if (verification_) verification_->start(simulation_);
-  if (outputs_.has(Output::html)) viewer_.emplace(simulation_, source_, statistics_.until);
+  if (outputs_.has(Output::html)) {
+    viewer_.emplace(simulation_, source_, statistics_.until, settings_.html_view);
+  }
   answers_ = follow_answers(outputs_, asked_, simulation_, source_);
   if (frames_) frames_->start(source_, simulation_, statistics_.until);
   if (areas_) areas_->start(source_, simulation_, statistics_.until);

@@ -9,6 +9,7 @@
 //   format        2
 //   program       "kinetri 0.1.0"
 //   title         of the run, for people
+//   view          absent, or what is shown first: `t=2&color=area`, as in an address after `#`
 //   from, until   the times between which it can be played
 //   points        the number of point ids: these are 0 ... points - 1
 //   names         the points' names by id; absent: their ids
@@ -49,9 +50,11 @@
 #ifndef KINETRI_IO_VIEWER_PAGE_H
 #define KINETRI_IO_VIEWER_PAGE_H
 
+#include <array>
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "kinetri/simulation/recording.h"
@@ -64,11 +67,18 @@ struct Wave_shape {
   double width = 1;   ///< standard deviation of the Gaussian, in the unit of the coordinates
 };
 
+/// The words of a view, each of which stands before `=` and a value. docs/PROGRAM.md describes
+/// them.
+inline constexpr std::array<std::string_view, 16> viewer_words = {
+    "t",  "event", "show", "hide",   "edge", "point", "follow", "color",
+    "at", "kinds", "unit", "legend", "play", "theme", "list",   "draw"};
+
 /// What the page says and shows besides the recording.
 struct Viewer_settings {
   std::string title;                        ///< of the run, for people
   std::vector<std::string> names;           ///< of the points by id, or none
   std::optional<Box_2> box = std::nullopt;  ///< drawn if there is one
+  std::string view = {};                    ///< shown first: `t=2&color=area`; see viewer_words
   /// Of the discs, where all are equal and none grows, and the motions have no radius; else 0.
   double radius = 0;
   std::optional<Wave_shape> wave = std::nullopt;  ///< the page begins with it if there is one
