@@ -146,6 +146,7 @@ Command simulate_command() {
       "input; 3 an internal check failed; 130 interrupted, or jammed."};
   result.examples = {"kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv",
                      "kinetri simulate points.csv --until 10 --html run.html",
+                     "kinetri simulate points.csv --until 10 --verify",
                      "kinetri simulate points.csv --until 10 --box 0,0,100,100 \\",
                      "    --collisions elastic --radius 0.5 --events -",
                      "kinetri simulate discs.csv --until 10 --box 0,0,100,100 --rim \\",
