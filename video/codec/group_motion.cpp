@@ -75,12 +75,12 @@ std::vector<std::optional<Place>> targets_of(
     const Followed_points& followed, std::uint32_t frames,
     std::span<const std::pair<std::size_t, std::size_t>> edges) {
   const std::size_t n = points.size();
-  enum class Role { given, relaxed, none };
-  std::vector<Role> roles(n, Role::none);
+  // The corners rest.
+  enum class Role { given, relaxed, rests };
+  std::vector<Role> roles(n, Role::rests);
   std::vector<Vector_2> moves(n);
   for (std::size_t i = number_of_corners; i < n; ++i) {
     const Track::Kind kind = followed.kind(i, frames);
-    if (kind == Track::Kind::lost) continue;
     roles[i] = kind == Track::Kind::followed ? Role::given : Role::relaxed;
     if (roles[i] == Role::given) {
       const Vector_2 from = followed.place(i, 0);
@@ -118,7 +118,6 @@ std::vector<std::optional<Place>> targets_of(
       result[i] = from;
       continue;
     }
-    if (roles[i] == Role::none) continue;
     const Vector_2 p = position_of(header, from);
     Place target = place_at(header, {p.x + moves[i].x, p.y + moves[i].y});
     const Place expected = Present_points::expected_place(points[i], frames, {});

@@ -44,10 +44,11 @@ class Followed_points {
   double lost_share_ = 0;
 };
 
-/// The targets of points after `frames` steps; none for those that are to go: lost ones, those that
-/// leave the stage, and of two that come too near to each other one. A point without a feature goes
-/// with the mean of its neighbors: displacements are relaxed over the edges (indices into
-/// `points`). A displacement that is within one unit of the expected one is that. The corners rest.
+/// The targets of points after `frames` steps; none for those that are to go: those that leave the
+/// stage, and of two that come too near to each other one. A point without a feature, or a lost
+/// one, moves as the mean of its neighbors: what is hidden leaves no hole. Displacements are
+/// relaxed over the edges (indices into `points`). A displacement that is within one unit of the
+/// expected one is that. The corners rest.
 std::vector<std::optional<Place>> targets_of(
     const Stream_header& header, const std::vector<Present_points::Point>& points,
     const Followed_points& followed, std::uint32_t frames,

@@ -14,6 +14,8 @@ namespace kinetri::video {
 namespace {
 
 constexpr double least_distance = 2;
+// Large triangles get a point in each square of so many pixels a side, in one round.
+constexpr std::size_t square_side = 16;
 
 // What is known of a triangle: the sum of squared errors, and where the error is largest.
 struct Worst {
@@ -89,11 +91,17 @@ std::vector<Candidate> candidates(const Stream_header& header,
                                   std::span<const double> error,
                                   std::span<const Vector_2> positions) {
   const Grid_2 grid = header.format.grid(0, header.format);
-  std::map<std::array<Point_id, 3>, Worst> worst;
+  // By the corners and the number of the square.
+  std::map<std::pair<std::array<Point_id, 3>, std::size_t>, Worst> worst;
+  std::size_t square = 0;
   Worst* here = nullptr;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const auto& corners = weights[i].corners;
-    if (i == 0 || corners != weights[i - 1].corners) here = &worst[corners];
+    const std::size_t square_before = square;
+    square = i / grid.columns / square_side * grid.columns + i % grid.columns / square_side;
+    if (i == 0 || square != square_before || corners != weights[i - 1].corners) {
+      here = &worst[{corners, square}];
+    }
     const double size = std::abs(error[i]);
     here->sum += size * size;
     if (size <= here->largest) continue;
@@ -107,7 +115,7 @@ std::vector<Candidate> candidates(const Stream_header& header,
     }
   }
   std::vector<Candidate> result;
-  for (const auto& [corners, found] : worst) {
+  for (const auto& [key, found] : worst) {
     if (found.largest == 0) continue;
     const Vector_2 place = grid.place(found.pixel % grid.columns, found.pixel / grid.columns);
     result.push_back({place_at(header, place), found.sum});

@@ -23,9 +23,9 @@ struct Candidate {
   double error = 0;  ///< the sum of squares in the triangle that it is in
 };
 
-/// For each triangle, the center of the pixel in it at which the error is largest, except pixels
-/// within two pixels of its corners; those of the largest sum of squares first. `error` has a
-/// number for each sample of brightness.
+/// For each triangle, and of a large one for each square of 16 x 16 pixels, the center of the pixel
+/// at which the error is largest, except pixels within two pixels of the triangle's corners; those
+/// of the largest sum of squares first. `error` has a number for each sample of brightness.
 std::vector<Candidate> candidates(const Stream_header& header,
                                   std::span<const Corner_weights> weights,
                                   std::span<const double> error,
