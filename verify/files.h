@@ -5,15 +5,25 @@
 #define KINETRI_VERIFY_FILES_H
 
 #include <array>
+#include <bit>
+#include <cctype>
 #include <charconv>
+#include <chrono>
 #include <cstdint>
+#include <deque>
 #include <fstream>
+#include <future>
+#include <iostream>
+#include <limits>
+#include <list>
 #include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
+#include <unordered_map>
 
 #include "roots.h"
 
@@ -26,29 +36,46 @@ struct Bad_input : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What the log says is not true; found at the row with that number in its column `event`.
+// What the log says is not true; found at the row with that number, or at -1, the start.
 struct Refuted {
-  std::string where;
+  long row;
   std::string message;
 };
 
-[[noreturn]] inline void refute_row(std::size_t row, const std::string& message) {
-  throw Refuted{std::string("row ").append(std::to_string(row)), message};
-}
+// At the time t and with s = t - epoch the point is at x + vx s + ax s^2 / 2 + jx s^3 / 6, and so
+// on, and has the radius radius + growth s.
+enum Number { x, y, vx, vy, ax, ay, jx, jy, radius, growth, epoch, numbers };
+using Motion = std::array<double, numbers>;
 
-// x, y, vx, vy: the point is at (x + vx t, y + vy t).
-using Motion = std::array<double, 4>;
-
-struct Row {
-  std::size_t line = 0;
-  std::string kind;
-  Dyadic lo, hi;
-  std::vector<Edge> removed, added;  // at most one edge each
+struct Change {
+  Id id;
+  std::optional<Motion> motion;  // none where the point is erased
 };
 
-inline std::string quoted(std::string_view field) {
-  return std::string("'").append(field.substr(0, 40)).append(field.size() > 40 ? "...'" : "'");
+struct Row {
+  std::size_t number = 0;  // in the column `event`
+  std::string kind;
+  double time = 0;
+  Dyadic lo, hi;
+  std::vector<Edge> removed, added;  // at most one edge each
+  std::vector<Id> points;
+  std::vector<Change> changes;  // of motions
+};
+
+inline std::string row_name(long row, const std::vector<Row>& rows) {
+  if (row < 0) return "the start";
+  if (row >= std::ssize(rows)) return "the end";
+  return "row " + std::to_string(rows[static_cast<std::size_t>(row)].number);
 }
+
+struct Options {
+  Dyadic from, until;
+  std::vector<double> box;  // none, or x and y of the lower left and of the upper right corner
+  bool has_rim = false;
+  bool has_contacts = false;
+  bool is_log = false;  // whether discs pass through each other
+  std::size_t threads = 1;
+};
 
 // Decimal or hexadecimal, with a sign; std::from_chars takes only a minus sign and no 0x.
 inline bool read_number(std::string_view text, double& value) {
@@ -60,7 +87,7 @@ inline bool read_number(std::string_view text, double& value) {
   const auto format = is_hexadecimal ? std::chars_format::hex : std::chars_format::general;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, format);
   if (error != std::errc() || end != text.data() + text.size()) return false;
-  if (is_negative) value = -value;
+  value = is_negative ? -value : value;
   return std::isfinite(value);
 }
 
@@ -72,60 +99,72 @@ class Table {
     if (!next()) fail("the file is empty; expected a header line");
     header_ = fields_;
     for (std::string& name : header_) {
-      for (char& c : name) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-      }
+      std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
     }
   }
-
-  const std::vector<std::string>& header() const { return header_; }
-  std::size_t line() const { return line_; }
 
   // Goes to the next line. False at the end.
   bool next() {
     std::string text;
     while (std::getline(in_, text)) {
       if (++line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-      if (text.starts_with('#') || text.find_first_not_of(" \t\r") == std::string::npos) continue;
-      split(text);
-      if (!header_.empty() && fields_.size() != header_.size()) {
-        fail("the row has " + std::to_string(fields_.size()) + " fields; expected " +
-             std::to_string(header_.size()) + ", one for each column of the header");
+      if (text.ends_with('\r')) text.pop_back();
+      if (text.starts_with('#') || text.find_first_not_of(" \t") == std::string::npos) continue;
+      if (header_.empty() && text.find(',') == std::string::npos) separator_ = ';';
+      fields_.assign(1, "");
+      bool is_quoted = false;
+      for (const char c : text) {
+        if (c == '"') {
+          is_quoted = !is_quoted;
+        } else if (c == separator_ && !is_quoted) {
+          fields_.emplace_back();
+        } else if (c != ' ' && c != '\t') {
+          fields_.back() += c;
+        }
       }
-      return true;
+      if (is_quoted) fail("a quotation mark is not closed");
+      if (header_.empty() || fields_.size() == header_.size()) return true;
+      fail("the row has " + std::to_string(fields_.size()) + " fields; expected " +
+           std::to_string(header_.size()) + ", one for each column of the header");
     }
     if (in_.bad() || !in_.eof()) fail("cannot be read; expected a readable file");
-    ++line_;
     return false;
   }
 
-  // The index of the column.
-  std::size_t column(std::string_view name) const {
-    std::size_t found = header_.size();
-    for (std::size_t i = 0; i < header_.size(); ++i) {
-      if (header_[i] != name) continue;
-      if (found != header_.size()) fail("the column " + header_[i] + " is named twice");
-      found = i;
-    }
-    if (found == header_.size()) fail("the column " + std::string(name) + " is missing");
-    return found;
+  void expect_header(const std::string& expected) const {
+    std::string header;
+    for (const std::string& name : header_) header += (header.empty() ? "" : ",") + name;
+    if (header != expected) fail("the header is not " + expected);
   }
 
-  const std::string& field(std::size_t column) const { return fields_[column]; }
+  bool has(std::string_view name) const {
+    return std::find(header_.begin(), header_.end(), name) != header_.end();
+  }
+  const std::string& field(std::string_view name) const {
+    const auto found = std::find(header_.begin(), header_.end(), name);
+    if (found == header_.end()) fail("the column " + std::string(name) + " is missing");
+    return fields_[static_cast<std::size_t>(found - header_.begin())];
+  }
 
-  double number(std::size_t column) const {
+  double number(std::string_view name) const {
     double value = 0;
-    if (!read_number(fields_[column], value)) {
-      fail("the column " + header_[column] + " is " + quoted(fields_[column]) +
-           "; expected a finite decimal or hexadecimal number");
-    }
-    return value;
+    if (read_number(field(name), value)) return value + 0.0;  // 0 for -0
+    fail("the column " + std::string(name) + " is '" + field(name) + "'; expected a finite number");
+  }
+
+  std::size_t index(std::string_view name) const {
+    std::size_t value = 0;
+    const std::string& text = field(name);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value < 100'000'000)
+      return value;
+    fail("the column " + std::string(name) + " is '" + text + "'; expected a whole number");
   }
 
   // Appends the edge in two columns, if there is one.
-  void append_edge(std::size_t a, std::size_t points, std::vector<Edge>& edges) const {
-    if (fields_[a].empty() && fields_[a + 1].empty()) return;
-    edges.emplace_back(id(a, points), id(a + 1, points));
+  void append_edge(std::string_view a, std::string_view b, std::vector<Edge>& edges) const {
+    if (field(a).empty() && field(b).empty()) return;
+    edges.emplace_back(static_cast<Id>(index(a)), static_cast<Id>(index(b)));
   }
 
   [[noreturn]] void fail(const std::string& message) const {
@@ -133,48 +172,6 @@ class Table {
   }
 
  private:
-  Id id(std::size_t column, std::size_t points) const {
-    const std::string& text = fields_[column];
-    Id value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value >= points) {
-      fail("the column " + header_[column] + " is " + quoted(text) +
-           "; expected the id of one of the " + std::to_string(points) + " points");
-    }
-    return value;
-  }
-
-  // Fields may be quoted; in quotation marks two of them stand for one. Semicolons separate fields
-  // if the header has no comma.
-  void split(const std::string& text) {
-    if (header_.empty() && text.find(',') == std::string::npos &&
-        text.find(';') != std::string::npos) {
-      separator_ = ';';
-    }
-    fields_.assign(1, "");
-    bool is_quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      const char c = text[i];
-      if (c == '"') {
-        if (is_quoted && i + 1 < text.size() && text[i + 1] == '"') {
-          fields_.back() += text[++i];
-        } else {
-          is_quoted = !is_quoted;
-        }
-      } else if (c == separator_ && !is_quoted) {
-        fields_.emplace_back();
-      } else {
-        fields_.back() += c;
-      }
-    }
-    if (is_quoted) fail("a quotation mark is not closed");
-    for (std::string& field : fields_) {
-      const std::size_t begin = field.find_first_not_of(" \t\r");
-      const std::size_t end = field.find_last_not_of(" \t\r");
-      field = begin == std::string::npos ? "" : field.substr(begin, end + 1 - begin);
-    }
-  }
-
   std::string path_;
   std::ifstream in_;
   std::vector<std::string> header_, fields_;
@@ -182,94 +179,95 @@ class Table {
   std::size_t line_ = 0;
 };
 
-inline std::vector<Motion> read_points(const std::string& path) {
+// The motions at the start: the rows of a file of points, or those without an event of a file of
+// motions. Its other rows go to the rows of their events, if these are asked for.
+inline std::vector<Change> read_motions(const std::string& path, std::vector<Row>* rows) {
+  static constexpr std::array<std::string_view, numbers> names = {
+      "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "growth", "epoch"};
   Table table(path);
-  for (const std::string& name : table.header()) {
-    for (const char* other : {"radius", "growth", "ax", "ay", "jx", "jy"}) {
-      if (name == other) {
-        table.fail("the column " + name + " is not supported; expected points that move linearly");
+  const bool is_of_motions = table.has("event");
+  if (is_of_motions) table.expect_header("event,id,x,y,vx,vy,ax,ay,jx,jy,radius,growth,epoch");
+  std::vector<Change> points;
+  std::size_t event = 0;
+  while (table.next()) {
+    Change change = {static_cast<Id>(is_of_motions ? table.index("id") : points.size()), {}};
+    if (!is_of_motions || !table.field("x").empty()) {
+      change.motion.emplace();
+      for (std::size_t i = 0; i < numbers; ++i) {
+        const bool is_there = is_of_motions || i <= vy || (i <= jy && table.has(names[i]));
+        (*change.motion)[i] = is_there ? table.number(names[i]) : 0;
       }
     }
-  }
-  const std::array<std::size_t, 4> columns = {table.column("x"), table.column("y"),
-                                              table.column("vx"), table.column("vy")};
-  std::vector<Motion> points;
-  std::map<Motion, std::size_t> lines;
-  while (table.next()) {
-    Motion motion;
-    for (std::size_t i = 0; i < 4; ++i) motion[i] = table.number(columns[i]) + 0.0;  // no -0
-    const auto [same, is_new] = lines.emplace(motion, table.line());
-    if (!is_new) {
-      table.fail("the point moves as the one in line " + std::to_string(same->second) +
-                 "; expected points that differ");
+    if (is_of_motions && !table.field("event").empty()) {
+      if (rows == nullptr) continue;
+      const std::size_t number = table.index("event");
+      const std::size_t row = rows->empty() ? number : number - rows->front().number;
+      if (row >= rows->size() || row < event) {
+        table.fail("the event is not one of the log, or not in order");
+      }
+      event = row;
+      (*rows)[event].changes.push_back(std::move(change));
+    } else if (!change.motion || (!points.empty() && change.id <= points.back().id)) {
+      table.fail("expected the motions at the start in the order of the ids");
+    } else {
+      points.push_back(std::move(change));
     }
-    points.push_back(motion);
   }
   return points;
 }
 
-// Whether hi - lo > 2^-48 max(1, |lo|, |hi|).
-inline bool is_too_wide(const Dyadic& lo, const Dyadic& hi) {
-  const unsigned long e = std::max(lo.e, hi.e);
-  const Integer l = lo.m << (e - lo.e);
-  const Integer h = hi.m << (e - hi.e);
-  return ((h - l) << 48) > std::max({Integer(Integer(1) << e), Integer(abs(l)), Integer(abs(h))});
-}
-
-inline std::vector<Row> read_events(const std::string& path, std::size_t points) {
+inline void read_events(const std::string& path, std::vector<Row>& rows) {
   Table table(path);
-  static const std::vector<std::string> header = {"event",   "kind",      "time",      "time_lo",
-                                                  "time_hi", "removed_a", "removed_b", "added_a",
-                                                  "added_b", "point_a",   "point_b"};
-  if (table.header() != header) table.fail("this is not the header of an event log");
-  static const std::map<std::string, std::array<std::size_t, 2>> edges_of_kinds = {
-      {"flip", {1, 1}}, {"hull_insert", {1, 0}}, {"hull_remove", {0, 1}}, {"rebuild", {2, 2}}};
-  std::vector<Row> rows;
+  table.expect_header(
+      "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b");
+  static const std::map<std::string, std::array<std::size_t, 3>> kinds = {
+      {"flip", {1, 1, 0}},    {"hull_insert", {1, 0, 0}}, {"hull_remove", {0, 1, 0}},
+      {"hide", {0, 0, 1}},    {"reveal", {0, 0, 1}},      {"insert", {0, 0, 1}},
+      {"erase", {0, 0, 1}},   {"trajectory", {0, 0, 1}},  {"wall", {0, 0, 1}},
+      {"rebuild", {0, 0, 0}}, {"collision", {0, 0, 2}}};
   while (table.next()) {
-    Row row;
-    row.line = table.line();
-    row.kind = table.field(1);
-    table.append_edge(5, points, row.removed);
-    table.append_edge(7, points, row.added);
-    const auto expected = edges_of_kinds.find(row.kind);
-    if (expected == edges_of_kinds.end()) {
-      table.fail("the kind " + quoted(row.kind) +
-                 " is not supported; expected flip, hull_insert, hull_remove or rebuild");
+    Row& row = rows.emplace_back();
+    row.number = table.index("event");
+    row.kind = table.field("kind");
+    const auto expected = kinds.find(row.kind);
+    if (expected == kinds.end()) table.fail("the kind '" + row.kind + "' is unknown");
+    row.time = table.number("time");
+    row.lo = dyadic(table.number("time_lo"));
+    row.hi = dyadic(table.number("time_hi"));
+    table.append_edge("removed_a", "removed_b", row.removed);
+    table.append_edge("added_a", "added_b", row.added);
+    for (const char* name : {"point_a", "point_b"}) {
+      if (!table.field(name).empty()) row.points.push_back(static_cast<Id>(table.index(name)));
     }
-    row.lo = dyadic(table.number(3));
-    row.hi = dyadic(table.number(4));
-    const std::array<std::size_t, 2> has = {row.removed.size(), row.added.size()};
-    if (row.kind == "rebuild" ? has[0] + has[1] != 1 : has != expected->second) {
-      refute_row(rows.size(), "it has not the edges of a " + row.kind);
-    }
-    if (table.field(0) != std::to_string(rows.size())) {
-      refute_row(rows.size(), "its number is " + quoted(table.field(0)));
-    }
-    const Dyadic time = dyadic(table.number(2));
-    if (compare(row.lo, time) > 0 || compare(time, row.hi) > 0) {
-      refute_row(rows.size(), "its time is not in [time_lo, time_hi]");
-    }
-    if (is_too_wide(row.lo, row.hi)) {
-      refute_row(rows.size(), "[time_lo, time_hi] is wider than 2^-48 max(1, |time|)");
+    const auto refute = [&](const std::string& message) {
+      throw Refuted{std::ssize(rows) - 1, message};
+    };
+    const std::array<std::size_t, 3> has = {row.removed.size(), row.added.size(),
+                                            row.points.size()};
+    if (row.kind == "rebuild" ? has[0] + has[1] != 1 || has[2] != 0 : has != expected->second) {
+      refute("it has not the edges and points of a " + row.kind);
     }
     for (const auto& edges : {row.removed, row.added}) {
-      for (const Edge& edge : edges) {
-        if (edge.first >= edge.second) {
-          refute_row(rows.size(), "an edge is not two ids, the smaller one first");
-        }
-      }
+      if (!edges.empty() && edges[0].first >= edges[0].second)
+        refute("an edge has its smaller end last");
     }
-    rows.push_back(std::move(row));
+    if (row.number != rows.front().number + rows.size() - 1) refute("its number is another one");
+    const Dyadic time = dyadic(row.time);
+    const Dyadic width = row.hi + Dyadic{-row.lo.m, row.lo.e};
+    const Dyadic wide = {width.m << 48, width.e};
+    if (compare(row.lo, time) > 0 || compare(time, row.hi) > 0 ||
+        (compare(wide, {1, 0}) > 0 && compare(wide, {abs(time.m), time.e}) > 0)) {
+      refute("its interval lacks its time, or is wider than 2^-48 max(1, |time|)");
+    }
   }
-  return rows;
 }
 
-inline std::vector<Edge> read_edges(const std::string& path, std::size_t points) {
+inline std::vector<Edge> read_edges(const std::string& path) {
   Table table(path);
-  if (table.header() != std::vector<std::string>{"a", "b"}) table.fail("expected the header a,b");
+  table.expect_header("a,b");
   std::vector<Edge> edges;
   while (table.next()) {
-    table.append_edge(0, points, edges);
+    table.append_edge("a", "b", edges);
     if (edges.empty() || edges.back().first >= edges.back().second ||
         (edges.size() > 1 && !(edges[edges.size() - 2] < edges.back()))) {
       table.fail("expected edges that differ, in order, with the smaller id first");

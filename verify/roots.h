@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,18 +27,26 @@ inline Dyadic dyadic(double value) {
   int exponent = 0;
   Integer m(std::ldexp(std::frexp(value, &exponent), 53));  // an integer
   exponent -= 53;
-  if (exponent >= 0) return {m << static_cast<unsigned long>(exponent), 0};
-  return {m, static_cast<unsigned long>(-exponent)};
+  if (m == 0 || exponent >= 0) return {m << static_cast<unsigned long>(std::max(exponent, 0)), 0};
+  const auto e = static_cast<unsigned long>(-exponent);
+  const unsigned long zeros = std::min(e, mpz_scan1(m.get_mpz_t(), 0));
+  return {m >> zeros, e - zeros};
 }
 
+// The order of two numbers, or of two times: negative, 0 or positive.
 inline int compare(const Dyadic& a, const Dyadic& b) {
   if (a.e == b.e) return sgn(a.m - b.m);
   return a.e < b.e ? sgn((a.m << (b.e - a.e)) - b.m) : sgn(a.m - (b.m << (a.e - b.e)));
 }
 
-inline Dyadic middle(const Dyadic& a, const Dyadic& b) {
+inline Dyadic operator+(const Dyadic& a, const Dyadic& b) {
   const unsigned long e = std::max(a.e, b.e);
-  return {(a.m << (e - a.e)) + (b.m << (e - b.e)), e + 1};
+  return {(a.m << (e - a.e)) + (b.m << (e - b.e)), e};
+}
+
+inline Dyadic middle(const Dyadic& a, const Dyadic& b) {
+  const Dyadic sum = a + b;
+  return {sum.m, sum.e + 1};
 }
 
 // The coefficient of t^i is p[i]; the last one is not 0, and the zero polynomial has none.
@@ -50,20 +57,21 @@ inline Polynomial trimmed(Polynomial p) {
   return p;
 }
 
-inline Polynomial operator+(const Polynomial& p, const Polynomial& q) {
-  Polynomial sum(std::max(p.size(), q.size()));
-  for (std::size_t i = 0; i < p.size(); ++i) sum[i] = p[i];
-  for (std::size_t i = 0; i < q.size(); ++i) sum[i] += q[i];
-  return trimmed(std::move(sum));
-}
-
 inline Polynomial operator-(Polynomial p) {
-  for (Integer& c : p) c = -c;
+  for (Integer& c : p) mpz_neg(c.get_mpz_t(), c.get_mpz_t());
   return p;
 }
 
-inline Polynomial operator-(const Polynomial& p, const Polynomial& q) {
-  return p + -q;
+inline Polynomial operator+(Polynomial p, const Polynomial& q) {
+  p.resize(std::max(p.size(), q.size()));
+  for (std::size_t i = 0; i < q.size(); ++i) p[i] += q[i];
+  return trimmed(std::move(p));
+}
+
+inline Polynomial operator-(Polynomial p, const Polynomial& q) {
+  p.resize(std::max(p.size(), q.size()));
+  for (std::size_t i = 0; i < q.size(); ++i) p[i] -= q[i];
+  return trimmed(std::move(p));
 }
 
 inline Polynomial operator*(const Polynomial& p, const Polynomial& q) {
@@ -108,9 +116,11 @@ inline Polynomial greatest_common_divisor(Polynomial p, Polynomial q) {
   return p;
 }
 
-// p / q, where q divides p and is primitive; so the quotient has integer coefficients (Gauss's
-// lemma).
-inline Polynomial quotient(Polynomial p, const Polynomial& q) {
+// A square-free polynomial with the roots of p, which is not 0: p over the greatest common divisor
+// of p and its derivative. By Gauss's lemma its coefficients are integers.
+inline Polynomial square_free_part(Polynomial p) {
+  const Polynomial q = greatest_common_divisor(p, derivative(p));
+  p = primitive_part(std::move(p));
   Polynomial result(p.size() + 1 - q.size());
   for (std::size_t i = result.size(); i-- > 0;) {
     result[i] = p[i + q.size() - 1] / q.back();
@@ -119,46 +129,21 @@ inline Polynomial quotient(Polynomial p, const Polynomial& q) {
   return result;
 }
 
-// A square-free polynomial with the roots of p.
-inline Polynomial square_free_part(const Polynomial& p) {
-  return quotient(primitive_part(p), greatest_common_divisor(p, derivative(p)));
-}
-
-// A square-free polynomial whose roots are the roots of odd multiplicity of p: D. Yun's
-// decomposition (On square-free decomposition algorithms, SYMSAC 1976).
-inline Polynomial odd_part(const Polynomial& p) {
-  Polynomial repeated = greatest_common_divisor(p, derivative(p));
-  Polynomial simple = quotient(primitive_part(p), repeated);  // each root once
-  Polynomial result = {1};
-  for (bool is_odd = true; simple.size() > 1; is_odd = !is_odd) {
-    const Polynomial higher = greatest_common_divisor(simple, repeated);
-    if (is_odd) result = result * quotient(simple, higher);
-    repeated = quotient(repeated, higher);
-    simple = higher;
+inline Dyadic value(const Polynomial& p, const Dyadic& t) {
+  Dyadic result;
+  for (std::size_t i = p.size(); i-- > 0;) {
+    result.m = result.m * t.m + (p[i] << result.e);
+    if (i > 0) result.e += t.e;
   }
   return result;
 }
 
 inline int sign_at(const Polynomial& p, const Dyadic& t) {
-  Integer value = 0;
-  unsigned long e = 0;
-  for (std::size_t i = p.size(); i-- > 0; e += t.e) value = value * t.m + (p[i] << e);
-  return sgn(value);
+  return sgn(value(p, t).m);
 }
 
-// What the signs of the Bernstein coefficients of p over [l, u], l < u, tell (Lemma 1). The first
-// and the last are those of p at l and at u.
-struct Signs {
-  int first = 0;
-  int last = 0;
-  bool has_positive = false;
-  bool has_negative = false;
-  int changes = 0;
-  // The sign of p inside, if it is the same everywhere there, and otherwise 0.
-  int inside() const { return has_negative == has_positive ? 0 : has_positive ? 1 : -1; }
-};
-
-inline Signs bernstein_signs(const Polynomial& p, const Dyadic& l, const Dyadic& u) {
+// The Bernstein coefficients of p over [l, u], but for positive factors; the last one first.
+inline Polynomial bernstein(const Polynomial& p, const Dyadic& l, const Dyadic& u) {
   const unsigned long e = std::max(l.e, u.e);
   const Integer lower = l.m << (e - l.e);
   const Integer width = (u.m << (e - u.e)) - lower;
@@ -175,28 +160,32 @@ inline Signs bernstein_signs(const Polynomial& p, const Dyadic& l, const Dyadic&
   for (std::size_t i = 0; i + 1 < n; ++i) {
     for (std::size_t j = n - 1; j-- > i;) c[j] += c[j + 1];
   }
-  Signs signs;
-  int previous = 0;
-  for (std::size_t i = n; i-- > 0;) {
-    const int sign = sgn(c[i]);
-    if (sign > 0) signs.has_positive = true;
-    if (sign < 0) signs.has_negative = true;
-    if (sign * previous < 0) ++signs.changes;
-    if (sign != 0) previous = sign;
-  }
-  if (n > 0) {
-    signs.first = sgn(c.back());
-    signs.last = sgn(c.front());
-  }
-  return signs;
+  return c;
 }
 
-// The number lo, if both ends are equal; otherwise the only root of f in the open interval. There f
-// is square-free, it is not 0 at the ends, and its signs there differ.
+// What the signs of the Bernstein coefficients of p over [l, u], l < u, tell (Lemma 1).
+struct Signs {
+  int first = 0, last = 0;  // of p at l and at u
+  int changes = 0;
+  int inside = 0;  // of p in (l, u), if it is known to be the same everywhere there
+
+  Signs(const Polynomial& p, const Dyadic& l, const Dyadic& u) {
+    const Polynomial c = bernstein(p, l, u);
+    for (std::size_t i = c.size(); i-- > 0;) {
+      last = sgn(c[i]);
+      if (i + 1 == c.size()) first = last;
+      if (last * inside < 0) ++changes;
+      if (last != 0) inside = last;
+    }
+    if (changes > 0) inside = 0;
+  }
+};
+
+// The number lo, if f is empty, and hi is lo; otherwise the only root of f in the open interval. It
+// is simple, and f is not 0 at the ends.
 struct Time {
   Polynomial f;
   Dyadic lo, hi;
-  bool is_dyadic() const { return f.empty(); }
 };
 
 inline Time exactly(const Dyadic& t) {
@@ -214,30 +203,32 @@ inline void refine(Time& t) {
   }
 }
 
-// Whether g, which divides the polynomial of t, has the root t.
-inline bool has_root_in(const Polynomial& g, const Dyadic& lo, const Dyadic& hi) {
+// Whether p has the root t of f, which is the only one in [lo, hi] (Lemma 3).
+inline bool has_root(const Polynomial& p, const Polynomial& f, const Dyadic& lo, const Dyadic& hi) {
+  const Polynomial g = p == f || p == -f ? f : greatest_common_divisor(p, f);
   return g.size() > 1 && sign_at(g, lo) * sign_at(g, hi) < 0;
 }
 
-// The exact order of two times (Lemma 3). Intervals are narrowed.
+// The order of two times (Lemma 3). Intervals are narrowed, as below.
 inline int compare(Time& a, Time& b) {
-  for (bool is_first = true;; is_first = false) {
-    if (a.is_dyadic() && b.is_dyadic()) return compare(a.lo, b.lo);
+  constexpr int patience = 8;  // refining is mostly faster than a greatest common divisor
+  for (int round = 0;; ++round) {
+    if (a.f.empty() && b.f.empty()) return compare(a.lo, b.lo);
     if (compare(a.hi, b.lo) <= 0) return -1;
     if (compare(b.hi, a.lo) <= 0) return 1;
-    if (a.is_dyadic() || b.is_dyadic()) {
-      Time& root = a.is_dyadic() ? b : a;
-      if (sign_at(root.f, (a.is_dyadic() ? a : b).lo) == 0) return 0;
+    if (a.f.empty() || b.f.empty()) {
+      Time& root = a.f.empty() ? b : a;
+      if (sign_at(root.f, (a.f.empty() ? a : b).lo) == 0) return 0;
       refine(root);
       continue;
     }
-    const Dyadic& lo = compare(a.lo, b.lo) < 0 ? b.lo : a.lo;
-    const Dyadic& hi = compare(a.hi, b.hi) < 0 ? a.hi : b.hi;
-    if (is_first) {
-      if (has_root_in(a.f == b.f ? a.f : greatest_common_divisor(a.f, b.f), lo, hi)) return 0;
+    if (round == (a.f == b.f || a.f == -b.f ? 0 : patience)) {
+      const Dyadic& lo = compare(a.lo, b.lo) < 0 ? b.lo : a.lo;
+      const Dyadic& hi = compare(a.hi, b.hi) < 0 ? a.hi : b.hi;
+      if (has_root(a.f, b.f, lo, hi)) return 0;
     }
     refine(a);
-    if (!b.is_dyadic()) refine(b);
+    if (!b.f.empty()) refine(b);
   }
 }
 
@@ -245,10 +236,10 @@ inline int compare(Time& a, Time& b) {
 inline int sign_at(const Polynomial& p, Time& t) {
   for (bool is_first = true;; is_first = false) {
     if (p.empty()) return 0;
-    if (t.is_dyadic()) return sign_at(p, t.lo);
-    const int sign = bernstein_signs(p, t.lo, t.hi).inside();
+    if (t.f.empty()) return sign_at(p, t.lo);
+    const int sign = Signs(p, t.lo, t.hi).inside;
     if (sign != 0) return sign;
-    if (is_first && has_root_in(greatest_common_divisor(p, t.f), t.lo, t.hi)) return 0;
+    if (is_first && has_root(p, t.f, t.lo, t.hi)) return 0;
     refine(t);
   }
 }
@@ -262,10 +253,17 @@ inline int sign_just_after(Polynomial p, Time& t) {
   return 0;
 }
 
+// Whether p changes its sign at its root t: whether the multiplicity is odd.
+inline bool changes_sign(Polynomial p, Time& t) {
+  bool is_odd = false;
+  for (; !p.empty() && sign_at(p, t) == 0; p = derivative(p)) is_odd = !is_odd;
+  return is_odd;
+}
+
 // Appends the roots of q, which is square-free, in the open interval, in order (Lemma 2).
 inline void append_roots(const Polynomial& q, const Dyadic& lo, const Dyadic& hi,
                          std::vector<Time>& roots) {
-  const Signs signs = bernstein_signs(q, lo, hi);
+  const Signs signs(q, lo, hi);
   if (signs.changes == 0) return;
   if (signs.changes == 1 && signs.first * signs.last != 0) {
     roots.push_back({q, lo, hi});
@@ -277,33 +275,24 @@ inline void append_roots(const Polynomial& q, const Dyadic& lo, const Dyadic& hi
   append_roots(q, m, hi, roots);
 }
 
-// The roots of q, which is square-free, in the closed interval, in order.
-inline std::vector<Time> roots_in(const Polynomial& q, const Dyadic& lo, const Dyadic& hi) {
-  std::vector<Time> roots;
-  if (q.size() < 2) return roots;
-  if (sign_at(q, lo) == 0) roots.push_back(exactly(lo));
-  if (compare(lo, hi) < 0) {
-    append_roots(q, lo, hi, roots);
-    if (sign_at(q, hi) == 0) roots.push_back(exactly(hi));
+// The roots of p in the closed interval, each one once, in order.
+inline std::vector<Time> roots_in(const Polynomial& p, const Dyadic& lo, const Dyadic& hi) {
+  if (p.size() < 2) return {};
+  const Signs signs(p, lo, hi);
+  if (signs.first * signs.last != 0) {
+    if (signs.changes == 0) return {};
+    if (signs.changes == 1) return {{p, lo, hi}};
   }
+  const Polynomial q = square_free_part(p);
+  std::vector<Time> roots;
+  if (signs.first == 0) roots.push_back(exactly(lo));
+  if (compare(lo, hi) == 0) return roots;
+  append_roots(q, lo, hi, roots);
+  if (signs.last == 0) roots.push_back(exactly(hi));
   return roots;
 }
 
-// The first root of odd multiplicity of p after `from` and before `until`, or at it if `with_end`.
-inline std::optional<Time> first_failure(const Polynomial& p, Time& from, Time& until,
-                                         bool with_end) {
-  if (p.size() < 2 || compare(from.lo, until.hi) >= 0) return std::nullopt;
-  const Signs signs = bernstein_signs(p, from.lo, until.hi);
-  if (signs.inside() != 0 && !(with_end && signs.last == 0)) return std::nullopt;
-  for (Time& root : roots_in(odd_part(p), from.lo, until.hi)) {
-    if (compare(root, from) <= 0) continue;
-    const int order = compare(root, until);
-    if (order < 0 || (with_end && order == 0)) return root;
-  }
-  return std::nullopt;
-}
-
-// For messages only: nothing is decided by these numbers.
+// For messages only: nothing is decided by this number.
 inline double approximate(const Dyadic& t) {
   return mpq_class(t.m, Integer(1) << t.e).get_d();
 }
@@ -311,10 +300,9 @@ inline double approximate(const Dyadic& t) {
 inline std::string text(const Polynomial& p) {
   std::string result;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (i > 0) result += " + ";
-    result += p[i].get_str() + " t^" + std::to_string(i);
+    result += (i > 0 ? " + " : "") + p[i].get_str() + " t^" + std::to_string(i);
   }
-  return result.empty() ? "0" : result;
+  return result;
 }
 
 }  // namespace verify

@@ -1,0 +1,407 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lies about a run: each changes its files, and returns the row at which that is to be noticed (-1
+is the start, the number of rows is the end), or None if there is nothing that it could change."""
+import math
+
+PLAIN, BOX, WEIGHTS, TRACKS = {}, {}, {}, {}
+
+
+def lie(*tables):
+    def enter(function):
+        for table in tables:
+            table[function.__name__] = function
+        return function
+
+    return enter
+
+
+def chosen(run, generator, which=lambda row: True):
+    found = [i for i, row in enumerate(run.rows) if which(row)]
+    return generator.choice(found) if found else None
+
+
+def interval(row):
+    return float(row[3]), float(row[4])
+
+
+def is_later(run, i):
+    """Whether row i is after the row before it, for certain."""
+    return i > 0 and interval(run.rows[i])[0] > interval(run.rows[i - 1])[1]
+
+
+def kinds(*names):
+    return lambda row: row[1] in names
+
+
+def remove(run, i):
+    if i is None:
+        return None
+    del run.rows[i]
+    run.drop_motions(i)
+    return i
+
+
+def edit(name, which, change, *tables):
+    """A lie that changes one row."""
+
+    def function(run, generator):
+        i = chosen(run, generator, which)
+        return None if i is None or change(run.rows[i], generator) is False else i
+
+    function.__name__ = name
+    lie(*tables)(function)
+
+
+@lie(PLAIN, BOX, WEIGHTS)
+def a_row_left_out(run, generator):
+    return remove(run, chosen(run, generator, lambda row: row[1] not in ("hide", "reveal")))
+
+
+@lie(PLAIN)
+def the_first_row_left_out(run, generator):
+    return remove(run, 0 if run.rows else None)
+
+
+@lie(PLAIN)
+def the_last_row_left_out(run, generator):
+    return remove(run, len(run.rows) - 1 if run.rows else None)
+
+
+@lie(PLAIN, BOX)
+def a_row_doubled(run, generator):
+    i = chosen(run, generator)
+    if i is None:
+        return None
+    run.insert(i + 1, list(run.rows[i]))
+    return i + 1
+
+
+@lie(PLAIN)
+def a_row_again_at_the_end(run, generator):
+    i = chosen(run, generator)
+    if i is None:
+        return None
+    run.rows.append(list(run.rows[i]))
+    return len(run.rows) - 1
+
+
+@lie(PLAIN)
+def neighbors_swapped(run, generator):
+    i = generator.choice([i for i in range(len(run.rows)) if is_later(run, i)] or [None])
+    if i is None:
+        return None
+    run.rows[i - 1], run.rows[i] = run.rows[i], run.rows[i - 1]
+    return i - 1
+
+
+@lie(PLAIN)
+def edges_of_neighbors_swapped(run, generator):
+    i = generator.choice([i for i in range(len(run.rows)) if is_later(run, i)] or [None])
+    if i is None:
+        return None
+    a, b = run.rows[i - 1], run.rows[i]
+    a[1], b[1], a[5:9], b[5:9] = b[1], a[1], b[5:9], a[5:9]
+    return i - 1
+
+
+@lie(PLAIN)
+def cut_off(run, generator):
+    i = chosen(run, generator)
+    if i is not None:
+        del run.rows[i:]
+    return i
+
+
+@lie(PLAIN)
+def a_flip_that_is_none(run, generator):
+    if not run.initial or len(run.points) < 4:
+        return None
+    time = [repr(generator.uniform(0, run.until))] * 3
+    added = sorted(generator.sample(range(len(run.points)), 2))
+    row = ["0", "flip", *time, *generator.choice(run.initial), *map(str, added), "", ""]
+    at = sum(interval(other)[0] <= float(time[0]) for other in run.rows)
+    run.rows.insert(at, row)
+    return at
+
+
+@lie(PLAIN)
+def a_flip_and_back(run, generator):
+    i = chosen(run, generator, kinds("flip"))
+    if i is None:
+        return None
+    back = list(run.rows[i])
+    back[5:9] = back[7:9] + back[5:7]
+    run.rows.insert(i + 1, back)
+    return i + 1
+
+
+def ulps(row, count):
+    for i in (2, 3, 4):
+        number = float(row[i])
+        for _ in range(abs(count)):
+            number = math.nextafter(number, math.inf if count > 0 else -math.inf)
+        row[i] = repr(number)
+
+
+def widen(row, _):
+    row[4] = repr(float(row[4]) + 1e-9 * max(1, abs(float(row[4]))))
+
+
+def beyond(row, part):
+    width = float(row[4]) - float(row[3])
+    if width > 0:
+        ulps(row, 2 * part)
+    else:
+        ulps(row, part)
+
+
+def no_time(row, _):
+    row[2] = repr(math.nextafter(float(row[4]), math.inf))
+
+
+def turned_around(row, _):
+    if row[3] == row[4]:
+        return False
+    row[3], row[4] = row[4], row[3]
+    return True
+
+
+def ends_exchanged(row, generator):
+    parts = [i for i in (5, 7) if row[i]]
+    i = generator.choice(parts)
+    row[i], row[i + 1] = row[i + 1], row[i]
+
+
+def backward(row, _):
+    row[5:9] = row[7:9] + row[5:7]
+
+
+def other_end(first):
+    def change(row, generator):
+        i = first + generator.randint(0, 1)
+        ends = {0, 1, 2, 3, 4, 5} - {int(e) for e in row[5:9] if e}
+        row[i] = str(generator.choice(sorted(ends)))
+        pair = sorted(map(int, row[first : first + 2]))
+        row[first : first + 2] = map(str, pair)
+        return True
+
+    return change
+
+
+def kind(name):
+    def change(row, _):
+        row[1] = name
+
+    return change
+
+
+EDGES = kinds("flip", "hull_insert", "hull_remove", "rebuild")
+FLIPS = kinds("flip", "hull_insert", "hull_remove")
+edit("an_interval_an_ulp_late", FLIPS, lambda r, g: beyond(r, 1), PLAIN)
+edit("an_interval_an_ulp_early", FLIPS, lambda r, g: beyond(r, -1), PLAIN)
+edit("a_time_moved_on", EDGES, lambda r, g: ulps(r, 2 ** g.randint(4, 12)), PLAIN)
+edit("a_time_moved_back", EDGES, lambda r, g: ulps(r, -(2 ** g.randint(4, 12))), PLAIN)
+edit("an_interval_too_wide", lambda r: True, widen, PLAIN, BOX)
+edit("a_time_outside_its_interval", lambda r: True, no_time, PLAIN, BOX)
+edit("an_interval_turned_around", lambda r: True, turned_around, PLAIN)
+edit("ends_of_an_edge_exchanged", EDGES, ends_exchanged, PLAIN)
+edit("a_row_backward", FLIPS, backward, PLAIN)
+edit("another_edge_removed", kinds("flip", "hull_insert"), other_end(5), PLAIN)
+edit("another_edge_added", kinds("flip", "hull_remove"), other_end(7), PLAIN)
+edit("a_flip_called_hull_insert", kinds("flip"), kind("hull_insert"), PLAIN)
+edit("a_flip_called_rebuild", kinds("flip"), kind("rebuild"), PLAIN)
+edit("a_hull_insert_called_flip", kinds("hull_insert"), kind("flip"), PLAIN)
+edit("a_hull_insert_called_hull_remove", kinds("hull_insert"), kind("hull_remove"), PLAIN)
+edit("an_edge_without_an_end", EDGES, lambda r, g: r.__setitem__(slice(5, 9), [""] * 4), PLAIN)
+edit("a_wall_called_collision", kinds("wall"), kind("collision"), BOX)
+edit("a_wall_called_trajectory", kinds("wall"), kind("trajectory"), BOX)
+
+
+@lie(PLAIN)
+def an_initial_edge_left_out(run, generator):
+    if not run.initial:
+        return None
+    del run.initial[generator.randrange(len(run.initial))]
+    return -1
+
+
+def replace_edge(run, edges, generator, diagonal):
+    there = {tuple(map(int, edge)) for edge in edges}
+    neighbors = {i: set() for i in range(len(run.points))}
+    for a, b in there:
+        neighbors[a].add(b)
+        neighbors[b].add(a)
+    choices = []
+    for a, b in sorted(there):
+        common = sorted(neighbors[a] & neighbors[b])
+        others = [(c, d) for i, c in enumerate(common) for d in common[i + 1 :]] if diagonal else [
+            (c, d) for c in range(len(run.points)) for d in range(c + 1, len(run.points))
+        ]
+        choices += [((a, b), other) for other in others if other not in there]
+    if not choices:
+        return False
+    old, new = generator.choice(choices)
+    edges[:] = [list(map(str, e)) for e in sorted((there - {old}) | {new})]
+    return True
+
+
+@lie(PLAIN)
+def another_initial_edge(run, generator):
+    return -1 if replace_edge(run, run.initial, generator, False) else None
+
+
+@lie(PLAIN)
+def the_other_initial_diagonal(run, generator):
+    if isinstance(run.points[0][0], int):  # four points may always be on one circle
+        return None
+    return -1 if replace_edge(run, run.initial, generator, True) else None
+
+
+@lie(PLAIN)
+def a_final_edge_left_out(run, generator):
+    if not run.final:
+        return None
+    del run.final[generator.randrange(len(run.final))]
+    return len(run.rows)
+
+
+@lie(PLAIN)
+def another_final_edge(run, generator):
+    return len(run.rows) if replace_edge(run, run.final, generator, False) else None
+
+
+@lie(PLAIN)
+def an_earlier_end(run, generator):
+    i = chosen(run, generator, lambda row: float(row[3]) > run.start + 0.01)
+    if i is None:
+        return None
+    run.until = math.nextafter(float(run.rows[i][3]), -math.inf)
+    return next(k for k, row in enumerate(run.rows) if float(row[4]) > run.until)
+
+
+@lie(PLAIN)
+def a_motion_at_the_start_altered(run, generator):
+    motion = generator.choice([m for m in run.motions if not m[0]])
+    i = generator.randint(2, 5)
+    motion[i] = repr(math.nextafter(float(motion[i]), math.inf))
+    return -1
+
+
+# ---- contacts ----
+
+
+@lie(BOX)
+def a_wall_left_out(run, generator):
+    return remove(run, chosen(run, generator, kinds("wall")))
+
+
+@lie(BOX)
+def a_collision_left_out(run, generator):
+    return remove(run, chosen(run, generator, kinds("collision")))
+
+
+def of_contact(run, generator, which=("wall", "collision")):
+    """A row of motions of a contact."""
+    found = [m for m in run.motions if m[0] and run.rows[int(m[0])][1] in which and m[2]]
+    return generator.choice(found) if found else None
+
+
+def edit_motion(name, columns, change, which=("wall", "collision")):
+    def function(run, generator):
+        motion = of_contact(run, generator, which)
+        if motion is None:
+            return None
+        i = generator.choice(columns)
+        new = change(float(motion[i]))
+        if new == float(motion[i]):
+            return None
+        motion[i] = repr(new)
+        return int(motion[0])
+
+    function.__name__ = name
+    lie(BOX)(function)
+
+
+edit_motion("a_place_altered_in_the_last_bit", (2, 3), lambda x: math.nextafter(x, math.inf))
+edit_motion("a_place_altered_downward", (2, 3), lambda x: math.nextafter(x, -math.inf))
+edit_motion("an_epoch_altered_in_the_last_bit", (12,), lambda x: math.nextafter(x, math.inf))
+edit_motion("a_radius_grown", (10,), lambda r: math.nextafter(r, math.inf))
+edit_motion("a_growth_from_nothing", (11,), lambda g: g + 0.125)
+edit_motion("an_acceleration_from_nothing", (6, 7), lambda a: a + 0.125)
+edit_motion("a_jerk_from_nothing", (8, 9), lambda j: j + 0.125)
+edit_motion("a_velocity_altered_at_a_wall", (4, 5), lambda v: v * 1.5 + 1, ("wall",))
+edit_motion("a_velocity_altered_in_the_last_bit", (4, 5), lambda v: math.nextafter(v, math.inf), ("wall",))
+
+
+@lie(BOX)
+def no_bounce(run, generator):
+    motion = of_contact(run, generator, ("wall",))
+    if motion is None:
+        return None
+    number = int(motion[0])
+    before = [m for m in run.motions if m[1] == motion[1] and (not m[0] or int(m[0]) < number)][-1]
+    motion[4:6] = before[4:6]
+    return number
+
+
+@lie(BOX)
+def a_motion_left_out(run, generator):
+    motion = of_contact(run, generator, ("wall",))
+    if motion is None:
+        return None
+    run.motions.remove(motion)
+    return int(motion[0])
+
+
+@lie(BOX)
+def the_motion_of_another_point(run, generator):
+    motion = of_contact(run, generator)
+    if motion is None:
+        return None
+    row = run.rows[int(motion[0])]
+    motion[1] = str(next(i for i in range(len(run.points)) if str(i) not in row[9:11]))
+    return int(motion[0])
+
+
+@lie(BOX)
+def the_contact_of_another_point(run, generator):
+    i = chosen(run, generator, kinds("wall", "collision"))
+    if i is None:
+        return None
+    row = run.rows[i]
+    row[9] = str(next(k for k in range(len(run.points)) if str(k) not in row[9:11]))
+    return i
+
+
+# ---- points that hide, come and go ----
+
+
+@lie(WEIGHTS)
+def a_hide_left_out(run, generator):
+    return remove(run, chosen(run, generator, kinds("hide")))
+
+
+@lie(WEIGHTS)
+def a_reveal_left_out(run, generator):
+    return remove(run, chosen(run, generator, kinds("reveal")))
+
+
+edit("a_hide_called_reveal", kinds("hide"), kind("reveal"), WEIGHTS)
+edit("a_reveal_called_hide", kinds("reveal"), kind("hide"), WEIGHTS)
+
+
+@lie(TRACKS)
+def an_insert_left_out(run, generator):
+    return remove(run, chosen(run, generator, kinds("insert")))
+
+
+@lie(TRACKS)
+def an_erase_left_out(run, generator):
+    def leaves_before_the_end(row):
+        return row[1] == "erase" and float(row[3]) < run.until
+
+    return remove(run, chosen(run, generator, leaves_before_the_end))
+
+
+edit("an_insert_called_trajectory", kinds("insert"), kind("trajectory"), TRACKS)
+edit("an_erase_called_trajectory", kinds("erase"), kind("trajectory"), TRACKS)
