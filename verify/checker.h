@@ -245,7 +245,7 @@ class Checker {
       if (std::ranges::all_of(courses_, is_flat)) touch_all();
     } else if (a == b) {
       renew(hidden_life, key(a, a), std::nullopt);
-      touched_.insert(a);
+      if (neighbors_[a].empty()) touched_.insert(a);
     } else if (neighbors_[a].contains(b)) {
       touched_.insert({a, b});
       for (const Id v : {a, b}) touched_.insert(neighbors_[v].begin(), neighbors_[v].end());
@@ -515,12 +515,13 @@ class Checker {
   // those of the rows after it, is violated just after now, or there is no triangulation yet.
   bool is_needed_now(const Row& row) {
     if (is_on_line_ || is_witness_lost_) return true;
-    const std::set<Id> touched = touched_;
+    const auto [left, hull, touched] = std::tuple(left_, hull_, touched_);
     try {
       remake();
     } catch (const Refuted&) {
-      for (const Id v : touched) touched_.insert(neighbors_[v].begin(), neighbors_[v].end());
-      touched_.insert(touched.begin(), touched.end());
+      left_ = left;
+      hull_ = hull;
+      touched_ = touched;
       return true;
     }
     return std::ranges::any_of(certificates_at(row), [&](const Certificate& certificate) {

@@ -187,7 +187,7 @@ class Certifier {
     const Points& ids = life.points;
     const auto name = [&](const char* what, std::initializer_list<std::size_t> of) {
       std::string text = what;
-      for (const std::size_t i : of) text += " " + std::to_string(ids[i]);
+      for (const std::size_t i : of) text.append(" ").append(std::to_string(ids[i]));
       return text;
     };
     const auto add_triangle = [&](std::size_t i, std::size_t j, std::size_t apex) {
