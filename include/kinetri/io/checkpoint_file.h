@@ -23,7 +23,7 @@ namespace kinetri {
 struct Checkpoint_log {
   /// What it holds: the program has events, motions, initial-edges and edges.
   std::string output;
-  std::string path;    ///< from the checkpoint's directory if it is below that, else from the root
+  std::string path;  ///< from the checkpoint's directory if it is below that, else from the root
   std::uint64_t bytes = 0;  ///< its size
   std::uint32_t crc32 = 0;  ///< its checksum, the CRC-32 of zlib
 
