@@ -251,7 +251,8 @@ inline void read_events(const std::string& path, std::vector<Row>& rows) {
       if (!edges.empty() && edges[0].first >= edges[0].second)
         refute("an edge has its smaller end last");
     }
-    if (row.number != rows.front().number + rows.size() - 1) refute("its number is another one");
+    const auto number = rows.front().number + rows.size() - 1;
+    if (row.number != number) refute("its number is not " + std::to_string(number));
     const Dyadic time = dyadic(row.time);
     const Dyadic width = row.hi + Dyadic{-row.lo.m, row.lo.e};
     const Dyadic wide = {width.m << 48, width.e};

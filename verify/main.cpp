@@ -27,7 +27,7 @@ constexpr const char* usage =
     "  kinetri-verify motions.csv events.csv --until 60 --edges end.csv\n";
 
 [[noreturn]] void fail_usage(const std::string& message) {
-  throw verify::Bad_input(message + "\n\n" + usage);
+  throw verify::Bad_input(message + "\nRun 'kinetri-verify --help' for what is possible.");
 }
 
 std::vector<double> numbers_of(const std::string& option, const std::string& text,

@@ -325,7 +325,7 @@ def check_input(case):
         assert message in answer, f"{answer!r} is not about {message!r}"
     for options in ((), ("--until",), ("--until", "x"), ("--until", "1", "--edge", "f")):
         code, answer, _ = case.answer(case.points, *options)
-        assert code == 2 and "Usage" in answer, answer
+        assert code == 2 and "--help" in answer, answer
 
 
 def main():
