@@ -88,6 +88,21 @@ TEST(Stream, points_that_go_on_as_before_cost_nearly_nothing) {
   EXPECT_LT(bytes_of(header, blocks).size(), without + 4 * 60);
 }
 
+// As docs/VIDEO.md has it: the last displacement times the length of the group over that of the
+// last one, rounded towards zero.
+TEST(Stream, a_point_is_expected_to_go_on_as_before) {
+  const auto expected = [](Point_id id, std::uint32_t last_frames, std::uint32_t frames) {
+    return Present_points::expected_place({id, {{100, 50}, {}}, {-7, 9}, last_frames}, frames,
+                                          {3, -2});
+  };
+  EXPECT_EQ(expected(9, 4, 2), (Place{97, 54}));  // -3.5 and 4.5
+  EXPECT_EQ(expected(9, 4, 4), (Place{93, 59}));
+  EXPECT_EQ(expected(9, 4, 8), (Place{86, 68}));
+  EXPECT_EQ(expected(9, 0, 2), (Place{103, 48})) << "it has just come, and takes the shift";
+  EXPECT_EQ(expected(number_of_corners, 4, 2), (Place{97, 54}));
+  EXPECT_EQ(expected(number_of_corners - 1, 4, 2), (Place{100, 50})) << "a corner rests";
+}
+
 TEST(Stream, a_stream_that_is_cut_off_is_read_up_to_there) {
   const Stream_header header = header_of(64, 48, Chroma::yuv444);
   const auto blocks = Random_blocks(header, 5)(12, 2, 3);
