@@ -60,3 +60,22 @@ function(kinetri_program_documents target name)
   string(REPLACE - _ prefix ${name})
   add_custom_target(${prefix}_documents ALL DEPENDS ${documents})
 endfunction()
+
+# kinetri_compile_as_one(TARGET GROUP REGEX): the sources of the target that match, and are in no group
+# before, are compiled as one, since most of the time of a small source is that of the headers of GMP, CGAL,
+# pybind11 or nlohmann_json. Not in a debug build, in which one changes a source at a time, and which
+# clang-tidy goes by; nor where counters of coverage tell sources apart.
+function(kinetri_compile_as_one target group regex)
+  if(CMAKE_BUILD_TYPE STREQUAL "Debug" OR KINETRI_COVERAGE)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "${regex}")
+  foreach(source IN LISTS sources)
+    get_source_file_property(before ${source} UNITY_GROUP)
+    if(NOT before)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
