@@ -11,7 +11,7 @@
 // hide     switches to turn off
 // point    the id or name of a point that is selected
 // follow   on or off: whether the camera follows it
-// color    what points are coloured by: none, area, density, speed, degree, changes, size, kind
+// color    what points are colored by: none, area, density, speed, degree, changes, size, kind
 // at       the place in the middle of the flat view, and how much of the plane is as wide as the
 //          picture: x,y,width
 // kinds    the kinds of event that are shown

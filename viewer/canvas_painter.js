@@ -183,8 +183,8 @@ class CanvasPainter {
     context.globalAlpha = 1;
   }
 
-  /** The path of an opaque colour is stroked too, as thin as possible, so that no seams are seen between
-   * colours. */
+  /** The path of an opaque color is stroked too, as thin as possible, so that no seams are seen between
+   * colors. */
   fillTriangles({data, count}, order, first, end, color) {
     const {context} = this;
     context.fillStyle = context.strokeStyle = color;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The points' colours: which numbers they can stand for, and which colour a number has. The scale is
-// that of the whole run, so that colours can be compared over time; a fiftieth of the numbers at
+// The points' colors: which numbers they can stand for, and which color a number has. The scale is
+// that of the whole run, so that colors can be compared over time; a fiftieth of the numbers at
 // either end may lie beyond it.
 'use strict';
 
@@ -10,7 +10,7 @@ const RANGE_BEYOND = 0.02;  // share of the numbers beyond either end of the sca
 const MOST_LINEAR = 30;     // ratio of the ends up to which the scale of areas and densities is linear
 const MOST_KINDS = 8;
 
-/** What points can be coloured by; `of(viewer, point)` is a number, NaN for none, after the cells have
+/** What points can be colored by; `of(viewer, point)` is a number, NaN for none, after the cells have
  * been updated if `needsCells`. */
 const QUANTITIES = [
   {id: 'area', label: 'Cell area', unit: 'area', needsCells: true, isRatio: true,
@@ -86,7 +86,7 @@ class Changes {
   }
 }
 
-/** The colours by one quantity. */
+/** The colors by one quantity. */
 class Coloring {
   constructor(viewer, quantity) {
     this.viewer = viewer;

@@ -27,18 +27,18 @@ function actionsOf(viewer) {
     {keys: ['j'], label: 'Follow the selected point', run: () => viewer.selectedPoint.toggleFollowing()},
     {keys: ['r'], label: 'Trail of the selected point', run: () => viewer.selectedPoint.toggleTrail()},
     {id: 'find', keys: ['/'], label: 'Find a point by id or name', run: () => openSearch()},
-    {keys: ['k'], label: 'Colour by the next quantity', run: () => viewer.colorByNext()},
+    {keys: ['k'], label: 'Color by the next quantity', run: () => viewer.colorByNext()},
     {id: 'legend', keys: ['g'], label: 'Legend', run: () => viewer.toggleLegend()},
     {id: 'take', keys: ['s'], label: 'Pictures, film and link to take along', run: () => viewer.takeAlong.toggle()},
     {id: 'list', keys: ['e'], label: 'Show or hide the list of events',
      run: () => viewer.toggleList()},
-    {id: 'theme', keys: ['l'], label: 'Light or dark colours', run: () => viewer.toggleTheme()},
+    {id: 'theme', keys: ['l'], label: 'Light or dark colors', run: () => viewer.toggleTheme()},
     {id: 'close', keys: ['Escape'], label: 'Close the panel', run: () => viewer.closePanels()},
     {id: 'help', keys: ['?'], label: 'Show this list of keys', run: () => viewer.toggleHelp()},
   ];
 }
 
-/** The switches that are of use for the recording; `mark` is the colour of what it switches. */
+/** The switches that are of use for the recording; `mark` is the color of what it switches. */
 function switchesOf(recording) {
   const isWeighted = recording.motionSizes !== null;
   const all = [
@@ -98,7 +98,7 @@ class Controls {
     element(id).addEventListener('click', run);
   }
 
-  /** The choice of colours, the kinds of event, and the search. */
+  /** The choice of colors, the kinds of event, and the search. */
   addChoices() {
     const {viewer} = this;
     const select = element('color');

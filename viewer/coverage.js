@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Many thin lines or small dots of one colour on a 2D context. Where the context has no graphics card,
+// Many thin lines or small dots of one color on a 2D context. Where the context has no graphics card,
 // its own paths take several times as long as to find the covered share of each pixel here and to draw
 // that as one image. Lines are one pixel wide and shared between the two nearest pixels at each step
 // (Wu, An efficient antialiasing technique, SIGGRAPH 1991).

@@ -19,7 +19,7 @@ class EventFilter {
     return Array.from(this.count.keys()).filter((kind) => this.count[kind] > 0);
   }
 
-  /** The colour of a kind. */
+  /** The color of a kind. */
   color(kind) {
     return kindColor(Math.max(this.kinds.indexOf(kind), 0));
   }

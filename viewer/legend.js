@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The legend: what colours, dashes and rings mean, of what is shown now; and the scale of the points'
-// colours.
+// The legend: what colors, dashes and rings mean, of what is shown now; and the scale of the points'
+// colors.
 'use strict';
 
 const SCALE_STEPS = 32;

@@ -19,10 +19,10 @@
  *   stepBackward()     to just after the previous instant, or to the start; false at the start
  *   point              the id of the selected point, or null
  *   velocity(point)    [vx, vy] at the time shown
- *   scale()            the colours of numbers, from the least to the greatest
+ *   scale()            the colors of numbers, from the least to the greatest
  *   areas()            the area of the cell of each point by id; null where it is unbounded or none
- *   colored()          {id, least, greatest, shades}: what colours stand for, and the shade of each
- *                      point by id; null without colours
+ *   colored()          {id, least, greatest, shades}: what colors stand for, and the shade of each
+ *                      point by id; null without colors
  *   screen(x, y)       the position on the page of a point of the plane, in CSS pixels (flat view)
  *   pan(dx, dy)        moves the picture, in CSS pixels
  *   zoom(factor)       zooms about the middle

@@ -12,8 +12,8 @@
 //   text(text, x, y, style)   style: color, halo, font, align
 //   end()
 //
-// Colours are those of CSS. A style may also have an `alpha` from 0 to 1, and a `palette`, a list of
-// colours: then each item has the colour `palette[shade]` in the place of `color` or `fill`.
+// Colors are those of CSS. A style may also have an `alpha` from 0 to 1, and a `palette`, a list of
+// colors: then each item has the color `palette[shade]` in the place of `color` or `fill`.
 'use strict';
 
 const LINE = 4, CIRCLE = 3, TRIANGLE = 6;  // numbers that an item takes

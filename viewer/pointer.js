@@ -115,7 +115,7 @@ class PointerInput {
     picture.classList.toggle('pointing', thing.kind !== 'none');
   }
 
-  /** The number that the point's colour stands for. */
+  /** The number that the point's color stands for. */
   colorText(point) {
     const {viewer} = this;
     const {coloring} = viewer;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The shaders of webgl_painter.js, in GLSL ES 3.00. Each item is an instance of a square, or of a
-// triangle; the edges of lines and circles are smoothed over one pixel of the display. Colours leave
+// triangle; the edges of lines and circles are smoothed over one pixel of the display. Colors leave
 // a shader multiplied by their alpha.
 'use strict';
 

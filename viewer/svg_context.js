@@ -49,7 +49,7 @@ class SvgContext {
     this.dash = dash;
   }
 
-  /** The attributes of a colour: SVG has its alpha apart. */
+  /** The attributes of a color: SVG has its alpha apart. */
   paint(name, color) {
     const [red, green, blue, alpha] = parseColor(color);
     const hex = [red, green, blue].map((part) => Math.round(255 * part).toString(16).padStart(2, '0'));

@@ -43,7 +43,7 @@ class TakeAlong {
     this.says.textContent = text;
   }
 
-  /** Draws the picture, and the scale of its colours, with a painter. */
+  /** Draws the picture, and the scale of its colors, with a painter. */
   drawWith(painter, ratio) {
     const {viewer} = this;
     const {width, height} = viewer;

@@ -35,7 +35,7 @@ class Viewer {
     this.cells = new Cells(this);
     this.changes = new Changes(recording);
     this.filter = new EventFilter(recording);
-    this.coloring = null;     // Coloring, if points have colours
+    this.coloring = null;     // Coloring, if points have colors
     this.heat = null;         // Heat, from its first use on
     this.unit = '';           // of lengths
     this.showsLegend = false;
@@ -168,7 +168,7 @@ class Viewer {
     this.requestFrame();
   }
 
-  /** Colours the points by the quantity with the id; 'none' for none. */
+  /** Colors the points by the quantity with the id; 'none' for none. */
   colorBy(id) {
     const quantity = quantitiesOf(this.recording).find((one) => one.id === id);
     this.coloring = quantity === undefined ? null : new Coloring(this, quantity);

@@ -8,7 +8,7 @@
 const HEIGHT_COLORS = 40;
 const LIGHTS = 12;
 const DEPTHS = 4096;
-// Dark to light in lightness too, so that the heights can be told apart without colour.
+// Dark to light in lightness too, so that the heights can be told apart without color.
 const WAVE_RAMP = [[24, 66, 106], [0, 98, 148], [0, 141, 158], [98, 186, 160], [206, 226, 170],
                    [255, 250, 228]];
 const FIRST_PITCH = 0.66;  // 0: from the side, pi / 2: from above
@@ -173,7 +173,7 @@ class WaveView extends View {
   }
 }
 
-/** CSS colours by height and, for each height, by light. */
+/** CSS colors by height and, for each height, by light. */
 function waveColors() {
   const colors = [];
   for (let i = 0; i < HEIGHT_COLORS; ++i) {

@@ -106,7 +106,7 @@ class WebGLPainter {
     gl.drawArraysInstanced(corners === 3 ? gl.TRIANGLES : gl.TRIANGLE_STRIP, 0, corners, batch.count);
   }
 
-  /** The colours of the items, four bytes each; without a palette, as many that nothing reads. */
+  /** The colors of the items, four bytes each; without a palette, as many that nothing reads. */
   sendShades({shades, count}, palette) {
     const {gl} = this;
     if (this.colors.length < 4 * count) this.colors = new Uint8Array(8 * count);

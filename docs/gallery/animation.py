@@ -129,7 +129,7 @@ def pixel_y(y):
 
 
 def style(lives):
-    """Keys of the colour, width and opacity of an edge: it comes in one colour and goes in another."""
+    """Keys of the color, width and opacity of an edge: it comes in one color and goes in another."""
     color, width, opacity = [], [], []
     if lives[0][0] is not None:
         opacity += [(0, "0"), (lives[0][0], "0")]

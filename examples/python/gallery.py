@@ -35,7 +35,7 @@ def polygon(cell, far=1000):
 
 
 def crowd(ax):
-    """The crowd of crowd_density.py: the Voronoi cells, coloured by density."""
+    """The crowd of crowd_density.py: the Voronoi cells, colored by density."""
     table = recording()
     tracks = kinetri.Tracks.from_arrays(table["frame"] / FRAMES_PER_SECOND, table["person"], table["x"],
                                         table["y"])
@@ -69,8 +69,8 @@ def shock(ax):
             time = float(event.time)
             x = motion["position"][0] + motion["velocity"][0] * (time - motion["epoch"])
             seen[event.kind].append((x, time))
-    for (kind, places), colour in zip(seen.items(), ("tab:orange", "tab:blue")):
-        ax.scatter(*np.transpose(places), s=3, color=colour, label=f"{kind}s", linewidths=0)
+    for (kind, places), color in zip(seen.items(), ("tab:orange", "tab:blue")):
+        ax.scatter(*np.transpose(places), s=3, color=color, label=f"{kind}s", linewidths=0)
     ax.set(xlabel="x", ylabel="time")
     ax.legend(loc="lower right", markerscale=4)
 

@@ -287,10 +287,10 @@ class Picture:
         return self.png == other.png
 
     def __repr__(self):
-        return f"<picture of {len(self.counts())} colours, checksum {zlib.crc32(self.png):x}>"
+        return f"<picture of {len(self.counts())} colors, checksum {zlib.crc32(self.png):x}>"
 
     def counts(self):
-        """How often each colour (r, g, b) occurs."""
+        """How often each color (r, g, b) occurs."""
         _, _, rows, size = decode_png(self.png)
         result = {}
         for row in rows:
@@ -300,7 +300,7 @@ class Picture:
         return result
 
     def difference(self, other, least=64):
-        """The share of the pixels in which a colour differs by more than a little, as it does where two
+        """The share of the pixels in which a color differs by more than a little, as it does where two
         ways of drawing smooth edges otherwise. The pictures are of the same size."""
         width, height, rows, size = decode_png(self.png)
         _, _, others, other_size = decode_png(other.png)

@@ -170,7 +170,7 @@ class Playing(Page):
         self.browser.settle()
         first = self.look(SWITCHES)
         counts = first.counts()
-        self.assertGreater(len(counts), 12, "hardly any colours in the picture")
+        self.assertGreater(len(counts), 12, "hardly any colors in the picture")
         drawn = sum(counts.values()) - max(counts.values())
         self.assertGreater(drawn, 2000, "hardly anything is drawn")
         self.browser.key("End")

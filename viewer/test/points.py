@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Points that are selected, followed and searched; what they are coloured by; filters of events."""
+"""Points that are selected, followed and searched; what they are colored by; filters of events."""
 import math
 
 import runs
@@ -167,7 +167,7 @@ class Points(Page):
                 self.assertTrue(math.isclose(sum(found), (box[2] - box[0]) * (box[3] - box[1]), rel_tol=1e-9))
 
     def test_colors(self):
-        """Each quantity colours points by what it is, and the legend says which."""
+        """Each quantity colors points by what it is, and the legend says which."""
         plain = self.look(SWITCHES)
         self.browser.key("o")  # no discs, but cells
         speeds = [math.hypot(*v) for v in self.evaluate(
