@@ -8,6 +8,7 @@ usage: verified_runs_test.py PROGRAM corpus|runs
 """
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -38,7 +39,8 @@ class Verified_runs(unittest.TestCase):
         (self.folder / name).write_text(text, encoding="utf-8")
 
     def run_program(self, command, code=0):
-        result = subprocess.run([PROGRAM, *command.split()], cwd=self.folder, timeout=600, check=False,
+        """What a run prints; command is split as by a shell."""
+        result = subprocess.run([PROGRAM, *shlex.split(command)], cwd=self.folder, timeout=600, check=False,
                                 capture_output=True, text=True)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)
         return result.stdout
@@ -61,7 +63,7 @@ class Corpus(Verified_runs):
         self.assertGreater(len(files), 80)
         for file in files:
             until = re.search("^# until: (.*)$", file.read_text(encoding="utf-8"), re.MULTILINE)
-            self.expect_verified(f"simulate {file} --until {until[1] if until else 10}", 0)
+            self.expect_verified(f"simulate {shlex.quote(str(file))} --until {until[1] if until else 10}", 0)
 
 
 class Runs(Verified_runs):
