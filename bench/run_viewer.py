@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures the page of --html in a headless chromium: how long it takes to open, and how long a frame takes
-while the run plays, while the picture is dragged, and while it is zoomed.
+while the run plays, while its time is dragged, while the picture is dragged, and while it is zoomed.
 
 A frame is the time from one drawing to the next; its script is the part in which the page's own code runs.
 Chromium draws without a graphics card here, so that the figures are those of a slow machine.
@@ -23,6 +23,20 @@ EXAMPLES = """examples:
 """
 FRAMES = 40
 
+# Plays as a reader would, for FRAMES frames. In the list: how long each took.
+PLAYING = """new Promise((done) => {
+  const frames = [];
+  let last = 0;
+  document.getElementById('button-play').click();
+  const next = (now) => {
+    if (last > 0) frames.push(now - last);
+    last = now;
+    if (frames.length < FRAMES) return requestAnimationFrame(next);
+    document.getElementById('button-play').click();
+    done(frames);
+  };
+  requestAnimationFrame(next);
+})"""
 # Draws FRAMES times, after CHANGE each time. In the list: how long each frame took, and its script.
 FRAME_TIMES = """new Promise((done) => {
   const frames = [], scripts = [];
@@ -38,7 +52,7 @@ FRAME_TIMES = """new Promise((done) => {
   requestAnimationFrame(next);
 })"""
 CHANGES = {
-    "plays": "kinetri.goTo(kinetri.span[0] + (kinetri.span[1] - kinetri.span[0]) * count / FRAMES)",
+    "scrubs": "kinetri.goTo(kinetri.span[0] + (kinetri.span[1] - kinetri.span[0]) * count / FRAMES)",
     "pans": "kinetri.pan(count % 2 ? 6 : -6, 3)",
     "zooms": "kinetri.zoom(count < FRAMES / 2 ? 1.15 : 1 / 1.15)",
 }
@@ -55,6 +69,12 @@ def page_of(program, folder, points):
     return page
 
 
+def script_seconds(window):
+    """How long scripts of the page have run so far."""
+    metrics = window.call("Performance.getMetrics")["metrics"]
+    return next(metric["value"] for metric in metrics if metric["name"] == "ScriptDuration")
+
+
 def measure(page, options):
     width, height = map(int, options.size.split("x"))
     with browser.Browser(width, height, [("prefers-reduced-motion", "reduce")]) as window:
@@ -65,6 +85,12 @@ def measure(page, options):
         opening = window.evaluate("performance.getEntriesByType('paint').map((e) => e.startTime)[0]")
         opened = window.evaluate("performance.timing.loadEventEnd - performance.timing.navigationStart")
         print(f"  opens                 {max(opened, opening or 0):8.0f} ms")
+        window.call("Performance.enable")
+        before = script_seconds(window)
+        frames = window.evaluate(PLAYING.replace("FRAMES", str(FRAMES)))
+        script = 1000 * (script_seconds(window) - before) / len(frames)
+        print(f"  plays   a frame      {statistics.median(frames):8.1f} ms, its script {script:6.1f} ms on average "
+              f"(the slowest {max(frames):.0f} ms)", flush=True)
         for name, change in CHANGES.items():
             script = FRAME_TIMES.replace("CHANGE", change).replace("FRAMES", str(FRAMES))
             frames, scripts = window.evaluate(script)

@@ -18,6 +18,8 @@ class CanvasPainter {
     this.context = context;
     this.coverage = context instanceof CanvasRenderingContext2D ? new Coverage() : null;
     this.ratio = 1;
+    this.background = '#ffffff';
+    this.isEmpty = true;  // nothing has been drawn since begin()
     this.order = new Uint32Array(0);
     this.starts = new Uint32Array(1);
   }
@@ -25,6 +27,8 @@ class CanvasPainter {
   begin(width, height, ratio, background) {
     const {context} = this;
     this.ratio = ratio;
+    this.background = background;
+    this.isEmpty = true;
     context.globalAlpha = 1;
     context.setLineDash(NO_DASH);
     context.lineJoin = 'round';
@@ -55,27 +59,28 @@ class CanvasPainter {
     context.globalAlpha = 1;
     if (dash !== NO_DASH) context.setLineDash(NO_DASH);
     context.lineCap = 'butt';
+    this.isEmpty = false;
   }
 
   coverLines({data, count}, color, width, alpha) {
     const {coverage, context, ratio} = this;
     const {canvas} = context;
-    coverage.begin(canvas.width, canvas.height, color);
-    const strength = Math.round(256 * Math.min(width * ratio, 1));
-    for (let at = 0; at < LINE * count; at += LINE) {
-      coverage.line(ratio * data[at], ratio * data[at + 1], ratio * data[at + 2], ratio * data[at + 3], strength);
-    }
-    coverage.drawOn(context, alpha * parseColor(color)[3]);
+    // Both ends of each.
+    if (!coverage.begin(canvas.width, canvas.height, data, LINE * count, 2, ratio)) return;
+    coverage.addLines(data, count, ratio, Math.min(width * ratio, 1));
+    this.drawCovered(color, alpha);
   }
 
   coverDots({data, count}, color, alpha) {
     const {coverage, context, ratio} = this;
     const {canvas} = context;
-    coverage.begin(canvas.width, canvas.height, color);
-    for (let at = 0; at < CIRCLE * count; at += CIRCLE) {
-      coverage.dot(ratio * data[at], ratio * data[at + 1], ratio * data[at + 2]);
-    }
-    coverage.drawOn(context, alpha * parseColor(color)[3]);
+    if (!coverage.begin(canvas.width, canvas.height, data, CIRCLE * count, CIRCLE, ratio)) return;
+    coverage.addDots(data, count, CIRCLE, ratio, data[2] * ratio);
+    this.drawCovered(color, alpha);
+  }
+
+  drawCovered(color, alpha) {
+    this.coverage.drawOn(this.context, color, alpha, this.isEmpty ? this.background : null);
   }
 
   strokeLines({data}, order, first, end) {
@@ -111,6 +116,7 @@ class CanvasPainter {
       if (dash !== NO_DASH) context.setLineDash(NO_DASH);
     }
     context.globalAlpha = 1;
+    this.isEmpty = false;
   }
 
   fillCircles(batch, order, first, end, color) {
@@ -181,6 +187,7 @@ class CanvasPainter {
       this.forEachShade(palette, (shade, first, end) => this.fillTriangles(batch, this.order, first, end, shade));
     }
     context.globalAlpha = 1;
+    this.isEmpty = false;
   }
 
   /** The path of an opaque color is stroked too, as thin as possible, so that no seams are seen between
@@ -213,6 +220,7 @@ class CanvasPainter {
       context.strokeStyle = halo;
       context.strokeText(text, x, y);
     }
+    this.isEmpty = false;
     context.fillStyle = color;
     context.fillText(text, x, y);
   }

@@ -6,6 +6,7 @@
 const ROW_HEIGHT = 44;
 const LONGEST_LIST = 8e6;  // pixels; browsers do not scroll much further
 const LEFT_ALONE = 2500;   // milliseconds for which the list stays where the user has scrolled it
+const WHILE_PLAYING = 100; // milliseconds between two updates of the list
 const GLYPHS = {
   flip: '\u21c4', hull_insert: '\u25b2', hull_remove: '\u25bc', rebuild: '\u21bb', wall: '\u2503',
   hide: '\u25cb', reveal: '\u25c9', collision: '\u25cf', insert: '+', erase: '\u00d7',
@@ -57,6 +58,7 @@ class EventList {
     this.pool = [];
     this.shownEvent = -1;
     this.userScrolled = -Infinity;
+    this.updated = -Infinity;
     this.filterChanged();
     this.list.addEventListener('scroll', () => this.draw(), {passive: true});
     for (const type of ['wheel', 'touchmove', 'pointerdown']) {
@@ -100,9 +102,13 @@ class EventList {
   /** Scrolls to the current event, unless the user has just scrolled. */
   update() {
     const {event} = this.viewer.playback;
-    if (this.shownEvent === event || this.list.clientHeight === 0) return;
+    const now = performance.now();
+    if (this.shownEvent === event) return;
+    if (this.viewer.isPlaying() && now - this.updated < WHILE_PLAYING) return;
+    this.updated = now;
+    if (this.list.clientHeight === 0) return;
     this.shownEvent = event;
-    if (performance.now() - this.userScrolled > LEFT_ALONE) {
+    if (now - this.userScrolled > LEFT_ALONE) {
       const at = ROW_HEIGHT * Math.max(this.viewer.filter.before(event) - 1, 0), offset = this.offset();
       const height = this.list.clientHeight;
       const isInSight = at >= offset && at + 2 * ROW_HEIGHT <= offset + height;

@@ -131,13 +131,10 @@ class FlatView extends View {
   }
 
   drawHull(painter) {
-    const {playback, colors} = this.viewer;
-    const {left, right} = playback.triangles;
+    const {hullEdges, colors} = this.viewer;
+    hullEdges.update();
     const batch = this.lineBatch.clear();
-    for (let i = 0; i < playback.liveCount; ++i) {
-      const edge = playback.live[i];
-      if (left[edge] < 0 || right[edge] < 0) this.addEdge(batch, edge);
-    }
+    for (const edge of hullEdges.edges) this.addEdge(batch, edge);
     painter.lines(batch, {color: colors.hull, width: 2, cap: 'round'});
   }
 

@@ -98,7 +98,7 @@ function consoleObject(viewer) {
     zoom: (factor) => viewer.zoom(factor),
     drawNow() {
       const start = performance.now();
-      viewer.draw();
+      viewer.drawNow();
       return performance.now() - start;
     },
   });

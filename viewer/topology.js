@@ -88,3 +88,31 @@ function powerCenter(center, ax, ay, aw, bx, by, bw, cx, cy, cw) {
   center.x = ax + (vy * u - uy * v) / d;
   center.y = ay + (ux * v - vx * u) / d;
 }
+
+/** The edges of a playback with a triangle on one side only, or none. `update` makes them those of the time
+ * shown. */
+class HullEdges {
+  constructor(playback) {
+    this.playback = playback;
+    const {rows, rowKind, kinds} = playback.recording;
+    // Flips keep these edges: the number of other rows before each row tells whether they are the same.
+    this.changes = new Uint32Array(rows + 1);
+    for (let row = 0; row < rows; ++row) {
+      this.changes[row + 1] = this.changes[row] + (kinds[rowKind[row]] === 'flip' ? 0 : 1);
+    }
+    this.shown = -1;  // how many changes there were when the list was made
+    this.edges = [];
+  }
+
+  update() {
+    const {playback, changes} = this;
+    const {live, liveCount} = playback, {left, right} = playback.triangles;
+    if (this.shown === changes[playback.event]) return;
+    this.shown = changes[playback.event];
+    this.edges.length = 0;
+    for (let i = 0; i < liveCount; ++i) {
+      const edge = live[i];
+      if (left[edge] < 0 || right[edge] < 0) this.edges.push(edge);
+    }
+  }
+}

@@ -22,6 +22,7 @@ class Viewer {
     this.recording = recording;
     this.playback = new Playback(recording);
     this.triangleList = new TriangleList(this.playback);
+    this.hullEdges = new HullEdges(this.playback);
     this.x = new Float64Array(recording.points);
     this.y = new Float64Array(recording.points);
     this.r = new Float64Array(recording.points);
@@ -52,7 +53,7 @@ class Viewer {
     this.stage = new Stage();
     this.flatView = new FlatView(this);
     this.waveView = recording.wave === null ? null : new WaveView(this);
-    this.frameRequested = false;
+    this.request = 0;   // of a frame; 0: there is none
     this.lastFrame = 0;
     this.frame = this.frame.bind(this);
     writeHeader(recording);
@@ -300,13 +301,19 @@ class Viewer {
   // ---- frames ----
 
   requestFrame() {
-    if (this.frameRequested) return;
-    this.frameRequested = true;
-    requestAnimationFrame(this.frame);
+    if (this.request === 0) this.request = requestAnimationFrame(this.frame);
+  }
+
+  /** Draws without waiting for the next frame, which needs not draw the same again. */
+  drawNow() {
+    cancelAnimationFrame(this.request);
+    this.request = 0;
+    this.draw();
+    if (this.isPlaying()) this.requestFrame();
   }
 
   frame(now) {
-    this.frameRequested = false;
+    this.request = 0;
     if (this.isPlaying()) this.advance(now);
     this.lastFrame = this.isPlaying() ? now : 0;
     this.draw();
