@@ -224,63 +224,39 @@ class Browser:
         return base64.b64decode(self.call("Page.captureScreenshot", format="png", **part)["data"])
 
 
-def decode_png(data):
-    """(width, height, rows of bytes, bytes a pixel) of a PNG file of 8 bits a channel, RGB or RGBA,
-    not interlaced: what chromium writes."""
-    if data[:8] != b"\x89PNG\r\n\x1a\n":
-        raise ValueError("not a PNG file")
-    position, header, packed = 8, None, b""
-    while position < len(data):
-        length, kind = struct.unpack(">I4s", data[position:position + 8])
-        body = data[position + 8:position + 8 + length]
-        if zlib.crc32(kind + body) != struct.unpack(">I", data[position + 8 + length:position + 12 + length])[0]:
-            raise ValueError("a chunk is damaged")
-        if kind == b"IHDR":
-            header = struct.unpack(">IIBBBBB", body)
-        elif kind == b"IDAT":
-            packed += body
-        position += 12 + length
-    width, height, depth, color, _, _, interlace = header
-    if depth != 8 or color not in (2, 6) or interlace:
-        raise ValueError("a kind of PNG that is not read here")
-    size = 3 if color == 2 else 4
-    raw = zlib.decompress(packed)
-    stride = width * size
-    rows, above = [], bytearray(stride)
-    for y in range(height):
-        start = y * (stride + 1)
-        row = unfilter(raw[start], bytearray(raw[start + 1:start + 1 + stride]), above, size)
-        rows.append(bytes(row))
-        above = row
-    return width, height, rows, size
-
-
-def unfilter(kind, row, above, size):
-    """PNG specification, section 9.2."""
-    if kind == 0:
-        return row
-    for i in range(len(row)):
-        left = row[i - size] if i >= size else 0
-        up = above[i]
-        corner = above[i - size] if i >= size else 0
-        if kind == 1:
-            guess = left
-        elif kind == 2:
-            guess = up
-        elif kind == 3:
-            guess = (left + up) // 2
-        else:
-            estimate = left + up - corner
-            distances = (abs(estimate - left), abs(estimate - up), abs(estimate - corner))
-            guess = (left, up, corner)[distances.index(min(distances))]
-        row[i] = (row[i] + guess) & 255
-    return row
+# The pixels of PNG files in base64, as numbers of 32 bits: alpha, blue, green, red.
+PIXELS = """const pixelsOf = async (text) => {
+  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  const bitmap = await createImageBitmap(new Blob([bytes]), {colorSpaceConversion: 'none', premultiplyAlpha: 'none'});
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d', {willReadFrequently: true});
+  context.drawImage(bitmap, 0, 0);
+  return new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer);
+};"""
+COUNTS = """(async () => {
+  PIXELS
+  const counts = new Map();
+  for (const pixel of await pixelsOf(PICTURE)) counts.set(pixel, (counts.get(pixel) ?? 0) + 1);
+  return [...counts].map(([pixel, count]) => [pixel & 255, pixel >> 8 & 255, pixel >> 16 & 255, count]);
+})()"""
+DIFFERENCE = """(async () => {
+  PIXELS
+  const some = await pixelsOf(PICTURE), others = await pixelsOf(OTHER);
+  const isFar = (p, q, shift) => Math.abs((p >> shift & 255) - (q >> shift & 255)) > LEAST;
+  let count = 0;
+  for (let i = 0; i < some.length; ++i) {
+    const p = some[i], q = others[i];
+    if (p !== q && (isFar(p, q, 0) || isFar(p, q, 8) || isFar(p, q, 16))) ++count;
+  }
+  return count / some.length;
+})()"""
 
 
 class Picture:
-    """A PNG file, to be compared with others: the same pixels make the same bytes."""
+    """A PNG file, to be compared with others: the same pixels make the same bytes. The browser reads its
+    pixels, since that takes Python a hundred times as long."""
 
-    def __init__(self, png):
+    def __init__(self, window, png):
+        self.window = window
         self.png = png
 
     def __eq__(self, other):
@@ -289,31 +265,27 @@ class Picture:
     def __repr__(self):
         return f"<picture of {len(self.counts())} colors, checksum {zlib.crc32(self.png):x}>"
 
+    def size(self):
+        """(width, height)."""
+        if self.png[:8] != b"\x89PNG\r\n\x1a\n":
+            raise ValueError("not a PNG file")
+        return struct.unpack(">II", self.png[16:24])
+
+    def text(self):
+        return json.dumps(base64.b64encode(self.png).decode())
+
     def counts(self):
         """How often each color (r, g, b) occurs."""
-        _, _, rows, size = decode_png(self.png)
-        result = {}
-        for row in rows:
-            for x in range(0, len(row), size):
-                color = row[x:x + 3]
-                result[color] = result.get(color, 0) + 1
-        return result
+        script = COUNTS.replace("PIXELS", PIXELS).replace("PICTURE", self.text())
+        return {bytes(color): count for *color, count in self.window.evaluate(script)}
 
     def difference(self, other, least=64):
         """The share of the pixels in which a color differs by more than a little, as it does where two
         ways of drawing smooth edges otherwise. The pictures are of the same size."""
-        width, height, rows, size = decode_png(self.png)
-        _, _, others, other_size = decode_png(other.png)
-        if (len(rows), size) != (len(others), other_size):
+        if self.size() != other.size():
             raise ValueError("the pictures have different sizes")
-        count = 0
-        for row, wanted in zip(rows, others):
-            if row == wanted:
-                continue
-            for x in range(0, len(row), size):
-                if row[x:x + size] != wanted[x:x + size]:
-                    count += any(abs(row[x + k] - wanted[x + k]) > least for k in range(3))
-        return count / (width * height)
+        script = DIFFERENCE.replace("PIXELS", PIXELS).replace("LEAST", str(least))
+        return self.window.evaluate(script.replace("PICTURE", self.text()).replace("OTHER", other.text()))
 
     def most_frequent(self):
         counts = self.counts()

@@ -149,6 +149,6 @@ class Certificate(Page):
         next(self.removals("flip"))  # clicks its edge
         box = self.evaluate("document.getElementById('plot').getBoundingClientRect().toJSON()")
         area = tuple(round(box[side]) for side in ("left", "top", "right", "bottom"))
-        counts = browser.Picture(self.browser.screenshot(area)).counts()
+        counts = browser.Picture(self.browser, self.browser.screenshot(area)).counts()
         curve = bytes.fromhex("0072b2")
         self.assertGreater(counts.get(curve, 0), 100)

@@ -46,7 +46,10 @@ class Drawing(Page):
         """The page of points in a square."""
         self.folder.mkdir(parents=True, exist_ok=True)
         csv = self.folder / f"{points}.csv"
-        page = csv.with_suffix(".html")
+        page = csv.with_suffix(f".{until}.html")
+        if page in Page.made:
+            return page
+        Page.made[page] = page
         runs.execute(self.program, "generate", "uniform", "--points", points, "--seed", 3, "--output", csv)
         runs.execute(self.program, "simulate", csv, "--until", until, "--html", page, "--quiet")
         return page

@@ -27,6 +27,7 @@ class Page(unittest.TestCase):
 
     program = folder = None  # the arguments of viewer_test.py
     flags = ()  # more of chromium's
+    made = {}   # the runs so far, by name
 
     @classmethod
     def setUpClass(cls):
@@ -41,7 +42,9 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.problems, [])
 
     def run_of(self, name):
-        return runs.Run(self.program, self.folder, name)
+        if name not in Page.made:
+            Page.made[name] = runs.Run(self.program, self.folder, name)
+        return Page.made[name]
 
     def open(self, path):
         self.browser.open(path)
@@ -77,4 +80,4 @@ class Page(unittest.TestCase):
                       "{ document.getElementById(id).style.visibility = 'hidden'; })")
         left, top, right, bottom = self.picture_box()
         inside = (left + MARGIN, top + max(skipped, MARGIN), right - MARGIN, bottom - MARGIN)
-        return browser.Picture(self.browser.screenshot(inside))
+        return browser.Picture(self.browser, self.browser.screenshot(inside))

@@ -45,10 +45,10 @@ class Taking(Page):
     def test_png(self):
         self.evaluate("void (location.hash = 'color=area')")
         self.browser.settle()
-        width, height, rows, _ = browser.decode_png(self.saved("save-png"))
+        picture = browser.Picture(self.browser, self.saved("save-png"))
         box = self.picture_box()
-        self.assertEqual((width, height), (2 * (box[2] - box[0]), 2 * (box[3] - box[1])))
-        self.assertGreater(len({row[i:i + 3] for row in rows for i in range(0, len(row), 4)}), 50)
+        self.assertEqual(picture.size(), (2 * (box[2] - box[0]), 2 * (box[3] - box[1])))
+        self.assertGreater(len(picture.counts()), 50)
 
     def test_svg(self):
         self.evaluate("void (location.hash = 'show=ids&hide=hull')")
