@@ -7,11 +7,13 @@
 //
 // t        the time
 // event    a number of events: the state just after them, instead of a time
-// show     switches to turn on: wave, delaunay, hull, voronoi, circle, discs, trails, ids
+// show     switches to turn on: wave, delaunay, hull, voronoi, circle, discs, trails, arrows, links,
+//          heat, scale, axes, ids
 // hide     switches to turn off
 // point    the id or name of a point that is selected
 // follow   on or off: whether the camera follows it
-// color    what points are colored by: none, area, density, speed, degree, changes, size, kind
+// color    what points are colored by: none, area, density, speed, degree, changes, size,
+//          component, members, kind
 // at       the place in the middle of the flat view, and how much of the plane is as wide as the
 //          picture: x,y,width
 // kinds    the kinds of event that are shown

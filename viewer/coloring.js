@@ -11,7 +11,7 @@ const MOST_LINEAR = 30;     // ratio of the ends up to which the scale of areas 
 const MOST_KINDS = 8;
 
 /** What points can be colored by; `of(viewer, point)` is a number, NaN for none, after the cells have
- * been updated if `needsCells`. */
+ * been updated if `needsCells`. Numbers of kinds and components are indices of a palette, with names or none. */
 const QUANTITIES = [
   {id: 'area', label: 'Cell area', unit: 'area', needsCells: true, isRatio: true,
    of: ({cells}, point) => cells.area[point] || NaN},
@@ -25,8 +25,14 @@ const QUANTITIES = [
    of: ({changes}, point) => changes.count[point]},
   {id: 'size', label: 'Disc radius', unit: 'length', isOffered: (recording) => recording.motionSizes !== null,
    of: ({r}, point) => r[point]},
-  {id: 'kind', label: 'Kind', unit: '', isKind: true, isOffered: (recording) => kindsOf(recording).length > 1,
-   of: ({recording}, point) => kindNumbers(recording)[point]},
+  {id: 'component', label: 'Component in range', unit: '', isOffered: hasEncounters,
+   of: ({encounters: {component, size}}, point) => (size[point] > 1 ? component[point] % KIND_COLORS.length : NaN),
+   paletteOf: () => KIND_COLORS, namesOf: () => []},
+  {id: 'members', label: 'Points in the component', unit: '', isWhole: true, isOffered: hasEncounters,
+   of: ({encounters}, point) => encounters.size[point]},
+  {id: 'kind', label: 'Kind', unit: '', isOffered: (recording) => kindsOf(recording).length > 1,
+   of: ({recording}, point) => kindNumbers(recording)[point],
+   paletteOf: (recording) => kindsOf(recording).map((_, i) => kindColor(i)), namesOf: (recording) => kindsOf(recording)},
 ];
 
 function speedOf(recording, playback, point) {
@@ -94,8 +100,8 @@ class Coloring {
     this.shades = new Uint16Array(viewer.recording.points);
     this.hasShade = new Uint8Array(viewer.recording.points);
     this.isLogarithmic = false;
-    if (quantity.isKind) {
-      this.palette = kindsOf(viewer.recording).map((_, i) => kindColor(i));
+    if (quantity.paletteOf !== undefined) {
+      this.palette = quantity.paletteOf(viewer.recording);
       this.least = 0;
       this.greatest = this.palette.length - 1;
     } else {
@@ -134,6 +140,7 @@ class Coloring {
 
   measure() {
     if (this.quantity.needsCells) this.viewer.cells.update();
+    this.viewer.encounters?.connect();
     if (this.quantity.id === 'changes') this.viewer.changes.update(this.viewer.playback);
   }
 

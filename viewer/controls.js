@@ -54,8 +54,10 @@ function switchesOf(recording) {
     {id: 'trails', key: 't', label: 'Trails', isThere: !turnsAreLeftOut(recording),
      mark: '--trail'},
     {id: 'arrows', key: 'a', label: 'Velocities', isThere: !turnsAreLeftOut(recording), mark: '--arrow'},
+    {id: 'links', key: 'y', label: 'In range', isThere: hasEncounters(recording), mark: '--link'},
     {id: 'heat', key: 'm', label: 'Heat of events', isThere: recording.rows > 0, mark: '--removed'},
     {id: 'scale', key: 'u', label: 'Scale', isThere: true, mark: '--quiet'},
+    {id: 'axes', key: 'x', label: 'Axes', isThere: true, mark: '--quiet'},
     {id: 'ids', key: 'i', label: recording.names === null ? 'Ids' : 'Names', isThere: true,
      mark: '--quiet'},
   ];
@@ -204,6 +206,10 @@ class Controls {
       button.setAttribute('aria-pressed', String(viewer.switches[id]));
       button.hidden = viewer.switches.wave && !isOfWave(id);
     }
+    // Where axes are, buttons are beside them.
+    const {axisLeft, axisBottom} = viewer.switches.wave ? {axisLeft: 0, axisBottom: 0} : viewer.flatView;
+    element('stage').style.setProperty('--axis-left', `${axisLeft}px`);
+    element('stage').style.setProperty('--axis-bottom', `${axisBottom}px`);
     element('color-label').hidden = viewer.switches.wave;
     element('button-legend').setAttribute('aria-pressed', String(viewer.showsLegend));
     for (const button of element('kinds').children) {

@@ -13,6 +13,7 @@ class FlatView extends View {
     this.camera = new Camera(this.extents.at(viewer.playback.time));
     this.detail = new Detail();
     this.sw = new Float64Array(viewer.recording.points);  // weights, in squared pixels
+    this.axisLeft = this.axisBottom = 0;  // what axes take of the picture
     this.sides = new Uint8Array(viewer.recording.points);  // on which the points are of the picture
   }
 
@@ -59,6 +60,7 @@ class FlatView extends View {
     if (switches.trails) drawTrails(painter, this);
     if (switches.delaunay) this.drawEdges(painter);
     if (switches.voronoi) drawVoronoi(painter, this);
+    if (switches.links) drawLinks(painter, this);
     if (switches.hull) this.drawHull(painter);
     if (switches.arrows) drawArrows(painter, this);
     if (switches.circle) drawCircumcircle(painter, this);
@@ -71,6 +73,9 @@ class FlatView extends View {
     this.drawPoints(painter);
     if (viewer.selectedPoint.id >= 0) drawPointRings(painter, this);
     if (switches.ids) this.drawIds(painter);
+    this.axisBottom = switches.axes ? AXIS_BOTTOM : 0;
+    this.axisLeft = 0;
+    if (switches.axes) drawAxes(painter, this);
     if (switches.scale) drawScaleBar(painter, this);
     if (viewer.hoverPoint >= 0) this.drawRing(painter, viewer.hoverPoint, 4, viewer.colors.selected);
   }

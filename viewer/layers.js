@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Layers of the flat view that are shown when asked for: arrows of velocities, the heat of events over
-// the plane, a scale bar, and what belongs to the selected point.
+// Layers of the flat view that are shown when asked for: arrows of velocities, who is within range, the
+// heat of events over the plane, a scale bar, and what belongs to the selected point.
 'use strict';
 
 const MOST_ARROWS = 1500;
@@ -35,6 +35,18 @@ function drawArrows(painter, view) {
     }
   }
   painter.lines(batch, {color: colors.arrow, width: 1.5, cap: 'round'});
+}
+
+/** Between points that are within range of each other. */
+function drawLinks(painter, view) {
+  const {viewer, sx, sy} = view;
+  const {encounters, colors, recording: {encounters: {a, b}}} = viewer;
+  const batch = view.lineBatch.clear();
+  for (let i = 0; i < encounters.liveCount; ++i) {
+    const encounter = encounters.live[i];
+    view.addSegment(batch, sx[a[encounter]], sy[a[encounter]], sx[b[encounter]], sy[b[encounter]]);
+  }
+  painter.lines(batch, {color: colors.link, width: 1.6 * view.detail.lineWidth(), cap: 'round'});
 }
 
 /** How many events happen where: the run's events that the filter shows, on a grid over what the camera
@@ -123,7 +135,7 @@ function drawScaleBar(painter, view) {
   const {colors, unit} = viewer;
   let n = Math.ceil(3 * Math.log10(BAR_ROOM / camera.scale)) + 1;
   while (roundSpeed(n) * camera.scale > BAR_ROOM) --n;
-  const length = roundSpeed(n) * camera.scale, right = width - 16, y = height - 16;
+  const length = roundSpeed(n) * camera.scale, right = width - 16, y = height - 16 - view.axisBottom;
   const batch = view.lineBatch.clear();
   batch.line(right - length, y, right, y);
   batch.line(right - length, y - 4, right - length, y + 4);

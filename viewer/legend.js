@@ -22,6 +22,8 @@ function legendLines(viewer) {
         `${isWeighted ? 'power circle' : 'circumcircle'} of the triangle under the pointer`);
     add(switches.trails || selectedPoint.showsTrail, line('trail', 3), 'where points have been');
     add(switches.arrows, line('arrow', 2), 'velocity');
+    add(switches.links, line('link', 2), `in range: ${hasDiscs(recording) ? 'a gap of' : ''} at most ${
+      shortNumber(recording.encounters?.range ?? 0)}${viewer.unit === '' ? '' : ` ${viewer.unit}`}`);
     add(switches.heat, 'background: linear-gradient(to right, rgb(213 94 0 / 10%), rgb(213 94 0 / 75%)); height: 12px',
         `events here, up to ${viewer.heat?.most ?? 0}`);
     add(isWeighted, 'border: 2px solid var(--quiet); border-radius: 50%; height: 12px; width: 12px',
@@ -32,8 +34,10 @@ function legendLines(viewer) {
   add(selected >= 0, line('selected', 4), 'selected edge; dotted: its quadrilateral');
   add(selectedPoint.id >= 0, 'border: 3px solid var(--added); border-radius: 50%; height: 14px; width: 14px',
       'selected point, and its neighbours');
-  if (coloring !== null && coloring.quantity.isKind) {
-    kindsOf(recording).forEach((kind, i) => add(true, `background: ${kindColor(i)}; height: 12px; width: 12px`, kind));
+  add(coloring?.quantity.id === 'component', `background: linear-gradient(to right, ${KIND_COLORS.join(', ')}); height: 12px`,
+      'component of points in range; points alone have no color');
+  if (coloring?.quantity.namesOf !== undefined) {
+    coloring.quantity.namesOf(recording).forEach((kind, i) => add(true, `background: ${kindColor(i)}; height: 12px; width: 12px`, kind));
   }
   if (filter.kinds.length > 1 && element('events').hidden) {
     filter.kinds.forEach((kind) => add(true, `background: ${filter.color(kind)}; height: 14px; width: 4px`,
@@ -78,7 +82,7 @@ class Legend {
       item.append(sample, text);
       return item;
     }));
-    this.scale.hidden = coloring === null || coloring.quantity.isKind;
+    this.scale.hidden = coloring === null || coloring.quantity.paletteOf !== undefined;
     if (this.scale.hidden) return;
     const [title, bar, least, greatest] = this.scale.children;
     title.textContent = quantityTitle(viewer, coloring);
@@ -100,8 +104,8 @@ function drawLegendScale(painter, viewer, x, y) {
   if (coloring === null) return;
   const style = {color: colors.text, halo: colors.background, font: LABEL_FONT};
   const batch = new Batch(TRIANGLE);
-  if (coloring.quantity.isKind) {
-    kindsOf(viewer.recording).forEach((kind, i) => {
+  if (coloring.quantity.paletteOf !== undefined) {
+    coloring.quantity.namesOf(viewer.recording).forEach((kind, i) => {
       batch.triangle(x, y - 14 * i - 9, x + 9, y - 14 * i - 9, x + 9, y - 14 * i, i);
       batch.triangle(x, y - 14 * i - 9, x + 9, y - 14 * i, x, y - 14 * i, i);
       painter.text(kind, x + 14, y - 14 * i, style);

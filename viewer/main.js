@@ -14,6 +14,9 @@
  *   positions()        [x, y] of each point by id at the time shown; null if it is not there
  *   radii()            the radius of each point by id at the time shown; null if it is not there
  *   hidden()           the ids of the points that others hide, ascending
+ *   inRange()          [a, b] of each pair within range at the time shown, a < b, sorted; null if that
+ *                      is not in the recording
+ *   components()       the least id in the component of each point by id; null as before
  *   goTo(time)         executes each row whose exact time is at or before `time`, and no other
  *   stepForward()      to just after the next instant; false if there is none
  *   stepBackward()     to just after the previous instant, or to the start; false at the start
@@ -63,6 +66,19 @@ function consoleObject(viewer) {
     hidden() {
       viewer.place();
       return Array.from(viewer.hidden.keys()).filter((point) => viewer.hidden[point] === 1);
+    },
+    inRange() {
+      if (viewer.encounters === null) return null;
+      viewer.place();
+      const {live, liveCount} = viewer.encounters, {a, b} = recording.encounters;
+      const pairs = Array.from(live.subarray(0, liveCount), (encounter) => [a[encounter], b[encounter]]);
+      return pairs.sort((p, q) => p[0] - q[0] || p[1] - q[1]);
+    },
+    components() {
+      if (viewer.encounters === null) return null;
+      viewer.place();
+      viewer.encounters.connect();
+      return Array.from(viewer.encounters.component);
     },
     goTo(time) {
       if (!Number.isFinite(time)) throw new TypeError('goTo: expected a finite time');

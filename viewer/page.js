@@ -30,12 +30,18 @@ function writeHeader(recording) {
   element('summary').textContent = [count(points, 'point'), events,
     `t from ${shortNumber(recording.from)} to ${shortNumber(recording.until)}`, program]
     .filter(Boolean).join(' \u00b7 ');
-  if (thinned === null) return;
-  element('note').hidden = false;
-  element('note').textContent = `The run had ${count(thinned.events, 'event')}; ` +
-    `this page has ${count(instants, 'instant')} of it, each with its exact triangulation. ` +
-    'Between two of them it shows the edges of the earlier one' +
-    (turnsAreLeftOut(recording) ? ', and points that turn move in a straight line.' : '.');
+  const notes = [];
+  if (thinned !== null) {
+    notes.push(`The run had ${count(thinned.events, 'event')}; ` +
+      `this page has ${count(instants, 'instant')} of it, each with its exact triangulation. ` +
+      'Between two of them it shows the edges of the earlier one' +
+      (turnsAreLeftOut(recording) ? ', and points that turn move in a straight line.' : '.'));
+  }
+  if (recording.encounters !== null && !hasEncounters(recording)) {
+    notes.push(`The run had ${count(recording.encounters.inAll, 'encounter')}, too many for this page.`);
+  }
+  element('note').hidden = notes.length === 0;
+  element('note').textContent = notes.join(' ');
 }
 
 /** Writes the time, the number of events and the speed. */

@@ -16,6 +16,7 @@ class PointPanel {
     this.facts = element('point-facts');
     this.shown = -1;        // the point that areas and events are of
     this.shownEvent = -1;   // of the playback when neighbours and events were written
+    this.shownPartners = -1; // the number of changes of the encounters when they were written
     this.areas = null;
     this.rows = null;       // its events
     this.root.addEventListener('click', (event) => {
@@ -45,6 +46,7 @@ class PointPanel {
       element(`point-${id}`).setAttribute('aria-pressed', String(isOn));
     }
     if (this.shownEvent !== viewer.playback.event) this.writeLists();
+    if (viewer.encounters !== null && this.shownPartners !== viewer.encounters.changes) this.writePartners();
     this.writeMotion();
     this.drawPlot();
   }
@@ -52,7 +54,7 @@ class PointPanel {
   start(point) {
     const {recording} = this.viewer;
     this.shown = point;
-    this.shownEvent = -1;
+    this.shownEvent = this.shownPartners = -1;
     this.areas = null;
     const rows = [];
     for (let row = 0; row < recording.rows; ++row) if (concerns(recording, row, point)) rows.push(row);
@@ -63,7 +65,9 @@ class PointPanel {
     const labels = ['Position', 'Velocity', 'Speed'];
     if (recording.degree > 1) labels.push('Acceleration');
     if (hasDiscs(recording)) labels.push('Radius');
-    labels.push('Cell area', 'Neighbours', 'Events');
+    labels.push('Cell area', 'Neighbours');
+    if (this.viewer.encounters !== null) labels.push('In range');
+    labels.push('Events');
     for (const label of labels) {
       const dt = document.createElement('dt'), dd = document.createElement('dd');
       dt.textContent = label;
@@ -103,25 +107,30 @@ class PointPanel {
     const {recording, playback, selectedPoint} = viewer;
     this.shownEvent = playback.event;
     const neighbors = selectedPoint.edges.map((edge) => selectedPoint.neighborAt(edge)).sort((a, b) => a - b);
-    const link = (name, data) => {
-      const button = document.createElement('button');
-      button.className = 'link';
-      button.textContent = name;
-      Object.assign(button.dataset, data);
-      return button;
-    };
-    parts.Neighbours.replaceChildren(`${neighbors.length}${neighbors.length > 0 ? ': ' : ''}`,
-      ...neighbors.slice(0, MOST_LINKS).flatMap((other) => [link(viewer.pointName(other), {point: other}), ' ']));
+    this.writePoints(parts.Neighbours, neighbors);
     let done = 0;
     while (done < rows.length && rows[done] < playback.event) ++done;
     const around = rows.slice(Math.max(done - EVENTS_AROUND, 0), done + EVENTS_AROUND);
     parts.Events.replaceChildren(`${rows.length}, ${done} so far`, ...around.map((row) => {
       const line = document.createElement('div');
       line.className = row < playback.event ? '' : 'quiet';
-      line.append(link(`${kindName(recording, row)} ${eventNumber(recording, row)}`, {row}),
+      line.append(linkButton(`${kindName(recording, row)} ${eventNumber(recording, row)}`, {row}),
                   ` t \u2248 ${shortNumber(recording.rowTime[row])}`);
       return line;
     }));
+  }
+
+  /** What changes as points come into range and leave it. */
+  writePartners() {
+    const {viewer, parts} = this;
+    this.shownPartners = viewer.encounters.changes;
+    this.writePoints(parts['In range'], viewer.encounters.partners(viewer.selectedPoint.id));
+  }
+
+  /** Their number, and buttons that select them. */
+  writePoints(place, points) {
+    place.replaceChildren(`${points.length}${points.length > 0 ? ': ' : ''}`, ...points.slice(0, MOST_LINKS)
+      .flatMap((point) => [linkButton(this.viewer.pointName(point), {point}), ' ']));
   }
 
   /** The areas at AREA_TIMES + 1 times of the run. */
@@ -174,4 +183,12 @@ class PointPanel {
     plot.setAttribute('aria-label', `The area of the cell over time; at ${shortNumber(playback.time)}, ` +
       `the time shown, it is ${this.parts['Cell area'].textContent}`);
   }
+}
+
+function linkButton(name, data) {
+  const button = document.createElement('button');
+  button.className = 'link';
+  button.textContent = name;
+  Object.assign(button.dataset, data);
+  return button;
 }

@@ -56,6 +56,7 @@ function readRecording(text) {
     radius: json.radius ?? 0,
     thinned: json.thinned ?? null,
     wave: json.wave ?? null,
+    encounters: null,
   };
   demand(recording.names === null ||
          (Array.isArray(json.names) && json.names.length === points), 'not every point has a name');
@@ -68,6 +69,7 @@ function readRecording(text) {
          recording.wave.width > 0), 'its wave has no height or no width');
 
   const ids = points <= 65536 ? 'Uint16' : 'Uint32';
+  recording.encounters = readEncounters(json.encounters, points, ids);
   const edges = new EdgeNumbers(points);
   const triangles = readTriangles(recording, json.triangles, ids, edges);
   const initial = decodeNumbers(json.initial_edges, ids, 'the list of edges at the start');

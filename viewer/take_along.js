@@ -49,7 +49,8 @@ class TakeAlong {
     const {width, height} = viewer;
     painter.begin(width, height, ratio, viewer.colors.background);
     viewer.view.draw(painter);
-    drawLegendScale(painter, viewer, 14, height - 12);
+    const {axisLeft, axisBottom} = viewer.flatView;
+    drawLegendScale(painter, viewer, 14 + axisLeft, height - 12 - axisBottom);
     painter.end();
   }
 
@@ -134,10 +135,13 @@ class TakeAlong {
     element('save-film').textContent = 'Stop';
     recorder.start();
     viewer.direction = 0;
-    const start = performance.now();
+    let last = performance.now(), done = 0;
     const frame = (now) => {
       if (recorder.state === 'inactive') return;
-      const share = Math.min(Math.max((now - start) / 1000 / seconds, 0), 1);
+      // After a pause of the browser the film goes on where it was.
+      done += Math.min(Math.max((now - last) / 1000, 0), LONGEST_FRAME);
+      last = now;
+      const share = Math.min(done / seconds, 1);
       viewer.goTo(from + (until - from) * share);
       viewer.place();
       draw();

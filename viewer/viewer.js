@@ -9,7 +9,7 @@ const HIGHLIGHT = 0.3;          // seconds of playing around an event in which i
 const TRAIL = 6;                // seconds of playing that a trail covers
 const COLOR_NAMES = ['background', 'edge', 'edgeBehind', 'hull', 'point', 'box', 'disc', 'discFill',
                      'trail', 'voronoi', 'circle', 'circleFill', 'removed', 'added', 'selected',
-                     'selectedFill', 'waveEdge', 'waveLowEdge', 'text', 'quiet', 'hover', 'arrow'];
+                     'selectedFill', 'waveEdge', 'waveLowEdge', 'text', 'quiet', 'hover', 'arrow', 'link'];
 
 /** The n-th of the numbers 1, 2 and 5 times a power of ten; the zeroth is 1. */
 function roundSpeed(n) {
@@ -33,6 +33,7 @@ class Viewer {
     this.pointer = null;
     this.hoverPoint = -1;
     this.hoverEdge = -1;
+    this.encounters = hasEncounters(recording) ? new Encounters(recording) : null;
     this.cells = new Cells(this);
     this.changes = new Changes(recording);
     this.filter = new EventFilter(recording);
@@ -45,7 +46,8 @@ class Viewer {
     this.certificate = null;  // its certificate, or its last one if the edge is not there
     this.switches = {
       wave: recording.wave !== null, delaunay: true, hull: true, voronoi: false, circle: false,
-      discs: hasDiscs(recording), trails: false, arrows: false, heat: false, scale: false,
+      discs: hasDiscs(recording), trails: false, arrows: false, heat: false, scale: false, axes: false,
+      links: hasEncounters(recording),
       ids: recording.points <= 40,
     };
     const span = recording.until - recording.from;
@@ -345,12 +347,13 @@ class Viewer {
     writePresent(this);
   }
 
-  /** Computes the positions and sizes of the points, and which of them are hidden. */
+  /** Computes the positions and sizes of the points, which of them are hidden, and who is within range. */
   place() {
     const {playback, x, y, r, w, hidden} = this;
     placePoints(playback, playback.time, x, y);
     sizePoints(playback, playback.time, r, w);
     findHidden(playback, x, y, w, hidden);
+    this.encounters?.update(playback.time);
   }
 
   /** Updates the certificate of the selected edge; of an edge that is not there it stays. */

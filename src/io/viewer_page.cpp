@@ -206,6 +206,26 @@ void write_wave(Json_writer& json, const std::optional<Wave_shape>& wave) {
   json.end_object();
 }
 
+void write_encounters(Json_writer& json, const Viewer_encounters& encounters, std::size_t points) {
+  Id_bytes ids(points);
+  Bytes begin;
+  Bytes end;
+  for (const Viewer_encounter& encounter : encounters.all) {
+    ids.add(encounter.points);
+    begin.add(encounter.begin);
+    end.add(encounter.end);
+  }
+  json.key("encounters");
+  json.begin_object();
+  json.member("range", encounters.range);
+  json.member("in_all", encounters.in_all);
+  json.member("count", encounters.all.size());
+  json.member("ids", ids.base64());
+  json.member("begin", begin.base64());
+  json.member("end", end.base64());
+  json.end_object();
+}
+
 void write_thinned(Json_writer& json, const Recording& recording) {
   json.key("thinned");
   if (!recording.is_thinned) return json.null();
@@ -230,6 +250,7 @@ std::string page_data(const Recording& recording, const Viewer_settings& setting
   json.member("radius", settings.radius);
   write_thinned(json, recording);
   write_wave(json, settings.wave);
+  if (settings.encounters) write_encounters(json, *settings.encounters, points);
   json.member("initial_edges", initial_edges(recording, points));
   json.key("triangles");
   write_triangles(json, recording, points);

@@ -89,6 +89,16 @@ TEST_F(Encounters_output, needs_a_range) {
       << negative.err;
 }
 
+TEST_F(Encounters_output, stand_in_the_page) {
+  const Outcome outcome =
+      simulate(three_points, {"--until", "8", "--html", "run.html", "--range", "5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(read("run.html").find("\"encounters\":{\"range\":5.0,\"in_all\":3,\"count\":3,"),
+            std::string::npos);
+  EXPECT_EQ(simulate(three_points, {"--until", "8", "--html", "run.html"}).exit_code, 0);
+  EXPECT_EQ(read("run.html").find("\"encounters\":"), std::string::npos);
+}
+
 TEST_F(Encounters_output, of_a_run_that_is_continued_begin_anew) {
   EXPECT_EQ(simulate(three_points, {"--until", "4", "--checkpoint", "half.kinetri"}).exit_code, 0);
   const Outcome outcome = run(

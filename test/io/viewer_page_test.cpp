@@ -147,6 +147,19 @@ TEST(Viewer_page, has_the_sizes_of_discs) {
             "AAAAAAAAAEAAAAAAAAAAAAAAAAAAAAjAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA");
 }
 
+TEST(Viewer_page, has_encounters) {
+  EXPECT_FALSE(data(page(small_recording(), {})).contains("encounters"));
+  Viewer_settings settings;
+  settings.encounters = Viewer_encounters{1.5, {{{0, 2}, 0.5, 4}, {{1, 2}, 2, 1.75}}, 2};
+  const json encounters = data(page(small_recording(), settings))["encounters"];
+  EXPECT_EQ(encounters["range"], 1.5);
+  EXPECT_EQ(encounters["count"], 2);
+  EXPECT_EQ(encounters["in_all"], 2);
+  EXPECT_EQ(encounters["ids"], "AAACAAEAAgA=");
+  EXPECT_EQ(encounters["begin"], "AAAAAAAA4D8AAAAAAAAAQA==");
+  EXPECT_EQ(encounters["end"], "AAAAAAAAEEAAAAAAAAD8Pw==");
+}
+
 TEST(Viewer_page, is_not_broken_by_texts) {
   Viewer_settings settings;
   settings.view = "t=1&color=area</script>";

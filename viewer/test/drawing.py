@@ -1,10 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The painters, and what is drawn of many points."""
+import fractions
+
 import runs
 from page import SWITCHES, Page
 
 LEAST_CHANGE = 0.004  # share of the pixels, where something else is shown
 MOST_NOISE = 0.002    # share of the pixels in which two painters differ
+# From now on `labels` has what is written on the picture.
+WRITTEN = """void (() => {
+  const write = window.write ??= CanvasRenderingContext2D.prototype.fillText;
+  window.labels = [];
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+    const {width} = this.measureText(text);
+    if (this.canvas.id === 'picture') {
+      labels.push([text, x - width * {left: 0, center: 0.5, right: 1}[this.textAlign], y, width]);
+    }
+    return write.call(this, text, x, y);
+  };
+})()"""
 SCENE = "document.getElementById('scene').hidden"
 
 
@@ -102,22 +116,65 @@ class Drawing(Page):
     def test_labels_do_not_overlap(self):
         """Each label stands on its own: where two overlapped, ids are left out."""
         self.browser.open(self.generate(1000, 1), "#show=ids")
-        self.evaluate("""void (() => {
-          window.labels = [];
-          const write = CanvasRenderingContext2D.prototype.fillText;
-          CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
-            if (this.canvas.id === 'picture') labels.push([text, x, y, this.measureText(text).width]);
-            return write.call(this, text, x, y);
-          };
-        })()""")
-        self.evaluate("kinetri.drawNow()")
-        labels = self.evaluate("labels")
+        labels = self.labels()
         self.assertGreater(len(labels), 50)
         self.assertLess(len(labels), 1000)
+        self.check_apart(labels)
+
+    def labels(self):
+        """What is written on the picture: text, left, bottom, width."""
+        self.evaluate(WRITTEN)
+        self.evaluate("kinetri.drawNow()")
+        return self.evaluate("labels")
+
+    def check_apart(self, labels):
         for i, (text, x, y, width) in enumerate(labels):
             for other, u, v, other_width in labels[:i]:
                 apart = abs(y - v) >= 11 or x + width <= u or u + other_width <= x
                 self.assertTrue(apart, f"{text} and {other}")
+
+    def test_axes(self):
+        """Each label stands where its number is, at a tick of round numbers, on any scale and any screen."""
+        page = self.run_of("uniform").page
+        for size in ((1000, 640), (360, 640)):
+            self.browser.resize(*size)
+            for at in ("30,30,90", "1e6,-2e5,3e5", "0.001,-0.002,0.0007", "523.25,77.5,1e-4", "0,0,1e-20", "-3,1e9,8e21"):
+                with self.subTest(size=size, at=at):
+                    self.browser.open(page, f"#show=axes&hide=ids&unit=km&at={at}")
+                    left, top, right, bottom = self.picture_box()
+                    labels = self.labels()
+                    self.check_apart(labels)
+                    self.assertIn("km", [text for text, *_ in labels])
+                    axes = {"x": [], "y": []}
+                    for text, x, y, width in labels:
+                        self.assertTrue(x >= 0 and x + width <= right - left and y - 9 >= 0 and y <= bottom - top, text)
+                        if text != "km":
+                            axes["x" if y > bottom - top - 10 else "y"].append((text, x, y, width))
+                    for axis, ticks in axes.items():
+                        # Of numbers as long as that there is room for few on a phone.
+                        self.assertGreaterEqual(len(ticks), 1 if at.startswith("523") and size[0] < 500 else 2)
+                        numbers = [float(text.replace("\u2212", "-")) for text, *_ in ticks]
+                        self.check_round(numbers)
+                        for number, (text, x, y, width) in zip(numbers, ticks):
+                            place = self.evaluate(f"kinetri.screen({number!r}, {number!r})")
+                            if axis == "x":
+                                self.assertAlmostEqual(place[0] - left, x + width / 2, delta=0.7, msg=text)
+                            else:
+                                self.assertAlmostEqual(place[1] - top, y - 4, delta=0.7, msg=text)
+
+    def check_round(self, numbers):
+        """The numbers are multiples of 1, 2 or 5 times a power of ten."""
+        exact = [fractions.Fraction(repr(number)) for number in numbers]
+        if len(exact) == 1:
+            return
+        step = exact[1] - exact[0]
+        while step >= 10:
+            step /= 10
+        while step < 1:
+            step *= 10
+        self.assertIn(step, (1, 2, 5))
+        self.assertEqual({b - a for a, b in zip(exact, exact[1:])}, {exact[1] - exact[0]})
+        self.assertEqual(exact[0] % (exact[1] - exact[0]), 0)
 
 
 class Without_webgl(Page):

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs of the program whose pages are tested: its commands, and its logs as what must be seen."""
+import base64
 import csv
 import fractions
 import itertools
 import json
 import math
+import struct
 import subprocess
 
 HALF_ULP = fractions.Fraction(1, 2**53)
@@ -52,6 +54,18 @@ def sizes():
     return "\n".join(lines) + "\n"
 
 
+RANGE = 3  # of "near"
+
+
+def near():
+    """Points 0 and 1 are always at the range; 2 comes into the range of 1 at 4 and of 0 at 7; 3 touches that of 0 at
+    5 and of 1 at 8. The others cross it at any time."""
+    lines = ["x,y,vx,vy", "0,0,0,0", "3,0,0,0", "10,0,-1,0", "-5,3,1,0"]
+    for i in range(50):
+        lines.append(f"{(i * 37) % 29 - 14},{(i * 23) % 33 - 16},{(i * 7) % 11 / 4 - 1.25},{(i * 5) % 13 / 4 - 1.5}")
+    return "\n".join(lines) + "\n"
+
+
 # By name: how the points are generated (or what is in their file), the end, further options.
 RUNS = {
     "uniform": ("uniform --points 40 --seed 3", 8, ()),
@@ -61,6 +75,7 @@ RUNS = {
     "vanishing": ("uniform --points 40 --seed 4", 6, ("--collisions", "remove", "--radius", "1.5")),
     "accelerated": (accelerated_points(), 5, ()),
     "sizes": (sizes(), 6, ("--regular",)),
+    "near": (near(), 8, ("--range", RANGE)),
     "lattice": ("lattice --points 16 --movers all", 4, ()),
     "tracks": (TRACKS, 6, ()),
     "square": (SQUARE, 1.5, ()),
@@ -250,6 +265,12 @@ def recording_of(page):
     text = page.read_text(encoding="utf-8")
     start = text.index('id="recording">') + len('id="recording">')
     return json.loads(text[start:text.index("</script>", start)])
+
+
+def numbers(text):
+    """The binary64 numbers in base64."""
+    data = base64.b64decode(text)
+    return struct.unpack(f"<{len(data) // 8}d", data)
 
 
 def with_recording(page, text, target):

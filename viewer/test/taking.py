@@ -51,20 +51,23 @@ class Taking(Page):
         self.assertGreater(len(picture.counts()), 50)
 
     def test_svg(self):
-        self.evaluate("void (location.hash = 'show=ids&hide=hull')")
+        self.evaluate("void (location.hash = 'show=ids,axes&hide=hull&unit=km')")
         self.browser.settle()
         root = ElementTree.fromstring(self.saved("save-svg").decode())
         lines = circles = 0
         for path in root.iter(SVG + "path"):
             if path.get("stroke") is None:
-                circles += path.get("d").count("M")
+                circles += path.get("d").count("A") // 2
             else:
                 lines += path.get("d").count("L")
         self.assertEqual(circles, 40)
         self.assertGreaterEqual(lines, len(self.evaluate("kinetri.edges()")))
         texts = {text.text for text in root.iter(SVG + "text")}
         self.assertGreater(len(texts), 15)
-        self.assertLessEqual(texts, {str(i) for i in range(40)})
+        self.assertIn("km", texts)
+        self.assertTrue({"0", "20", "\u221220"} <= texts)
+        ids = {text for text in texts if text.isdigit() and int(text) < 40}
+        self.assertGreater(len(ids), 15)
 
     def test_webm(self):
         self.evaluate("document.getElementById('film-seconds').value = 1")

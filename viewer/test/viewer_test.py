@@ -16,6 +16,7 @@ import browser  # noqa: E402
 import runs  # noqa: E402
 from certificate import Certificate  # noqa: E402
 from drawing import Drawing, Without_webgl  # noqa: E402
+from encounters import Near  # noqa: E402
 from interface import Interface  # noqa: E402
 from page import Page  # noqa: E402
 from playing import Playing  # noqa: E402
@@ -27,7 +28,7 @@ from taking import Taking  # noqa: E402
 SKIPPED = 77
 CASES = {"interface": Interface, "certificate": Certificate, "drawing": Drawing,
          "without_webgl": Without_webgl, "points": Points, "screens": Screens,
-         "accessible": Accessible, "taking": Taking, "small": Small, "damaged": Damaged}
+         "accessible": Accessible, "taking": Taking, "encounters": Near, "small": Small, "damaged": Damaged}
 
 
 def main():

@@ -41,7 +41,7 @@ std::string ranged_outputs() {
   return separated(result, ", ");
 }
 
-// The value of --range, which some outputs need, and the others do not.
+// The value of --range, which some outputs need; the page of --html shows encounters with it.
 double range_argument(const Run_options& options) {
   bool is_needed = false;
   for (const Output_row& row : output_table) {
@@ -51,9 +51,9 @@ double range_argument(const Run_options& options) {
     throw Usage_error(joined(row.option, ": how far apart is near? expected --range R as well"));
   }
   if (!options.range) return 0;
-  if (!is_needed) {
+  if (!is_needed && !options.outputs[Output::html]) {
     throw Usage_error(joined("--range: nothing asks what is near; expected one of ",
-                             ranged_outputs(), " as well"));
+                             ranged_outputs(), ", --html as well"));
   }
   const double range = number_argument("--range", *options.range);
   if (range < 0) {
@@ -198,7 +198,8 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
   command
       .add("--range", &options.range, "R",
            joined("For ", ranged_outputs(),
-                  ": near is what is at most this far apart; of discs, "
+                  ", and for --html, which then shows who is near: near is what is at most this "
+                  "far apart; of discs, "
                   "what has at most this gap between the rims"))
       .heading = outputs_heading;
 }
@@ -278,6 +279,7 @@ Run_settings run_settings(const Run_options& options) {
   result.answers.ridge = ridge_argument(options);
   set_limits(options, result.answers);
   result.html_view = html_view(options);
+  if (options.range && options.outputs[Output::html]) result.html_range = result.answers.range;
   if (options.frames_per_time) {
     const std::string& option = options.frames_per_time_option;
     if (!result.outputs[Output::frames] && !result.outputs[Output::vtu] &&

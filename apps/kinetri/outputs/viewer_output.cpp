@@ -2,6 +2,10 @@
 #include "outputs/viewer_output.h"
 
 #include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "kinetri/observers/encounters.h"
 
 namespace kinetri::app {
 namespace {
@@ -15,10 +19,21 @@ std::size_t most_rows(std::size_t points) {
   return std::clamp(20 * points, enough, too_many);
 }
 
+// A page with more encounters would take too long to open.
+constexpr std::size_t most_encounters = 400'000;
+
+// Its times that are binary64 numbers. One that goes on at the end of the run is shown there.
+Viewer_encounter shown(const Encounter& encounter, const Algebraic_number& now) {
+  const double end =
+      encounter.end == now ? now.to_double() : -std::numeric_limits<double>::infinity();
+  return {encounter.points, encounter.begin.tight_interval().upper,
+          std::max(end, encounter.end.tight_interval().lower)};
+}
+
 }  // namespace
 
 Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source& source,
-                             double until, const std::string& view) {
+                             double until, const std::string& view, std::optional<double> range) {
   source.describe(settings_);
   settings_.view = view;
   simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) {
@@ -28,10 +43,25 @@ Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source&
                                                        most_rows(source.number_of_points()));
     s.add_observer(*recorder);
     recorder_ = std::move(recorder);
+    if (range) follow_encounters(s, *range);
   });
 }
 
-void Viewer_output::write(std::ostream& out) const {
+template <class Traits>
+void Viewer_output::follow_encounters(Simulation_2<Traits>& simulation, double range) {
+  // A function must be able to be copied, and so what it has.
+  encounters_ = [&simulation, observer = std::make_shared<Encounters<Traits>>(simulation, range)] {
+    const std::vector<Encounter> encounters = observer->encounters();
+    Viewer_encounters result = {observer->range(), {}, encounters.size()};
+    if (encounters.size() > most_encounters) return result;
+    const Algebraic_number& now = simulation.current_time();
+    for (const Encounter& encounter : encounters) result.all.push_back(shown(encounter, now));
+    return result;
+  };
+}
+
+void Viewer_output::write(std::ostream& out) {
+  if (encounters_) settings_.encounters = encounters_();
   write_viewer_page(out, std::visit([](const auto& r) { return r->recording(); }, recorder_),
                     settings_);
 }

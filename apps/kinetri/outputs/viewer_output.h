@@ -4,8 +4,10 @@
 #ifndef KINETRI_APPS_VIEWER_OUTPUT_H
 #define KINETRI_APPS_VIEWER_OUTPUT_H
 
+#include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -19,21 +21,26 @@ namespace kinetri::app {
 /// Records a run from its construction on. The simulation must outlive it, and calls it.
 class Viewer_output {
  public:
-  /// `view`: what the page shows first, see Viewer_settings.
+  /// `view`: what the page shows first, see Viewer_settings. With a `range`, the page has the
+  /// encounters too.
   Viewer_output(const Any_simulation& simulation, const Run_source& source, double until,
-                const std::string& view);
+                const std::string& view, std::optional<double> range);
 
   /// Writes the page of the run up to now.
-  void write(std::ostream& out) const;
+  void write(std::ostream& out);
 
  private:
   template <class Traits>
   using Recorder_of = std::unique_ptr<Recorder<Traits>>;
 
+  template <class Traits>
+  void follow_encounters(Simulation_2<Traits>& simulation, double range);
+
   Viewer_settings settings_;
   std::variant<Recorder_of<Linear_kinetic_traits_2>, Recorder_of<Polynomial_kinetic_traits_2>,
                Recorder_of<Disc_kinetic_traits_2>, Recorder_of<Polynomial_disc_kinetic_traits_2>>
       recorder_;
+  std::function<Viewer_encounters()> encounters_;  // up to now; none if they are not followed
 };
 
 }  // namespace kinetri::app

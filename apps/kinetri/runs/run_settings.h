@@ -32,6 +32,7 @@ struct Run_settings {
   Answer_settings answers;
   std::uint64_t max_events = 1'000'000'000;  ///< the run stops after the instant with more
   std::string html_view;                     ///< what the page of --html shows first
+  std::optional<double> html_range;          ///< of the encounters in that page
   std::optional<double> until_share;         ///< the run ends where the discs cover this share
   Audit_mode audit = Audit_mode::none;
   bool exact_only = false;  ///< without filters

@@ -201,7 +201,8 @@ void Simulation_run::build() {
   }
   if (verification_) verification_->start(simulation_);
   if (outputs_.has(Output::html)) {
-    viewer_.emplace(simulation_, source_, statistics_.until, settings_.html_view);
+    viewer_.emplace(simulation_, source_, statistics_.until, settings_.html_view,
+                    settings_.html_range);
   }
   answers_ = follow_answers(outputs_, asked_, simulation_, source_);
   if (frames_) frames_->start(source_, simulation_, statistics_.until);

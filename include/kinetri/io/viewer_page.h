@@ -19,6 +19,11 @@
 //   wave          null, or {"height": h, "width": w}: the page begins with the wave. At a place its
 //                 height is h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving
 //                 points
+//   encounters    absent, or who is when within range of whom: {range, in_all, count, ids, begin,
+//                 end}: ids: base64 of the ids, two an encounter; begin and end: base64 of
+//                 binary64, the first and the last number among the times of the encounter (begin >
+//                 end if no number is); in_all: the number of encounters, count: that of those in
+//                 the page, which is 0 where there are too many
 //   initial_edges base64 of the ids of the ends, two an edge: the edges at the start that are sides
 //                 of no triangle, sorted. There are such edges only where all points are collinear
 //   triangles     {initial, count, event, removed, added, ids}: initial: base64 of the ids of the
@@ -51,6 +56,7 @@
 #define KINETRI_IO_VIEWER_PAGE_H
 
 #include <array>
+#include <cstddef>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -65,6 +71,21 @@ namespace kinetri {
 struct Wave_shape {
   double height = 1;  ///< of the crest
   double width = 1;   ///< standard deviation of the Gaussian, in the unit of the coordinates
+};
+
+/// The times at which two points, or discs, are within range (Encounter), as far as they are
+/// binary64 numbers.
+struct Viewer_encounter {
+  Edge_ids points = {no_point, no_point};  ///< the smaller first
+  double begin = 0;                        ///< the first number
+  double end = 0;                          ///< the last one; before `begin` if there is none
+};
+
+/// The encounters of a run.
+struct Viewer_encounters {
+  double range = 0;                        ///< see Encounters
+  std::vector<Viewer_encounter> all = {};  ///< none where there are too many for a page
+  std::size_t in_all = 0;                  ///< how many the run has
 };
 
 /// The words of a view, each of which stands before `=` and a value. docs/PROGRAM.md describes
@@ -82,6 +103,7 @@ struct Viewer_settings {
   /// Of the discs, where all are equal and none grows, and the motions have no radius; else 0.
   double radius = 0;
   std::optional<Wave_shape> wave = std::nullopt;  ///< the page begins with it if there is one
+  std::optional<Viewer_encounters> encounters = std::nullopt;  ///< drawn as links if known
 };
 
 /// Writes the page. Errors are those of the stream. The same recording gives the same bytes.
