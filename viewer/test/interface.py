@@ -188,7 +188,7 @@ class Interface(Page):
             self.assertEqual(follow(f"event={number}"), "")
             self.assertGreaterEqual(self.evaluate("kinetri.event"), number)
         count = self.evaluate("kinetri.counts.rows")
-        switches = "of delaunay, hull, voronoi, circle, discs, trails, arrows, heat, scale, ids"
+        switches = "of delaunay, hull, voronoi, circle, discs, trails, arrows, heat, scale, axes, ids"
         edge = "the ids of two points that an edge joins at that time, as in 4-17"
         problems = {
             "t=x": "t: 'x' is not possible; expected a number",
