@@ -78,13 +78,17 @@ class Checker {
   const Course& course(Id id) const { return *courses_[id]; }
 
   void add_triangle(Id a, Id b, Id c) {
-    for (const auto& [u, v, w] : {Triangle{a, b, c}, Triangle{b, c, a}, Triangle{c, a, b}}) {
+    const std::array<Triangle, 3> turns = {{{a, b, c}, {b, c, a}, {c, a, b}}};
+    for (const auto& [u, v, w] : turns) {
       if (u != infinite && v != infinite && !neighbors_[u].contains(v)) {
         refute("a face is no triangle: there is no " + name(edge(u, v)));
       }
-      if (!left_.emplace(key(u, v), w).second && apex(u, v) != w) {
+      if (apex(u, v) != absent && apex(u, v) != w) {
         refute("two triangles are on one side of " + name(edge(u, v)));
       }
+    }
+    for (const auto& [u, v, w] : turns) {
+      left_[key(u, v)] = w;
       changed_.insert(edge(u, v));
       if (v == infinite) hull_.insert(u);
     }
@@ -224,7 +228,7 @@ class Checker {
   }
 
   void add_specials(const Polynomial& p, Id a, Id b) {
-    for (Time& root : roots_in(p, now_.lo, options_.until)) {
+    for (Time& root : verify::roots_in(p, now_.lo, options_.until)) {
       if (compare(root, now_) <= 0) continue;
       int order = 1;
       const auto place = std::ranges::find_if(specials_, [&](Special& s) {
@@ -378,10 +382,17 @@ class Checker {
   static bool is_of_time_of(const Row& a, const Row& b) {
     return compare(a.lo, b.lo) == 0 && compare(a.hi, b.hi) == 0;
   }
+  // The ends of an interval are equal if the time is a binary64 number, and only then.
   static bool is_in(Time& time, const Row& row) {
     Time lo = exactly(row.lo);
     Time hi = exactly(row.hi);
-    return compare(time, lo) >= 0 && compare(time, hi) <= 0;
+    const int order = compare(time, lo);
+    return compare(row.lo, row.hi) == 0 ? order == 0 : order > 0 && compare(time, hi) < 0;
+  }
+  static std::vector<Time> roots_in(const Polynomial& p, const Row& row) {
+    std::vector<Time> roots = verify::roots_in(p, row.lo, row.hi);
+    std::erase_if(roots, [&](Time& root) { return !is_in(root, row); });
+    return roots;
   }
 
   // The rows of one rebuild tell of points, then of edges removed, then of edges added. A change of
@@ -399,7 +410,7 @@ class Checker {
     if (!is_joined) pass_before(exactly(row.lo));
     if (rank(row) == 4) return flip(row);
     if (rank(row) == 0) return change(row);
-    if (!is_joined || (row_ > 0 && rank((&row)[-1]) > rank(row)))
+    if (!is_joined || row_ == 0 || rank((&row)[-1]) == 0 || rank((&row)[-1]) > rank(row))
       open_at(time_of_rebuild(row), row);
     is_rebuilt_ = true;
     for (const Edge& e : row.removed) remove_edge(e);
@@ -477,19 +488,24 @@ class Checker {
       close();
     }
     Time birth = alive_[edge_life].at(key(a, b)).birth->time;
-    for (Time& root : roots_in(p, row.lo, row.hi)) {
+    for (Time& root : roots_in(p, row)) {
       if (compare(root, birth) > 0 && changes_sign(p, root)) return root;
     }
     return std::nullopt;
   }
 
-  // The certificates at the points of the rows from this one on that have one time.
+  // The certificates of triangles that changed in this instant, and of those at the points of the
+  // rows from this one on that have one time.
   std::vector<Certificate> certificates_at(const Row& row) const {
     std::set<Edge> edges;
+    for (const auto& [a, b] : changed_) {
+      if (apex(a, b) != absent && apex(b, a) != absent) edges.insert({a, b});
+    }
     std::vector<Certificate> result;
     const auto add = [&](Kind kind, const Points& points) {
-      std::ranges::move(certifier_.certificates({kind, points, courses(points), {}, {}}),
-                        std::back_inserter(result));
+      for (Certificate& c : certifier_.certificates({kind, points, courses(points), {}, {}})) {
+        if (!is_about_contact(c.rule)) result.push_back(std::move(c));
+      }
     };
     for (const Row* r = &row; r != rows_.data() + rows_.size() && is_of_time_of(*r, row); ++r) {
       std::set<Id> points(r->points.begin(), r->points.end());
@@ -499,12 +515,15 @@ class Checker {
       for (const Id v : points) {
         if (!is_present(v)) continue;
         const auto hidden = hidden_.find(v);
-        if (hidden != hidden_.end() && hidden->second[0] != absent) {
+        if (neighbors_[v].empty() && hidden != hidden_.end() && hidden->second[0] != absent) {
           const auto& [a, b, c] = hidden->second;
           add(hidden_life, {a, b, c, v});
         }
         if (apex(v, infinite) != absent) edges.insert({v, infinite});
-        for (const Id n : neighbors_[v]) edges.insert(edge(v, n));
+        for (const Id n : neighbors_[v]) {
+          edges.insert(edge(v, n));
+          if (apex(n, infinite) != absent) edges.insert({n, infinite});
+        }
       }
     }
     for (const auto& [a, b] : edges) add(edge_life, {a, b, apex(a, b), apex(b, a)});
@@ -514,31 +533,40 @@ class Checker {
   // Whether a row that may be of this instant is needed: whether something at its points, and at
   // those of the rows after it, is violated just after now, or there is no triangulation yet.
   bool is_needed_now(const Row& row) {
-    if (is_on_line_ || is_witness_lost_) return true;
-    const auto [left, hull, touched] = std::tuple(left_, hull_, touched_);
+    if (is_witness_lost_) find_witness();
+    const auto has_gone = [&](Id v) { return !is_present(v) && !neighbors_[v].empty(); };
+    if (is_on_line_ || std::ranges::any_of(moved_, has_gone)) return true;
     try {
       remake();
+      const auto is_of_hull = [](const Edge& e) { return e.second == infinite; };
+      if (std::ranges::any_of(changed_, is_of_hull)) check_hull();
+      std::set<Id> looked_at = touched_;
+      for (const auto& [v, t] : hidden_) looked_at.insert(v);
+      for (const Id v : looked_at) {
+        if (!is_present(v) || !neighbors_[v].empty() || present_ < 2) continue;
+        const auto [a, b, c] = triangle_of(v, {absent, absent, absent});
+        if (sign_just_after(outside(course(a), course(b), course(c), course(v)), now_) < 0)
+          return true;
+      }
     } catch (const Refuted&) {
-      left_ = left;
-      hull_ = hull;
-      touched_ = touched;
       return true;
     }
     return std::ranges::any_of(certificates_at(row), [&](const Certificate& certificate) {
-      return sign_just_after(certificate.p, now_) < 0;
+      const int sign = sign_just_after(certificate.p, now_);
+      return sign < 0 || (sign == 0 && certificate.rule == Rule::positive);
     });
   }
 
   // The time of a rebuild, or of what is hidden or revealed: now, or when something fails at the
   // points of its rows or, if nothing fails there, vanishes.
   std::optional<Time> time_of_rebuild(const Row& row) {
+    if (compare(row.lo, row.hi) == 0) return exactly(row.lo);
     if (is_in(now_, row) && is_needed_now(row)) return now_;
     close();
-    if (compare(row.lo, row.hi) == 0) return exactly(row.lo);
     std::optional<Time> first;
     for (const bool is_failure : {true, false}) {
       for (const Certificate& certificate : certificates_at(row)) {
-        for (Time& root : roots_in(certificate.p, row.lo, row.hi)) {
+        for (Time& root : roots_in(certificate.p, row)) {
           if (compare(root, now_) <= 0 || (first && compare(root, *first) >= 0)) continue;
           if (!is_failure || changes_sign(certificate.p, root)) first = root;
         }
@@ -551,6 +579,7 @@ class Checker {
       }
       if (first) break;
     }
+    if (!first && is_in(now_, row)) return now_;
     return first;
   }
 
@@ -573,10 +602,11 @@ class Checker {
       open(exactly(row.lo));
     }
     if (row.kind != "collision" && row.changes.size() != 1) refute("it has no motion");
-    if (options_.is_log && is_contact && row.changes.empty()) {  // from now on the discs overlap
+    if (is_contact && row.changes.empty()) {  // the discs pass through each other
       const auto [a, b] = edge(row.points.front(), row.points.back());
       renew(edge_life, key(a, b), std::nullopt);
       changed_.insert({a, b});
+      passing_.insert({a, b});
     }
     for (const Change& change : row.changes) {
       if (std::ranges::find(row.points, change.id) == row.points.end() ||
@@ -588,7 +618,9 @@ class Checker {
         touched_.insert(change.id);
         touched_.insert(neighbors_[change.id].begin(), neighbors_[change.id].end());
       }
+      end_passes(change.id);
       set_motion(change);
+      end_passes(change.id);
       if (is_contact && change.motion && !certifier_.goes_on(*old, course(change.id), row)) {
         refute("the motion of point " + std::to_string(change.id) + " does not go on");
       }
@@ -602,8 +634,8 @@ class Checker {
   std::optional<Time> contact_time(const std::vector<Polynomial>& all, const Row& row) {
     std::optional<Time> first;
     for (const Polynomial& p : all) {
-      std::vector<Time> times = roots_in(p, row.lo, row.hi);
-      std::ranges::move(roots_in(derivative(p), row.lo, row.hi), std::back_inserter(times));
+      std::vector<Time> times = roots_in(p, row);
+      std::ranges::move(roots_in(derivative(p), row), std::back_inserter(times));
       if (is_in(now_, row)) times.push_back(now_);
       for (Time& time : times) {
         if (compare(time, now_) < 0 || (first && compare(time, *first) >= 0)) continue;
@@ -611,6 +643,15 @@ class Checker {
       }
     }
     return first;
+  }
+
+  // Discs that have passed through each other may have a contact again once they are apart.
+  void end_passes(Id v) {
+    std::erase_if(passing_, [&](const Edge& e) {
+      const auto [a, b] = e;
+      if (a != v && b != v) return false;
+      return !is_present(a) || !is_present(b) || sign_at(gap(course(a), course(b)), now_) > 0;
+    });
   }
 
   void set_motion(const Change& change) {
@@ -658,7 +699,10 @@ class Checker {
   void renew(Kind kind, std::uint64_t id, const std::optional<Points>& points) {
     const auto found = alive_[kind].find(id);
     std::optional<Life> life;
-    if (points) life = Life{kind, *points, courses(*points), instant_, nullptr};
+    if (points) {
+      const bool passes = options_.is_log || passing_.contains({(*points)[0], (*points)[1]});
+      life = Life{kind, *points, courses(*points), instant_, nullptr, passes};
+    }
     bool is_new_pair = true;
     if (found != alive_[kind].end()) {
       const Life& old = found->second;
@@ -727,6 +771,7 @@ class Checker {
   std::unordered_map<std::uint64_t, Id> left_;  // apexes
   std::set<Id> hull_;
   std::map<Id, Triangle> hidden_;
+  std::set<Edge> passing_;  // discs that pass through each other: a collision left them as they were
 
   // In this instant:
   std::set<Id> touched_;  // points whose triangles are to be made anew

@@ -126,6 +126,9 @@ inline Polynomial gap(const Course& a, const Course& b) {
 // ---- certificates ----
 
 enum class Rule { not_negative, positive, no_contact, no_new_contact };
+inline bool is_about_contact(Rule rule) {
+  return rule == Rule::no_contact || rule == Rule::no_new_contact;
+}
 
 struct Certificate {
   std::string name;
@@ -148,6 +151,7 @@ struct Life {
   Points points;  // of an edge: its ends, the apexes at the left and at the right
   std::array<const Course*, 4> courses;
   std::shared_ptr<const Instant> birth, death;
+  bool passes = false;   // whether the discs of an edge pass through each other
   bool goes_on = false;  // whether it is to hold just after its death, too
 };
 
@@ -220,7 +224,7 @@ class Certifier {
       }
       if (options_.has_contacts) {
         result.push_back({name("contact of", {0, 1}), gap(*a, *b),
-                          options_.is_log ? Rule::no_new_contact : Rule::no_contact});
+                          life.passes ? Rule::no_new_contact : Rule::no_contact});
       }
     }
     return result;
@@ -246,8 +250,7 @@ class Certifier {
       Time death = life.death->time;
       const Signs signs(p, birth.lo, death.hi);
       if (signs.inside > 0 && !(life.goes_on && signs.last == 0)) continue;
-      const bool is_about_contact = rule == Rule::no_contact || rule == Rule::no_new_contact;
-      const int sign = is_about_contact ? 1 : sign_just_after(p, birth);
+      const int sign = is_about_contact(rule) ? 1 : sign_just_after(p, birth);
       if (sign < 0 || (sign == 0 && rule == Rule::positive) ||
           (rule == Rule::no_contact && is_contact(p, birth))) {
         note(life.birth->blamed(), certificate, birth);
@@ -259,7 +262,7 @@ class Certifier {
       }
       for (Time& time : times) {
         if (compare(time, birth) <= 0 || compare(time, death) >= (life.goes_on ? 1 : 0)) continue;
-        if (is_about_contact ? !is_contact(p, time) : !changes_sign(p, time)) continue;
+        if (is_about_contact(rule) ? !is_contact(p, time) : !changes_sign(p, time)) continue;
         if (rule == Rule::no_new_contact && !changes_sign(p, time)) continue;
         const auto row = std::partition_point(rows.begin(), rows.begin() + life.death->first_row,
                                               [&](const Row& before) {
