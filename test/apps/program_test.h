@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The fixture of the program's tests: an empty working directory, and a short way to run kinetri in
-// it.
+// it. Each run of a simulation that goes well is verified by kinetri-verify, where that is built,
+// unless it is of a kind that this does not verify.
 #ifndef KINETRI_TEST_APPS_PROGRAM_TEST_H
 #define KINETRI_TEST_APPS_PROGRAM_TEST_H
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/process.h"
@@ -42,8 +48,42 @@ class Program_test : public Directory_test {
 
   Outcome run(const Arguments& arguments, Process_input input = {}) const {
     input.directory = directory();
-    return Process(KINETRI_PROGRAM, arguments, input).wait();
+    const bool is_verified = is_simulation(arguments) && input.standard_output.empty();
+    if (!is_verified) return Process(KINETRI_PROGRAM, arguments, input).wait();
+    Arguments with_answer = arguments;
+    with_answer.emplace_back("--verify");
+    Outcome outcome = Process(KINETRI_PROGRAM, with_answer, input).wait();
+    // The input is bad, or kinetri-verify does not verify such runs.
+    if (outcome.exit_code == 2) return Process(KINETRI_PROGRAM, arguments, input).wait();
+    if (outcome.exit_code == 0 || outcome.exit_code == 1) take_answer(outcome);
+    return outcome;
   }
+
+ private:
+  static bool is_simulation([[maybe_unused]] const Arguments& arguments) {
+#ifdef KINETRI_HAS_VERIFIER
+    const auto is_there = [&](const char* word) {
+      return std::ranges::find(arguments, word) != arguments.end();
+    };
+    return !arguments.empty() && !is_there("--help") &&
+           std::ranges::find(simulations, arguments.front()) != simulations.end();
+#else
+    return false;
+#endif
+  }
+
+  // Removes what kinetri-verify says: `verified: 4 points, 1 events, 13 certificates`.
+  static void take_answer(Outcome& outcome) {
+    for (std::string* const text : {&outcome.out, &outcome.err}) {
+      const std::size_t begin = text->rfind("verified: ");
+      if (begin == std::string::npos || (begin > 0 && (*text)[begin - 1] != '\n')) continue;
+      text->erase(begin, text->find('\n', begin) + 1 - begin);
+      return;
+    }
+    ADD_FAILURE() << "the run is not verified: " << outcome.out << outcome.err;
+  }
+
+  static constexpr std::array<std::string_view, 3> simulations = {"simulate", "tracks", "wave"};
 };
 
 }  // namespace kinetri::test
