@@ -771,7 +771,8 @@ class Checker {
   std::unordered_map<std::uint64_t, Id> left_;  // apexes
   std::set<Id> hull_;
   std::map<Id, Triangle> hidden_;
-  std::set<Edge> passing_;  // discs that pass through each other: a collision left them as they were
+  std::set<Edge>
+      passing_;  // discs that pass through each other: a collision left them as they were
 
   // In this instant:
   std::set<Id> touched_;  // points whose triangles are to be made anew

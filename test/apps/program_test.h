@@ -83,7 +83,8 @@ class Program_test : public Directory_test {
     ADD_FAILURE() << "the run is not verified: " << outcome.out << outcome.err;
   }
 
-  static constexpr std::array<std::string_view, 3> simulations = {"simulate", "tracks", "wave"};
+  static constexpr std::array<std::string_view, 5> simulations = {"simulate", "tracks", "resume",
+                                                                  "experiment", "wave"};
 };
 
 }  // namespace kinetri::test
