@@ -133,10 +133,11 @@ function areaOf(polygon) {
   return sum / 2;
 }
 
-/** The area of the cell of one point at the time of a playback; NaN if it is unbounded, 0 if there is
+/** The area of the cell of one point at the known time of a playback; NaN if it is unbounded, 0 if there is
  * none. */
 function areaOfCell(playback, point, box) {
-  const {recording, live, liveCount, time, current, triangles} = playback;
+  const {recording, live, liveCount, current, triangles} = playback;
+  const time = knownTime(playback);
   const {edgeA, edgeB} = recording;
   const at = (p) => [motionX(recording, current[p], time), motionY(recording, current[p], time),
                      motionWeight(recording, current[p], time)];

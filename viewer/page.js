@@ -34,7 +34,7 @@ function writeHeader(recording) {
   if (thinned !== null) {
     notes.push(`The run had ${count(thinned.events, 'event')}; ` +
       `this page has ${count(instants, 'instant')} of it, each with its exact triangulation. ` +
-      'Between two of them it shows the edges of the earlier one' +
+      'Between two of them it shows the edges and cells of the earlier one' +
       (turnsAreLeftOut(recording) ? ', and points that turn move in a straight line.' : '.'));
   }
   if (recording.encounters !== null && !hasEncounters(recording)) {

@@ -132,6 +132,13 @@ function shownTime(recording, row) {
   return Math.min(recording.rowHigh[row], recording.until);
 }
 
+/** The last time up to the one shown at which the triangulation is known to be that of the points: the time
+ * shown; but between two instants of a thinned recording, the earlier one. */
+function knownTime({recording, event, time}) {
+  if (recording.thinned === null || event === recording.rows) return time;
+  return event === 0 ? recording.from : shownTime(recording, event - 1);
+}
+
 /** The number of rows whose exact time is at or before the binary64 number `time`. */
 function rowsAtOrBefore(recording, time) {
   let low = 0, high = recording.rows;

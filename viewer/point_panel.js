@@ -97,7 +97,9 @@ class PointPanel {
     if (parts.Radius !== undefined) say('Radius', () => shortNumber(viewer.r[point], 7));
     say('Cell area', () => {
       const area = areaOfCell(playback, point, recording.box);
-      return Number.isNaN(area) ? 'without bounds' : shortNumber(area, 6);
+      const at = knownTime(playback);
+      return (Number.isNaN(area) ? 'without bounds' : shortNumber(area, 6)) +
+        (at < time ? ` at t \u2248 ${shortNumber(at, 7)}, the last exact instant` : '');
     });
   }
 
@@ -133,15 +135,17 @@ class PointPanel {
       .flatMap((point) => [linkButton(this.viewer.pointName(point), {point}), ' ']));
   }
 
-  /** The areas at AREA_TIMES + 1 times of the run. */
+  /** The areas at AREA_TIMES + 1 times of the run, or the known times before them. */
   findAreas() {
     const {recording, selectedPoint: {id: point}} = this.viewer;
     const {from, until} = recording;
     const playback = new Playback(recording);
     this.areas = new Float64Array(AREA_TIMES + 1);
+    this.areaTimes = new Float64Array(AREA_TIMES + 1);
     for (let i = 0; i <= AREA_TIMES; ++i) {
       playback.goTo(i === AREA_TIMES ? until : from + (until - from) * i / AREA_TIMES);
       this.areas[i] = areaOfCell(playback, point, recording.box);
+      this.areaTimes[i] = knownTime(playback);
     }
   }
 
@@ -168,7 +172,7 @@ class PointPanel {
     context.beginPath();
     this.areas.forEach((area, i) => {
       if (!(area >= 0)) return;
-      const x = 1 + (width - 2) * i / AREA_TIMES, y = bottom - (bottom - top) * area / (most || 1);
+      const x = 1 + (width - 2) * (this.areaTimes[i] - from) / span, y = bottom - (bottom - top) * area / (most || 1);
       const isStart = i === 0 || !(this.areas[i - 1] >= 0);
       isStart ? context.moveTo(x, y) : context.lineTo(x, y);
     });

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each run is played event by event, forward and backward, and must show the edges of its logs."""
+import math
 import random
 
 import runs
 from page import STEPS, SWITCHES, Page, edges
+from points import cell_area
 
 
 class Playing(Page):
@@ -99,6 +101,33 @@ class Playing(Page):
             expected = [e for t, _, e in instants if t[2] <= found[0]][-1]
             self.assertEqual(edges(found[1]), expected, f"at {found[0]!r}")
             self.assertEqual(runs.check_combinatorics(expected, found[2]), "", f"at {found[0]!r}")
+
+        self.check_thinned_areas(run)
+
+    def check_thinned_areas(self, run):
+        """Between two instants the panel has the area at the earlier one, and says so."""
+        numbers = random.Random(3)
+        area = "document.querySelector('#point-facts > dd:nth-of-type(4)').innerText"
+        beside = 0
+        for i in range(12):
+            when = numbers.uniform(0.1 * run.until, 0.9 * run.until)
+            self.evaluate(f"void (location.hash = 't={when!r}&point={i}&legend=on&show=voronoi')")
+            self.browser.settle()
+            text = self.evaluate(area)
+            self.assertRegex(text, r"^[\d.]+ at t \u2248 [\d.]+, the last exact instant$")
+            now = self.evaluate("kinetri.areas()")[i]
+            beside += now is None or not math.isclose(now, float(text.split()[0]), rel_tol=1e-3)
+            self.evaluate("void kinetri.stepBackward()")
+            self.browser.settle()
+            at, points = self.evaluate("[kinetri.time, kinetri.positions()]")
+            self.assertAlmostEqual(at, float(text.split()[4].rstrip(",")), delta=1e-4)
+            self.assertLess(at, when)
+            wanted, _ = cell_area(points, i, (0, 0, 100, 100))
+            self.assertTrue(math.isclose(float(text.split()[0]), wanted, rel_tol=1e-5), (text, wanted))
+            self.assertEqual(self.evaluate(area), text.split()[0])
+        self.assertGreater(beside, 6)
+        self.assertIn("of the triangulation of the earlier one",
+                      self.evaluate("document.getElementById('legend').innerText"))
 
     def check_ends(self, run):
         self.browser.key("End")
