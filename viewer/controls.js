@@ -177,6 +177,8 @@ class Controls {
       return;
     }
     if ((event.key === ' ' || event.key === 'Enter') && target instanceof HTMLButtonElement) return;
+    // There, up and down scroll.
+    if (target.matches('#legend, .panel-body') && /^Arrow(Up|Down)$/.test(event.key)) return;
     let key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     // In the list, up and down go from event to event.
     if (target === element('list')) {

@@ -116,14 +116,15 @@ class Accessible(Page):
 
     @unittest.skipIf(axe() is None, "axe-core is not installed; KINETRI_AXE names its axe.min.js")
     def test_panels(self):
-        page = self.run_of("discs").page
-        self.open(page)
+        discs, near = self.run_of("discs").page, self.run_of("near").page
+        self.open(discs)
         a, b = self.evaluate("kinetri.edges()")[7]
         for width, height in ((1280, 800), (360, 640)):
             for theme in ("light", "dark"):
-                for words, key in (("", None), ("point=12", None), (f"edge={a}-{b}", None),
-                                   ("color=area&legend=on&show=heat,arrows", None), ("", "?"), ("", "s"),
-                                   ("", "/"), ("list=on", None)):
+                for page, words, key in ((discs, "", None), (discs, "point=12", None), (discs, f"edge={a}-{b}", None),
+                                         (discs, "color=area&legend=on&show=heat,arrows,axes", None), (discs, "", "?"),
+                                         (discs, "", "s"), (discs, "", "/"), (discs, "list=on", None),
+                                         (near, "color=component&legend=on&point=0", None)):
                     with self.subTest(width=width, theme=theme, words=words, key=key):
                         self.browser.resize(width, height)
                         self.browser.open(page, f"#theme={theme}&{words}".rstrip("&"))
