@@ -12,6 +12,10 @@ SMALL = ((360, 640), (740, 360))
 # Whether what is at the middle of the element is the element: nothing lies over it, and it is on the screen.
 TARGETS = """[...document.querySelectorAll('button, input, select')].filter((e) => e.checkVisibility())
   .map((e) => ({id: e.id || e.textContent, ...e.getBoundingClientRect().toJSON()}))"""
+# What scrolls, as it has no room, and neither takes the focus nor has something that does.
+STUCK = """[...document.querySelectorAll('#viewer *')].filter((e) => e.checkVisibility() &&
+  e.scrollHeight > e.clientHeight + 1 && /auto|scroll/.test(getComputedStyle(e).overflowY) && e.tabIndex < 0 &&
+  e.querySelector('button, input, select, [tabindex="0"]') === null).map((e) => e.id || e.className)"""
 TEXTS = """(() => {
   const boxes = [];
   const walk = document.createTreeWalker(document.getElementById('viewer'), NodeFilter.SHOW_TEXT);
@@ -78,6 +82,18 @@ class Screens(Page):
                     if not target["id"].isdigit() and "#" not in target["id"]:  # links in a text
                         self.assertGreaterEqual(round(target["height"]), 40 if target["id"] == "color" else 44, target)
                         self.assertGreaterEqual(round(target["width"]), 44, target)
+
+    def test_what_scrolls_can_be_reached_by_keys(self):
+        for width, height in SMALL:
+            for words in ("t=3&color=area&legend=on&show=heat,arrows,axes", "t=3&point=12", "t=3&list=on"):
+                self.browser.resize(width, height)
+                self.browser.open(self.run_.page, "#" + words)
+                self.assertEqual(self.evaluate(STUCK), [], words)
+        self.browser.open(self.run_.page, "#t=3&legend=on&show=heat,arrows,axes")
+        self.evaluate("document.getElementById('legend').focus()")
+        speed = self.evaluate("document.getElementById('speed').textContent")
+        self.browser.key("ArrowDown", code="ArrowDown")
+        self.assertEqual(self.evaluate("document.getElementById('speed').textContent"), speed)
 
     def test_it_plays_at_first(self):
         """Unless the reader prefers less motion, or the address says where to be."""
