@@ -246,7 +246,7 @@ Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
     throw Input_error(
         name, 0, "is no JSON between its first and last line; expected the file as it was written");
   }
-  const Json_value state = document.value(name);
+  const Json_value state = document.value(name, "state");
   const Json_value motion = state.member("motion");
   Checkpoint result;
   result.response = state.member("response").text();

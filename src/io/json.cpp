@@ -94,6 +94,11 @@ bool Json_value::is_text() const {
   return json_.is_string();
 }
 
+bool Json_value::has_member(const char* key) const {
+  if (!json_.is_object()) fail("is no object; expected one in braces");
+  return json_.contains(key);
+}
+
 Json_value Json_value::member(const char* key) const {
   if (!json_.is_object()) fail("is no object; expected one in braces");
   const auto found = json_.find(key);
@@ -146,7 +151,7 @@ std::uint64_t Json_value::whole_number_up_to(std::uint64_t limit) const {
 
 // As in state.points[3].
 std::string Json_value::place() const {
-  if (parent_ == nullptr) return "state";
+  if (parent_ == nullptr) return key_;
   return key_ != nullptr ? joined(parent_->place(), '.', key_)
                          : joined(parent_->place(), '[', index_, ']');
 }

@@ -19,13 +19,17 @@ namespace kinetri {
 /// Input_error if the value is not what it asks for.
 class Json_value {
  public:
-  /// `file` names the file in messages.
-  Json_value(const nlohmann::json& json, const std::string& file) : json_(json), file_(file) {}
+  /// `file` names the file in messages, `root` this value.
+  Json_value(const nlohmann::json& json, const std::string& file, const char* root)
+      : json_(json), file_(file), key_(root) {}
 
   [[noreturn]] void fail(std::string_view problem) const;
 
   bool is_null() const;
   bool is_text() const;
+
+  /// Whether an object has the member `key`.
+  bool has_member(const char* key) const;
 
   /// The member `key` of an object.
   Json_value member(const char* key) const;
@@ -85,8 +89,10 @@ class Json_document {
   /// Whether the text is JSON.
   bool is_valid() const;
 
-  /// Precondition: is_valid(). `file` must outlive the value.
-  Json_value value(const std::string& file) const { return Json_value(*json_, file); }
+  /// Precondition: is_valid(). `file` must outlive the value; see Json_value.
+  Json_value value(const std::string& file, const char* root) const {
+    return Json_value(*json_, file, root);
+  }
 
  private:
   std::unique_ptr<nlohmann::json> json_;

@@ -12,6 +12,7 @@
 #include "bytes.h"
 #include "json_writer.h"
 #include "kinetri/version.h"
+#include "simulation/playback.h"
 #include "viewer_assets.h"
 
 namespace kinetri {
@@ -109,13 +110,6 @@ void write_triangles(Json_writer& json, const Recording& recording, std::size_t 
   json.end_object();
 }
 
-bool has_sizes(const Recording& recording) {
-  return std::ranges::any_of(recording.motions, [](const Recorded_motion& recorded) {
-    const auto& motion = recorded.motion;
-    return motion && (motion->radius != 0 || motion->growth != 0 || motion->weight != 0);
-  });
-}
-
 void write_motions(Json_writer& json, const Recording& recording, std::size_t points) {
   const int terms = degree(recording);
   std::size_t starting = 0;
@@ -147,7 +141,7 @@ void write_motions(Json_writer& json, const Recording& recording, std::size_t po
   json.member("point", point.base64());
   json.member("there", there.base64());
   json.member("data", data.base64());
-  if (has_sizes(recording)) json.member("sizes", sizes.base64());
+  if (has_weights(recording)) json.member("sizes", sizes.base64());
   json.end_object();
 }
 

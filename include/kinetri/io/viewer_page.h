@@ -110,6 +110,22 @@ struct Viewer_settings {
 void write_viewer_page(std::ostream& out, const Recording& recording,
                        const Viewer_settings& settings);
 
+/// What a page was written from.
+struct Viewer_page {
+  Recording recording;       ///< the run
+  Viewer_settings settings;  ///< the rest
+};
+
+/// Reads a page that write_viewer_page wrote, in the same format. What comes back makes the same
+/// page; the numbers of the events of a thinned recording are 0. The triangles of flips are found
+/// from the edges, as the page finds them; nothing is computed from places.
+///
+/// Throws Input_error, which calls the page `name`, if it has no recording, or one that is damaged:
+/// an edge or a triangle is removed that is not there, or added where one is; events are not in
+/// order; ids or numbers are missing or out of range. Cost: O(rows log rows) after the text is
+/// read.
+Viewer_page read_viewer_page(std::istream& in, const std::string& name);
+
 }  // namespace kinetri
 
 #endif  // KINETRI_IO_VIEWER_PAGE_H

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The other direction of viewer_page.cpp. The JSON object is described in viewer_page.h.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <istream>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bytes.h"
+#include "json_value.h"
+#include "kinetri/base/error.h"
+#include "kinetri/io/viewer_page.h"
+#include "text.h"
+
+namespace kinetri {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+[[noreturn]] void fail_damaged(const Json_value& value, std::string_view problem) {
+  value.fail(joined(problem, "; expected the page as it was written"));
+}
+
+// Numbers or ids that stand one behind the other in a member, and are taken in order.
+class Packed_numbers {
+ public:
+  // `points`: ids are as wide as so many points need.
+  Packed_numbers(const Json_value& object, const char* key, std::size_t points)
+      : value_(object.member(key)), points_(points), are_ids_short_(points <= 65'536) {
+    auto bytes = bytes_of_base64(value_.text());
+    if (!bytes) fail("is not base64");
+    bytes_ = std::move(*bytes);
+  }
+
+  [[noreturn]] void fail(std::string_view problem) const { fail_damaged(value_, problem); }
+
+  bool is_at_end() const { return place_ == bytes_.size(); }
+
+  void expect_end() const {
+    if (!is_at_end()) fail("is too long");
+  }
+
+  template <std::unsigned_integral Number>
+  Number take() {
+    if (bytes_.size() - place_ < sizeof(Number)) {
+      fail("is too short");
+    }
+    const auto result = number_at<Number>(bytes_, place_);
+    place_ += sizeof(Number);
+    return result;
+  }
+
+  double take_finite() {
+    const double result = std::bit_cast<double>(take<std::uint64_t>());
+    if (!std::isfinite(result)) fail("has a number that is not finite");
+    return result;
+  }
+
+  Vector_2 take_vector() {
+    const double x = take_finite();
+    return {x, take_finite()};
+  }
+
+  Point_id take_id() {
+    const Point_id id = are_ids_short_ ? take<std::uint16_t>() : take<std::uint32_t>();
+    if (id < points_) return id;
+    fail(joined("names the point ", id, ", but the ids end with ", points_ - 1));
+  }
+
+  Edge_ids take_edge() {
+    const Point_id a = take_id();
+    const Point_id b = take_id();
+    if (a == b) fail(joined("has an edge from point ", a, " to itself"));
+    return edge_ids(a, b);
+  }
+
+  Triangle_ids take_triangle() {
+    const Point_id a = take_id();
+    const Point_id b = take_id();
+    const Point_id c = take_id();
+    if (a == b || b == c || c == a) {
+      fail(joined("has a triangle whose corners are ", a, ", ", b, " and ", c));
+    }
+    return triangle_ids(a, b, c);
+  }
+
+ private:
+  Json_value value_;
+  std::size_t points_;
+  bool are_ids_short_;
+  std::string bytes_;
+  std::size_t place_ = 0;
+};
+
+// Follows the edges and triangles of a recording, so that each change is possible.
+class Followed_topology {
+ public:
+  explicit Followed_topology(const Json_value& json) : json_(json) {}
+
+  void add(const Edge_ids& edge, const std::string& what) {
+    if (edges_.insert(edge).second) return;
+    fail_damaged(
+        json_, joined(what, " adds the edge ", edge[0], "-", edge[1], ", which is there already"));
+  }
+  void remove(const Edge_ids& edge, const std::string& what) {
+    if (edges_.erase(edge) == 1) return;
+    fail_damaged(json_,
+                 joined(what, " removes the edge ", edge[0], "-", edge[1], ", which is not there"));
+  }
+
+  void add(const Triangle_ids& corners, const std::string& what) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (triangles_.apex(corners[k], corners[(k + 1) % 3]) == no_point) continue;
+      fail_damaged(json_, joined(what, " adds the triangle ", name(corners),
+                                 ", which overlaps another one"));
+    }
+    triangles_.insert(corners);
+  }
+  void remove(const Triangle_ids& corners, const std::string& what) {
+    const auto& [a, b, c] = corners;
+    const bool is_there = triangles_.apex(a, b) == c && triangles_.apex(b, c) == a;
+    if (!is_there) {
+      fail_damaged(json_,
+                   joined(what, " removes the triangle ", name(corners), ", which is not there"));
+    }
+    triangles_.erase(corners);
+  }
+
+  // The triangles that a flip removes, then those that it adds.
+  std::array<Triangle_ids, 4> flipped(const Recorded_event& event, const std::string& what) const {
+    if (!event.removed || !event.added)
+      fail_damaged(json_, joined(what, " is a flip without two edges"));
+    const auto [a, b] = *event.removed;
+    const Point_id c = triangles_.apex(a, b);
+    const Point_id d = triangles_.apex(b, a);
+    if (c == no_point || d == no_point || edge_ids(c, d) != *event.added) {
+      fail_damaged(json_,
+                   joined(what, " adds an edge that is not the other diagonal of the triangles at ",
+                          "the removed one"));
+    }
+    std::array<Triangle_ids, 4> result = {triangle_ids(a, b, c), triangle_ids(b, a, d),
+                                          triangle_ids(a, d, c), triangle_ids(d, b, c)};
+    if (result[1] < result[0]) std::swap(result[0], result[1]);
+    if (result[3] < result[2]) std::swap(result[2], result[3]);
+    return result;
+  }
+
+ private:
+  static std::string name(const Triangle_ids& corners) {
+    return joined(corners[0], "-", corners[1], "-", corners[2]);
+  }
+
+  const Json_value& json_;
+  std::set<Edge_ids> edges_;
+  detail::Triangle_map triangles_;
+};
+
+class Page_reader {
+ public:
+  explicit Page_reader(const Json_value& json) : json_(json) {}
+
+  Viewer_page read() {
+    const Json_value format = json_.member("format");
+    if (format.whole_number<std::uint32_t>() != 2) {
+      format.fail("is not 2, which this version reads; expected a page of this version");
+    }
+    recording_.from = json_.member("from").number();
+    recording_.until = json_.member("until").number();
+    if (recording_.from > recording_.until) {
+      json_.member("until").fail("is before the start of the run; expected a later time");
+    }
+    points_ = json_.member("points").whole_number<std::size_t>(no_point);
+    read_settings();
+    read_events(json_.member("events"));
+    read_motions(json_.member("motions"));
+    read_topology();
+    return {std::move(recording_), std::move(settings_)};
+  }
+
+ private:
+  static double positive(const Json_value& value) {
+    const double result = value.number();
+    if (!(result > 0)) value.fail("is not positive; expected a number greater than 0");
+    return result;
+  }
+
+  void read_settings() {
+    settings_.title = json_.member("title").text();
+    if (json_.has_member("view")) settings_.view = json_.member("view").text();
+    if (json_.has_member("names")) {
+      const Json_value names = json_.member("names");
+      names.expect_size(points_);
+      names.for_each([this](const Json_value& name) { settings_.names.push_back(name.text()); });
+    }
+    if (const Json_value box = json_.member("box"); !box.is_null()) {
+      box.expect_size(4);
+      settings_.box = Box_2{box.element(0).number(), box.element(1).number(),
+                            box.element(2).number(), box.element(3).number()};
+    }
+    settings_.radius = json_.member("radius").number();
+    if (settings_.radius < 0) json_.member("radius").fail("is negative; expected 0 or more");
+    if (const Json_value wave = json_.member("wave"); !wave.is_null()) {
+      settings_.wave = Wave_shape{wave.member("height").number(), positive(wave.member("width"))};
+    }
+    if (const Json_value thinned = json_.member("thinned"); !thinned.is_null()) {
+      recording_.is_thinned = true;
+      recording_.events_in_all = thinned.member("events").whole_number<std::uint64_t>();
+    }
+  }
+
+  // The kinds by their indices in the page.
+  static std::vector<Event_kind> kinds(const Json_value& json) {
+    std::vector<Event_kind> result;
+    json.for_each([&](const Json_value& value) {
+      std::size_t i = 0;
+      while (i < event_kinds && name(static_cast<Event_kind>(i)) != value.text()) ++i;
+      if (i == event_kinds) fail_damaged(value, "is no kind of event");
+      result.push_back(static_cast<Event_kind>(i));
+    });
+    return result;
+  }
+
+  void read_events(const Json_value& json) {
+    const std::vector<Event_kind> kind_of_index = kinds(json.member("kinds"));
+    const auto count = json.member("count").whole_number<std::uint64_t>();
+    auto number = json.member("first").whole_number<std::uint64_t>();
+    Packed_numbers kind(json, "kind", points_);
+    Packed_numbers fields(json, "fields", points_);
+    Packed_numbers time(json, "time", points_);
+    Packed_numbers ids(json, "ids", points_);
+    for (std::uint64_t row = 0; row < count; ++row) {
+      Recorded_event event;
+      const auto index = kind.take<std::uint8_t>();
+      if (index >= kind_of_index.size())
+        kind.fail(joined("has a kind without a name for event ", row));
+      event.kind = kind_of_index[index];
+      const auto field = fields.take<std::uint8_t>();
+      const double nearest = time.take_finite();
+      event.time = {nearest,
+                    {(field & 32) != 0 ? std::nextafter(nearest, -infinity) : nearest,
+                     (field & 16) != 0 ? std::nextafter(nearest, infinity) : nearest}};
+      if ((field & 1) != 0) event.removed = ids.take_edge();
+      if ((field & 2) != 0) event.added = ids.take_edge();
+      if ((field & 4) != 0) event.point_a = ids.take_id();
+      if ((field & 8) != 0) event.point_b = ids.take_id();
+      if (!recording_.events.empty()) {
+        const Double_interval& before = recording_.events.back().time.bounds;
+        const Double_interval& bounds = event.time.bounds;
+        if (before.lower > bounds.lower || before.upper > bounds.upper) {
+          time.fail(joined("has event ", row, " before event ", row - 1));
+        }
+      }
+      const bool is_counted = (field & 15) != 0 && !recording_.is_thinned;
+      if (!recording_.is_thinned) event.number = number;
+      if (is_counted) {
+        ++number;
+        ++recording_.events_in_all;
+      }
+      recording_.events.push_back(event);
+    }
+    for (const Packed_numbers* list : {&kind, &fields, &time, &ids}) list->expect_end();
+  }
+
+  void read_motions(const Json_value& json) {
+    const auto count = json.member("count").whole_number<std::uint64_t>();
+    const int degree = json.member("degree").small_number(1, 3);
+    const auto starting = json.member("starting").whole_number<std::uint64_t>(count);
+    Packed_numbers event(json, "event", points_);
+    Packed_numbers point(json, "point", points_);
+    Packed_numbers there(json, "there", points_);
+    Packed_numbers data(json, "data", points_);
+    std::optional<Packed_numbers> sizes;
+    if (json.has_member("sizes")) sizes.emplace(json, "sizes", points_);
+    std::size_t points = 0;
+    std::size_t last_row = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      Recorded_motion recorded;
+      const std::size_t row = event.take<std::uint32_t>();
+      if (i >= starting) {
+        if (row >= recording_.events.size() || row < last_row) {
+          event.fail(joined("has the motion ", i, " at event ", row,
+                            ", which is not there, or too early"));
+        }
+        recorded.event = last_row = row;
+      }
+      recorded.point = point.take_id();
+      points = std::max(points, std::size_t{recorded.point} + 1);
+      const bool is_there = there.take<std::uint8_t>() != 0;
+      Polynomial_disc_motion_2 motion;
+      motion.epoch = data.take_finite();
+      motion.position = data.take_vector();
+      motion.velocity = data.take_vector();
+      if (degree > 1) motion.acceleration = data.take_vector();
+      if (degree > 2) motion.jerk = data.take_vector();
+      if (sizes) {
+        motion.radius = sizes->take_finite();
+        motion.growth = sizes->take_finite();
+        motion.weight = sizes->take_finite();
+      }
+      if (is_there) recorded.motion = motion;
+      recording_.motions.push_back(recorded);
+    }
+    for (const Packed_numbers* list : {&event, &point, &there, &data}) list->expect_end();
+    if (sizes) sizes->expect_end();
+    if (points != points_) {
+      json_.member("points").fail(
+          joined("is ", points_, ", but the motions are those of ", points, "; expected as many"));
+    }
+  }
+
+  void read_topology() {
+    Followed_topology topology(json_);
+    const Json_value json = json_.member("triangles");
+    const std::string start = "the start";
+    std::set<Edge_ids> sides;
+    Packed_numbers initial(json, "initial", points_);
+    while (!initial.is_at_end()) {
+      const Triangle_ids corners = initial.take_triangle();
+      topology.add(corners, start);
+      recording_.initial_triangles.push_back(corners);
+      for (std::size_t k = 0; k < 3; ++k) sides.insert(edge_ids(corners[k], corners[(k + 1) % 3]));
+    }
+    Packed_numbers others(json_, "initial_edges", points_);
+    recording_.initial_edges.assign(sides.begin(), sides.end());
+    while (!others.is_at_end()) recording_.initial_edges.push_back(others.take_edge());
+    std::ranges::sort(recording_.initial_edges);
+    for (const Edge_ids& edge : recording_.initial_edges) topology.add(edge, start);
+
+    Packed_numbers rows(json, "event", points_);
+    Packed_numbers removed(json, "removed", points_);
+    Packed_numbers added(json, "added", points_);
+    Packed_numbers ids(json, "ids", points_);
+    const auto next_row = [&] {
+      return rows.is_at_end() ? recording_.events.size() : rows.take<std::uint32_t>();
+    };
+    std::size_t groups = 0;
+    std::size_t group = next_row();
+    for (std::size_t row = 0; row < recording_.events.size(); ++row) {
+      const Recorded_event& event = recording_.events[row];
+      const std::string what = joined("event ", row);
+      const std::size_t first = recording_.triangles.size();
+      if (event.kind == Event_kind::flip) {
+        const std::array<Triangle_ids, 4> flipped = topology.flipped(event, what);
+        for (std::size_t i = 0; i < 4; ++i)
+          recording_.triangles.push_back({row, i > 1, flipped[i]});
+      }
+      if (event.removed) topology.remove(*event.removed, what);
+      if (event.added) topology.add(*event.added, what);
+      if (group == row) {
+        const std::size_t goes = removed.take<std::uint32_t>();
+        const std::size_t comes = added.take<std::uint32_t>();
+        for (std::size_t i = 0; i < goes + comes; ++i) {
+          recording_.triangles.push_back({row, i >= goes, ids.take_triangle()});
+        }
+        ++groups;
+        group = next_row();
+        if (group <= row) rows.fail("is not in order");
+      }
+      for (std::size_t i = first; i < recording_.triangles.size(); ++i) {
+        const auto& [of_row, is_added, corners] = recording_.triangles[i];
+        is_added ? topology.add(corners, what) : topology.remove(corners, what);
+      }
+    }
+    if (group < recording_.events.size() || !rows.is_at_end() ||
+        groups != json.member("count").whole_number<std::uint64_t>()) {
+      rows.fail("names an event that is not there");
+    }
+    for (const Packed_numbers* list : {&removed, &added, &ids}) list->expect_end();
+  }
+
+  const Json_value& json_;
+  std::size_t points_ = 0;
+  Recording recording_;
+  Viewer_settings settings_;
+};
+
+// The recording's text. Nothing in it begins with '<'.
+std::string_view recording_in(std::string_view page, const std::string& name) {
+  constexpr std::string_view begin = "<script type=\"application/json\" id=\"recording\">";
+  constexpr std::string_view end = "</script>";
+  const std::size_t first = page.find(begin);
+  if (first == std::string_view::npos) {
+    throw Input_error(name, 0, "has no recording; expected a page that --html has written");
+  }
+  page.remove_prefix(first + begin.size());
+  const std::size_t last = page.find('<');
+  if (last == std::string_view::npos || !page.substr(last).starts_with(end)) {
+    throw Input_error(name, 0,
+                      "ends within its recording; expected the whole page as it was written");
+  }
+  return page.substr(0, last);
+}
+
+// The text of the page. What is none is not read to its end, since it may have none.
+std::string text_of_page(std::istream& in, const std::string& name) {
+  constexpr std::string_view first = "<!doctype html>";
+  std::string page;
+  std::array<char, 1 << 16> buffer;
+  do {
+    in.read(buffer.data(), buffer.size());
+    page.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
+  } while (in && page.starts_with(first));
+  if (in.bad()) throw Input_error(name, 0, "cannot be read to its end; expected a readable file");
+  if (page.starts_with(first)) return page;
+  throw Input_error(name, 0, "has no recording; expected a page that --html has written");
+}
+
+}  // namespace
+
+Viewer_page read_viewer_page(std::istream& in, const std::string& name) {
+  const std::string page = text_of_page(in, name);
+  const Json_document document(recording_in(page, name));
+  if (!document.is_valid()) {
+    throw Input_error(name, 0,
+                      "has a recording that is no JSON; expected the page as it was written");
+  }
+  const Json_value json = document.value(name, "recording");
+  return Page_reader(json).read();
+}
+
+}  // namespace kinetri
