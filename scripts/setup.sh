@@ -33,8 +33,11 @@ kinetri_packages() {
     printf '%s\n' gnuplot-nox=gnuplot libgtest-dev librapidcheck-dev pkg-config=pkg-config \
       python3=python3
   fi
-  # For the tests that are skipped without them: the viewer page's, and the reference manual's.
-  if [[ $1 == browser ]]; then printf '%s\n' chromium=chromium doxygen=doxygen; fi
+  # For the tests that are skipped without them: the viewer page's, those of pictures as PNG, and the
+  # reference manual's. (Films are tested where ffmpeg, which is large, is there.)
+  if [[ $1 == browser ]]; then
+    printf '%s\n' chromium=chromium doxygen=doxygen librsvg2-bin=rsvg-convert
+  fi
   # The Python package, and what its tests and examples use.
   if [[ $1 == python ]]; then
     printf '%s\n' pybind11-dev python3-dev python3-distributed python3-hypothesis python3-matplotlib \

@@ -184,6 +184,7 @@ class Page_reader {
     read_events(json_.member("events"));
     read_motions(json_.member("motions"));
     read_topology();
+    if (json_.has_member("encounters")) read_encounters(json_.member("encounters"));
     return {std::move(recording_), std::move(settings_)};
   }
 
@@ -216,6 +217,23 @@ class Page_reader {
       recording_.is_thinned = true;
       recording_.events_in_all = thinned.member("events").whole_number<std::uint64_t>();
     }
+  }
+
+  void read_encounters(const Json_value& json) {
+    Viewer_encounters& encounters = settings_.encounters.emplace();
+    encounters.range = json.member("range").number();
+    encounters.in_all = json.member("in_all").whole_number<std::size_t>();
+    const auto count = json.member("count").whole_number<std::uint64_t>();
+    Packed_numbers ids(json, "ids", points_);
+    Packed_numbers begin(json, "begin", points_);
+    Packed_numbers end(json, "end", points_);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      Viewer_encounter& encounter = encounters.all.emplace_back();
+      encounter.points = ids.take_edge();
+      encounter.begin = begin.take_finite();
+      encounter.end = end.take_finite();
+    }
+    for (const Packed_numbers* list : {&ids, &begin, &end}) list->expect_end();
   }
 
   // The kinds by their indices in the page.

@@ -6,7 +6,7 @@ from message_case import (DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, s
 FORMATS = "auto, rows, frames, ids, table, jupedsim, sumo, lammps, xyz or geojson"
 VIEWER_WORDS = ("t, event, show, hide, edge, point, follow, color, at, kinds, unit, legend, play, theme, list, "
                 "draw")
-COMMANDS = "generate, simulate, resume, tracks, wave, experiment, completion, manual or help"
+COMMANDS = "generate, simulate, resume, tracks, wave, experiment, render, completion, manual or help"
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice, lattice-jitter or packing"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
 TRACKS_COLUMNS = ("t,id,x,y and optionally radius, in any order, or --columns t=NAME,id=NAME,x=NAME,y=NAME "
@@ -156,7 +156,9 @@ def meaning_cases():
         yield simulate(f"--collisions log --radius 0.1 --range 1 {option}", option=option.split()[0])
     yield simulate("--ridge 1")
     yield simulate("--html-view t=1")
-    yield simulate("--html v.html --html-view 't=1&color'", word="color")
+    yield simulate("--html v.html --html-view 't=1&color'", option="--html-view", word="color")
+    yield simulate("--html v.html --html-view theme=blue", option="--html-view", word="theme", value="blue",
+                   what="light or dark")
     yield simulate("--html v.html --html-view colour=area", option="--html-view", text="colour",
                    choices=VIEWER_WORDS)
     yield simulate("--neighbors n.csv --ridge 0", option="--ridge", number=0)

@@ -22,6 +22,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 import input_messages  # noqa: E402
+import render_messages  # noqa: E402
 import run_messages  # noqa: E402
 from message_case import FAULTY_PROGRAM, FILES, ONE_FLIP, PROGRAM  # noqa: E402
 
@@ -188,7 +189,7 @@ class Messages(unittest.TestCase):
         all_rows = rows()
         self.assertGreater(len(all_rows), 100)
         seen = set()
-        for case in itertools.chain(input_messages.cases(), run_messages.cases()):
+        for case in itertools.chain(input_messages.cases(), run_messages.cases(), render_messages.cases()):
             with self.subTest(case.arguments, **case.values):
                 seen.add(self.check(case, all_rows))
         without = {message for messages in WITHOUT_CASE.values() for message in messages}

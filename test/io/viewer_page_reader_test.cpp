@@ -139,6 +139,7 @@ Viewer_settings some_settings(std::size_t points) {
   result.view = "t=2&color=area";
   result.radius = 0.5;
   result.wave = Wave_shape{3, 0.1};
+  result.encounters = Viewer_encounters{1.5, {{{0, 7}, 0.25, 1}, {{3, 4}, 0.5, 0.25}}, 2};
   return result;
 }
 
@@ -151,6 +152,7 @@ TEST(Viewer_page_reader, reads_what_was_written) {
   EXPECT_EQ(read.settings.view, "t=2&color=area");
   EXPECT_EQ(read.settings.box->xmax, 40);
   EXPECT_EQ(read.settings.radius, 0.5);
+  EXPECT_EQ(read.settings.encounters->all[1].end, 0.25);
   EXPECT_EQ(read.settings.wave->width, 0.1);
 }
 

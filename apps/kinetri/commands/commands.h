@@ -14,6 +14,7 @@ Command resume_command();
 Command tracks_command();
 Command wave_command();
 Command experiment_command();
+Command render_command();
 
 /// The program with all of them.
 Command program();

@@ -15,8 +15,8 @@ Command program() {
   result.examples = {"kinetri generate uniform --points 100 --seed 1 -o points.csv",
                      "kinetri simulate points.csv --until 10 --events events.csv --audit end",
                      "kinetri help simulate"};
-  result.commands = {generate_command(), simulate_command(), resume_command(),
-                     tracks_command(),   wave_command(),     experiment_command()};
+  result.commands = {generate_command(), simulate_command(),   resume_command(), tracks_command(),
+                     wave_command(),     experiment_command(), render_command()};
   result.exit_codes = {{0, "Done."},
                        {1, "An audit failed, or kinetri-verify refuted the run."},
                        {2, "Bad usage or bad input; standard error says what was expected."},

@@ -15,8 +15,8 @@
 #include "io/text.h"
 #include "io/text_table.h"
 #include "kinetri/base/error.h"
-#include "kinetri/io/viewer_page.h"
 #include "outputs/gnuplot.h"
+#include "pictures/view_words.h"
 
 namespace kinetri::app {
 namespace {
@@ -128,27 +128,13 @@ void set_limits(const Run_options& options, Answer_settings& settings) {
   }
 }
 
-// The value of --html-view: words with values. Whether the run has what they name is known to the
-// page.
+// The value of --html-view.
 std::string html_view(const Run_options& options) {
   if (!options.html_view) return {};
-  static const std::string option = "--html-view";
   if (!options.outputs[Output::html]) {
-    throw Usage_error(joined(option, ": no page is written; expected --html as well"));
+    throw Usage_error("--html-view: no page is written; expected --html as well");
   }
-  std::istringstream words(*options.html_view);
-  for (std::string word; std::getline(words, word, '&');) {
-    const std::size_t end = word.find('=');
-    if (end == std::string::npos) {
-      throw Usage_error(joined(option, ": ", kinetri::quoted(word),
-                               " has no value; expected words such as t=2&color=area"));
-    }
-    const std::string name = word.substr(0, end);
-    if (std::ranges::find(viewer_words, name) != viewer_words.end()) continue;
-    const std::vector<std::string> known(viewer_words.begin(), viewer_words.end());
-    throw Usage_error(joined(option, ": ", kinetri::quoted(name), " is unknown; expected ",
-                             separated(known, ", ")));
-  }
+  view_words("--html-view", *options.html_view);
   return *options.html_view;
 }
 

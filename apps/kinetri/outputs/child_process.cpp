@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "cli/interrupt.h"
 #include "io/output_file.h"
@@ -51,6 +52,29 @@ std::optional<int> run_child(const std::string& program, std::vector<std::string
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return status;
+}
+
+std::string content(const Nameless_file& file) {
+  std::string text;
+  std::rewind(file.get());
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+    text.append(buffer.data(), n);
+  }
+  return text;
+}
+
+Tool_result run_tool(const std::string& program, std::vector<std::string> arguments,
+                     const std::string& input) {
+  const Nameless_file in = nameless_file();
+  const Nameless_file out = nameless_file();
+  const Nameless_file err = nameless_file();
+  std::fwrite(input.data(), 1, input.size(), in.get());
+  std::rewind(in.get());
+  const auto status = run_child(program, std::move(arguments),
+                                {::fileno(in.get()), ::fileno(out.get()), ::fileno(err.get())});
+  if (!status) return {};
+  return {true, *status, content(out), content(err)};
 }
 
 }  // namespace kinetri::app

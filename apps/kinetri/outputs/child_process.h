@@ -32,6 +32,25 @@ std::string path_of(const Nameless_file& file);
 std::optional<int> run_child(const std::string& program, std::vector<std::string> arguments,
                              const std::array<int, 3>& streams);
 
+/// What is in the file, from its beginning.
+std::string content(const Nameless_file& file);
+
+/// What a program did that got a text and wrote one.
+struct Tool_result {
+  bool has_run = false;  ///< else it cannot be run, and the rest has no meaning
+  int status = 0;        ///< as waitpid has it; 0: all is well
+  std::string out;       ///< what it wrote to standard output
+  std::string err;       ///< and to standard error
+
+  bool succeeded() const { return has_run && status == 0; }
+  /// What it said, for a message.
+  std::string says() const { return err.substr(0, err.find_last_not_of('\n') + 1); }
+};
+
+/// Runs the program with the text as its standard input. Throws Output_error.
+Tool_result run_tool(const std::string& program, std::vector<std::string> arguments,
+                     const std::string& input);
+
 }  // namespace kinetri::app
 
 #endif  // KINETRI_APPS_CHILD_PROCESS_H

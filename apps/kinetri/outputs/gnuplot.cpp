@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs/gnuplot.h"
 
-#include <array>
-#include <cstdio>
-
 #include "cli/arguments.h"
 #include "io/text.h"
 #include "kinetri/io/output_error.h"
@@ -11,35 +8,6 @@
 
 namespace kinetri::app {
 namespace {
-
-std::string content(std::FILE* file) {
-  std::string text;
-  std::rewind(file);
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file)) {
-    text.append(buffer.data(), n);
-  }
-  return text;
-}
-
-struct Result {
-  bool ran = false;
-  int status = 0;
-  std::string out;
-  std::string err;
-};
-
-Result run_gnuplot(const std::string& script, const char* option = nullptr) {
-  const Nameless_file in = nameless_file();
-  const Nameless_file out = nameless_file();
-  const Nameless_file err = nameless_file();
-  std::fwrite(script.data(), 1, script.size(), in.get());
-  std::rewind(in.get());
-  const auto status = run_child("gnuplot", {option == nullptr ? "-" : option},
-                                {::fileno(in.get()), ::fileno(out.get()), ::fileno(err.get())});
-  if (!status) return {};
-  return {true, *status, content(out.get()), content(err.get())};
-}
 
 // Colors of M. Okabe and K. Ito, Color universal design, 2008.
 constexpr const char* plot_style = R"(
@@ -59,12 +27,13 @@ set key outside right top vertical Left reverse samplen 3
 )";
 
 std::string drawn(const std::string& terminal, const std::string& script) {
-  const Result result = run_gnuplot("set terminal " + terminal + "\n" + plot_style + script);
-  if (!result.ran || result.status != 0 || result.out.empty()) {
+  const Tool_result result =
+      run_tool("gnuplot", {"-"}, "set terminal " + terminal + "\n" + plot_style + script);
+  if (!result.succeeded() || result.out.empty()) {
     throw Output_error(
         joined("gnuplot: drawing failed; expected a gnuplot with the terminals svg and pngcairo "
                "(Debian: gnuplot-nox); it said: ",
-               result.err.substr(0, result.err.find_last_not_of('\n') + 1)));
+               result.says()));
   }
   return result.out;
 }
@@ -72,8 +41,7 @@ std::string drawn(const std::string& terminal, const std::string& script) {
 }  // namespace
 
 void require_gnuplot(std::string_view otherwise) {
-  const Result result = run_gnuplot("", "--version");
-  if (result.ran && result.status == 0) return;
+  if (run_tool("gnuplot", {"--version"}, "").succeeded()) return;
   throw Usage_error(
       joined("plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
              "gnuplot-nox), or ",

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pictures/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "simulation/playback.h"
+
+namespace kinetri::app {
+namespace {
+
+constexpr double outliers = 0.02;      // share of the coordinates at each end that may be outside
+constexpr double shown_beyond = 0.25;  // of the extent without them that is shown of them
+constexpr int times_in_motion = 8;     // at which an accelerated motion is sampled
+constexpr std::size_t times_in_run = 32;  // at which all points are, where the camera follows them
+constexpr double most_growth = 1.5;       // of the extent in a run for which one extent is used
+constexpr double margin = 28;             // pixels
+
+struct Span {
+  double low;
+  double high;
+};
+
+// Of most of the numbers, with some room.
+Span span_of_most(std::vector<double> numbers) {
+  if (numbers.empty()) return {-1, 1};
+  std::ranges::sort(numbers);
+  const auto last = static_cast<double>(numbers.size() - 1);
+  const double low = numbers[static_cast<std::size_t>(std::floor(outliers * last))];
+  const double high = numbers[static_cast<std::size_t>(std::ceil((1 - outliers) * last))];
+  const double room = shown_beyond * (high - low);
+  return {std::max(numbers.front(), low - room), std::min(numbers.back(), high + room)};
+}
+
+// With discs of the radius; never empty, and of finite size.
+Span widened(Span span, double radius, double other_size) {
+  span.low -= radius;
+  span.high += radius;
+  const double least =
+      std::max({other_size / 1e3, std::abs(span.low) * 1e-9, std::numeric_limits<double>::min()});
+  const double size = span.high - span.low;
+  if (size < least) {
+    const double half = least > 1e-300 ? least / 2 : 1;
+    return {span.low - half, span.high + half};
+  }
+  return size < std::numeric_limits<double>::infinity() ? span : Span{span.low / 2, span.high / 2};
+}
+
+Box_2 extent_of(const std::vector<double>& xs, const std::vector<double>& ys, double radius) {
+  const Span x = span_of_most(xs);
+  const Span y = span_of_most(ys);
+  const double size = std::max(x.high - x.low, y.high - y.low) + 2 * radius;
+  const Span wide = widened(x, radius, size);
+  const Span high = widened(y, radius, size);
+  return {wide.low, high.low, wide.high, high.high};
+}
+
+double greater_side(const Box_2& box) {
+  return std::max(box.xmax - box.xmin, box.ymax - box.ymin);
+}
+
+// Of the box, or of where the points go in the whole run.
+Box_2 whole_extent(const Viewer_page& page) {
+  if (const auto& box = page.settings.box) {
+    return extent_of({box->xmin, box->xmax}, {box->ymin, box->ymax}, 0);
+  }
+  const Recording& recording = page.recording;
+  std::vector<double> xs;
+  std::vector<double> ys;
+  double radius = page.settings.radius;
+  // The time at which the next motion of the same point begins.
+  std::vector<double> next_begin;
+  std::vector<double> end(recording.motions.size(), recording.until);
+  for (std::size_t i = recording.motions.size(); i-- > 0;) {
+    const auto& [event, id, motion] = recording.motions[i];
+    if (next_begin.size() <= id) next_begin.resize(std::size_t{id} + 1, recording.until);
+    end[i] = next_begin[id];
+    next_begin[id] = event ? recording.events[*event].time.nearest : recording.from;
+  }
+  for (std::size_t i = 0; i < recording.motions.size(); ++i) {
+    const auto& [event, id, motion] = recording.motions[i];
+    if (!motion) continue;
+    const double begin = event ? recording.events[*event].time.nearest : recording.from;
+    const bool is_straight = motion->acceleration == Vector_2() && motion->jerk == Vector_2();
+    const int steps = is_straight ? 1 : times_in_motion;
+    for (int step = 0; step <= steps; ++step) {
+      const Recorded_place place = place_of(*motion, begin + (end[i] - begin) * step / steps);
+      xs.push_back(place.x);
+      ys.push_back(place.y);
+      radius = std::max(radius, place.radius);
+    }
+  }
+  return extent_of(xs, ys, radius);
+}
+
+}  // namespace
+
+Extents::Extents(const Viewer_page& page)
+    : from_(page.recording.from), until_(page.recording.until), whole_(whole_extent(page)) {
+  if (!page.settings.box && until_ > from_) sample(page);
+}
+
+void Extents::sample(const Viewer_page& page) {
+  const Recording& recording = page.recording;
+  // If points come and go, or turn, the camera would move to and fro: then it stays.
+  if (std::ranges::any_of(recording.motions, &std::optional<std::size_t>::has_value,
+                          &Recorded_motion::event)) {
+    return;
+  }
+  std::vector<Box_2> samples;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i <= times_in_run; ++i) {
+    const double time =
+        from_ + (until_ - from_) * static_cast<double>(i) / static_cast<double>(times_in_run);
+    std::vector<double> xs;
+    std::vector<double> ys;
+    double radius = page.settings.radius;
+    for (const Recorded_motion& recorded : recording.motions) {
+      const Recorded_place place = place_of(*recorded.motion, time);
+      xs.push_back(place.x);
+      ys.push_back(place.y);
+      radius = std::max(radius, place.radius);
+    }
+    samples.push_back(extent_of(xs, ys, radius));
+    least = std::min(least, greater_side(samples.back()));
+  }
+  if (greater_side(whole_) / least > most_growth) samples_ = std::move(samples);
+}
+
+Box_2 Extents::at(double time) const {
+  if (samples_.empty()) return whole_;
+  const double place = (time - from_) / (until_ - from_) * times_in_run;
+  const std::size_t i = std::min(static_cast<std::size_t>(std::max(place, 0.0)), times_in_run - 1);
+  const auto between = [&](double Box_2::*side) {
+    return samples_[i].*side +
+           (samples_[i + 1].*side - samples_[i].*side) * (place - static_cast<double>(i));
+  };
+  return {between(&Box_2::xmin), between(&Box_2::ymin), between(&Box_2::xmax),
+          between(&Box_2::ymax)};
+}
+
+void Camera::fit(const Box_2& extent) {
+  center(extent.xmin / 2 + extent.xmax / 2, extent.ymin / 2 + extent.ymax / 2);
+  const auto room = [](double pixels) { return std::max(pixels - 2 * margin, pixels / 2); };
+  scale_ = std::min(room(width_) / (extent.xmax - extent.xmin),
+                    room(height()) / (extent.ymax - extent.ymin));
+}
+
+void Camera::look(double x, double y, double width) {
+  center(x, y);
+  scale_ = width_ / width;
+}
+
+void Camera::center(double x, double y) {
+  x_ = x;
+  y_ = y;
+}
+
+double Camera::spacing(const Box_2& extent, std::size_t points) const {
+  const auto seen = [](double low, double high, double room) {
+    return std::max(std::min(high, room) - std::max(low, 0.0), 1.0);
+  };
+  const double area =
+      seen(x(extent.xmin), x(extent.xmax), width_) * seen(y(extent.ymax), y(extent.ymin), height());
+  return std::sqrt(area / static_cast<double>(points + 1));
+}
+
+double Detail::dot_radius() const {
+  return std::clamp(spacing_ / 9, 0.5, 4.5);
+}
+
+double Detail::dot_strength() const {
+  return std::clamp(spacing_ / 4, 0.25, 1.0);
+}
+
+double Detail::edge_strength(bool is_behind) const {
+  constexpr double vanish = 2.6;  // distances of neighbors at which edges do, and begin to
+  constexpr double fade = 5.5;
+  const double spacing = is_behind ? spacing_ / 3 : spacing_;
+  return std::clamp((spacing - vanish) / (fade - vanish), 0.0, 1.0);
+}
+
+double Detail::line_width() const {
+  return std::clamp(spacing_ / 14, 0.7, 1.4);
+}
+
+}  // namespace kinetri::app

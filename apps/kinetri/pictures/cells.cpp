@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pictures/cells.h"
+
+#include <cmath>
+
+namespace kinetri::app {
+namespace {
+
+// The part of a convex polygon in which the power to a is not greater than that to b (Sutherland
+// and Hodgman, Reentrant polygon clipping, Communications of the ACM 17, 1974).
+std::vector<Vector_2> nearer_part(const std::vector<Vector_2>& polygon, const Recorded_place& a,
+                                  const Recorded_place& b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const auto depth = [&](const Vector_2& p) {  // positive where a is nearer
+    return dx * dx + dy * dy - (b.weight - a.weight) - 2 * (dx * (p.x - a.x) + dy * (p.y - a.y));
+  };
+  std::vector<Vector_2> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector_2& from = polygon[i];
+    const Vector_2& to = polygon[(i + 1) % polygon.size()];
+    const double here = depth(from);
+    const double there = depth(to);
+    if (here >= 0) result.push_back(from);
+    if ((here >= 0) != (there >= 0)) {
+      const double share = here / (here - there);
+      result.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+    }
+  }
+  return result;
+}
+
+// Of a counterclockwise polygon, about its first corner.
+double area_of(const std::vector<Vector_2>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Vector_2& origin = polygon[0];
+    const Vector_2& p = polygon[i - 1];
+    const Vector_2& q = polygon[i];
+    twice += (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
+  }
+  return twice / 2;
+}
+
+// The corners of the cell in order; none if it has no bounds.
+std::vector<Vector_2> corners_of(const Playback& playback,
+                                 const std::vector<Recorded_place>& places, Point_id id,
+                                 const std::vector<Point_id>& neighbors) {
+  std::vector<Vector_2> result;
+  Point_id q = neighbors.front();
+  for (std::size_t i = 0; i < neighbors.size(); ++i) {
+    const Point_id r = playback.apex(id, q);
+    if (r == no_point) return {};
+    result.push_back(power_center(places[id], places[q], places[r]));
+    if (!std::isfinite(result.back().x) || !std::isfinite(result.back().y)) return {};
+    q = r;
+  }
+  return result;
+}
+
+bool is_within(const std::vector<Vector_2>& corners, const Box_2& box) {
+  for (const Vector_2& p : corners) {
+    if (p.x < box.xmin || p.y < box.ymin || p.x > box.xmax || p.y > box.ymax) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Vector_2 power_center(const Recorded_place& a, const Recorded_place& b, const Recorded_place& c) {
+  const double ux = b.x - a.x;
+  const double uy = b.y - a.y;
+  const double vx = c.x - a.x;
+  const double vy = c.y - a.y;
+  const double u = ux * ux + uy * uy - (b.weight - a.weight);
+  const double v = vx * vx + vy * vy - (c.weight - a.weight);
+  const double d = 2 * (ux * vy - uy * vx);
+  return {a.x + (vy * u - uy * v) / d, a.y + (ux * v - vx * u) / d};
+}
+
+std::vector<Cell> cells(const Playback& playback, const std::vector<Recorded_place>& places,
+                        const std::optional<Box_2>& box) {
+  std::vector<std::vector<Point_id>> neighbors(places.size());
+  for (const auto& [a, b] : playback.edges()) {
+    neighbors[a].push_back(b);
+    neighbors[b].push_back(a);
+  }
+  std::vector<Cell> result(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Recorded_place& place = places[i];
+    Cell& cell = result[i];
+    cell.degree = neighbors[i].size();
+    if (!place.is_there || place.is_hidden) continue;
+    if (cell.degree > 0) {
+      cell.corners = corners_of(playback, places, static_cast<Point_id>(i), neighbors[i]);
+    }
+    if (box && (cell.corners.empty() || !is_within(cell.corners, *box))) {
+      cell.corners = {{box->xmin, box->ymin},
+                      {box->xmax, box->ymin},
+                      {box->xmax, box->ymax},
+                      {box->xmin, box->ymax}};
+      for (const Point_id other : neighbors[i]) {
+        cell.corners = nearer_part(cell.corners, place, places[other]);
+      }
+    }
+    if (cell.corners.size() > 2) cell.area = area_of(cell.corners);
+  }
+  return result;
+}
+
+}  // namespace kinetri::app

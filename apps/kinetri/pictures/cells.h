@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Voronoi or power cells of the points of a recording at a time, from its edges and triangles:
+// as on the page (viewer/cells.js). In binary64; an area errs by some units in the last place of
+// the squared distance from the point to the corners of its cell.
+#ifndef KINETRI_APPS_CELLS_H
+#define KINETRI_APPS_CELLS_H
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "kinetri/simulation/box_2.h"
+#include "simulation/playback.h"
+
+namespace kinetri::app {
+
+struct Cell {
+  std::vector<Vector_2> corners;  ///< counterclockwise; none of a cell that has no bounds
+  /// Not a number where the cell has no bounds, or there is none.
+  double area = std::numeric_limits<double>::quiet_NaN();
+  std::size_t degree = 0;  ///< number of neighbors
+};
+
+/// The cells of all points by id, cut to the box if there is one. `places` are those of the
+/// playback's time.
+std::vector<Cell> cells(const Playback& playback, const std::vector<Recorded_place>& places,
+                        const std::optional<Box_2>& box);
+
+/// The place of equal power to three points; not finite where they are on a line. Of points without
+/// weights it is the centre of the circle through them.
+Vector_2 power_center(const Recorded_place& a, const Recorded_place& b, const Recorded_place& c);
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_CELLS_H

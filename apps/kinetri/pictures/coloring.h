@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The points' colors: which number of each point they stand for, and which color a number has, as
+// on the page (viewer/coloring.js). The scale is that of the whole run, so that colors can be
+// compared over time; a fiftieth of the numbers at either end may lie beyond it.
+#ifndef KINETRI_APPS_COLORING_H
+#define KINETRI_APPS_COLORING_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinetri/io/viewer_page.h"
+#include "pictures/cells.h"
+#include "pictures/svg_drawing.h"
+#include "pictures/view_words.h"
+
+namespace kinetri::app {
+
+/// Whether the page has all encounters of the run.
+bool has_encounters(const Viewer_page& page);
+
+/// The pairs of points that are within range at a time, as the page has them.
+std::vector<Edge_ids> encounters_at(const Viewer_page& page, double time);
+
+/// The quantities by which the points of the run can be colored, `none` among them.
+std::vector<Quantity> quantities_of(const Viewer_page& page);
+
+class Coloring {
+ public:
+  /// Precondition: the quantity is one of those of the run, and not `none`. `page` must outlive it.
+  Coloring(const Viewer_page& page, Quantity quantity);
+
+  /// The color of each point by id at the playback's time; none for those that have no number.
+  std::vector<std::optional<Color>> colors(const Playback& playback,
+                                           const std::vector<Recorded_place>& places,
+                                           const std::vector<Cell>& cells) const;
+
+  /// Whether colors are those of kinds or components, not of a scale of numbers.
+  bool is_of_kinds() const {
+    return quantity_ == Quantity::kind || quantity_ == Quantity::component;
+  }
+  /// The kinds of points, if it is of these, in the order of their colors.
+  const std::vector<std::string>& kinds() const { return kinds_; }
+  /// What the colors show, with the unit of lengths if it is known: "Cell area, in m^2".
+  std::string title(const std::string& unit) const;
+  /// The numbers at the ends of the scale, and whether there are numbers beyond.
+  double least() const { return least_; }
+  double greatest() const { return greatest_; }
+  bool is_cut() const { return is_cut_; }
+
+ private:
+  std::vector<double> numbers(const Playback& playback, const std::vector<Recorded_place>& places,
+                              const std::vector<Cell>& cells) const;
+  void find_range();
+
+  const Viewer_page& page_;
+  Quantity quantity_;
+  std::vector<std::string> kinds_;
+  std::vector<double> kind_of_point_;
+  double least_ = 0;
+  double greatest_ = 0;
+  bool is_logarithmic_ = false;
+  bool is_cut_ = false;
+};
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_COLORING_H

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The layers of the flat picture, as the page draws them (viewer/flat_view.js, overlays.js).
+#include <algorithm>
+#include <cmath>
+
+#include "io/text.h"
+#include "pictures/scene.h"
+
+namespace kinetri::app {
+namespace {
+
+constexpr int trail_parts = 5;  // each fainter than the one before it
+constexpr int trail_steps = 4;  // in a part of the trail of an accelerated point
+constexpr std::size_t most_arrows = 1500;
+constexpr std::size_t most_events_shown = 24;  // before and after the time, besides those at it
+
+// The circles of the points that are hidden, or of the others: radius(place) each.
+template <class Radius>
+std::vector<Circle> circles_of(const Scene& scene, bool are_hidden, const Radius& radius) {
+  std::vector<Circle> result;
+  for (std::size_t i = 0; i < scene.places.size(); ++i) {
+    const Recorded_place& place = scene.places[i];
+    if (!place.is_there || place.is_hidden != are_hidden) continue;
+    result.push_back({scene.pixels[i], radius(place)});
+  }
+  return result;
+}
+
+// Adds the path from `end` back to `begin` of a point, with its turns.
+void add_path(std::vector<Segment>& path, const Scene& scene, Point_id id, double begin,
+              double end) {
+  const Recording& recording = scene.playback.recording();
+  for (auto index = scene.playback.index_of_motion(id); index;
+       index = scene.playback.previous_motion(*index)) {
+    const std::optional<std::size_t>& event = recording.motions[*index].event;
+    const auto& motion = recording.motions[*index].motion;
+    const double start = event ? recording.events[*event].time.nearest : recording.from;
+    if (start >= end) continue;
+    const double first = std::max(start, begin);
+    if (motion) {
+      const bool is_straight = motion->acceleration == Vector_2() && motion->jerk == Vector_2();
+      const int steps = is_straight ? 1 : trail_steps;
+      const auto pixel = [&](int step) {
+        const Recorded_place place = place_of(*motion, end + (first - end) * step / steps);
+        return scene.camera.pixel(place.x, place.y);
+      };
+      for (int step = 0; step < steps; ++step) path.push_back({pixel(step), pixel(step + 1)});
+    }
+    if (start <= begin) return;
+    end = start;
+  }
+}
+
+// The edge of the diagram for an edge: between the centers of its two triangles, or a ray from the
+// center of its only triangle, or a line. Rays end outside of the picture.
+Segment voronoi_edge(const Scene& scene, const Edge_ids& edge) {
+  const Point_id a = edge[0];
+  const Point_id b = edge[1];
+  const auto center = [&](Point_id apex) -> std::optional<Pixel> {
+    if (apex == no_point) return std::nullopt;
+    const Vector_2 c = power_center(scene.places[a], scene.places[b], scene.places[apex]);
+    if (!std::isfinite(c.x) || !std::isfinite(c.y)) return std::nullopt;
+    return scene.camera.pixel(c.x, c.y);
+  };
+  const std::optional<Pixel> left = center(scene.playback.apex(a, b));
+  const std::optional<Pixel> right = center(scene.playback.apex(b, a));
+  if (left && right) return {*left, *right};
+  const Pixel& p = scene.pixels[a];
+  const Pixel& q = scene.pixels[b];
+  const double dx = q.x - p.x;
+  const double dy = q.y - p.y;
+  const double length = std::hypot(dx, dy);
+  const double scale = scene.camera.scale();
+  // Where the edge of the diagram crosses the line of ab.
+  const double part = 0.5 + (scene.places[a].weight - scene.places[b].weight) * scale * scale /
+                                (2 * length * length);
+  const Pixel crossing = {p.x + part * dx, p.y + part * dy};
+  // On the picture y is down, so that the left of ab is at (dy, -dx).
+  const double ux = dy / length;
+  const double uy = -dx / length;
+  // A ray begins far from the picture where the center is, but has to reach across it.
+  const auto far_from = [&](const Pixel& from, double sign) {
+    const double reach = 4 * (scene.camera.width() + scene.camera.height()) +
+                         std::hypot(from.x - crossing.x, from.y - crossing.y);
+    return Pixel{from.x + sign * reach * ux, from.y + sign * reach * uy};
+  };
+  return {left ? *left : far_from(right ? *right : crossing, 1),
+          right ? *right : far_from(left ? *left : crossing, -1)};
+}
+
+std::vector<Edge_ids> edges_at(const Scene& scene, Point_id id) {
+  std::vector<Edge_ids> result;
+  for (const Edge_ids& edge : scene.playback.edges()) {
+    if (edge[0] == id || edge[1] == id) result.push_back(edge);
+  }
+  return result;
+}
+
+bool is_there(const Scene& scene, Point_id id) {
+  return id < scene.places.size() && scene.places[id].is_there;
+}
+
+void draw_ring(Svg_drawing& drawing, const Scene& scene, std::string_view name, Point_id id,
+               double more, const Color& color, double width) {
+  if (!is_there(scene, id)) return;
+  drawing.circles(name, {{scene.pixels[id], scene.detail.dot_radius() + more}}, {}, {color, width});
+}
+
+void draw_event(Svg_drawing& drawing, const Scene& scene, const Recorded_event& event,
+                double strength, bool is_ahead) {
+  const Theme& theme = scene.view.theme();
+  const auto can_be_drawn = [&](const std::optional<Edge_ids>& edge) {
+    return edge && is_there(scene, (*edge)[0]) && is_there(scene, (*edge)[1]);
+  };
+  if (can_be_drawn(event.removed)) {
+    drawing.lines("removed", {scene.segment(*event.removed)},
+                  {theme.removed.faded(strength), 2.5, true, "7 5"});
+  }
+  if (is_ahead) return;
+  if (can_be_drawn(event.added)) {
+    drawing.lines("added", {scene.segment(*event.added)}, {theme.added.faded(strength), 4, true});
+  }
+  for (const auto& point : {event.point_a, event.point_b}) {
+    if (point) draw_ring(drawing, scene, "event", *point, 5, theme.added.faded(strength), 2.5);
+  }
+}
+
+}  // namespace
+
+void draw_box(Svg_drawing& drawing, const Scene& scene) {
+  if (!scene.page.settings.box) return;
+  const Box_2& box = *scene.page.settings.box;
+  const Pixel a = scene.camera.pixel(box.xmin, box.ymin);
+  const Pixel c = scene.camera.pixel(box.xmax, box.ymax);
+  const Pixel b = {c.x, a.y};
+  const Pixel d = {a.x, c.y};
+  drawing.lines("box", {{a, b}, {b, c}, {c, d}, {d, a}}, {scene.view.theme().box, 2, true});
+}
+
+// The discs, or the cells.
+void draw_colors(Svg_drawing& drawing, const Scene& scene, const Coloring& coloring) {
+  const std::vector<Cell> all = cells(scene.playback, scene.places, scene.page.settings.box);
+  const auto colors = coloring.colors(scene.playback, scene.places, all);
+  if (scene.has_discs && scene.view.shows(Layer::discs)) {
+    std::vector<Circle> discs;
+    std::vector<Color> fills;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!colors[i] || scene.places[i].is_hidden) continue;
+      discs.push_back({scene.pixels[i], scene.places[i].radius * scene.camera.scale()});
+      fills.push_back(*colors[i]);
+    }
+    drawing.circles("colors", discs, fills);
+    return;
+  }
+  std::vector<Filled_polygon> polygons;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!colors[i] || all[i].corners.empty()) continue;
+    Filled_polygon& polygon = polygons.emplace_back();
+    polygon.color = *colors[i];
+    for (const Vector_2& p : all[i].corners) {
+      polygon.corners.push_back(scene.camera.pixel(p.x, p.y));
+    }
+  }
+  drawing.polygons("colors", polygons);
+}
+
+void draw_heat(Svg_drawing& drawing, const Scene& scene, const Heat& heat) {
+  for (std::size_t i = 0; i < heat.levels.size(); ++i) {
+    if (heat.levels[i] == 0) continue;
+    const double column = static_cast<double>(i % heat.columns);
+    const double row = static_cast<double>(i / heat.columns);
+    // Whole pixels, so that the fields meet.
+    const double left = std::round(scene.camera.x(heat.left + column * heat.side));
+    const double right = std::round(scene.camera.x(heat.left + (column + 1) * heat.side));
+    const double top = std::round(scene.camera.y(heat.bottom + (row + 1) * heat.side));
+    const double bottom = std::round(scene.camera.y(heat.bottom + row * heat.side));
+    drawing.rectangle("heat", {left, top}, right - left, bottom - top,
+                      {"#d55e00", 0.75 * heat.levels[i] / heat_levels});
+  }
+}
+
+void draw_discs(Svg_drawing& drawing, const Scene& scene, bool are_colored) {
+  const Theme& theme = scene.view.theme();
+  const auto radius = [&](const Recorded_place& place) {
+    return place.radius * scene.camera.scale();
+  };
+  drawing.circles("discs", circles_of(scene, false, radius),
+                  are_colored ? Color() : theme.disc_fill, {theme.disc, scene.detail.line_width()});
+  drawing.circles("hidden-discs", circles_of(scene, true, radius), {},
+                  {theme.quiet, 1.25, false, "4 3"});
+}
+
+void draw_trails(Svg_drawing& drawing, const Scene& scene) {
+  const double length = scene.view.trail / trail_parts;
+  const double from = scene.playback.recording().from;
+  for (int part = 0; part < trail_parts; ++part) {
+    const double end = scene.playback.time() - part * length;
+    if (end <= from) break;
+    std::vector<Segment> path;
+    for (std::size_t id = 0; id < scene.places.size(); ++id) {
+      add_path(path, scene, static_cast<Point_id>(id), std::max(end - length, from), end);
+    }
+    const double alpha = 0.95 * (1 - static_cast<double>(part) / trail_parts);
+    drawing.lines("trails", path, {scene.view.theme().trail.faded(alpha), 2.2, true});
+  }
+}
+
+void draw_edges(Svg_drawing& drawing, const Scene& scene) {
+  const bool is_behind = scene.view.shows(Layer::voronoi);
+  const double alpha = scene.detail.edge_strength(is_behind);
+  if (alpha == 0) return;
+  std::vector<Segment> edges;
+  for (const Edge_ids& edge : scene.playback.edges()) edges.push_back(scene.segment(edge));
+  const Theme& theme = scene.view.theme();
+  drawing.lines(
+      "edges", edges,
+      {(is_behind ? theme.edge_behind : theme.edge).faded(alpha), scene.detail.line_width()});
+}
+
+void draw_voronoi(Svg_drawing& drawing, const Scene& scene) {
+  const double alpha = scene.detail.edge_strength();
+  if (alpha == 0) return;
+  std::vector<Segment> edges;
+  for (const Edge_ids& edge : scene.playback.edges()) edges.push_back(voronoi_edge(scene, edge));
+  drawing.lines("voronoi", edges,
+                {scene.view.theme().voronoi.faded(alpha), scene.detail.line_width() + 0.2});
+}
+
+// Between points that are within range of each other.
+void draw_links(Svg_drawing& drawing, const Scene& scene) {
+  std::vector<Segment> links;
+  for (const Edge_ids& pair : encounters_at(scene.page, scene.playback.time())) {
+    links.push_back(scene.segment(pair));
+  }
+  drawing.lines("links", links, {scene.view.theme().link, 1.6 * scene.detail.line_width(), true});
+}
+
+void draw_hull(Svg_drawing& drawing, const Scene& scene) {
+  std::vector<Segment> hull;
+  for (const auto& [a, b] : scene.playback.edges()) {
+    if (scene.playback.apex(a, b) == no_point || scene.playback.apex(b, a) == no_point) {
+      hull.push_back(scene.segment({a, b}));
+    }
+  }
+  drawing.lines("hull", hull, {scene.view.theme().hull, 2, true});
+}
+
+// An arrow is as long as the point moves in the time in which a fast one moves to its neighbor.
+// Where there are many, only some have one.
+void draw_arrows(Svg_drawing& drawing, const Scene& scene) {
+  constexpr double head = 0.28;
+  constexpr double turn = 0.45;
+  const auto seen = static_cast<std::size_t>(std::ranges::count_if(
+      scene.pixels, [&](const Pixel& pixel) { return scene.is_seen(pixel); }));
+  const std::size_t step = std::max<std::size_t>((seen + most_arrows - 1) / most_arrows, 1);
+  const double length =
+      std::max(1.6 * scene.detail.spacing() * std::sqrt(static_cast<double>(step)), 14.0);
+  const double per_unit = std::min(length, 60.0) / (scene.view.fast > 0 ? scene.view.fast : 1);
+  std::vector<Segment> arrows;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < scene.pixels.size(); ++i) {
+    const Pixel& from = scene.pixels[i];
+    if (!scene.is_seen(from) || number++ % step != 0) continue;
+    const Vector_2 v =
+        rounded_velocity(*scene.playback.motion(static_cast<Point_id>(i)), scene.playback.time());
+    const double dx = per_unit * v.x;
+    const double dy = -per_unit * v.y;
+    if (dx == 0 && dy == 0) continue;
+    const Pixel to = {from.x + dx, from.y + dy};
+    arrows.push_back({from, to});
+    for (const double angle : {turn, -turn}) {
+      const double cos = head * std::cos(angle);
+      const double sin = head * std::sin(angle);
+      arrows.push_back({to, {to.x - cos * dx + sin * dy, to.y - sin * dx - cos * dy}});
+    }
+  }
+  drawing.lines("arrows", arrows, {scene.view.theme().arrow, 1.5, true});
+}
+
+// With its quadrilateral.
+void draw_selected_edge(Svg_drawing& drawing, const Scene& scene) {
+  if (!scene.view.edge || !scene.playback.edges().contains(*scene.view.edge)) return;
+  const auto [a, b] = *scene.view.edge;
+  const Theme& theme = scene.view.theme();
+  std::vector<Segment> sides;
+  std::vector<Filled_polygon> triangles;
+  for (const Point_id c : {scene.playback.apex(a, b), scene.playback.apex(b, a)}) {
+    if (c == no_point) continue;
+    sides.push_back(scene.segment({a, c}));
+    sides.push_back(scene.segment({c, b}));
+    triangles.push_back({{scene.pixels[a], scene.pixels[c], scene.pixels[b]}, theme.selected_fill});
+  }
+  drawing.polygons("quadrilateral", triangles);
+  drawing.lines("quadrilateral", sides, {theme.selected, 1.5, false, "2 4"});
+  drawing.lines("selected", {scene.segment({a, b})}, {theme.background, 7});
+  drawing.lines("selected", {scene.segment({a, b})}, {theme.selected, 4});
+}
+
+// Its cell, and its edges.
+void draw_selected_point(Svg_drawing& drawing, const Scene& scene) {
+  if (!scene.view.point) return;
+  const Theme& theme = scene.view.theme();
+  std::vector<Segment> sides;
+  std::vector<Segment> edges;
+  for (const Edge_ids& edge : edges_at(scene, *scene.view.point)) {
+    sides.push_back(voronoi_edge(scene, edge));
+    edges.push_back(scene.segment(edge));
+  }
+  drawing.lines("cell", sides, {theme.background, 5, true});
+  drawing.lines("cell", sides, {theme.voronoi, 3, true});
+  drawing.lines("selected", edges, {theme.selected, 1.8});
+}
+
+void draw_point_rings(Svg_drawing& drawing, const Scene& scene) {
+  if (!scene.view.point) return;
+  const Theme& theme = scene.view.theme();
+  const Point_id point = *scene.view.point;
+  for (const auto& [a, b] : edges_at(scene, point)) {
+    draw_ring(drawing, scene, "neighbor", a == point ? b : a, 3, theme.selected, 1.5);
+  }
+  draw_ring(drawing, scene, "selected", point, 6, theme.background, 6);
+  draw_ring(drawing, scene, "selected", point, 6, theme.added, 3);
+}
+
+// Removed edges dashed, added ones bold.
+void draw_events_around(Svg_drawing& drawing, const Scene& scene) {
+  const Recording& recording = scene.playback.recording();
+  const double time = scene.playback.time();
+  const std::size_t rows = scene.playback.rows();
+  const double reach = scene.view.highlight;
+  for (std::size_t row = rows; row-- > 0;) {
+    const double since = time - shown_time(recording, row);
+    const bool is_now = since == 0 && recording.events[row].time == recording.events[rows - 1].time;
+    if (!is_now && !(since < reach && row + most_events_shown >= rows)) break;
+    draw_event(drawing, scene, recording.events[row], is_now ? 1 : 1 - since / reach, false);
+  }
+  for (std::size_t row = rows; row < recording.events.size() && row < rows + most_events_shown;
+       ++row) {
+    const double ahead = recording.events[row].time.nearest - time;
+    if (!(ahead < reach)) break;
+    draw_event(drawing, scene, recording.events[row], 0.8 * (1 - std::max(ahead, 0.0) / reach),
+               true);
+  }
+}
+
+void draw_points(Svg_drawing& drawing, const Scene& scene) {
+  const Theme& theme = scene.view.theme();
+  const auto radius = [&](const Recorded_place&) { return scene.detail.dot_radius(); };
+  drawing.circles("points", circles_of(scene, false, radius),
+                  theme.point.faded(scene.detail.dot_strength()));
+  drawing.circles("hidden-points", circles_of(scene, true, radius), theme.background,
+                  {theme.quiet, 1.25});
+}
+
+// As many as there is room for, those of the lesser ids first.
+void draw_ids(Svg_drawing& drawing, const Scene& scene) {
+  constexpr double size = 11;
+  struct Label {
+    double left, top, right, bottom;
+  };
+  std::vector<Label> labels;
+  const Theme& theme = scene.view.theme();
+  for (std::size_t i = 0; i < scene.pixels.size(); ++i) {
+    const Pixel& pixel = scene.pixels[i];
+    if (!scene.is_seen(pixel)) continue;
+    const std::string name = name_of(scene.page, static_cast<Point_id>(i));
+    const Pixel place = {pixel.x + 6, pixel.y - 5};
+    const Label label = {place.x, place.y - size, place.x + width_of_text(name, size), place.y + 2};
+    const bool is_taken = std::ranges::any_of(labels, [&](const Label& other) {
+      return label.left < other.right && other.left < label.right && label.top < other.bottom &&
+             other.top < label.bottom;
+    });
+    if (is_taken) continue;
+    labels.push_back(label);
+    drawing.text(name, place, {theme.text, theme.background, size});
+  }
+}
+
+std::string name_of(const Viewer_page& page, Point_id id) {
+  return page.settings.names.empty() ? joined(id) : page.settings.names[id];
+}
+
+}  // namespace kinetri::app
