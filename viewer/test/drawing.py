@@ -108,10 +108,14 @@ class Drawing(Page):
         """Where a dot is about a pixel, and lines are drawn as images."""
         self.browser.resize(440, 560)
         page = self.generate(1000, 1)
-        pictures = [self.open_with(page, f"#draw={way}") for way in ("canvas", "webgl")]
-        self.assertGreater(255 - self.lightness(pictures[0]), 20)
-        self.assertAlmostEqual(self.lightness(pictures[0]), self.lightness(pictures[1]), delta=6)
-        self.assertAlmostEqual(self.paper(pictures[0]), self.paper(pictures[1]), delta=0.1)
+        # All of it, and a part: then lines and dots are cut at the border.
+        for view in ("", "&at=160,160,255"):
+            with self.subTest(view=view):
+                pictures = [self.open_with(page, f"#draw={way}{view}") for way in ("canvas", "webgl")]
+                self.assertLess(pictures[0].difference(pictures[1]), MOST_NOISE)
+                self.assertGreater(255 - self.lightness(pictures[0]), 20)
+                self.assertAlmostEqual(self.lightness(pictures[0]), self.lightness(pictures[1]), delta=6)
+                self.assertAlmostEqual(self.paper(pictures[0]), self.paper(pictures[1]), delta=0.1)
 
     def test_labels_do_not_overlap(self):
         """Each label stands on its own: where two overlapped, ids are left out."""
