@@ -87,6 +87,14 @@ endif()
 configure_file(${PROJECT_SOURCE_DIR}/cmake/kinetri.pc.in ${generated_dir}/kinetri.pc @ONLY)
 install(FILES ${generated_dir}/kinetri.pc DESTINATION ${pkgconfig_dir} COMPONENT development)
 
+# kinetri_install_page(FILE NAME COMPONENT [OPTIONAL]): a manual page, compressed where that is possible.
+function(kinetri_install_page file name component)
+  if(KINETRI_GZIP)
+    set(file ${KINETRI_DOCUMENTS_DIR}/${name}.1.gz)
+  endif()
+  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component} ${ARGN})
+endfunction()
+
 # kinetri_install_program(TARGET NAME COMPONENT [OPTIONAL]): a program, and what it has written about itself
 # (kinetri_program_documents); OPTIONAL: where it has been built. Zsh's completions have a component of their own.
 function(kinetri_install_program target name component)
@@ -96,12 +104,7 @@ function(kinetri_install_program target name component)
     set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
   endif()
   install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component} ${ARGN})
-  set(page ${name}.1)
-  if(KINETRI_GZIP)
-    set(page ${name}.1.gz)
-  endif()
-  install(FILES ${KINETRI_DOCUMENTS_DIR}/${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
-    COMPONENT ${component} ${ARGN})
+  kinetri_install_page(${KINETRI_DOCUMENTS_DIR}/${name}.1 ${name} ${component} ${ARGN})
   install(FILES ${KINETRI_DOCUMENTS_DIR}/${name}.bash DESTINATION ${bash_dir} RENAME ${name}
     COMPONENT ${component} ${ARGN})
   install(FILES ${KINETRI_DOCUMENTS_DIR}/_${name} DESTINATION ${zsh_dir} COMPONENT zsh ${ARGN})
@@ -115,6 +118,7 @@ endif()
 if(TARGET kinetri_verify)
   install(TARGETS kinetri_verify
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  kinetri_install_page(${PROJECT_SOURCE_DIR}/verify/kinetri-verify.1 kinetri-verify program)
 endif()
 
 # kinetri_install_documents(DESTINATION OPTION...): README, guides, examples, as they link each other.

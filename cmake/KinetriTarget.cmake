@@ -34,11 +34,25 @@ function(kinetri_compile_settings target)
   endif()
 endfunction()
 
-# kinetri_program_documents(TARGET NAME): the manual page, compressed where that is possible, and the completions
-# of a program, which it writes from its own tables, in the folder KINETRI_DOCUMENTS_DIR.
+# Where manual pages and completions of programs are written.
 set(KINETRI_DOCUMENTS_DIR ${PROJECT_BINARY_DIR}/documents)
 find_program(KINETRI_GZIP gzip)
 mark_as_advanced(KINETRI_GZIP)
+
+# kinetri_compressed_page(FILE NAME VARIABLE): the manual page of a program, compressed in the folder
+# KINETRI_DOCUMENTS_DIR where gzip is there; appended to the list VARIABLE.
+function(kinetri_compressed_page file name variable)
+  if(KINETRI_GZIP)
+    set(page ${KINETRI_DOCUMENTS_DIR}/${name}.1.gz)
+    add_custom_command(OUTPUT ${page}
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${KINETRI_DOCUMENTS_DIR}
+      COMMAND ${KINETRI_GZIP} -9nc ${file} > ${page} DEPENDS ${file} VERBATIM)
+    set(${variable} ${${variable}} ${page} PARENT_SCOPE)
+  endif()
+endfunction()
+
+# kinetri_program_documents(TARGET NAME): the manual page, compressed where that is possible, and the completions
+# of a program, which it writes from its own tables, in the folder KINETRI_DOCUMENTS_DIR.
 function(kinetri_program_documents target name)
   set(documents)
   foreach(document IN ITEMS "${name}.1 manual" "${name}.bash completion bash" "_${name} completion zsh"
@@ -51,12 +65,7 @@ function(kinetri_program_documents target name)
       DEPENDS ${target} COMMENT "Writing ${file}" VERBATIM)
     list(APPEND documents ${KINETRI_DOCUMENTS_DIR}/${file})
   endforeach()
-  if(KINETRI_GZIP)
-    add_custom_command(OUTPUT ${KINETRI_DOCUMENTS_DIR}/${name}.1.gz
-      COMMAND ${KINETRI_GZIP} -9nkf ${KINETRI_DOCUMENTS_DIR}/${name}.1
-      DEPENDS ${KINETRI_DOCUMENTS_DIR}/${name}.1 VERBATIM)
-    list(APPEND documents ${KINETRI_DOCUMENTS_DIR}/${name}.1.gz)
-  endif()
+  kinetri_compressed_page(${KINETRI_DOCUMENTS_DIR}/${name}.1 ${name} documents)
   string(REPLACE - _ prefix ${name})
   add_custom_target(${prefix}_documents ALL DEPENDS ${documents})
 endfunction()

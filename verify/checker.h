@@ -433,10 +433,19 @@ class Checker {
     refute(message.str());
   }
 
+  // Goes to the next time at which triangles may change without a row (Lemma 5), if it is in the
+  // interval of the row and not after the time that the row may have.
+  bool open_special(const Row& row, std::optional<Time>& time) {
+    if (specials_.empty() || !is_in(specials_.front().time, row)) return false;
+    if (time && compare(specials_.front().time, *time) > 0) return false;
+    open(Time(specials_.front().time));
+    return true;
+  }
+
   // An edge between two triangles becomes the other diagonal. With the infinite point: a point
   // becomes a corner of the hull, or ceases to be one.
   void flip(const Row& row) {
-    if (is_rebuilt_ && is_in(now_, row) && is_needed_now(row)) {
+    if ((is_rebuilt_ || !touched_.empty()) && is_in(now_, row) && is_needed_now(row)) {
       for (const Edge& e : row.removed) remove_edge(e);
       for (const Edge& e : row.added) add_edge(e);
       return;
@@ -458,6 +467,7 @@ class Checker {
       first = std::move(time);
       flipped = e;
     }
+    if (open_special(row, first)) return flip(row);
     open_at(first, row);
     const auto [a, b] = flipped;
     const Id l = apex(a, b);
@@ -481,12 +491,14 @@ class Checker {
   // around it is new at this instant, that may be at once.
   std::optional<Time> failure_of(const Edge& e, const Row& row) {
     const auto [a, b] = e;
-    const Life life = {edge_life, {}, courses({a, b, apex(a, b), apex(b, a)}), {}, {}};
-    const Polynomial p = Certifier::decider(life);
+    const auto decider = [&] {
+      return Certifier::decider({edge_life, {}, courses({a, b, apex(a, b), apex(b, a)}), {}, {}});
+    };
     if (changed_.contains(e)) {
-      if (is_in(now_, row) && sign_just_after(p, now_) < 0) return now_;
+      if (is_in(now_, row) && sign_just_after(decider(), now_) < 0) return now_;
       close();
     }
+    const Polynomial p = decider();
     Time birth = alive_[edge_life].at(key(a, b)).birth->time;
     for (Time& root : roots_in(p, row)) {
       if (compare(root, birth) > 0 && changes_sign(p, root)) return root;
@@ -571,12 +583,7 @@ class Checker {
           if (!is_failure || changes_sign(certificate.p, root)) first = root;
         }
       }
-      // Before that, triangles may change that need no row.
-      if (!specials_.empty() && is_in(specials_.front().time, row) &&
-          (!first || compare(specials_.front().time, *first) <= 0)) {
-        open(Time(specials_.front().time));
-        return time_of_rebuild(row);
-      }
+      if (open_special(row, first)) return time_of_rebuild(row);
       if (first) break;
     }
     if (!first && is_in(now_, row)) return now_;
@@ -593,8 +600,12 @@ class Checker {
     }
     if (is_contact) {
       const Course& first = course(row.points.front());
-      std::vector<Polynomial> distances = certifier_.clearances(first);
-      if (row.kind == "collision") distances.assign(1, gap(first, course(row.points.back())));
+      std::vector<Polynomial> distances;
+      if (row.kind == "collision") {
+        distances.push_back(gap(first, course(row.points.back())));
+      } else {
+        for (const auto& [side, p] : certifier_.clearances(first)) distances.push_back(p);
+      }
       open_at(contact_time(distances, row), row);
       if (!contacts_.insert(row.points).second) refute("it is the row before, again");
     } else {

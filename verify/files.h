@@ -13,6 +13,7 @@
 #include <deque>
 #include <fstream>
 #include <future>
+#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <list>
@@ -70,7 +71,7 @@ inline std::string row_name(long row, const std::vector<Row>& rows) {
 
 struct Options {
   Dyadic from, until;
-  std::vector<double> box;  // none, or x and y of the lower left and of the upper right corner
+  std::map<std::size_t, double> box;  // sides that there are: 0 left, 1 lower, 2 right, 3 upper
   bool has_rim = false;
   bool has_contacts = false;
   bool is_log = false;  // whether discs pass through each other

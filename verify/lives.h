@@ -26,7 +26,7 @@ struct Course {
 class Scale {
  public:
   Scale(const Options& options, const std::vector<Change>& points, const std::vector<Row>& rows) {
-    for (const double side : options.box) bits_ = std::max(bits_, dyadic(side).e);
+    for (const auto& [side, place] : options.box) bits_ = std::max(bits_, dyadic(place).e);
     const auto note = [&](const Change& change) {
       for (std::size_t i = 0; change.motion && i < numbers; ++i) {
         unsigned long& bits = i == epoch ? time_bits_ : bits_;
@@ -163,16 +163,16 @@ inline bool is_contact(const Polynomial& g, Time& t) {
 class Certifier {
  public:
   Certifier(const Options& options, const Scale& scale) : options_(options), scale_(scale) {
-    for (const double side : options.box) sides_.push_back(trimmed({scale(side)}));
+    for (const auto& [side, place] : options.box) sides_[side] = trimmed({scale(place)});
   }
 
-  // How far the point is inside of the sides of the box: left, lower, right, upper.
-  std::vector<Polynomial> clearances(const Course& point) const {
-    std::vector<Polynomial> result;
-    for (std::size_t side = 0; side < sides_.size(); ++side) {
-      Polynomial p = point.place[side % 2] - sides_[side];
+  // How far the point is inside of the sides of the box.
+  std::map<std::size_t, Polynomial> clearances(const Course& point) const {
+    std::map<std::size_t, Polynomial> result;
+    for (const auto& [side, place] : sides_) {
+      Polynomial p = point.place[side % 2] - place;
       if (side > 1) p = -std::move(p);
-      result.push_back(options_.has_rim ? p - point.radius : p);
+      result[side] = options_.has_rim ? p - point.radius : p;
     }
     return result;
   }
@@ -201,8 +201,8 @@ class Certifier {
                         Rule::positive});
     };
     if (life.kind == box_life) {
-      for (Polynomial& p : clearances(*a)) {
-        result.push_back({name("the box around point", {0}), std::move(p), Rule::not_negative});
+      for (const auto& [side, p] : clearances(*a)) {
+        result.push_back({name("the box around point", {0}), p, Rule::not_negative});
       }
     } else if (life.kind == hidden_life) {
       for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
@@ -327,12 +327,12 @@ class Certifier {
   // Whether a coordinate is the least one, in the direction inward from a side, for which the point
   // is inside at all times of the row.
   bool is_moved_inside(const Course& next, std::size_t i, const Row& row) const {
-    if (sides_.empty()) return false;
     for (const std::size_t side : {i, i + 2}) {
+      if (!sides_.contains(side)) continue;
       const auto is_inside = [&](double number) {
         const Dyadic shift =
             dyadic(number) + Dyadic{-dyadic(next.motion[i]).m, dyadic(next.motion[i]).e};
-        Polynomial p = clearances(next)[side];
+        Polynomial p = clearances(next).at(side);
         p.resize(4);
         for (Integer& c : p) c <<= shift.e;
         p[0] += (side > 1 ? -1 : 1) * shift.m * scale_.one();
@@ -348,7 +348,7 @@ class Certifier {
 
   Options options_;
   const Scale& scale_;
-  std::vector<Polynomial> sides_;
+  std::map<std::size_t, Polynomial> sides_;
 };
 
 }  // namespace verify

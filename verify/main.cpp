@@ -14,7 +14,8 @@ constexpr const char* usage =
     "and whether the events keep them one at all times until T, in exact arithmetic.\n"
     "One of the files of edges is needed: those just after T0, or those just after T.\n"
     "A file of motions may stand for POINTS. --box, --rim and --collisions are those of\n"
-    "the run; without --collisions, the log tells whether contacts change motions.\n"
+    "the run; without them, the log tells where its walls are, and whether contacts change\n"
+    "motions.\n"
     "--threads 2 checks certificates beside the rows.\n"
     "\n"
     "Exit code: 0 verified, 1 refuted, 2 bad usage or bad input.\n"
@@ -53,6 +54,66 @@ std::vector<verify::Edge> undone(const std::vector<verify::Edge>& final_edges,
   return {edges.begin(), edges.end()};
 }
 
+// Where a motion is at a time: x, y or the radius.
+mpq_class value(const verify::Motion& m, std::size_t what, const verify::Dyadic& time) {
+  mpq_class t(time.m, verify::Integer(1) << time.e);
+  t.canonicalize();
+  const mpq_class s = t - mpq_class(m[verify::epoch]);
+  if (what == verify::radius) return m[verify::radius] + m[verify::growth] * s;
+  return m[what] + s * (m[what + 2] + s / 2 * (m[what + 4] + s / 3 * m[what + 6]));
+}
+
+// Sides of a box, of the decimal numbers that are shortest, on which the points of all rows of
+// walls are at the times of these rows; without such sides, nothing. How a velocity changes tells
+// the side.
+std::optional<verify::Options> with_box(verify::Options options, bool has_rim,
+                                        const std::vector<verify::Change>& points,
+                                        const std::vector<verify::Row>& rows) {
+  std::map<verify::Id, std::optional<verify::Motion>> motions;
+  for (const verify::Change& change : points) motions[change.id] = change.motion;
+  std::map<std::size_t, std::vector<std::pair<const verify::Row*, verify::Motion>>> hits;
+  for (const verify::Row& row : rows) {
+    for (const verify::Change& change : row.changes) {
+      auto& motion = motions[change.id];
+      if (row.kind == "wall" && motion && change.motion) {
+        std::array<mpq_class, 2> turn;  // the change of velocity, inward
+        for (std::size_t i = 0; i < 2; ++i) {
+          verify::Motion velocity = {};
+          for (std::size_t k = i; k < verify::jx; k += 2) velocity[k] = (*motion)[k + 2];
+          velocity[verify::epoch] = (*motion)[verify::epoch];
+          turn[i] = (*change.motion)[i + 2] - value(velocity, i, verify::dyadic(row.time));
+        }
+        const std::size_t i = abs(turn[0]) < abs(turn[1]) ? 1 : 0;
+        hits[turn[i] > 0 ? i : i + 2].emplace_back(&row, *motion);
+      }
+      motion = change.motion;
+    }
+  }
+  options.has_rim = has_rim;
+  for (const auto& [side, rows_at] : hits) {
+    const auto rim = [&, side = side](const verify::Motion& m, const verify::Dyadic& time) {
+      const mpq_class r = has_rim ? value(m, verify::radius, time) : mpq_class();
+      return mpq_class(value(m, side % 2, time) + (side > 1 ? r : mpq_class(-r)));
+    };
+    const auto is_side = [&](double place) {
+      return std::ranges::all_of(rows_at, [&](const auto& hit) {
+        const int before = cmp(rim(hit.second, hit.first->lo), mpq_class(place));
+        return before * cmp(rim(hit.second, hit.first->hi), mpq_class(place)) <= 0;
+      });
+    };
+    const auto& [row, motion] = rows_at.front();
+    const double about = rim(motion, verify::dyadic(row->time)).get_d();
+    for (int digits = 0; digits <= 17 && !options.box.contains(side); ++digits) {
+      std::ostringstream text;
+      text << std::setprecision(digits) << about;
+      const double place = digits == 0 ? 0 : std::stod(text.str());
+      if (is_side(place)) options.box[side] = place;
+    }
+    if (!options.box.contains(side)) return std::nullopt;
+  }
+  return options;
+}
+
 int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& rows) {
   std::vector<std::string> files;
   std::map<std::string, std::string> given;
@@ -89,7 +150,10 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   options.from = verify::dyadic(number("--from", 0));
   options.until = verify::dyadic(number("--until", 0));
   if (compare(options.until, options.from) < 0) fail_usage("--until is before the start");
-  if (given.contains("--box")) options.box = numbers_of("--box", given["--box"], 4);
+  if (given.contains("--box")) {
+    const std::vector<double> sides = numbers_of("--box", given["--box"], 4);
+    for (std::size_t i = 0; i < sides.size(); ++i) options.box[i] = sides[i];
+  }
   const double threads = number("--threads", 1);
   if (!(threads >= 1 && threads <= 1024)) fail_usage("expected 1 to 1024 --threads");
   options.threads = static_cast<std::size_t>(threads);
@@ -116,7 +180,6 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
     points = std::move(start);
   }
   for (const verify::Row& row : rows) {
-    if (row.kind == "wall" && options.box.empty()) fail_usage("there are walls; expected --box");
     if (row.kind == "collision" && !given.contains("--collisions")) {  // it is to be inferred
       options.has_contacts = true;
       options.is_log |= row.changes.empty();
@@ -127,11 +190,35 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   const std::vector<verify::Edge> initial_edges =
       has_initial ? verify::read_edges(given["--initial-edges"]) : undone(final_edges, rows);
 
-  verify::Checker checker(options, points, rows);
-  const std::size_t count = checker.check(initial_edges, has_final ? &final_edges : nullptr);
-  std::cout << "verified: " << points.size() << " points, " << rows.size() << " events, " << count
-            << " certificates\n";
-  return 0;
+  // Without --box: at the walls that rows tell of, with discs that go up to them or not.
+  const auto is_wall = [](const verify::Row& row) { return row.kind == "wall"; };
+  const auto wall = std::ranges::find_if(rows, is_wall);
+  std::vector<verify::Options> possible = {options};
+  if (wall != rows.end() && wall->changes.empty() && !given.contains("--motions"))
+    fail_usage("there are walls; expected --motions");
+  if (options.box.empty() && wall != rows.end()) {
+    possible.clear();
+    for (const bool has_rim : {false, true}) {
+      if (options.has_rim && !has_rim) continue;
+      if (const auto found = with_box(options, has_rim, points, rows)) possible.push_back(*found);
+    }
+    if (possible.empty()) {
+      throw verify::Refuted{wall - rows.begin(), "rows of walls are not on the sides of a box"};
+    }
+  }
+  std::optional<verify::Refuted> first;
+  for (const verify::Options& tried : possible) {
+    try {
+      verify::Checker checker(tried, points, rows);
+      const std::size_t count = checker.check(initial_edges, has_final ? &final_edges : nullptr);
+      std::cout << "verified: " << points.size() << " points, " << rows.size() << " events, "
+                << count << " certificates\n";
+      return 0;
+    } catch (const verify::Refuted& refuted) {
+      if (!first) first = refuted;
+    }
+  }
+  throw verify::Refuted(*first);
 }
 
 }  // namespace

@@ -85,6 +85,7 @@ class Packages(unittest.TestCase):
             "usr/share/doc/kinetri/copyright",
             "usr/share/fish/vendor_completions.d/kinetri.fish",
             "usr/share/man/man1/kinetri.1.gz",
+            "usr/share/man/man1/kinetri-verify.1.gz",
             "usr/share/zsh/vendor-completions/_kinetri",
         })
         page = gzip.decompress((WORK / "kinetri/usr/share/man/man1/kinetri.1.gz").read_bytes())

@@ -11,6 +11,7 @@ import collections
 import copy
 import pathlib
 import random
+import re
 import subprocess
 import sys
 from fractions import Fraction
@@ -146,10 +147,12 @@ def scenarios(kind, generator):
     box = ["--box=-40,-40,40,40"] if kind == "line" else ["--box=-9,-9,9,9"]
     yield points, [], box, 20
     radius = ["--radius", "0.4" if kind == "random" else "0.25"]
-    if kind in ("grid", "random"):  # elsewhere, all meet in one place up to rounding
-        for response in ("swap", "elastic", "stop", "remove", "log"):
-            yield points, radius, ["--collisions", response], 6
-            yield points, radius, [*box, "--rim", "--collisions", response], 6
+    for response in ("swap", "elastic", "stop", "remove", "log"):
+        yield points, radius, ["--collisions", response], 6
+        yield points, radius, [*box, "--rim", "--collisions", response], 6
+    if kind != "random":  # elsewhere, discs overlap at the start
+        weights = [p + (generator.choice((0, 0.25, 0.5)), 0.0625) for p in points]
+        yield weights, [], [*box, "--collisions", generator.choice(("swap", "elastic", "log"))], 4
     if kind != "line":
         weights = [p + (generator.choice((0, 1, 2)), generator.choice((0, 0, 1, 0.5))) for p in points]
         yield weights, ["--regular"], [], 5
@@ -173,8 +176,11 @@ def check_true(case, seeds):
                 run = case.simulate(points, until, 0, [*options, *both])
                 if run is None:
                     continue
-                for more in ([], ["--edges", case.final, "--threads", "2"]):
-                    code, text, _ = case.verify(run, (*both, *more))
+                # Without --box, walls are found from their rows.
+                open_plane = [o for o in both if not o.startswith(("--box", "--rim"))]
+                edges = ["--edges", case.final, "--threads", "2"]
+                for more in (both, [*both, *edges], open_plane):
+                    code, text, _ = case.verify(run, more)
                     if code == 2 and "on one line" in text:
                         continue
                     what = f"{kind} {seed} {options} {both} {more}"
@@ -304,7 +310,6 @@ def check_input(case):
         ("points", square + "1,2\n", "points.csv:5: the row has 2 fields"),
         ("points", square + "1,2,inf,0\n", "points.csv:5: the column vx is 'inf'"),
         ("events", "event\n", "events.csv:1: the header is not"),
-        ("events", good + "0,wall,1,1,1,,,,,0,\n", "expected --box"),
         ("events", good + "0,jump,1,1,1,,,,,0,\n", "events.csv:2: the kind 'jump'"),
         ("events", good + "0,flip,1,1,x,0,1,2,3,,\n", "events.csv:2: the column time_hi is 'x'"),
         ("initial", "a,b\n0,1\n0,1\n", "initial.csv:3: expected edges that differ"),
@@ -323,9 +328,21 @@ def check_input(case):
         code, answer, _ = case.answer(case.points, "--until", "1", *files)
         assert code == (2 if changed else 0), f"{text!r}: exit code {code}: {answer}"
         assert message in answer, f"{answer!r} is not about {message!r}"
+    pathlib.Path(case.events).write_text(good + "0,wall,1,1,1,,,,,0,\n", encoding="utf-8")
+    code, answer, _ = case.answer(case.points, "--until", "1", "--edges", case.final)
+    assert code == 2 and "expected --motions" in answer, answer
     for options in ((), ("--until",), ("--until", "x"), ("--until", "1", "--edge", "f")):
         code, answer, _ = case.answer(case.points, *options)
         assert code == 2 and "--help" in answer, answer
+
+
+def check_page(case):
+    """The manual page has the options of --help, and no others."""
+    usage = case.answer("--help")[1]
+    page = (pathlib.Path(__file__).parents[2] / "verify/kinetri-verify.1").read_text("utf-8")
+    described = re.findall(r"^\.BI? (\\-\\-\S+)", page, re.MULTILINE)
+    options = set(re.findall(r"--[a-z]+(?:-[a-z]+)*", usage[: usage.index("Decides")])) | {"--help"}
+    assert {option.replace("\\", "") for option in described} == options, (described, options)
 
 
 def main():
@@ -339,6 +356,7 @@ def main():
         check_second(case, 5)
     else:
         check_input(case)
+        check_page(case)
 
 
 if __name__ == "__main__":
