@@ -160,9 +160,10 @@ class Browser:
 
     def open(self, path, fragment=""):
         """Loads the file, with a fragment of the address, and waits for it."""
+        is_first = self.url is None
         self.url = path.resolve().as_uri()
         # The page may be there with another fragment, and would not be loaded anew.
-        for address in ("about:blank", self.url + fragment):
+        for address in (self.url + fragment,) if is_first else ("about:blank", self.url + fragment):
             self.loaded = False
             self.call("Page.navigate", url=address)
             deadline = time.monotonic() + SECONDS
