@@ -490,7 +490,8 @@ class Checker {
   // The first time in the interval of the row at which the edge has to be flipped. If what is
   // around it is new at this instant, that may be at once.
   std::optional<Time> failure_of(const Edge& e, const Row& row) {
-    const auto [a, b] = e;
+    const Id a = e.first;
+    const Id b = e.second;
     const auto decider = [&] {
       return Certifier::decider({edge_life, {}, courses({a, b, apex(a, b), apex(b, a)}), {}, {}});
     };

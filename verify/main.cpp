@@ -90,18 +90,19 @@ std::optional<verify::Options> with_box(verify::Options options, bool has_rim,
     }
   }
   options.has_rim = has_rim;
-  for (const auto& [side, rows_at] : hits) {
-    const auto rim = [&, side = side](const verify::Motion& m, const verify::Dyadic& time) {
+  for (const auto& hits_of_side : hits) {
+    const std::size_t side = hits_of_side.first;
+    const auto rim = [&](const verify::Motion& m, const verify::Dyadic& time) {
       const mpq_class r = has_rim ? value(m, verify::radius, time) : mpq_class();
       return mpq_class(value(m, side % 2, time) + (side > 1 ? r : mpq_class(-r)));
     };
     const auto is_side = [&](double place) {
-      return std::ranges::all_of(rows_at, [&](const auto& hit) {
+      return std::ranges::all_of(hits_of_side.second, [&](const auto& hit) {
         const int before = cmp(rim(hit.second, hit.first->lo), mpq_class(place));
         return before * cmp(rim(hit.second, hit.first->hi), mpq_class(place)) <= 0;
       });
     };
-    const auto& [row, motion] = rows_at.front();
+    const auto& [row, motion] = hits_of_side.second.front();
     const double about = rim(motion, verify::dyadic(row->time)).get_d();
     for (int digits = 0; digits <= 17 && !options.box.contains(side); ++digits) {
       std::ostringstream text;
