@@ -175,7 +175,8 @@ class Pictures(Rendering):
             picture = self.picture("--view", words)
             self.assertEqual(len(picture.lines("removed")), marked, words)
             self.assertEqual(len(picture.lines("added")), marked, words)
-        picture = self.picture("--view", "t=1")
+        self.assertEqual(self.picture("--view", "t=1&kinds=wall").lines("added"), [])
+        picture = self.picture("--view", "t=1&kinds=flip,wall")
         places = [(x, y) for x, y, _ in picture.circles("points")]
         self.assertEqual(set(picture.lines("added")[0]), {places[1], places[2]})
         self.assertEqual(set(picture.lines("removed")[0]), {places[0], places[3]})

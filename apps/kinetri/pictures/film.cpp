@@ -29,7 +29,7 @@ std::vector<std::string> encoding_arguments(Film_format format) {
               "diff_mode=rectangle",
               "-f", "gif"};
     case Film_format::webp:
-      return {"-c:v", "libwebp_anim", "-quality", "60", "-compression_level",
+      return {"-c:v", "libwebp_anim", "-quality", "50", "-compression_level",
               "6",    "-loop",        "0",        "-f", "webp"};
     case Film_format::webm:
       return {"-c:v", "libvpx-vp9", "-crf", "32", "-b:v", "0", "-pix_fmt", "yuv420p", "-f", "webm"};

@@ -110,6 +110,7 @@ void draw_ring(Svg_drawing& drawing, const Scene& scene, std::string_view name, 
 void draw_event(Svg_drawing& drawing, const Scene& scene, const Recorded_event& event,
                 double strength, bool is_ahead) {
   const Theme& theme = scene.view.theme();
+  if (std::ranges::find(scene.view.kinds, event.kind) == scene.view.kinds.end()) return;
   const auto can_be_drawn = [&](const std::optional<Edge_ids>& edge) {
     return edge && is_there(scene, (*edge)[0]) && is_there(scene, (*edge)[1]);
   };

@@ -91,10 +91,10 @@ Run_pictures::Run_pictures(const Viewer_page& page, const std::vector<View_sourc
   view_.has_time = options.has_time;
   view_.decimals =
       span > 0 ? static_cast<int>(std::clamp(2 - std::floor(std::log10(span)), 0.0, 12.0)) : 3;
-  for (std::size_t i = 0; i < event_kinds; ++i) kinds_.push_back(static_cast<Event_kind>(i));
+  for (std::size_t i = 0; i < event_kinds; ++i) view_.kinds.push_back(static_cast<Event_kind>(i));
   for (const View_source& source : sources) follow(source);
   if (color_ != Quantity::none) coloring_.emplace(page, color_);
-  if (view_.shows(Layer::heat)) heat_ = heat_of(page, extents_.whole(), kinds_);
+  if (view_.shows(Layer::heat)) heat_ = heat_of(page, extents_.whole(), view_.kinds);
 }
 
 void Run_pictures::follow(const View_source& source) {
@@ -125,7 +125,7 @@ void Run_pictures::follow(const View_source& source) {
   }
   if (words.follows_point) view_.follows_point = *words.follows_point;
   if (words.at) view_.at = words.at;
-  if (words.kinds) kinds_ = *words.kinds;
+  if (words.kinds) view_.kinds = *words.kinds;
   if (words.unit) view_.unit = *words.unit;
   if (words.has_legend) view_.has_legend = view_.has_scale = *words.has_legend;
   if (words.is_dark) view_.is_dark = *words.is_dark;

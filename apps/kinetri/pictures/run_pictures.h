@@ -57,7 +57,6 @@ class Run_pictures {
   bool has_discs_;
   View view_;
   Quantity color_ = Quantity::none;
-  std::vector<Event_kind> kinds_;  // whose heat is shown
   std::optional<double> time_;
   std::optional<std::size_t> row_;
   Playback playback_;

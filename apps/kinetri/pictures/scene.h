@@ -40,6 +40,7 @@ struct View {
   std::optional<Edge_ids> edge;  ///< that is selected
   std::optional<std::array<double, 3>> at;
   std::string unit;
+  std::vector<Event_kind> kinds;  ///< of the events that are marked, and counted for the heat
   bool has_legend = false;
   bool has_scale = true;  ///< of colors, if there are any
   bool has_time = false;
