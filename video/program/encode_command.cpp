@@ -119,7 +119,8 @@ Command encode_command() {
       "the "
       "picture by optical flow (pyramidal Lucas-Kanade). Their paths are straight from one turn to "
       "the next; their colors are those with which the frames in between are met best. Points that "
-      "lose their texture or leave go, and new ones come where the error is largest.",
+      "lose their texture move with their neighbors, those that leave go, and new ones come where "
+      "the error is largest; they may take the places of points that make little difference.",
       "The file appears when all of it has been written. docs/VIDEO.md describes the method and "
       "the format.",
       "Exit codes: 0 done, 2 bad usage, input or output, 3 internal error, 130 interrupted."};

@@ -142,9 +142,12 @@ X264_result x264_at(const std::string& source, const Ratio& rate, std::uint64_t 
                pass == 1 ? "/dev/null" : folder.word("stream.h264"), messages);
     if (failed(run_on_frames(command, source, rate))) return result;
   }
+  // Without these words ffmpeg makes limited range of full range.
+  const std::string_view range = format.is_full_range ? "pc" : "tv";
   const std::string command =
-      joined(ffmpeg, "-i ", folder.word("stream.h264"), " -fps_mode passthrough -pix_fmt ",
-             pixel_format(format.chroma), " ", folder.word("frames.y4m"), messages);
+      joined(ffmpeg, "-i ", folder.word("stream.h264"),
+             " -fps_mode passthrough -vf scale=out_range=", range, " -color_range ", range,
+             " -pix_fmt ", pixel_format(format.chroma), " ", folder.word("frames.y4m"), messages);
   const int status = std::system(command.c_str());
   if (failed(WIFEXITED(status) ? WEXITSTATUS(status) : -1)) return result;
 
@@ -152,6 +155,10 @@ X264_result x264_at(const std::string& source, const Ratio& rate, std::uint64_t 
   result.quality.emplace(format);
   const auto all = open_frames(source, rate);
   const auto others = open_y4m(folder.file("frames.y4m"));
+  if (others->format().is_full_range != format.is_full_range) {
+    result.problem = "ffmpeg has changed the range of the samples";
+    return result;
+  }
   Frame frame;
   Frame other;
   while (all->read(frame)) {
