@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is taken along: PNG, SVG, WebM, and links."""
 import base64
+import re
+import subprocess
 import time
 import xml.etree.ElementTree as ElementTree
 
@@ -68,6 +70,23 @@ class Taking(Page):
         self.assertTrue({"0", "20", "\u221220"} <= texts)
         ids = {text for text in texts if text.isdigit() and int(text) < 40}
         self.assertGreater(len(ids), 15)
+
+    def test_kinetri_render_draws_what_the_page_shows(self):
+        scale = ["#" + "".join(f"{int(part):02x}" for part in re.findall(r"\d+", color))
+                 for color in self.evaluate("kinetri.scale()")]
+        for quantity in ("area", "density", "speed", "degree", "changes"):
+            self.evaluate(f"void (location.hash = 'color={quantity}&t=3')")
+            self.browser.settle()
+            shades = self.evaluate("kinetri.colored().shades")
+            areas = self.evaluate("kinetri.areas()")
+            picture = subprocess.run([self.program, "render", self.run_.page, "--at", "3", "--output", "-", "--view",
+                                      f"color={quantity}"], capture_output=True, text=True, check=True).stdout
+            root = ElementTree.fromstring(picture)
+            cells = next(group for group in root.iter(SVG + "g") if group.get("class") == "colors")
+            self.assertEqual([path.get("fill") for path in cells],
+                             [scale[shade] for shade, area in zip(shades, areas) if area is not None], quantity)
+            edges = next(path for path in root.iter(SVG + "path") if path.get("class") == "edges")
+            self.assertEqual(edges.get("d").count("M"), len(self.evaluate("kinetri.edges()")))
 
     def test_webm(self):
         self.evaluate("document.getElementById('film-seconds').value = 1")
