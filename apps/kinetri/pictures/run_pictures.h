@@ -4,8 +4,8 @@
 // plays the run, drawn in the same way (viewer/flat_view.js), and are asked for in the same words
 // (view_words.h). Edges and triangles are those of the recording; places are rounded.
 //
-// Where the picture of the page is changed, this folder has to be changed too; viewer/test/taking.py
-// compares the colors of both.
+// Where the picture of the page is changed, this folder has to be changed too;
+// viewer/test/taking.py compares the colors of both.
 #ifndef KINETRI_APPS_RUN_PICTURES_H
 #define KINETRI_APPS_RUN_PICTURES_H
 
