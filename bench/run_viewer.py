@@ -15,7 +15,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "viewer" / "test"))
-import browser  # noqa: E402
+from chromium import Chromium  # noqa: E402
 
 EXAMPLES = """examples:
   bench/run_viewer.py build/release/bin/kinetri
@@ -77,7 +77,7 @@ def script_seconds(window):
 
 def measure(page, options):
     width, height = map(int, options.size.split("x"))
-    with browser.Browser(width, height, [("prefers-reduced-motion", "reduce")]) as window:
+    with Chromium(width, height, [("prefers-reduced-motion", "reduce")]) as window:
         fragment = f"#show={options.show}" if options.show else ""
         if options.words:
             fragment += ("&" if fragment else "#") + options.words

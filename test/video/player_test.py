@@ -4,7 +4,7 @@
 
 usage: player_test.py PROGRAM VIEWER_TESTS
 
-VIEWER_TESTS is the folder of browser.py. The page must show what `kinetri-video decode` draws, at any
+VIEWER_TESTS is the folder of chromium.py. The page must show what `kinetri-video decode` draws, at any
 time, in either direction. Exit code 77 where there is no chromium.
 """
 import json
@@ -17,7 +17,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, sys.argv[2])
-import browser  # noqa: E402
+from chromium import Chromium  # noqa: E402
 
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 SKIPPED = 77
@@ -77,7 +77,7 @@ class Player(unittest.TestCase):
                           [90 + x / 2 for y in range(HEIGHT) for x in range(WIDTH)],
                           [170 - y / 2 - t for y in range(HEIGHT) for x in range(WIDTH)]]
                 out.write(b"FRAME\n" + b"".join(bytes(int(value) for value in plane) for plane in planes))
-        with browser.Browser() as chromium:
+        with Chromium() as chromium:
             stream = self.open_clip(chromium, clip)
             self.run_program("decode", stream, self.folder / "decoded.y4m")
             data = (self.folder / "decoded.y4m").read_bytes()
@@ -102,7 +102,7 @@ class Player(unittest.TestCase):
     def test_mesh_is_the_edges_of_the_triangles(self):
         clip = self.folder / "clip.y4m"
         write_clip(clip)
-        with browser.Browser() as chromium:
+        with Chromium() as chromium:
             self.open_clip(chromium, clip)
             pixels = ("JSON.stringify(Array.from(player.canvas.getContext('2d').getImageData("
                       f"0, 0, {WIDTH}, {HEIGHT}).data.filter((_, i) => i % 4 === 0)))")
@@ -138,7 +138,7 @@ class Player(unittest.TestCase):
     def test_plays_at_any_speed_forward_and_backward(self):
         clip, decoded = self.folder / "clip.y4m", self.folder / "decoded.y4m"
         write_clip(clip)
-        with browser.Browser() as chromium:
+        with Chromium() as chromium:
             stream = self.open_clip(chromium, clip)
             self.run_program("decode", stream, decoded, "--fps", 50)
             expected = frames_of(decoded)
@@ -171,7 +171,7 @@ class Player(unittest.TestCase):
         # Times between those of the frames, too.
         self.run_program("decode", stream, decoded, "--fps", 50)
         expected = frames_of(decoded)
-        with browser.Browser() as chromium:
+        with Chromium() as chromium:
             chromium.open(page)
             shape = chromium.evaluate(
                 f"player.canvas.style.width = '{WIDTH}px', player.show(),"
@@ -193,7 +193,7 @@ class Player(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if browser.executable() is None:
+    if Chromium.executable() is None:
         print("chromium is not installed; nothing tested (scripts/test.sh --browser installs it)")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1])

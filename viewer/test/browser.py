@@ -1,22 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A headless chromium, driven over its DevTools protocol through a pipe; and pictures from it."""
+"""What a test asks of a browser without a window, chromium (chromium.py) or firefox (firefox.py); and pictures
+from it."""
 import base64
 import json
-import os
-import select
-import shutil
 import struct
-import subprocess
 import tempfile
-import time
 import zlib
 
-FLAGS = [
-    "--headless", "--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    "--remote-debugging-pipe", "--hide-scrollbars", "about:blank",
-]
 SECONDS = 60  # that an answer may take, on a machine that is busy
 
 
@@ -24,53 +14,23 @@ class BrowserError(Exception):
     pass
 
 
-def executable():
-    """The path of chromium, or None."""
-    return os.environ.get("KINETRI_CHROMIUM") or shutil.which("chromium")
-
-
 class Browser:
-    """One page at a time. `problems` collects its console errors, exceptions, and requests that are not
-    for the file itself. Use it as a context manager."""
+    """One page at a time. `problems` collects its errors and its requests that are not for the file itself.
+    Use it as a context manager.
 
-    def __init__(self, width=1280, height=800, media=(), flags=()):
+    A browser of a kind has `executable()`, the path of its program or None, and in place of the methods
+    that raise NotImplementedError here its own."""
+
+    needs_card = False  # for WebGL
+
+    def __init__(self, width, height, media):
         self.folder = tempfile.TemporaryDirectory(prefix="kinetri-viewer-", ignore_cleanup_errors=True)
-        ours_in, self.output = os.pipe()
-        self.input, ours_out = os.pipe()
-        self.log = open(os.path.join(self.folder.name, "log"), "w+b")
-        self.process = subprocess.Popen(
-            ["sh", "-c", 'exec "$0" "$@" 3<&' + str(ours_in) + " 4>&" + str(ours_out),
-             executable(), f"--user-data-dir={self.folder.name}/profile", *flags, *FLAGS],
-            stdin=subprocess.DEVNULL, stdout=self.log, stderr=self.log,
-            pass_fds=(ours_in, ours_out), start_new_session=True)
-        os.close(ours_in)
-        os.close(ours_out)
-        self.buffer = b""
-        self.number = 0
-        self.session = self.context = None
+        self.start()
         try:
             self.begin_page(width, height, media)
         except Exception:
             self.close()
             raise
-
-    def begin_page(self, width, height, media=()):
-        """An empty page that knows nothing of the one before, which is closed: what browsers keep is of
-        its own, and so are sizes and features."""
-        self.session = None
-        if self.context is not None:
-            self.call("Target.disposeBrowserContext", browserContextId=self.context)
-        self.problems = []
-        self.url = None
-        self.loaded = False
-        self.context = self.call("Target.createBrowserContext")["browserContextId"]
-        target = self.call("Target.createTarget", url="about:blank",
-                           browserContextId=self.context)["targetId"]
-        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Log", "Network"):
-            self.call(f"{domain}.enable")
-        self.resize(width, height)
-        self.media(*media)
 
     def __enter__(self):
         return self
@@ -78,85 +38,48 @@ class Browser:
     def __exit__(self, *_):
         self.close()
 
+    def start(self):
+        raise NotImplementedError
+
     def close(self):
-        try:
-            self.session = None
-            self.call("Browser.close")
-            self.process.wait(10)
-        except (BrowserError, OSError, subprocess.TimeoutExpired):
-            self.process.kill()
-            self.process.wait()
-        for descriptor in (self.input, self.output):
-            os.close(descriptor)
-        self.log.close()
-        self.folder.cleanup()
+        raise NotImplementedError
 
-    # ---- the protocol: JSON objects, each ended by a zero byte ----
-
-    def call(self, method, **parameters):
-        self.number += 1
-        message = {"id": self.number, "method": method, "params": parameters}
-        if self.session is not None:
-            message["sessionId"] = self.session
-        try:
-            os.write(self.output, json.dumps(message).encode() + b"\0")
-        except BrokenPipeError:
-            raise BrowserError(f"chromium has ended:\n{self.log_text()}") from None
-        deadline = time.monotonic() + SECONDS
-        while True:
-            answer = self.receive(deadline)
-            if answer.get("id") == self.number:
-                if "error" in answer:
-                    raise BrowserError(f"{method}: {answer['error']['message']}")
-                return answer["result"]
-
-    def receive(self, deadline):
-        while b"\0" not in self.buffer:
-            if not select.select([self.input], [], [], max(0, deadline - time.monotonic()))[0]:
-                raise BrowserError(f"chromium did not answer in {SECONDS} s:\n{self.log_text()}")
-            data = os.read(self.input, 1 << 20)
-            if not data:
-                raise BrowserError(f"chromium has ended:\n{self.log_text()}")
-            self.buffer += data
-        text, _, self.buffer = self.buffer.partition(b"\0")
-        message = json.loads(text)
-        if message.get("sessionId") == self.session:
-            self.note(message.get("method"), message.get("params", {}))
-        return message
-
-    def note(self, method, parameters):
-        if method == "Page.loadEventFired":
-            self.loaded = True
-        elif method == "Runtime.exceptionThrown":
-            details = parameters["exceptionDetails"]
-            self.problems.append("exception: " + details.get("exception", {}).get(
-                "description", details["text"]))
-        elif method == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "warning"):
-            self.problems.append(f"console: {parameters['args']}")
-        elif method == "Log.entryAdded" and parameters["entry"]["level"] in ("error", "warning"):
-            # A screenshot of what WebGL has drawn waits for it, which chromium reports.
-            if "GPU stall due to ReadPixels" not in parameters["entry"]["text"]:
-                self.problems.append("log: " + parameters["entry"]["text"])
-        elif method == "Network.requestWillBeSent":
-            url = parameters["request"]["url"]
-            if url.partition("?")[0] != self.url:
-                self.problems.append(f"request: {url[:200]}")
-
-    def log_text(self):
-        self.log.flush()
-        with open(self.log.name, encoding="utf-8", errors="replace") as log:
-            return log.read()[-4000:]
-
-    # ---- a page ----
+    def begin_page(self, width, height, media=()):
+        """An empty page that knows nothing of the one before, which is closed: sizes and features are of
+        its own."""
+        raise NotImplementedError
 
     def resize(self, width, height, ratio=1):
-        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
-                  deviceScaleFactor=ratio, mobile=False)
+        raise NotImplementedError
 
     def media(self, *features):
         """Such as ("prefers-color-scheme", "dark")."""
-        self.call("Emulation.setEmulatedMedia",
-                  features=[{"name": name, "value": value} for name, value in features])
+        raise NotImplementedError
+
+    def go_to(self, address):
+        """Loads it, and waits for it."""
+        raise NotImplementedError
+
+    def evaluate(self, expression):
+        """The JSON value of the expression; a promise is waited for."""
+        raise NotImplementedError
+
+    def press(self, key, code, text, modifiers):
+        raise NotImplementedError
+
+    def mouse(self, kind, x, y, **parameters):
+        """`kind` and `parameters` have the names of chromium's Input.dispatchMouseEvent."""
+        raise NotImplementedError
+
+    def pinch(self, x, y, some, others):
+        """Two fingers beside (x, y), that many pixels from it first and last."""
+        raise NotImplementedError
+
+    def screenshot(self, box=None):
+        """The page, or its part (left, top, right, bottom), as the bytes of a PNG file."""
+        raise NotImplementedError
+
+    # ---- in all browsers alike ----
 
     def open(self, path, fragment=""):
         """Loads the file, with a fragment of the address, and waits for it."""
@@ -164,22 +87,8 @@ class Browser:
         self.url = path.resolve().as_uri()
         # The page may be there with another fragment, and would not be loaded anew.
         for address in (self.url + fragment,) if is_first else ("about:blank", self.url + fragment):
-            self.loaded = False
-            self.call("Page.navigate", url=address)
-            deadline = time.monotonic() + SECONDS
-            while not self.loaded:
-                self.receive(deadline)
+            self.go_to(address)
         self.settle()
-
-    def evaluate(self, expression):
-        """The JSON value of the expression; a promise is waited for."""
-        answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True,
-                           awaitPromise=True)
-        if "exceptionDetails" in answer:
-            details = answer["exceptionDetails"]
-            raise BrowserError(f"{expression}: " + details.get("exception", {}).get(
-                "description", details["text"]))
-        return answer["result"].get("value")
 
     def settle(self):
         """Waits until what was asked for is drawn."""
@@ -187,17 +96,9 @@ class Browser:
                       " setTimeout(done, 0)))).then(() => null)")
 
     def key(self, key, code=None, text=None, modifiers=0):
-        if text is None and len(key) == 1:
-            text = key
-        common = {"key": key, "code": code or key, "modifiers": modifiers,
-                  "windowsVirtualKeyCode": {"Escape": 27}.get(key, 0)}
-        down = {"text": text} if text is not None else {}
-        self.call("Input.dispatchKeyEvent", type="keyDown", **common, **down)
-        self.call("Input.dispatchKeyEvent", type="keyUp", **common)
+        """`modifiers` is 8 for Shift."""
+        self.press(key, code or key, key if text is None and len(key) == 1 else text, modifiers)
         self.settle()
-
-    def mouse(self, kind, x, y, **parameters):
-        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **parameters)
 
     def move(self, x, y):
         self.mouse("mouseMoved", x, y)
@@ -214,15 +115,6 @@ class Browser:
             f"(() => {{ const r = document.getElementById({json.dumps(identifier)})"
             ".getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()")
         self.click(x, y)
-
-    def screenshot(self, box=None):
-        """The page, or its part (left, top, right, bottom), as the bytes of a PNG file."""
-        part = {}
-        if box is not None:
-            left, top, right, bottom = box
-            part["clip"] = {"x": left, "y": top, "width": right - left, "height": bottom - top,
-                            "scale": 1}
-        return base64.b64decode(self.call("Page.captureScreenshot", format="png", **part)["data"])
 
 
 # The pixels of PNG files in base64, as numbers of 32 bits: alpha, blue, green, red.

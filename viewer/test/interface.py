@@ -106,16 +106,9 @@ class Interface(Page):
     def test_pinch(self):
         left, top, right, bottom = self.picture_box()
         x, y = (left + right) / 2, (top + bottom) / 2
-        fingers = lambda apart: [{"x": x - apart, "y": y, "id": 1}, {"x": x + apart, "y": y, "id": 2}]
         scale = "kinetri.screen(1, 0)[0] - kinetri.screen(0, 0)[0]"
         was = self.evaluate(scale)
-        self.browser.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
-        touch = lambda kind, points: self.browser.call("Input.dispatchTouchEvent", type=kind,
-                                                       touchPoints=points)
-        touch("touchStart", fingers(50))
-        for apart in range(55, 101, 5):
-            touch("touchMove", fingers(apart))
-        touch("touchEnd", [])
+        self.browser.pinch(x, y, 50, 100)
         self.browser.settle()
         # Twice as far apart, but for the first pixels, in which it might be a click.
         self.assertGreater(self.evaluate(scale), 1.5 * was)

@@ -26,12 +26,13 @@ class Page(unittest.TestCase):
     of a class share: to start it takes longer than most of them."""
 
     program = folder = None  # the arguments of viewer_test.py
-    flags = ()  # more of chromium's
+    kind = None  # of browser: Chromium or Firefox
+    without_webgl = False
     made = {}   # the runs so far, by name
 
     @classmethod
     def setUpClass(cls):
-        cls.browser = browser.Browser(flags=cls.flags)
+        cls.browser = cls.kind(without_webgl=cls.without_webgl)
         cls.addClassCleanup(cls.browser.close)
 
     def setUp(self):

@@ -1,22 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests of the viewer page in Debian's chromium, without a window.
+"""Tests of the viewer page in Debian's chromium or firefox-esr, without a window.
 
-usage: viewer_test.py PROGRAM WORK_DIR TEST
+usage: viewer_test.py PROGRAM WORK_DIR TEST BROWSER
 
 TEST is the name of a run (runs.py): its page is opened from its file, played event by event, forward
-and backward, and must show the edges of the program's own logs; or one of CASES. Exit code 77 where there is no chromium.
+and backward, and must show the edges of the program's own logs; or one of CASES. BROWSER is chromium or
+firefox. Exit code 77 where the browser is not there.
 """
 import pathlib
 import sys
 import unittest
 
 sys.dont_write_bytecode = True
-import browser  # noqa: E402
 import runs  # noqa: E402
 from certificate import Certificate  # noqa: E402
+from chromium import Chromium  # noqa: E402
 from drawing import Drawing, Without_webgl  # noqa: E402
 from encounters import Near  # noqa: E402
+from firefox import Firefox  # noqa: E402
 from interface import Interface  # noqa: E402
 from page import Page  # noqa: E402
 from playing import Playing  # noqa: E402
@@ -26,16 +28,18 @@ from screens import Accessible, Screens  # noqa: E402
 from taking import Taking  # noqa: E402
 
 SKIPPED = 77
+BROWSERS = {"chromium": (Chromium, "chromium"), "firefox": (Firefox, "firefox-esr")}
 CASES = {"interface": Interface, "certificate": Certificate, "drawing": Drawing,
          "without_webgl": Without_webgl, "points": Points, "screens": Screens,
          "accessible": Accessible, "taking": Taking, "encounters": Near, "small": Small, "damaged": Damaged}
 
 
 def main():
-    if len(sys.argv) != 4:
+    if len(sys.argv) != 5 or sys.argv[4] not in BROWSERS:
         sys.exit(__doc__)
-    if browser.executable() is None:
-        print("chromium is not installed; nothing tested (scripts/test.sh --browser installs it)")
+    Page.kind, package = BROWSERS[sys.argv[4]]
+    if Page.kind.executable() is None:
+        print(f"{package} is not installed; nothing tested")
         return SKIPPED
     name = sys.argv[3]
     Page.program, Page.folder = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
