@@ -319,7 +319,7 @@ class Checker {
     if (count != 1) refute("the hull goes around " + std::to_string(count) + " times");
   }
 
-  // A point that is there without an edge is hidden, and rows tell of each change (Lemma 7).
+  // A point that is there without an edge is hidden, and rows tell of each change (Lemma 6).
   void note_hidden() {
     std::set<Id> looked_at = touched_;
     for (const auto& more : {moved_, told_}) looked_at.insert(more.begin(), more.end());

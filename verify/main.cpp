@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// kinetri-verify: decides from the points and the event log alone whether a run of kinetri was
-// right.
+// kinetri-verify: decides from the points, the event log and the motions alone whether a run of
+// kinetri was right.
 #include "checker.h"
 
 namespace {
