@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -34,8 +35,9 @@ constexpr unsigned margin = 32;
 constexpr int key_rounds = 10;
 // Of the points, so many may be replaced by better ones at the begin of a group.
 constexpr double most_replaced = 1.0 / 16;
-// A triangle must be so much worse than what the removal of a point makes worse.
-constexpr double worth_replacing = 2;
+// A triangle must be so much worse than what the removal of a point makes worse: a point that comes
+// costs more bits than one that stays.
+constexpr double worth_replacing = 4;
 
 // Half of the sum of differences: 0 for equal histograms, 1 for those without common levels.
 double histogram_distance(const Frame& a, const Frame& b) {
@@ -128,7 +130,7 @@ class Encoder {
                                         : places_by_content(header_, picture, settings_.points);
     Key key;
     for (int round = 0;; ++round) {
-      sort_places(header_, places);
+      sort_places(header_, std::span(places).subspan(number_of_corners));
       key = {number, {}};
       for (const Place& place : places) key.points.push_back(node_at(place, picture));
       picture_.begin(key);
@@ -138,13 +140,13 @@ class Encoder {
       points = points_of(key);
       error_ = fit_.error(points, picture);
       std::vector<bool> is_replaced(points.size());
-      const std::vector<Node> inserted = new_points(points, is_replaced);
+      const std::vector<Place> inserted = new_places(points, is_replaced);
       if (inserted.empty()) break;
       places.clear();
       for (std::size_t i = 0; i < points.size(); ++i) {
         if (!is_replaced[i]) places.push_back(points[i].node.place);
       }
-      for (const Node& node : inserted) places.push_back(node.place);
+      std::ranges::copy(inserted, std::back_inserter(places));
     }
     picture_.begin(key);
     ++result_.keys;
@@ -170,7 +172,8 @@ class Encoder {
   bool add_group(std::uint32_t segment_end) {
     const std::uint32_t first = now();
     std::vector<bool> is_replaced(writer_.points().points().size());
-    const std::vector<Node> inserted = new_points(writer_.points().points(), is_replaced);
+    std::vector<Place> inserted = new_places(writer_.points().points(), is_replaced);
+    sort_places(header_, inserted);
     Points points;
     std::vector<std::size_t> index(writer_.points().next_id(), SIZE_MAX);
     for (std::size_t i = 0; i < is_replaced.size(); ++i) {
@@ -179,7 +182,9 @@ class Encoder {
       index[points.back().id] = points.size() - 1;
     }
     const std::size_t staying = points.size();
-    for (const Node& node : inserted) points.push_back({no_point, node, {}, 0});
+    for (const Place& place : inserted) {
+      points.push_back({no_point, node_at(place, frames_.front()), {}, 0});
+    }
 
     std::vector<Vector_2> places;
     for (const auto& point : points) places.push_back(position_of(header_, point.node.place));
@@ -294,11 +299,11 @@ class Encoder {
     write(group);
   }
 
-  // New points: around the picture where others have left a gap, and where the error is largest, as
-  // many as are missing, and some in place of points that make the picture little better, which are
-  // marked.
-  std::vector<Node> new_points(const Points& points, std::vector<bool>& is_replaced) const {
-    std::vector<Node> result;
+  // Places of new points: around the picture where others have left a gap, and where the error is
+  // largest, as many as are missing, and some in place of points that make the picture little
+  // better, which are marked.
+  std::vector<Place> new_places(const Points& points, std::vector<bool>& is_replaced) const {
+    std::vector<Place> result;
     if (settings_.placement == Placement::grid) return result;
     std::vector<Vector_2> positions(points.back().id + std::size_t{1});
     for (const auto& point : points) positions[point.id] = position_of(header_, point.node.place);
@@ -311,7 +316,6 @@ class Encoder {
                                             picture_.triangulation().finite_edge_ids());
     const auto most =
         in_ring + static_cast<std::size_t>(most_replaced * static_cast<double>(settings_.points));
-    const Frame& picture = frames_.front();
     std::size_t removed = 0;
     for (std::size_t i = 0; i < std::min(wanted.size(), missing + most); ++i) {
       if (i >= missing) {
@@ -320,7 +324,7 @@ class Encoder {
         is_replaced[removable[removed].index] = true;
         ++removed;
       }
-      result.push_back(node_at(wanted[i].place, picture));
+      result.push_back(wanted[i].place);
     }
     return result;
   }

@@ -27,9 +27,9 @@ struct Encoder_settings {
   std::uint32_t key_frames = 0;    ///< a key after so many frames; 0: only where it is needed
   bool has_scene_cuts = true;      ///< whether a scene cut begins with a key
   Placement placement = Placement::content;
-  bool has_motion = true;   ///< else points rest; for comparison
-  unsigned place_bits = 4;  ///< of Stream_header
-  unsigned color_step = 8;  ///< of Stream_header
+  bool has_motion = true;    ///< else points rest; for comparison
+  unsigned place_bits = 4;   ///< of Stream_header
+  unsigned color_step = 32;  ///< of Stream_header
 };
 
 /// What became of the frames.

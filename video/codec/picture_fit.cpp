@@ -8,10 +8,11 @@
 namespace kinetri::video {
 namespace {
 
-// How much a point is pulled towards its color before, in samples.
-constexpr double inertia = 0.05;
+// How much a point is pulled towards its color before, in samples: where few samples, or none,
+// determine a color, it stays, which costs no bits.
+constexpr double inertia = 2;
 // A color changes only if it is off by more than this many steps.
-constexpr double dead_zone = 0.6;
+constexpr double dead_zone = 1;
 
 // The last frame of a group counts as much as all others together. Else the colors there, with
 // which the next group begins, would be wrong in favor of the frames before, in turns too high and

@@ -71,19 +71,15 @@ double sample_at(const Stream_header& header, const Frame& frame, std::size_t pl
          v * ((1 - u) * at(i, below) + u * at(right, below));
 }
 
-void sort_places(const Stream_header& header, std::vector<Place>& places) {
+void sort_places(const Stream_header& header, std::span<Place> places) {
   // Each strip goes in the direction opposite to the one before.
   const double area = static_cast<double>(header.right()) * header.bottom();
   const double count = static_cast<double>(std::max<std::size_t>(places.size(), 1));
   const auto height = static_cast<std::int32_t>(std::max(1.0, std::sqrt(area / count) * 2));
-  std::sort(places.begin() + static_cast<std::ptrdiff_t>(number_of_corners), places.end(),
-            [&](const Place& a, const Place& b) {
-              const auto key = [&](const Place& p) {
-                const std::int32_t strip = p.y / height;
-                return std::array{strip, strip % 2 == 0 ? p.x : -p.x, p.y};
-              };
-              return key(a) < key(b);
-            });
+  std::ranges::sort(places, {}, [&](const Place& p) {
+    const std::int32_t strip = p.y / height;
+    return std::array{strip, strip % 2 == 0 ? p.x : -p.x, p.y};
+  });
 }
 
 std::vector<Candidate> candidates(const Stream_header& header,

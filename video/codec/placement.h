@@ -31,9 +31,9 @@ std::vector<Candidate> candidates(const Stream_header& header,
                                   std::span<const double> error,
                                   std::span<const Vector_2> positions);
 
-/// Puts the places behind the corners in the order of a key: strips from the top to the bottom, so
-/// that successive ones are near to each other.
-void sort_places(const Stream_header& header, std::vector<Place>& places);
+/// Puts the places in the order in which points that come are stored: strips from the top to the
+/// bottom, so that successive ones are near to each other.
+void sort_places(const Stream_header& header, std::span<Place> places);
 
 /// The distance of points in a ring around the picture, for that number of points.
 double ring_spacing(const Stream_header& header, std::size_t count);

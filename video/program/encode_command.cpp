@@ -31,7 +31,7 @@ struct Encode_options {
   std::string points = "2000";
   std::optional<std::string> key_every;
   std::string turn_every = "8";
-  std::string color_step = "1";
+  std::string color_step = "4";
   std::string rate = "25";
   std::string placement = "content";
   bool scene_cut = false;
@@ -107,8 +107,9 @@ Command encode_command() {
   result.add_flag("--scene-cut", options->scene_cut, "Begin anew where a scene begins");
   result.add("--turn-every", &options->turn_every, "FRAMES",
              "Frames between two turns of a point, a power of two (default 8)");
-  result.add("--color-step", &options->color_step, "STEP",
-             "Colors are multiples of this, which is one of 1/8 (default 1)");
+  result.add(
+      "--color-step", &options->color_step, "STEP",
+      "Colors are multiples of this, a multiple of 1/8; a finer step takes more bits (default 4)");
   result.add("--rate", &options->rate, "FPS", "Frames a second of a folder (default 25)");
   result.add("--placement", &options->placement, app::choice_type(placements),
              "Where points are put: where the picture needs them, or on a grid, for comparison "
