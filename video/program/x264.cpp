@@ -101,14 +101,14 @@ int run_on_frames(const std::string& command, const std::string& path, const Rat
   return pipe.close();
 }
 
-// What ffmpeg has said last.
-std::string last_line(const std::string& path) {
+// What ffmpeg has said first, which is the reason of what follows, without the name and the address
+// of its part: "[libx264 @ 0x55] requested bitrate is too low".
+std::string first_message(const std::string& path) {
   std::ifstream file(path);
-  std::string result;
-  for (std::string line; std::getline(file, line);) {
-    if (!line.empty()) result = line;
-  }
-  return result;
+  std::string line;
+  std::getline(file, line);
+  const std::size_t end = line.starts_with('[') ? line.find("] ") : std::string::npos;
+  return end == std::string::npos ? line : line.substr(end + 2);
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ X264_result x264_at(const std::string& source, const Ratio& rate, std::uint64_t 
     if (code == 0) return false;
     result.problem = code == not_found
                          ? "ffmpeg is not installed"
-                         : joined("ffmpeg failed: ", last_line(folder.file("messages")));
+                         : joined("ffmpeg failed: ", first_message(folder.file("messages")));
     return true;
   };
   for (const int pass : {1, 2}) {
