@@ -181,12 +181,17 @@ class Table {
 };
 
 // The motions at the start: the rows of a file of points, or those without an event of a file of
-// motions. Its other rows go to the rows of their events, if these are asked for.
-inline std::vector<Change> read_motions(const std::string& path, std::vector<Row>* rows) {
+// motions. Its other rows go to the rows of their events, if these are asked for. The radii and
+// growths of points, and which of the two columns there are, only if these are asked for.
+inline std::vector<Change> read_motions(const std::string& path, std::vector<Row>* rows,
+                                        std::set<std::size_t>* columns = nullptr) {
   static constexpr std::array<std::string_view, numbers> names = {
       "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "growth", "epoch"};
   Table table(path);
   const bool is_of_motions = table.has("event");
+  for (const std::size_t i : {radius, growth}) {
+    if (columns != nullptr && table.has(names[i])) columns->insert(i);
+  }
   if (is_of_motions) table.expect_header("event,id,x,y,vx,vy,ax,ay,jx,jy,radius,growth,epoch");
   std::vector<Change> points;
   std::size_t event = 0;
@@ -195,7 +200,8 @@ inline std::vector<Change> read_motions(const std::string& path, std::vector<Row
     if (!is_of_motions || !table.field("x").empty()) {
       change.motion.emplace();
       for (std::size_t i = 0; i < numbers; ++i) {
-        const bool is_there = is_of_motions || i <= vy || (i <= jy && table.has(names[i]));
+        const bool is_there = is_of_motions || i <= vy || (i <= jy && table.has(names[i])) ||
+                              (columns != nullptr && columns->contains(i));
         (*change.motion)[i] = is_there ? table.number(names[i]) : 0;
       }
     }

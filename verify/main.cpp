@@ -54,6 +54,24 @@ std::vector<verify::Edge> undone(const std::vector<verify::Edge>& final_edges,
   return {edges.begin(), edges.end()};
 }
 
+// The discs at the start are those of the columns of the points, and equal where there is no such
+// column. Where discs touch nothing they may all be points.
+void check_discs(const std::vector<verify::Change>& points, const std::set<std::size_t>& columns,
+                 const std::vector<verify::Change>& start, bool may_be_points) {
+  const auto is_point = [](const verify::Change& change) {
+    return (*change.motion)[verify::radius] == 0 && (*change.motion)[verify::growth] == 0;
+  };
+  if (may_be_points && std::ranges::all_of(start, is_point)) return;
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    for (const std::size_t i : {verify::radius, verify::growth}) {
+      const verify::Change& expected = columns.contains(i) ? points[k] : start.front();
+      if ((*start[k].motion)[i] == (*expected.motion)[i]) continue;
+      throw verify::Refuted{-1, "the disc of point " + std::to_string(start[k].id) + " is not " +
+                                    (columns.contains(i) ? "that of the points" : "as the others")};
+    }
+  }
+}
+
 // Where a motion is at a time: x, y or the radius.
 mpq_class value(const verify::Motion& m, std::size_t what, const verify::Dyadic& time) {
   mpq_class t(time.m, verify::Integer(1) << time.e);
@@ -166,8 +184,11 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   options.has_contacts = !response.empty() && response != "none";
 
   verify::read_events(files[1], rows);
-  std::vector<verify::Change> points = verify::read_motions(files[0], &rows);
-  if (given.contains("--motions")) {
+  const bool has_motions = given.contains("--motions");
+  std::set<std::size_t> columns;
+  std::vector<verify::Change> points =
+      verify::read_motions(files[0], &rows, has_motions ? &columns : nullptr);
+  if (has_motions) {
     for (verify::Row& row : rows) row.changes.clear();
     std::vector<verify::Change> start = verify::read_motions(given["--motions"], &rows);
     const auto is_same = [](const verify::Change& a, const verify::Change& b) {
@@ -178,6 +199,10 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
     if (!std::ranges::equal(points, start, is_same)) {
       throw verify::Refuted{-1, "the motions at the start are not those of the points"};
     }
+    const auto is_collision = [](const verify::Row& row) { return row.kind == "collision"; };
+    const bool may_touch =
+        options.has_contacts || options.has_rim || std::ranges::any_of(rows, is_collision);
+    check_discs(points, columns, start, !may_touch);
     points = std::move(start);
   }
   for (const verify::Row& row : rows) {

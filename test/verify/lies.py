@@ -287,6 +287,16 @@ def a_motion_at_the_start_altered(run, generator):
     return -1
 
 
+@lie(PLAIN, BOX, WEIGHTS)
+def a_disc_at_the_start_altered(run, generator):
+    if len(run.points) < 2:
+        return None  # its disc may be any
+    motion = generator.choice([m for m in run.motions if not m[0]])
+    i = generator.randint(10, 11)
+    motion[i] = repr(math.nextafter(float(motion[i]), math.inf))
+    return -1
+
+
 # ---- contacts ----
 
 

@@ -222,6 +222,8 @@ def is_right(run, row, expected, true_run):
     if row == expected:
         return True
     times = [r.rows[expected][3:5] for r in (run, true_run) if 0 <= expected < len(r.rows)]
+    if row == -1:
+        return any(float(low) <= run.start for low, _ in times)
     return 0 <= row < len(run.rows) and run.rows[row][3:5] in times
 
 
