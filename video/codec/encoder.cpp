@@ -162,10 +162,10 @@ class Encoder {
   }
 
   void fit_colors(const Points& points, std::uint32_t first, std::uint32_t frames,
-                  std::vector<Node>& targets) {
+                  std::vector<Node>& targets, std::size_t fixed = 0) {
     fit_.fit(
         picture_, points, first, frames,
-        [&](std::uint32_t number) -> const Frame& { return *frame(number); }, targets);
+        [&](std::uint32_t number) -> const Frame& { return *frame(number); }, targets, fixed);
   }
 
   // A group up to `segment_end` at most. False if the next frame is not there, or begins a scene.
@@ -290,10 +290,18 @@ class Encoder {
       if (i >= staying) group.inserted.push_back(candidates[i].node);
       group.targets.push_back({*targets[i], candidates[i].node.colors});
     }
-    const Points points = writer_.points().at_begin_of(group);
+    Points points = writer_.points().at_begin_of(group);
     picture_.begin(group);
+    // Those that come have the colors with which their surroundings are best: that of the pixel is
+    // wrong in large triangles.
+    const std::size_t old = points.size() - group.inserted.size();
+    std::vector<Node> at_begin(points.size());
+    if (!group.inserted.empty()) fit_colors(points, first, 0, at_begin, old);
+    for (std::size_t i = old; i < points.size(); ++i) {
+      points[i].node.colors = group.inserted[i - old].colors = at_begin[i].colors;
+    }
     fit_colors(points, first, frames, group.targets);
-    picture_.set_target_colors(group);
+    picture_.set_colors(group);
     result_.inserted += group.inserted.size();
     result_.erased += group.erased.size();
     write(group);

@@ -74,11 +74,15 @@ void Moving_picture::begin(const Group& group) {
   triangulation_->insert(std::span(motions).subspan(staying));
   triangulation_->set_motions(std::span(ids).first(staying), std::span(motions).first(staying));
   points_.follow(group);
-  set_target_colors(group);
+  set_colors(group);
 }
 
-void Moving_picture::set_target_colors(const Group& group) {
+void Moving_picture::set_colors(const Group& group) {
   KINETRI_ASSERT(at_begin_.size() == group.targets.size(), "the group is another one");
+  const std::size_t staying = at_begin_.size() - group.inserted.size();
+  for (std::size_t i = staying; i < at_begin_.size(); ++i) {
+    at_begin_[i].node.colors = group.inserted[i - staying].colors;
+  }
   for (std::size_t i = 0; i < at_begin_.size(); ++i) {
     set_colors(at_begin_[i].id, at_begin_[i].node.colors, group.targets[i].colors, group.frames);
   }

@@ -11,6 +11,8 @@ namespace {
 // How much a point is pulled towards its color before, in samples: where few samples, or none,
 // determine a color, it stays, which costs no bits.
 constexpr double inertia = 2;
+// The same of a color that stays in any case: more than all samples of a picture.
+constexpr double fixation = 1e9;
 // A color changes only if it is off by more than this many steps.
 constexpr double dead_zone = 1;
 
@@ -38,17 +40,19 @@ std::int16_t Picture_fit::quantized(double value) const {
 }
 
 void Picture_fit::fit(Moving_picture& picture, const Points& points, std::uint32_t first,
-                      std::uint32_t frames, const Frames& frame, std::vector<Node>& targets) {
+                      std::uint32_t frames, const Frames& frame, std::vector<Node>& targets,
+                      std::size_t fixed) {
   const std::size_t ids = points.back().id + std::size_t{1};
   std::vector<Color_fit> fits;
   std::vector<std::vector<double>> colors;
   for (const auto& [begin, count, grid] : sets_) {
     Color_fit& fit = fits.emplace_back(ids, count);
     std::vector<double>& known = colors.emplace_back(ids * count);
-    for (const auto& point : points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto& point = points[i];
       double* here = &known[point.id * count];
       for (std::size_t c = 0; c < count; ++c) here[c] = point.node.colors[begin + c] * unit();
-      fit.pull(point.id, inertia, {here, count});
+      fit.pull(point.id, i < fixed ? fixation : inertia, {here, count});
     }
   }
   for (std::uint32_t k = frames == 0 ? 0 : 1; k <= frames; ++k) {
@@ -66,7 +70,8 @@ void Picture_fit::fit(Moving_picture& picture, const Points& points, std::uint32
       for (std::size_t c = 0; c < count; ++c) {
         const double value = found[points[i].id * count + c];
         const std::int16_t before = points[i].node.colors[begin + c];
-        const bool stays = frames > 0 && std::abs(value - before * unit()) <= dead_zone * unit();
+        const bool stays =
+            i < fixed || (frames > 0 && std::abs(value - before * unit()) <= dead_zone * unit());
         targets[i].colors[begin + c] = stays ? before : quantized(value);
       }
     }

@@ -30,9 +30,9 @@ class Picture_fit {
   /// Finds the colors of `targets`, one for each point: those at the end of a group that begins at
   /// the time `first` with the colors of the points, and has so many frames; 0 at a key, whose
   /// colors are fitted to that frame alone. Advances the picture to the end. A color that would
-  /// change by little stays.
+  /// change by little stays, and those of the first `fixed` points stay in any case.
   void fit(Moving_picture& picture, const Points& points, std::uint32_t first, std::uint32_t frames,
-           const Frames& frame, std::vector<Node>& targets);
+           const Frames& frame, std::vector<Node>& targets, std::size_t fixed = 0);
 
   /// Of the samples of brightness of the frame that was fitted last.
   std::span<const Corner_weights> weights() const { return weights_; }
