@@ -34,8 +34,8 @@ class Moving_picture {
   void begin(const Group& group);
 
   /// Colors of the present group, when these are found only now: those of `group.inserted` and
-  /// `group.targets`, which have the places of the group that has begun. (The triangulation does not
-  /// depend on them.)
+  /// `group.targets`, which have the places of the group that has begun. (The triangulation does
+  /// not depend on them.)
   void set_colors(const Group& group);
 
   /// Goes to the time. Precondition: it is not before the present one, nor after the end of the
