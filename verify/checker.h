@@ -129,6 +129,7 @@ class Checker {
     std::array<std::vector<Id>, 2> halves;  // of the directions: upper and lower
     for (const Id n : neighbors_[v]) {
       const auto [dx, dy] = minus(course(n), course(v));
+      if (dx.empty() && dy.empty()) refute("the ends of " + name(edge(n, v)) + " are one place");
       const int sign = sign_just_after(dy, now_);
       halves[sign < 0 || (sign == 0 && sign_just_after(dx, now_) < 0) ? 1 : 0].push_back(n);
     }
@@ -183,6 +184,11 @@ class Checker {
     for (Id v = 0; v < courses_.size(); ++v) {
       const std::set<Id>& n = neighbors_[v];
       if (n.size() > 2) refute("the points on a line have no path of edges");
+      for (const Id u : n) {
+        if (course(u).place == course(v).place) {
+          refute("the ends of " + name(edge(u, v)) + " are one place");
+        }
+      }
       if (n.size() < 2) continue;
       left_[key(v, infinite)] = *n.begin();
       left_[key(infinite, v)] = *n.rbegin();
@@ -243,6 +249,7 @@ class Checker {
     const auto [time, a, b] = specials_.front();
     specials_.pop_front();
     if (a == infinite) {
+      if (is_on_line_) return;  // a time of points that have gone
       const auto is_flat = [&](const Course* c) {
         return c == nullptr || sign_at(orientation(*witness_[0], *witness_[1], *c), now_) == 0;
       };
@@ -327,15 +334,17 @@ class Checker {
       const std::string which = "point " + std::to_string(v);
       if (!is_present(v) && !neighbors_[v].empty()) refute(which + " still has edges");
       const bool is_hidden = is_present(v) && neighbors_[v].empty() && present_ > 1;
-      const bool is_told = told_.erase(v) > 0 || moved_.contains(v);
-      if (is_hidden != hidden_.contains(v) && !is_told) refute(which + " is hidden or revealed");
+      const bool is_told = told_.erase(v) > 0;
+      const bool has_changed = is_hidden != hidden_.contains(v);
+      if (has_changed != is_told && !moved_.contains(v)) {
+        refute(which + (is_told ? " is neither hidden nor revealed" : " is hidden or revealed"));
+      }
       if (is_hidden) {
         hidden_.try_emplace(v, Triangle{absent, absent, absent});
       } else if (hidden_.erase(v) > 0) {
         renew(hidden_life, key(v, v), std::nullopt);
       }
     }
-    if (!told_.empty()) refute("it changes nothing");
   }
 
   // The triangle of each hidden point.
@@ -408,8 +417,9 @@ class Checker {
     const bool is_joined =
         row_ > 0 ? is_of_time_of(row, (&row)[-1]) : compare(row.hi, options_.from) == 0;
     if (!is_joined) pass_before(exactly(row.lo));
-    if (rank(row) == 4) return flip(row);
     if (rank(row) == 0) return change(row);
+    if (!row.changes.empty()) refute("it has a motion, but a " + row.kind + " changes none");
+    if (rank(row) == 4) return flip(row);
     if (!is_joined || row_ == 0 || rank((&row)[-1]) == 0 || rank((&row)[-1]) > rank(row))
       open_at(time_of_rebuild(row), row);
     is_rebuilt_ = true;
@@ -445,7 +455,8 @@ class Checker {
   // An edge between two triangles becomes the other diagonal. With the infinite point: a point
   // becomes a corner of the hull, or ceases to be one.
   void flip(const Row& row) {
-    if ((is_rebuilt_ || !touched_.empty()) && is_in(now_, row) && is_needed_now(row)) {
+    const bool is_part_of_more = is_rebuilt_ || !touched_.empty() || has_edges_of_the_gone();
+    if (is_part_of_more && is_in(now_, row) && is_needed_now(row)) {
       for (const Edge& e : row.removed) remove_edge(e);
       for (const Edge& e : row.added) add_edge(e);
       return;
@@ -543,12 +554,17 @@ class Checker {
     return result;
   }
 
+  // Whether a point that is erased in this instant still has edges.
+  bool has_edges_of_the_gone() const {
+    return std::ranges::any_of(moved_,
+                               [&](Id v) { return !is_present(v) && !neighbors_[v].empty(); });
+  }
+
   // Whether a row that may be of this instant is needed: whether something at its points, and at
   // those of the rows after it, is violated just after now, or there is no triangulation yet.
   bool is_needed_now(const Row& row) {
     if (is_witness_lost_) find_witness();
-    const auto has_gone = [&](Id v) { return !is_present(v) && !neighbors_[v].empty(); };
-    if (is_on_line_ || std::ranges::any_of(moved_, has_gone)) return true;
+    if (is_on_line_ || has_edges_of_the_gone()) return true;
     try {
       remake();
       const auto is_of_hull = [](const Edge& e) { return e.second == infinite; };
@@ -607,7 +623,10 @@ class Checker {
       } else {
         for (const auto& [side, p] : certifier_.clearances(first)) distances.push_back(p);
       }
-      open_at(contact_time(distances, row), row);
+      const Edge pair = edge(row.points.front(), row.points.back());
+      const bool passes =
+          passing_.contains(pair) && !moved_.contains(pair.first) && !moved_.contains(pair.second);
+      open_at(contact_time(distances, passes, row), row);
       if (!contacts_.insert(row.points).second) refute("it is the row before, again");
     } else {
       if (compare(row.lo, row.hi) != 0) refute("its time is no binary64 number");
@@ -615,6 +634,7 @@ class Checker {
     }
     if (row.kind != "collision" && row.changes.size() != 1) refute("it has no motion");
     if (is_contact && row.changes.empty()) {  // the discs pass through each other
+      if (!options_.may_pass) refute("it changes no motion");
       const auto [a, b] = edge(row.points.front(), row.points.back());
       renew(edge_life, key(a, b), std::nullopt);
       changed_.insert({a, b});
@@ -622,6 +642,7 @@ class Checker {
     }
     for (const Change& change : row.changes) {
       if (std::ranges::find(row.points, change.id) == row.points.end() ||
+          std::ranges::count(row.changes, change.id, &Change::id) != 1 ||
           (row.kind != "collision" && change.motion.has_value() == (row.kind == "erase"))) {
         refute("it has a motion of point " + std::to_string(change.id));
       }
@@ -642,8 +663,10 @@ class Checker {
     }
   }
 
-  // The first contact in the interval of the row.
-  std::optional<Time> contact_time(const std::vector<Polynomial>& all, const Row& row) {
+  // The first contact in the interval of the row. Discs that pass through each other have none
+  // while they overlap.
+  std::optional<Time> contact_time(const std::vector<Polynomial>& all, bool passes,
+                                   const Row& row) {
     std::optional<Time> first;
     for (const Polynomial& p : all) {
       std::vector<Time> times = roots_in(p, row);
@@ -651,6 +674,7 @@ class Checker {
       if (is_in(now_, row)) times.push_back(now_);
       for (Time& time : times) {
         if (compare(time, now_) < 0 || (first && compare(time, *first) >= 0)) continue;
+        if (passes && sign_at(p, time) < 0) continue;
         if (verify::is_contact(p, time)) first = time;
       }
     }

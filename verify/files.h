@@ -74,7 +74,8 @@ struct Options {
   std::map<std::size_t, double> box;  // sides that there are: 0 left, 1 lower, 2 right, 3 upper
   bool has_rim = false;
   bool has_contacts = false;
-  bool is_log = false;  // whether discs pass through each other
+  bool is_log = false;   // whether discs pass through each other
+  bool may_pass = true;  // or may do so after a collision
   std::size_t threads = 1;
 };
 
@@ -180,9 +181,16 @@ class Table {
   std::size_t line_ = 0;
 };
 
+inline bool changes_motions(const Row& row) {
+  static const std::set<std::string_view> kinds = {"insert", "erase", "trajectory", "wall",
+                                                   "collision"};
+  return kinds.contains(row.kind);
+}
+
 // The motions at the start: the rows of a file of points, or those without an event of a file of
-// motions. Its other rows go to the rows of their events, if these are asked for. The radii and
-// growths of points, and which of the two columns there are, only if these are asked for.
+// motions. Its other rows go to the rows of their events, if these are asked for; a file of points
+// has none, and so no row may need one. The radii and growths of points, and which of the two
+// columns there are, only if these are asked for.
 inline std::vector<Change> read_motions(const std::string& path, std::vector<Row>* rows,
                                         std::set<std::size_t>* columns = nullptr) {
   static constexpr std::array<std::string_view, numbers> names = {
@@ -220,6 +228,8 @@ inline std::vector<Change> read_motions(const std::string& path, std::vector<Row
       points.push_back(std::move(change));
     }
   }
+  if (!is_of_motions && rows != nullptr && std::ranges::any_of(*rows, changes_motions))
+    throw Bad_input(path + ": motions change in the log; expected --motions");
   return points;
 }
 
@@ -258,6 +268,8 @@ inline void read_events(const std::string& path, std::vector<Row>& rows) {
       if (!edges.empty() && edges[0].first >= edges[0].second)
         refute("an edge has its smaller end last");
     }
+    if (row.points.size() == 2 && row.points[0] >= row.points[1])
+      refute("it has its smaller point last");
     const auto number = rows.front().number + rows.size() - 1;
     if (row.number != number) refute("its number is not " + std::to_string(number));
     const Dyadic time = dyadic(row.time);

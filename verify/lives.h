@@ -291,15 +291,15 @@ class Certifier {
     }
     for (const std::size_t i : {0UL, 1UL}) {
       const Polynomial acceleration = derivative(derivative(old.place[i]));
-      if (!is_nearest(old.place[i], t, is[i]) && !is_moved_inside(next, i, row)) return false;
+      if (!is_nearest(old.place[i], t, is[i]) && !is_moved_inside(old, next, i, row)) return false;
       if (has_stopped) continue;
       if (!is_nearest(acceleration, t, is[ax + i]) || is[jx + i] != was[jx + i]) return false;
     }
     if (was[growth] == 0) return is[radius] == was[radius];
     // It is less by at most 2^-44 of the numbers of the motions, which are multiplied by times.
     constexpr std::array<unsigned long, epoch> orders = {0, 0, 1, 1, 2, 2, 3, 3, 0, 1};
-    const double longest = 2 * std::max({std::abs(row.time), std::abs(was[epoch]), 1.0});
-    const auto shift = static_cast<unsigned long>(std::ilogb(longest) + 1);
+    const double longest = std::max({std::abs(row.time), std::abs(was[epoch]), 1.0});
+    const auto shift = static_cast<unsigned long>(std::ilogb(longest) + 2);
     Dyadic sum;
     for (std::size_t i = 0; i < epoch; ++i) {
       for (const double number : {was[i], is[i]}) {
@@ -317,6 +317,7 @@ class Certifier {
     const Dyadic exact = value(p, t);
     for (const int side : {-1, 1}) {
       const double other = std::nextafter(number, side * std::numeric_limits<double>::infinity());
+      if (std::isinf(other)) return false;  // the greatest number is no place of a run
       const Dyadic half_way = middle(dyadic(number), dyadic(other));
       const int order = side * compare(exact, {half_way.m * scale_.one(), half_way.e});
       if (order > 0 || (order == 0 && std::bit_cast<std::uint64_t>(number) % 2 != 0)) return false;
@@ -324,12 +325,15 @@ class Certifier {
     return true;
   }
 
-  // Whether a coordinate is the least one, in the direction inward from a side, for which the point
+  // Whether a coordinate is the first one, inward from where the old motion is, for which the point
   // is inside at all times of the row.
-  bool is_moved_inside(const Course& next, std::size_t i, const Row& row) const {
+  bool is_moved_inside(const Course& old, const Course& next, std::size_t i, const Row& row) const {
+    const Polynomial moved = trimmed({scale_(next.motion[i])}) - old.place[i];
+    const int direction = sign_at(moved, dyadic(row.time));
     for (const std::size_t side : {i, i + 2}) {
-      if (!sides_.contains(side)) continue;
+      if (!sides_.contains(side) || direction != (side > 1 ? -1 : 1)) continue;
       const auto is_inside = [&](double number) {
+        if (std::isinf(number)) return false;
         const Dyadic shift =
             dyadic(number) + Dyadic{-dyadic(next.motion[i]).m, dyadic(next.motion[i]).e};
         Polynomial p = clearances(next).at(side);

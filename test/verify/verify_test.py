@@ -16,6 +16,7 @@ import subprocess
 import sys
 from fractions import Fraction
 
+import false_logs
 import lies
 import second_checker
 
@@ -176,10 +177,9 @@ def check_true(case, seeds):
                 run = case.simulate(points, until, 0, [*options, *both])
                 if run is None:
                     continue
-                # Without --box, walls are found from their rows.
-                open_plane = [o for o in both if not o.startswith(("--box", "--rim"))]
+                # Without options, walls and contacts are found from their rows.
                 edges = ["--edges", case.final, "--threads", "2"]
-                for more in (both, [*both, *edges], open_plane):
+                for more in (both, [*both, *edges], []):
                     code, text, _ = case.verify(run, more)
                     if code == 2 and "on one line" in text:
                         continue
@@ -268,6 +268,15 @@ def check_lies(case, seeds):
     assert len(counts) >= 40 and all(c["told"] >= 2 for c in counts.values()), counts
 
 
+def check_false_logs(case):
+    for log in false_logs.LOGS:
+        run = Run(None, copy.deepcopy(log.rows), log.motions, log.edges, [], 0, log.until)
+        options = ("--initial-edges", case.initial, *log.options)
+        code, text, _ = case.verify(run, options, case.motions)
+        expected = f"refuted: {log.where}: " if log.where else "verified: "
+        assert code == (1 if log.where else 0) and text.startswith(expected), f"{log.name}: {code} {text}"
+
+
 # ---- two checkers ----
 
 
@@ -330,9 +339,10 @@ def check_input(case):
         code, answer, _ = case.answer(case.points, "--until", "1", *files)
         assert code == (2 if changed else 0), f"{text!r}: exit code {code}: {answer}"
         assert message in answer, f"{answer!r} is not about {message!r}"
-    pathlib.Path(case.events).write_text(good + "0,wall,1,1,1,,,,,0,\n", encoding="utf-8")
-    code, answer, _ = case.answer(case.points, "--until", "1", "--edges", case.final)
-    assert code == 2 and "expected --motions" in answer, answer
+    for row in ("wall,1,1,1,,,,,0,", "collision,1,1,1,,,,,0,1", "trajectory,1,1,1,,,,,0,"):
+        pathlib.Path(case.events).write_text(f"{good}0,{row}\n", encoding="utf-8")
+        code, answer, _ = case.answer(case.points, "--until", "1", "--edges", case.final)
+        assert code == 2 and "expected --motions" in answer, answer
     for options in ((), ("--until",), ("--until", "x"), ("--until", "1", "--edge", "f")):
         code, answer, _ = case.answer(case.points, *options)
         assert code == 2 and "--help" in answer, answer
@@ -354,6 +364,7 @@ def main():
         check_true(case, 8)
     elif what == "lies":
         check_lies(case, 8)
+        check_false_logs(case)
     elif what == "second":
         check_second(case, 5)
     else:
