@@ -18,7 +18,7 @@ constexpr const char* usage =
     "collide.\n"
     "--threads 2 checks certificates beside the rows.\n"
     "\n"
-    "Exit code: 0 verified, 1 refuted, 2 bad usage or bad input.\n"
+    "Exit code: 0 verified, 1 refuted, 2 bad usage or bad input, 3 internal error.\n"
     "\n"
     "Examples:\n"
     "  kinetri simulate points.csv --until 10 --events events.csv --initial-edges start.csv\n"
@@ -255,8 +255,12 @@ int main(int argc, char** argv) {
   } catch (const verify::Refuted& refuted) {
     std::cout << "refuted: " << row_name(refuted.row, rows) << ": " << refuted.message << "\n";
     return 1;
-  } catch (const std::exception& error) {
+  } catch (const verify::Bad_input& error) {
     std::cerr << error.what() << "\n";
     return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "kinetri-verify: internal error: " << error.what()
+              << "; please report it with the files\n";
+    return 3;
   }
 }
