@@ -314,6 +314,7 @@ class Page_reader {
       recorded.point = point.take_id();
       points = std::max(points, std::size_t{recorded.point} + 1);
       const bool is_there = there.take<std::uint8_t>() != 0;
+      if (!is_there && i < starting) there.fail(joined("lacks the motion ", i, " of the start"));
       Polynomial_disc_motion_2 motion;
       motion.epoch = data.take_finite();
       motion.position = data.take_vector();

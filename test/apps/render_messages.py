@@ -89,6 +89,9 @@ def cases():
     yield damaged(lambda r: r.update(points=5), n=5, m=4)
     yield damaged(lambda r: r.update(radius=-1.0), member="recording.radius")
     yield damaged(lambda r: r.update(wave={"height": 1.0, "width": 0.0}), member="recording.wave.width")
+    gone = base64.b64encode(bytes((1, 0, 1, 1))).decode()
+    yield damaged(lambda r: r["motions"].update(there=gone), member="recording.motions.there",
+                  problem="lacks the motion 1 of the start")
     late = base64.b64encode(struct.pack("<d", float("inf"))).decode()
     yield damaged(lambda r: r["events"].update(time=late), member="recording.events.time",
                   problem="has a number that is not finite")

@@ -263,6 +263,14 @@ class Pictures(Rendering):
             text = ElementTree.tostring(picture.root).decode()
             self.assertNotRegex(text, r"[ML\"' ](-?nan|-?inf)\b")
 
+    def test_spans_that_overflow_can_be_drawn(self):
+        self.write("p.csv", "x,y,vx,vy\n0,0,1,0\n3,0,-2,1\n0,4,5,-3\n5,5,-1,-1\n")
+        for start in ("0", "-1e308"):
+            self.run_("simulate", "p.csv", f"--from={start}", "--until", "1e308", "--html", "run.html", "--quiet")
+            for words in ("show=heat,axes,scale,trails", "color=area", "color=speed&show=voronoi"):
+                for when in (start, "1e308"):
+                    self.assertEqual(self.picture(f"--at={when}", "--view", words).root.tag, SVG + "svg")
+
     def test_the_same_run_makes_the_same_bytes(self):
         self.uniform()
         one, two = (self.run_("render", "run.html", "--at", 2, "-o", "-").stdout for _ in range(2))

@@ -22,6 +22,11 @@ struct Span {
   double high;
 };
 
+// Coordinates that overflow are left out.
+void add_finite(double number, std::vector<double>& numbers) {
+  if (std::isfinite(number)) numbers.push_back(number);
+}
+
 // Of most of the numbers, with some room.
 Span span_of_most(std::vector<double> numbers) {
   if (numbers.empty()) return {-1, 1};
@@ -86,8 +91,8 @@ Box_2 whole_extent(const Viewer_page& page) {
     const int steps = is_straight ? 1 : times_in_motion;
     for (int step = 0; step <= steps; ++step) {
       const Recorded_place place = place_of(*motion, begin + (end[i] - begin) * step / steps);
-      xs.push_back(place.x);
-      ys.push_back(place.y);
+      add_finite(place.x, xs);
+      add_finite(place.y, ys);
       radius = std::max(radius, place.radius);
     }
   }
@@ -118,8 +123,8 @@ void Extents::sample(const Viewer_page& page) {
     double radius = page.settings.radius;
     for (const Recorded_motion& recorded : recording.motions) {
       const Recorded_place place = place_of(*recorded.motion, time);
-      xs.push_back(place.x);
-      ys.push_back(place.y);
+      add_finite(place.x, xs);
+      add_finite(place.y, ys);
       radius = std::max(radius, place.radius);
     }
     samples.push_back(extent_of(xs, ys, radius));
@@ -130,8 +135,9 @@ void Extents::sample(const Viewer_page& page) {
 
 Box_2 Extents::at(double time) const {
   if (samples_.empty()) return whole_;
-  const double place = (time - from_) / (until_ - from_) * times_in_run;
-  const std::size_t i = std::min(static_cast<std::size_t>(std::max(place, 0.0)), times_in_run - 1);
+  const double share = (time - from_) / (until_ - from_);
+  const double place = share > 0 ? share * times_in_run : 0;  // 0 too where the span overflows
+  const std::size_t i = std::min(static_cast<std::size_t>(place), times_in_run - 1);
   const auto between = [&](double Box_2::*side) {
     return samples_[i].*side +
            (samples_[i + 1].*side - samples_[i].*side) * (place - static_cast<double>(i));

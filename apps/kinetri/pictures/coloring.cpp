@@ -160,9 +160,10 @@ std::vector<double> Coloring::numbers(const Playback& playback,
 void Coloring::find_range() {
   Playback playback(page_.recording);
   const auto& [from, until] = std::pair(page_.recording.from, page_.recording.until);
+  const double span = std::min(until - from, std::numeric_limits<double>::max());
   std::vector<double> all;
   for (int i = 0; i < range_times; ++i) {
-    playback.go_to(std::min(from + (until - from) * i / (range_times - 1), until));
+    playback.go_to(std::min(from + span * i / (range_times - 1), until));
     const std::vector<Recorded_place> places = playback.places();
     const std::vector<double> now =
         numbers(playback, places, cells(playback, places, page_.settings.box));

@@ -285,7 +285,8 @@ Heat heat_of(const Viewer_page& page, const Box_2& extent, const std::vector<Eve
   result.bottom = extent.ymin;
   result.side = std::max(width, height) / std::round(fields);
   const auto fields_along = [&](double length) {
-    return std::max<std::size_t>(static_cast<std::size_t>(std::ceil(length / result.side)), 1);
+    const double number = std::min(std::ceil(length / result.side), std::round(fields) + 1);
+    return number >= 1 ? static_cast<std::size_t>(number) : 1;  // 1 where the length overflows
   };
   result.columns = fields_along(width);
   const std::size_t lines = fields_along(height);

@@ -84,7 +84,8 @@ Run_pictures::Run_pictures(const Viewer_page& page, const std::vector<View_sourc
   show(Layer::discs, has_discs_);
   show(Layer::links, has_encounters(page));
   show(Layer::ids, playback_.points() <= most_with_ids);
-  const double span = page.recording.until - page.recording.from;
+  const double span =
+      std::min(page.recording.until - page.recording.from, std::numeric_limits<double>::max());
   view_.trail = seconds_of_trail * speed_of_page(span);
   view_.highlight = options.highlight;
   view_.fast = fast_speed(page.recording);
