@@ -120,9 +120,13 @@ class Table {
           is_quoted = !is_quoted;
         } else if (c == separator_ && !is_quoted) {
           fields_.emplace_back();
-        } else if (c != ' ' && c != '\t') {
+        } else {
           fields_.back() += c;
         }
+      }
+      for (std::string& field : fields_) {  // without blanks around it
+        field.erase(0, field.find_first_not_of(" \t"));
+        field.erase(field.find_last_not_of(" \t") + 1);
       }
       if (is_quoted) fail("a quotation mark is not closed");
       if (header_.empty() || fields_.size() == header_.size()) return true;

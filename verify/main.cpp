@@ -148,6 +148,7 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
                                                 "--collisions", "--threads"};
     if (name != "--rim" && !names.contains(name)) fail_usage("unknown option " + name);
     std::string value;
+    if (name == "--rim" && name != arguments[i]) fail_usage("--rim takes no value");
     if (name != arguments[i]) {
       value = arguments[i].substr(name.size() + 1);
     } else if (name != "--rim") {
@@ -174,7 +175,8 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
     for (std::size_t i = 0; i < sides.size(); ++i) options.box[i] = sides[i];
   }
   const double threads = number("--threads", 1);
-  if (!(threads >= 1 && threads <= 1024)) fail_usage("expected 1 to 1024 --threads");
+  if (!(threads >= 1 && threads <= 1024 && threads == std::floor(threads)))
+    fail_usage("expected 1 to 1024 --threads");
   options.threads = static_cast<std::size_t>(threads);
   const std::set<std::string> responses = {"", "none", "log", "swap", "elastic", "stop", "remove"};
   const std::string response =

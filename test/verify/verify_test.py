@@ -320,6 +320,7 @@ def check_input(case):
         ("points", "", "points.csv:0: the file is empty"),
         ("points", square + "1,2\n", "points.csv:5: the row has 2 fields"),
         ("points", square + "1,2,inf,0\n", "points.csv:5: the column vx is 'inf'"),
+        ("points", square + "1 2,2,0,0\n", "points.csv:5: the column x is '1 2'"),
         ("events", "event\n", "events.csv:1: the header is not"),
         ("events", good + "0,jump,1,1,1,,,,,0,\n", "events.csv:2: the kind 'jump'"),
         ("events", good + "0,flip,1,1,x,0,1,2,3,,\n", "events.csv:2: the column time_hi is 'x'"),
@@ -343,7 +344,9 @@ def check_input(case):
         pathlib.Path(case.events).write_text(f"{good}0,{row}\n", encoding="utf-8")
         code, answer, _ = case.answer(case.points, "--until", "1", "--edges", case.final)
         assert code == 2 and "expected --motions" in answer, answer
-    for options in ((), ("--until",), ("--until", "x"), ("--until", "1", "--edge", "f")):
+    good_options = ("--until", "1", "--edges", case.final)
+    for options in ((), ("--until",), ("--until", "x"), ("--until", "1", "--edge", "f"),
+                    (*good_options, "--rim=no"), (*good_options, "--threads", "1.5")):
         code, answer, _ = case.answer(case.points, *options)
         assert code == 2 and "--help" in answer, answer
 
