@@ -91,7 +91,7 @@ std::string missing_problem(const Chosen& chosen) {
   for (const Option& option : chosen.command->options) {
     if (!option.required || chosen.app->get_option(option.name())->count() > 0) continue;
     const std::string expected = !option.positional()    ? option.name() + " " + option.type
-                                 : option.type == "FILE" ? "a path, or - for standard input"
+                                 : option.type == "FILE" ? "a path, or - for a pipe"
                                                          : option.type;
     return joined(option.name(), " is missing; expected ", expected);
   }

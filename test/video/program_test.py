@@ -94,6 +94,34 @@ class Program(unittest.TestCase):
         self.assertIn("--fps", self.problem("decode", "-", "a.y4m", "--fps", "0", data=b""))
         self.assertEqual(self.names(), [])
 
+    def test_the_output_cannot_be_the_input(self):
+        (self.folder / "a.y4m").write_bytes(clip())
+        self.run_program("encode", "a.y4m", "a.kvd", "--points", 30)
+        (self.folder / "link").symlink_to("a.y4m")
+        before = {name: (self.folder / name).read_bytes() for name in self.names()}
+        for command in (("encode", "a.y4m", "./a.y4m"), ("encode", "a.y4m", "link"), ("decode", "a.kvd", "a.kvd"),
+                        ("play", "a.kvd", "--html", "a.kvd"), ("compare", "a.y4m", "a.kvd", "--csv", "a.y4m"),
+                        ("compare", "a.y4m", "a.kvd", "--csv", "a.kvd")):
+            self.assertIn(" is the input; expected another file", self.problem(*command))
+        self.assertEqual({name: (self.folder / name).read_bytes() for name in self.names()}, before)
+
+    def test_files_of_other_kinds_are_named_as_such(self):
+        (self.folder / "a.avi").write_bytes(bytes(range(32, 255)) * 100)
+        self.assertIn("does not begin with YUV4MPEG2; expected such video (ffmpeg -i CLIP",
+                      self.problem("encode", "a.avi", "a.kvd"))
+        (self.folder / "a.y4m").write_bytes(clip())
+        self.run_program("encode", "a.y4m", "a.stream", "--points", 30)
+        for name in ("a.mp4", "a.png"):
+            self.assertIn(f"OUT: {name}: no {name[1:]} is written; expected a name as clip.y4m, or as frames/",
+                          self.problem("decode", "a.stream", name))
+        self.assertIn("bits", self.run_program("compare", "a.y4m", "a.stream").stdout.decode())
+        self.assertIn("A: a.stream is a stream; expected the source", self.problem("compare", "a.stream", "a.y4m"))
+        (self.folder / "b.y4m").write_bytes(clip(color="444"))
+        self.assertIn("b.y4m: it has 24 x 16 samples, 444, limited range; "
+                      "expected 24 x 16 samples, 420jpeg, limited range, as a.y4m has",
+                      self.problem("compare", "a.y4m", "b.y4m"))
+        self.assertEqual(self.names(), ["a.avi", "a.stream", "a.y4m", "b.y4m"])
+
     def test_a_stream_that_is_cut_off_is_decoded_up_to_there(self):
         stream = self.run_program("encode", "-", "-", "--points", 30, "--turn-every", 2,
                                   data=clip(frames=9)).stdout

@@ -99,14 +99,20 @@ class Y4m_source : public Frame_source {
  private:
   [[noreturn]] void fail(const std::string& message) const { throw Input_error(name_, 0, message); }
 
+  [[noreturn]] void fail_at_begin() const {
+    fail(
+        "it does not begin with YUV4MPEG2; expected such video (ffmpeg -i CLIP -f yuv4mpegpipe -), "
+        "or a folder of PNG files");
+  }
+
   std::string read_line() {
     std::string line;
     char c = 0;
     while (in_.get(c) && c != '\n') {
       line += c;
       if (line.size() > longest_line) {
-        fail(
-            joined("a line has more than ", longest_line, " characters; expected YUV4MPEG2 video"));
+        if (!line.starts_with(signature)) fail_at_begin();
+        fail(joined("a line has more than ", longest_line, " characters; expected fewer"));
       }
     }
     return line;
@@ -119,9 +125,7 @@ class Y4m_source : public Frame_source {
     const std::string line = read_line();
     std::string_view rest = line;
     if (!rest.starts_with(signature) || (rest.size() > signature.size() && rest[9] != ' ')) {
-      fail(
-          "it does not begin with YUV4MPEG2; expected such video (ffmpeg -i CLIP -f yuv4mpegpipe "
-          "-), or a folder of PNG files");
+      fail_at_begin();
     }
     rest.remove_prefix(signature.size());
     format_.chroma = Chroma::yuv420_jpeg;
@@ -236,15 +240,15 @@ class Y4m_sink : public Frame_sink {
 
 }  // namespace
 
+std::string_view y4m_color(Chroma chroma) {
+  return std::ranges::find(chroma_tags, chroma, &Chroma_tag::chroma)->tag;
+}
+
 std::string y4m_header(const Video_format& format) {
   std::string header = joined(signature, " W", format.width, " H", format.height, " F",
                               format.rate.numerator, ":", format.rate.denominator, " Ip A",
                               format.aspect.numerator, ":", format.aspect.denominator);
-  for (const Chroma_tag& known : chroma_tags) {
-    if (known.chroma != format.chroma) continue;
-    append(header, " C", known.tag);
-    break;
-  }
+  append(header, " C", y4m_color(format.chroma));
   if (format.is_full_range) append(header, " X", full_range);
   return header + "\n";
 }

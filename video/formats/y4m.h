@@ -28,6 +28,8 @@ std::unique_ptr<Frame_source> open_y4m(const std::string& path);
 /// How a video of the format begins; and each of its frames, before the samples of its planes.
 std::string y4m_header(const Video_format& format);
 inline constexpr std::string_view y4m_frame_line = "FRAME\n";
+/// The tag of color, as "420jpeg".
+std::string_view y4m_color(Chroma chroma);
 /// @}
 
 /// Writes a file, or standard output ("-"). A file is there only when it is whole.

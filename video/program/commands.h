@@ -5,6 +5,7 @@
 #ifndef KINETRI_VIDEO_PROGRAM_COMMANDS_H
 #define KINETRI_VIDEO_PROGRAM_COMMANDS_H
 
+#include <string>
 #include <string_view>
 
 #include "cli/command.h"
@@ -24,6 +25,10 @@ app::Command program();
 /// A frame rate: a positive whole number, decimal number or ratio, as "25", "23.976" and
 /// "30000:1001". Throws Usage_error.
 Ratio rate_argument(std::string_view option, std::string_view text);
+
+/// Throws Usage_error if both are one file: the output would take the place of the input.
+/// `argument` names the output.
+void check_output(std::string_view argument, const std::string& output, const std::string& input);
 
 }  // namespace kinetri::video
 

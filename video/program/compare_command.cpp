@@ -2,10 +2,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "cli/arguments.h"
 #include "cli/text.h"
@@ -14,8 +17,10 @@
 #include "kinetri/base/error.h"
 #include "video/codec/decoder.h"
 #include "video/codec/quality.h"
+#include "video/formats/y4m.h"
 #include "video/program/commands.h"
 #include "video/program/x264.h"
+#include "video/stream/block_bytes.h"
 
 namespace kinetri::video {
 namespace {
@@ -32,20 +37,30 @@ struct Compare_options {
   std::string rate = "25";
 };
 
+std::string samples_text(const Video_format& format) {
+  return joined(format.width, " x ", format.height, " samples, ", y4m_color(format.chroma), ", ",
+                format.is_full_range ? "full" : "limited", " range");
+}
+
 void check_formats(const Video_format& source, const Video_format& other,
                    const Compare_options& options) {
   if (source.width == other.width && source.height == other.height &&
       source.chroma == other.chroma && source.is_full_range == other.is_full_range) {
     return;
   }
-  throw Input_error(
-      options.other, 0,
-      joined("it has ", other.width, " x ", other.height, " samples; expected ", source.width,
-             " x ", source.height, " and the kind of color that ", options.source, " has"));
+  throw Input_error(options.other, 0,
+                    joined("it has ", samples_text(other), "; expected ", samples_text(source),
+                           ", as ", options.source, " has"));
 }
 
+// By its name, or by what the file begins with.
 bool is_stream(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".kvd";
+  if (std::filesystem::path(path).extension() == ".kvd") return true;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  std::array<char, stream_signature.size()> begin = {};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return std::string_view(begin.data(), begin.size()) == stream_signature;
 }
 
 // Adds frame by frame, and sees that both have as many.
@@ -122,6 +137,14 @@ void append_bits(std::string& text, std::uint64_t bytes, const Video_format& for
 
 app::Exit_code run(const Compare_options& options) {
   const Ratio rate = rate_argument("--rate", options.rate);
+  if (is_stream(options.source)) {
+    throw app::Usage_error(
+        joined("A: ", options.source, " is a stream; expected the source, and the stream as B"));
+  }
+  if (options.table) {
+    check_output("--csv", *options.table, options.source);
+    check_output("--csv", *options.table, options.other);
+  }
   const auto source = open_frames(options.source, rate);
   const Video_format& format = source->format();
   Quality quality(format);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -55,9 +57,23 @@ Decoder_settings settings_of(const Decode_options& options) {
   return result;
 }
 
+// A name that promises another format would deceive.
+void check_name(const Decode_options& options) {
+  constexpr std::array<std::string_view, 8> others = {".avi", ".gif", ".jpg",  ".mkv",
+                                                      ".mov", ".mp4", ".webm", ".png"};
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  if (std::ranges::find(others, ending) == others.end()) return;
+  throw Usage_error(
+      joined("OUT: ", options.output, ": no ", ending,
+             " is written; expected a name as clip.y4m, or as frames/ "
+             "for PNG files (kinetri-video decode IN - | ffmpeg -i - OUT makes other formats)"));
+}
+
 app::Exit_code run(const Decode_options& options) {
   const Decoder_settings settings = settings_of(options);
+  check_name(options);
   Stream_reader stream = Stream_reader::open(options.input);
+  check_output("OUT", options.output, options.input);
   const auto sink = create_frames(options.output, decoded_format(stream.header().format, settings));
   app::Progress progress(app::Progress_mode::automatic);
   Decoded decoded;
@@ -110,6 +126,7 @@ Command decode_command() {
       "Exit codes: see kinetri-video encode."};
   result.examples = {"kinetri-video decode clip.kvd clip.y4m",
                      "kinetri-video decode clip.kvd - --fps 100 --size 1280x960 | ffplay -",
+                     "kinetri-video decode clip.kvd - | ffmpeg -i - clip.mp4",
                      "kinetri-video decode clip.kvd frames/ --style flat"};
   result.run = [options](const Command& /*program*/) { return run(*options); };
   return result;

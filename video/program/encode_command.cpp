@@ -72,6 +72,7 @@ Encoder_settings settings_of(const Encode_options& options, const Video_format& 
 app::Exit_code run(const Encode_options& options) {
   const auto source = open_frames(options.input, rate_argument("--rate", options.rate));
   const Encoder_settings settings = settings_of(options, source->format());
+  check_output("OUT", options.output, options.input);
   Output_file output(options.output);
   app::Progress progress(app::Progress_mode::automatic);
   const Encoded encoded = encode(*source, output.stream(), settings, [&](std::uint32_t frames) {
@@ -98,19 +99,23 @@ Command encode_command() {
   Command result;
   result.name = "encode";
   result.summary = "Make a stream of moving triangles from a video";
-  result.add_required("IN", &options->input, "FILE",
-                      "YUV4MPEG2 video (Y4M), - for standard input, or a folder of PNG files");
+  result.add_required(
+      "IN", &options->input, "FILE",
+      "YUV4MPEG2 video (Y4M), - for standard input, or a folder of PNG files, in the "
+      "order of their names");
   result.add_required("OUT", &options->output, "FILE", "The stream (.kvd), - for standard output");
-  result.add("--points", &options->points, "N", "Points at one time, at most (default 2000)");
+  result.add("--points", &options->points, "N",
+             "Points at one time, at most; 4 or more (default 2000)");
   result.add("--key-every", &options->key_every, "S",
-             "Begin anew after so many seconds (default: only at the begin)");
-  result.add_flag("--scene-cut", options->scene_cut, "Begin anew where a scene begins");
+             "Place all points anew after so many seconds (default: only at the begin)");
+  result.add_flag("--scene-cut", options->scene_cut, "Place them anew where a scene begins");
   result.add("--turn-every", &options->turn_every, "FRAMES",
              "Frames between two turns of a point, a power of two (default 8)");
   result.add(
       "--color-step", &options->color_step, "STEP",
       "Colors are multiples of this, a multiple of 1/8; a finer step takes more bits (default 4)");
-  result.add("--rate", &options->rate, "FPS", "Frames a second of a folder (default 25)");
+  result.add("--rate", &options->rate, "FPS",
+             "Frames a second of a folder, a number or a ratio (default 25)");
   result.add("--placement", &options->placement, app::choice_type(placements),
              "Where points are put: where the picture needs them, or on a grid, for comparison "
              "(default content)");
@@ -126,6 +131,7 @@ Command encode_command() {
       "the format.",
       "Exit codes: 0 done, 2 bad usage, input or output, 3 internal error, 130 interrupted."};
   result.examples = {"kinetri-video encode clip.y4m clip.kvd --points 2000",
+                     "kinetri-video encode frames/ clip.kvd --rate 30 --scene-cut",
                      "ffmpeg -i clip.mp4 -f yuv4mpegpipe - | kinetri-video encode - clip.kvd"};
   result.run = [options](const Command& /*program*/) { return run(*options); };
   return result;

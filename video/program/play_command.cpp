@@ -34,6 +34,7 @@ app::Command play_command() {
   result.examples = {"kinetri-video play clip.kvd --html clip.html"};
   result.run = [options](const app::Command& /*program*/) {
     Stream_reader stream = Stream_reader::open(options->input);
+    check_output("--html", options->page, options->input);
     Output_file output(options->page);
     write_play_page(output.stream(), stream, stream.name());
     output.commit();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
+#include <system_error>
 
 #include "cli/arguments.h"
 #include "cli/documentation_commands.h"
@@ -64,6 +66,13 @@ Ratio rate_argument(std::string_view option, std::string_view text) {
   if (numerator / divisor > UINT32_MAX) refuse();
   return {static_cast<std::uint32_t>(numerator / divisor),
           static_cast<std::uint32_t>(denominator / divisor)};
+}
+
+void check_output(std::string_view argument, const std::string& output, const std::string& input) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::is_regular_file(output, ignored) || !fs::equivalent(input, output, ignored)) return;
+  throw app::Usage_error(joined(argument, ": ", output, " is the input; expected another file"));
 }
 
 }  // namespace kinetri::video
