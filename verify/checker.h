@@ -228,7 +228,7 @@ class Checker {
 
   void push_instant(const Time& time) {
     now_ = time;
-    instant_ = std::make_shared<Instant>(Instant{time, row_, row_});
+    instant_ = std::make_shared<const Instant>(Instant{time, row_, row_});
     contacts_.clear();
     is_rebuilt_ = false;
   }
@@ -287,7 +287,10 @@ class Checker {
   // Everything that has changed at this time holds just after it.
   void close() {
     if (changed_.empty() && touched_.empty() && moved_.empty()) return;
-    instant_->rows_end = row_;
+    // Lives that have ended hold the instant as it was, which other threads read.
+    if (instant_->rows_end != row_) {
+      instant_ = std::make_shared<const Instant>(Instant{now_, instant_->first_row, row_});
+    }
     const long row = std::exchange(blamed_, instant_->blamed());
     if (is_witness_lost_) find_witness();
     note_hidden();
@@ -820,7 +823,7 @@ class Checker {
 
   std::list<Special> specials_;  // to come, in order
   Time now_;
-  std::shared_ptr<Instant> instant_;
+  std::shared_ptr<const Instant> instant_;
   long row_ = -1;
   long blamed_ = -1;
 

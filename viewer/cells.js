@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The Voronoi or power cells at the time shown, from the triangles that the recording has: corners,
-// areas, and numbers of neighbours. In binary64; an area errs by some units in the last place of the
+// areas, and numbers of neighbors. In binary64; an area errs by some units in the last place of the
 // squared distance from the point to the corners of its cell.
 'use strict';
 
@@ -12,7 +12,7 @@ class Cells {
     this.viewer = viewer;
     const {points} = viewer.recording;
     this.area = new Float64Array(points);    // NaN: without bounds; 0: there is no cell
-    this.degree = new Uint32Array(points);   // number of neighbours
+    this.degree = new Uint32Array(points);   // number of neighbors
     this.isSpecial = new Uint8Array(points); // 1: the cell is unbounded, or the box cuts it
     this.anchorX = new Float64Array(points); // a place in each other cell: the mean of its corners
     this.anchorY = new Float64Array(points);

@@ -19,7 +19,7 @@ const QUANTITIES = [
    of: ({cells}, point) => 1 / (cells.area[point] || NaN)},
   {id: 'speed', label: 'Speed', unit: 'length / time',
    of: ({recording, playback}, point) => speedOf(recording, playback, point)},
-  {id: 'degree', label: 'Neighbours', unit: '', needsCells: true, isWhole: true,
+  {id: 'degree', label: 'Neighbors', unit: '', needsCells: true, isWhole: true,
    of: ({cells}, point) => cells.degree[point]},
   {id: 'changes', label: 'Changes so far', unit: '', isWhole: true,
    of: ({changes}, point) => changes.count[point]},
@@ -68,7 +68,7 @@ function quantitiesOf(recording) {
   return QUANTITIES.filter(({isOffered}) => isOffered === undefined || isOffered(recording));
 }
 
-/** How often the neighbours of each point have changed up to the time shown: an edge at it came or went. */
+/** How often the neighbors of each point have changed up to the time shown: an edge at it came or went. */
 class Changes {
   constructor(recording) {
     this.recording = recording;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The level of detail: how large dots and how strong edges are, so that they can be told apart. It
-// goes by the distance of neighbouring points on the screen, if the points in view were spread
+// goes by the distance of neighboring points on the screen, if the points in view were spread
 // evenly.
 'use strict';
 
 const LEAST_DOT = 0.5, GREATEST_DOT = 4.5;   // radii, in pixels
 const FAINTEST_DOT = 0.25;
-const DOTS_APART = 9;                        // radii of a dot between neighbours
-const EDGES_FADE = 5.5, EDGES_VANISH = 2.6;  // distances of neighbours, in pixels
+const DOTS_APART = 9;                        // radii of a dot between neighbors
+const EDGES_FADE = 5.5, EDGES_VANISH = 2.6;  // distances of neighbors, in pixels
 const ROOM_BEHIND = 3;
 const MOST_CELLS = 2000, MOST_CELLS_WEBGL = 100000;  // in view, that are filled
 const LEAST_WIDTH = 0.7, GREATEST_WIDTH = 1.4;

@@ -12,7 +12,7 @@ const BAR_ROOM = 130;                        // pixels; the longest scale bar
 const NEIGHBOR_RING = 3;
 
 /** Velocities: an arrow is as long as the point moves in the time in which a fast one moves to its
- * neighbour. Where there are many, only some have one. */
+ * neighbor. Where there are many, only some have one. */
 function drawArrows(painter, view) {
   const {viewer, sx, sy, sides, camera, detail} = view;
   const {recording, playback, colors} = viewer;
@@ -146,7 +146,7 @@ function drawScaleBar(painter, view) {
                {color: colors.text, halo: colors.background, font: LABEL_FONT, align: 'center'});
 }
 
-/** The cell of the selected point and its neighbours, its trail, and a ring about it. */
+/** The cell of the selected point and its neighbors, its trail, and a ring about it. */
 function drawSelectedPoint(painter, view) {
   const {viewer} = view;
   const {playback, recording, colors} = viewer;
@@ -168,7 +168,7 @@ function drawSelectedPoint(painter, view) {
   painter.lines(edges, {color: colors.selected, width: 1.8});
 }
 
-/** Rings about the selected point and its neighbours, above the dots. */
+/** Rings about the selected point and its neighbors, above the dots. */
 function drawPointRings(painter, view) {
   const {viewer} = view;
   const {selectedPoint, colors} = viewer;

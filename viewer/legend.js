@@ -33,7 +33,7 @@ function legendLines(viewer) {
   add(true, line('removed', 3, 'dashed'), 'edge that an event removes');
   add(selected >= 0, line('selected', 4), 'selected edge; dotted: its quadrilateral');
   add(selectedPoint.id >= 0, 'border: 3px solid var(--added); border-radius: 50%; height: 14px; width: 14px',
-      'selected point, and its neighbours');
+      'selected point, and its neighbors');
   add(recording.thinned !== null && !switches.wave && (switches.voronoi || coloring?.quantity.needsCells === true),
       'border-top: 2px dotted var(--quiet)', 'cells between two exact instants are of the triangulation of the earlier one');
   add(coloring?.quantity.id === 'component', `background: linear-gradient(to right, ${KIND_COLORS.join(', ')}); height: 12px`,

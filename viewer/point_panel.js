@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The panel of the selected point: its motion, its neighbours now, the area of its cell over time, and
+// The panel of the selected point: its motion, its neighbors now, the area of its cell over time, and
 // its events.
 'use strict';
 
 const AREA_TIMES = 96;       // at which the area is computed for the plot
-const MOST_LINKS = 40;       // neighbours with a button each
+const MOST_LINKS = 40;       // neighbors with a button each
 const EVENTS_AROUND = 4;     // before and after the time shown
 
 class PointPanel {
@@ -15,7 +15,7 @@ class PointPanel {
     this.plot = element('area-plot');
     this.facts = element('point-facts');
     this.shown = -1;        // the point that areas and events are of
-    this.shownEvent = -1;   // of the playback when neighbours and events were written
+    this.shownEvent = -1;   // of the playback when neighbors and events were written
     this.shownPartners = -1; // the number of changes of the encounters when they were written
     this.areas = null;
     this.rows = null;       // its events
@@ -65,7 +65,7 @@ class PointPanel {
     const labels = ['Position', 'Velocity', 'Speed'];
     if (recording.degree > 1) labels.push('Acceleration');
     if (hasDiscs(recording)) labels.push('Radius');
-    labels.push('Cell area', 'Neighbours');
+    labels.push('Cell area', 'Neighbors');
     if (this.viewer.encounters !== null) labels.push('In range');
     labels.push('Events');
     for (const label of labels) {
@@ -109,7 +109,7 @@ class PointPanel {
     const {recording, playback, selectedPoint} = viewer;
     this.shownEvent = playback.event;
     const neighbors = selectedPoint.edges.map((edge) => selectedPoint.neighborAt(edge)).sort((a, b) => a - b);
-    this.writePoints(parts.Neighbours, neighbors);
+    this.writePoints(parts.Neighbors, neighbors);
     let done = 0;
     while (done < rows.length && rows[done] < playback.event) ++done;
     const around = rows.slice(Math.max(done - EVENTS_AROUND, 0), done + EVENTS_AROUND);

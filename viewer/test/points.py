@@ -65,7 +65,7 @@ class Points(Page):
             self.assertEqual(self.evaluate("kinetri.point"), point)
             self.assertEqual(self.text("point-title"), f"Point {point}")
         facts = self.text("point-facts")
-        found = facts.split("Neighbours\n")[1].split("\n")[0]
+        found = facts.split("Neighbors\n")[1].split("\n")[0]
         self.assertEqual([int(word) for word in found.split(":")[1].split()], self.neighbors(point))
         self.assertTrue(self.evaluate("document.getElementById('certificate').hidden"))
         rows = [event for event in self.run_.events
@@ -78,7 +78,7 @@ class Points(Page):
         self.assertIsNone(self.evaluate("kinetri.point"))
         self.assertEqual(self.look(SWITCHES), before)
 
-    def test_neighbours_and_events_are_links(self):
+    def test_neighbors_and_events_are_links(self):
         self.browser.click(*self.place_of(12))
         other = self.neighbors(12)[0]
         self.evaluate(f"document.querySelector('#point-facts [data-point=\"{other}\"]').click()")
@@ -173,7 +173,7 @@ class Points(Page):
         speeds = [math.hypot(*v) for v in self.evaluate(
             "kinetri.positions().map((_, i) => kinetri.velocity(i))")]
         for quantity, label in (("area", "Cell area"), ("density", "Density"), ("speed", "Speed"),
-                                ("degree", "Neighbours"), ("changes", "Changes so far")):
+                                ("degree", "Neighbors"), ("changes", "Changes so far")):
             with self.subTest(quantity=quantity):
                 self.evaluate(f"void (location.hash = 'color={quantity}')")
                 self.browser.settle()
