@@ -285,8 +285,17 @@ class Certifier {
         is[growth] == 0 && std::all_of(&is[vx], &is[radius], [](double n) { return n == 0; });
     if (is[epoch] != row.time || (is[growth] != was[growth] && !has_stopped)) return false;
     const bool is_straight = std::all_of(&was[ax], &was[radius], [](double n) { return n == 0; });
-    if (row.kind == "wall" && is_straight && !(options_.has_rim && was[growth] != 0) &&
-        !(is[vx] == -was[vx] && is[vy] == was[vy]) && !(is[vx] == was[vx] && is[vy] == -was[vy])) {
+    // Inward of a lower side (1) or of an upper one (-1), one component is turned around. The rim
+    // of a disc parts from the side as fast as it came.
+    const Integer grown = options_.has_rim ? 2 * scale_(was[growth]) : Integer(0);
+    const auto is_turned = [&](std::size_t i, int side) {
+      const double before = was[vx + i];
+      const double after = is[vx + i];
+      return (side > 0 ? after > before : after < before) && is[vy - i] == was[vy - i] &&
+             is_nearest(trimmed({side * grown - scale_(before)}), t, after);
+    };
+    if (row.kind == "wall" && is_straight && !is_turned(0, 1) && !is_turned(0, -1) &&
+        !is_turned(1, 1) && !is_turned(1, -1)) {
       return false;
     }
     for (const std::size_t i : {0UL, 1UL}) {

@@ -3,7 +3,7 @@
 is the start, the number of rows is the end), or None if there is nothing that it could change."""
 import math
 
-PLAIN, BOX, WEIGHTS, TRACKS = {}, {}, {}, {}
+PLAIN, BOX, RIM, WEIGHTS, TRACKS = {}, {}, {}, {}, {}
 
 
 def lie(*tables):
@@ -316,7 +316,7 @@ def of_contact(run, generator, which=("wall", "collision")):
     return generator.choice(found) if found else None
 
 
-def edit_motion(name, columns, change, which=("wall", "collision")):
+def edit_motion(name, columns, change, which=("wall", "collision"), tables=(BOX,)):
     def function(run, generator):
         motion = of_contact(run, generator, which)
         if motion is None:
@@ -329,7 +329,7 @@ def edit_motion(name, columns, change, which=("wall", "collision")):
         return int(motion[0])
 
     function.__name__ = name
-    lie(BOX)(function)
+    lie(*tables)(function)
 
 
 edit_motion("a_place_altered_in_the_last_bit", (2, 3), lambda x: math.nextafter(x, math.inf))
@@ -340,18 +340,33 @@ edit_motion("a_growth_from_nothing", (11,), lambda g: g + 0.125)
 edit_motion("an_acceleration_from_nothing", (6, 7), lambda a: a + 0.125)
 edit_motion("a_jerk_from_nothing", (8, 9), lambda j: j + 0.125)
 edit_motion("a_velocity_altered_at_a_wall", (4, 5), lambda v: v * 1.5 + 1, ("wall",))
-edit_motion("a_velocity_altered_in_the_last_bit", (4, 5), lambda v: math.nextafter(v, math.inf), ("wall",))
+edit_motion("a_velocity_altered_in_the_last_bit", (4, 5), lambda v: math.nextafter(v, math.inf), ("wall",), (BOX, RIM))
+edit_motion("a_velocity_altered_downward", (4, 5), lambda v: math.nextafter(v, -math.inf), ("wall",), (BOX, RIM))
 
 
-@lie(BOX)
+def motion_before(run, motion):
+    number = int(motion[0])
+    return [m for m in run.motions if m[1] == motion[1] and (not m[0] or int(m[0]) < number)][-1]
+
+
+@lie(BOX, RIM)
 def no_bounce(run, generator):
     motion = of_contact(run, generator, ("wall",))
     if motion is None:
         return None
-    number = int(motion[0])
-    before = [m for m in run.motions if m[1] == motion[1] and (not m[0] or int(m[0]) < number)][-1]
-    motion[4:6] = before[4:6]
-    return number
+    motion[4:6] = motion_before(run, motion)[4:6]
+    return int(motion[0])
+
+
+@lie(RIM)
+def a_bounce_without_the_growth(run, generator):
+    motion = of_contact(run, generator, ("wall",))
+    if motion is None or float(motion[11]) == 0:
+        return None
+    before = motion_before(run, motion)
+    i = 4 if motion[4] != before[4] else 5
+    motion[i] = repr(-float(before[i]))
+    return int(motion[0])
 
 
 @lie(BOX)

@@ -254,6 +254,10 @@ def check_lies(case, seeds):
         run = case.simulate(make_points("random", generator, 12), 10, 0, ["--radius", "0.2", *box])
         if run:
             tell(case, lies.BOX, counts, run, generator, box)
+        rim = [*box, "--rim"]
+        points = [p + (0, 0.02 * (i % 3)) for i, p in enumerate(make_points("random", generator, 9))]
+        run = case.simulate(points, 5, 0, rim)
+        tell(case, lies.RIM, counts, run, generator, rim)
         points = [p + (generator.choice((0, 1, 2)), 0.5) for p in make_points("random", generator, 12)]
         run = case.simulate(points, 5, 0, ["--regular"])
         tell(case, lies.WEIGHTS, counts, run, generator)
