@@ -69,9 +69,9 @@ class Command_pipe {
   Command_pipe(const Command_pipe&) = delete;
   Command_pipe& operator=(const Command_pipe&) = delete;
 
-  // Whether it wants more.
+  // Whether it wants more. A plane that is not there has no bytes, and no address.
   bool write(const void* bytes, std::size_t size) {
-    return pipe_ != nullptr && std::fwrite(bytes, 1, size, pipe_) == size;
+    return pipe_ != nullptr && (size == 0 || std::fwrite(bytes, 1, size, pipe_) == size);
   }
 
   // The exit code of the command.
