@@ -34,13 +34,15 @@ constexpr const char* usage =
 std::vector<double> numbers_of(const std::string& option, const std::string& text,
                                std::size_t count) {
   std::vector<double> result;
+  bool are_numbers = true;
   std::istringstream in(text);
   for (std::string field; std::getline(in, field, ',');) {
-    if (!verify::read_number(field, result.emplace_back())) break;
+    are_numbers = verify::read_number(field, result.emplace_back()) && are_numbers;
   }
-  if (result.size() == count && std::ranges::count(text, ',') + 1 == std::ssize(result))
-    return result;
-  fail_usage(option + " is '" + text + "'; expected " + std::to_string(count) + " numbers");
+  const auto fields = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
+  if (are_numbers && fields == count && result.size() == count) return result;
+  fail_usage(option + " is '" + text + "'; expected " +
+             (count == 1 ? "a finite number" : std::to_string(count) + " finite numbers"));
 }
 
 // The edges before the first row, from those after the last one.
@@ -172,6 +174,7 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   if (compare(options.until, options.from) < 0) fail_usage("--until is before the start");
   if (given.contains("--box")) {
     const std::vector<double> sides = numbers_of("--box", given["--box"], 4);
+    if (sides[0] >= sides[2] || sides[1] >= sides[3]) fail_usage("the --box is empty");
     for (std::size_t i = 0; i < sides.size(); ++i) options.box[i] = sides[i];
   }
   const double threads = number("--threads", 1);

@@ -349,10 +349,16 @@ def check_input(case):
         code, answer, _ = case.answer(case.points, "--until", "1", "--edges", case.final)
         assert code == 2 and "expected --motions" in answer, answer
     good_options = ("--until", "1", "--edges", case.final)
-    for options in ((), ("--until",), ("--until", "x"), ("--until", "1", "--edge", "f"),
-                    (*good_options, "--rim=no"), (*good_options, "--threads", "1.5")):
+    for options in ((), ("--until",), ("--until", "1", "--edge", "f"),
+                    (*good_options, "--rim=no"), (*good_options, "--threads", "1.5"),
+                    (*good_options, "--box", "5,0,1,9")):
         code, answer, _ = case.answer(case.points, *options)
         assert code == 2 and "--help" in answer, answer
+    for text in ("", "x", "1x", "1 0", "nan", "inf", "-inf", "1e999", "1,", "1,2"):
+        for name, options in (("--until", ("--edges", case.final)), ("--from", good_options),
+                              ("--threads", good_options), ("--box", good_options)):
+            code, answer, _ = case.answer(case.points, *options, name, text)
+            assert code == 2 and f"{name} is '{text}'; expected " in answer, answer
 
 
 def check_page(case):
