@@ -15,8 +15,10 @@ import math
 import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
+
+sys.dont_write_bytecode = True
+from in_folder import In_folder  # noqa: E402
 
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 HEADER = "event,id,x,y,vx,vy,ax,ay,jx,jy,radius,growth,epoch"
@@ -116,15 +118,7 @@ def numbers_of(row):
     return {name: float(row[name]) for name in NUMBERS}
 
 
-class Motions(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def write(self, name, text):
-        (self.folder / name).write_text(text, encoding="utf-8")
-
+class Motions(In_folder):
     def generate(self, arguments, name="p.csv"):
         subprocess.run([PROGRAM, "generate", *arguments.split(), "--output", name], cwd=self.folder, check=True)
 

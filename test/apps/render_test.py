@@ -16,10 +16,12 @@ import stat
 import struct
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 import xml.etree.ElementTree as ElementTree
+
+sys.dont_write_bytecode = True
+from in_folder import In_folder  # noqa: E402
 
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 SVG = "{http://www.w3.org/2000/svg}"
@@ -64,15 +66,7 @@ class Picture:
         return [one.get("fill") for one in self.all(name, tag)]
 
 
-class Rendering(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def write(self, name, text):
-        (self.folder / name).write_text(text, encoding="utf-8")
-
+class Rendering(In_folder):
     def run_(self, *arguments, expected=0, **more):
         done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
                               check=False, timeout=300, **more)

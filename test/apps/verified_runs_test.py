@@ -11,8 +11,10 @@ import re
 import shlex
 import subprocess
 import sys
-import tempfile
 import unittest
+
+sys.dont_write_bytecode = True
+from in_folder import In_folder  # noqa: E402
 
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 CORPUS = pathlib.Path(__file__).resolve().parents[2] / "data/degenerate"
@@ -29,15 +31,7 @@ CROWD = ("t,id,x,y\n"
          "1,p,1,1\n2,p,3,1\n4,p,3,1\n5,p,1,4\n1,q,8,8\n2,q,3.5,7\n4,q,3.5,3\n8,q,8,1\n2.5,r,5,5\n4,r,2,5\n7,r,2,2\n")
 
 
-class Verified_runs(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def write(self, name, text):
-        (self.folder / name).write_text(text, encoding="utf-8")
-
+class Verified_runs(In_folder):
     def run_program(self, command, code=0):
         """What a run prints; command is split as by a shell."""
         result = subprocess.run([PROGRAM, *shlex.split(command)], cwd=self.folder, timeout=600, check=False,

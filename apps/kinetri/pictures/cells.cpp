@@ -3,31 +3,19 @@
 
 #include <cmath>
 
+#include "pictures/polygon_clipping.h"
+
 namespace kinetri::app {
 namespace {
 
-// The part of a convex polygon in which the power to a is not greater than that to b (Sutherland
-// and Hodgman, Reentrant polygon clipping, Communications of the ACM 17, 1974).
+// The part of a convex polygon in which the power to a is not greater than that to b.
 std::vector<Vector_2> nearer_part(const std::vector<Vector_2>& polygon, const Recorded_place& a,
                                   const Recorded_place& b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
-  const auto depth = [&](const Vector_2& p) {  // positive where a is nearer
+  return part_inside(polygon, [&](const Vector_2& p) {  // positive where a is nearer
     return dx * dx + dy * dy - (b.weight - a.weight) - 2 * (dx * (p.x - a.x) + dy * (p.y - a.y));
-  };
-  std::vector<Vector_2> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector_2& from = polygon[i];
-    const Vector_2& to = polygon[(i + 1) % polygon.size()];
-    const double here = depth(from);
-    const double there = depth(to);
-    if (here >= 0) result.push_back(from);
-    if ((here >= 0) != (there >= 0)) {
-      const double share = here / (here - there);
-      result.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
-    }
-  }
-  return result;
+  });
 }
 
 // Of a counterclockwise polygon, about its first corner.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/text.h"
+#include "pictures/polygon_clipping.h"
 
 namespace kinetri::app {
 namespace {
@@ -35,25 +36,6 @@ std::string escaped_text(std::string_view text) {
       result += "&gt;";
     } else {
       result += code < 32 ? ' ' : c;  // XML has no control characters
-    }
-  }
-  return result;
-}
-
-// The part of a polygon where `depth` is not negative (Sutherland and Hodgman, Reentrant polygon
-// clipping, Communications of the ACM 17, 1974).
-template <class Depth>
-std::vector<Pixel> part_inside(const std::vector<Pixel>& corners, Depth depth) {
-  std::vector<Pixel> result;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Pixel& from = corners[i];
-    const Pixel& to = corners[(i + 1) % corners.size()];
-    const double here = depth(from);
-    const double there = depth(to);
-    if (here >= 0) result.push_back(from);
-    if ((here >= 0) != (there >= 0)) {
-      const double share = here / (here - there);
-      result.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
     }
   }
   return result;
