@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interrupt.h"
 
+#include <pthread.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -23,7 +24,7 @@ enum Stage : int {
   committing,  // that outputs belong together: signals change nothing
   committed,   // nothing, and there are no temporaries
 };
-// Atomic since each of two signals may come to a thread of its own.
+// Atomic since a handler reads and writes them.
 std::atomic<int> stage = reading;
 std::atomic<bool> stop_requested = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
@@ -31,6 +32,7 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_alw
               "a signal handler may not wait for a lock");
 std::atomic<pid_t> child = 0;
 std::string_view program_name;  // set before there is a handler
+pthread_t outputs_thread;       // the thread that writes outputs; set before there is a handler
 
 // How long a run may take until it notices that it is to stop: some of its steps are long.
 constexpr suseconds_t patience_us = 400'000;
@@ -57,6 +59,11 @@ void set_alarm(suseconds_t microseconds) {
 // A handler: only async-signal-safe calls (setitimer is a plain system call).
 extern "C" {
 static void on_signal(int signal) {
+  // Elsewhere that thread would go on beside the handler, and make what is about to be removed.
+  if (::pthread_equal(::pthread_self(), outputs_thread) == 0) {
+    ::pthread_kill(outputs_thread, signal);
+    return;
+  }
   if (stage == committing) return;
   if (stage == committed) end_now();
   if (stage != reading && !stop_requested.exchange(true)) {
@@ -77,6 +84,7 @@ static void on_signal(int signal) {
 
 void install_signal_handlers(std::string_view program) {
   program_name = program;
+  outputs_thread = ::pthread_self();
   struct sigaction action = {};
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
