@@ -63,7 +63,7 @@ std::size_t format_of(std::string_view option, const std::string& path,
   const auto found = std::ranges::find(endings, ending);
   if (found != endings.end()) return static_cast<std::size_t>(found - endings.begin());
   throw Usage_error(joined(option, ": ", path,
-                           " does not say which format it has; expected a name ", "that ends with ",
+                           " does not say which format it has; expected a name that ends with ",
                            alternatives(endings)));
 }
 
@@ -233,13 +233,10 @@ Command render_command() {
              "Show a progress line; auto (default) shows it on a terminal");
   result.description = {
       "The pictures are those of the page, without a browser. What the page shows first "
-      "(--html-view) "
-      "is shown; --view counts more. Its words are those of --html-view, except that play, list, "
-      "draw "
-      "and the circle under the pointer change nothing.",
+      "(--html-view) is shown; --view counts more. Its words are those of --html-view, except that "
+      "play, list, draw and the circle under the pointer change nothing.",
       "PNG and films are drawn by rsvg-convert (Debian: librsvg2-bin), films encoded by ffmpeg. "
-      "SVG "
-      "needs neither.",
+      "SVG needs neither.",
       "A film has a frame at its first time and then one after each 1 / N seconds, up to its last "
       "time. Edges that an event removes are dashed and orange shortly before it, edges that it "
       "adds are bold and blue shortly after it; in a picture, at its time.",

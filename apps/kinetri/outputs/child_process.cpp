@@ -13,6 +13,7 @@
 #include "cli/interrupt.h"
 #include "io/output_file.h"
 #include "io/text.h"
+#include "kinetri/io/output_error.h"
 
 extern char** environ;
 
@@ -69,7 +70,11 @@ Tool_result run_tool(const std::string& program, std::vector<std::string> argume
   const Nameless_file in = nameless_file();
   const Nameless_file out = nameless_file();
   const Nameless_file err = nameless_file();
-  std::fwrite(input.data(), 1, input.size(), in.get());
+  const bool is_written = std::fwrite(input.data(), 1, input.size(), in.get()) == input.size() &&
+                          std::fflush(in.get()) == 0;
+  if (!is_written) {
+    throw Output_error(program + ": its input cannot be kept; expected room for temporary files");
+  }
   std::rewind(in.get());
   const auto status = run_child(program, std::move(arguments),
                                 {::fileno(in.get()), ::fileno(out.get()), ::fileno(err.get())});
