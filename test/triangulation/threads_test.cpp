@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "support/motions.h"
 
@@ -115,6 +116,28 @@ TEST(Threads, start_a_triangulation_of_a_lattice_as_one_does) {
     }
   }
   made_by_one_and_by<Linear_kinetic_traits_2>(4, motions);
+}
+
+// Regions beside one another, whose failures the filter decides or not.
+TEST(Threads, run_by_regions_as_the_loop_does) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    using Kinetic = Kinetic_delaunay_triangulation_2<>;
+    const auto motions = seed % 2 == 0 ? test::random_motions(1500, 400, 5, seed)
+                                       : test::grid_motions(700, 300, 7, seed);
+    Kinetic plain(motions);
+    Kinetic kinetic(motions);
+    detail::Region_options options;
+    options.regions = 6 + 5 * seed;
+    options.least_events_per_vertex = 0;
+    options.threads = 4;
+    detail::Region_run<Kinetic> run(kinetic, options);
+    for (const double time : {0.5, 2.0}) {
+      EXPECT_EQ(plain.advance_to(time), run.advance_to(time));
+      EXPECT_EQ(plain.finite_edge_ids(), kinetic.finite_edge_ids());
+      EXPECT_EQ(plain.next_event_time(), kinetic.next_event_time());
+    }
+    EXPECT_GT(run.counters().by_region, 100u) << "seed " << seed;
+  }
 }
 
 // What a const function makes when it needs it, it makes for itself: several threads ask one

@@ -24,6 +24,9 @@ using Event = Basic_event<Algebraic_number>;
 class Event_observer {
  public:
   virtual ~Event_observer() = default;
+  /// Whether the functions below look at the triangulation. If no observer does, a run by regions
+  /// may report events some time after they have happened; else there is none.
+  virtual bool looks_at_triangulation() const { return true; }
   /// Called when `event` is about to happen. Does nothing unless it is overridden.
   virtual void before_event(const Event& /*event*/) {}
   /// Called when `event` has happened. Does nothing unless it is overridden.

@@ -56,6 +56,7 @@ class Event_scheduler {
   bool empty() const noexcept { return queue_.empty(); }
   std::size_t size() const noexcept { return queue_.size(); }
   const Queue_counters& counters() const noexcept { return queue_.counters(); }
+  void count_as(const Queue_counters& counters) noexcept { queue_.count_as(counters); }
   bool contains(Queue_handle handle) const noexcept { return queue_.contains(handle); }
   const Entry& operator[](Queue_handle handle) const { return queue_[handle]; }
   const Entry& top() const { return queue_.top(); }

@@ -128,6 +128,9 @@ class Indexed_queue {
   /// Counts since the queue was made; clear() does not reset them.
   const Queue_counters& counters() const noexcept { return counters_; }
 
+  /// Goes on counting from these counts.
+  void count_as(const Queue_counters& counters) noexcept { counters_ = counters; }
+
   /// Whether heap order, slots and index are intact. O(n); for audits.
   bool is_valid() const { return is_valid(less_); }
   /// The same, asking another order object about items whose bounds overlap.

@@ -33,6 +33,8 @@ class Event_log_writer : public Event_observer {
   /// Writes the header line. `out` must outlive this object.
   explicit Event_log_writer(std::ostream& out);
 
+  /// It does not: a line is about the event alone.
+  bool looks_at_triangulation() const override { return false; }
   /// Writes the line of the event.
   void after_event(const Event& event) override;
 

@@ -46,6 +46,8 @@ class Event_statistics : public Event_observer {
   /// the ends of all intervals are distinct binary64 numbers.
   Event_statistics(double from, double to, std::size_t intervals);
 
+  /// It does not: it counts events.
+  bool looks_at_triangulation() const override { return false; }
   /// Counts the event.
   void after_event(const Event& event) override;
 

@@ -13,6 +13,7 @@
 #include <CGAL/Triangulation_vertex_base_2.h>
 
 #include <array>
+#include <cstdint>
 
 #include "kinetri/events/queue_handle.h"
 
@@ -45,8 +46,14 @@ class alignas(64) Kinetic_face_base_2 : public FaceBase {
   /// Remembers the queue's entry for edge i. Precondition: 0 <= i < 3.
   void set_event(int i, Queue_handle event) { events_[static_cast<std::size_t>(i)] = event; }
 
+  /// The last flip of the face within a window of a run by regions; 0 if there was none.
+  std::uint32_t stamp() const { return stamp_; }
+  /// Remembers the last flip of the face.
+  void set_stamp(std::uint32_t stamp) { stamp_ = stamp; }
+
  private:
   std::array<Queue_handle, 3> events_ = {no_event, no_event, no_event};
+  std::uint32_t stamp_ = 0;
 };
 
 /// A vertex that is in one cache line, where the point leaves room for that.

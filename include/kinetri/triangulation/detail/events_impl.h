@@ -8,9 +8,11 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
@@ -121,6 +123,19 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time) {
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one, "
       "or call reverse first");
+  if constexpr (std::is_same_v<Traits, Linear_kinetic_traits_2>) {
+    if (detail::may_pay_by_regions(number_of_points_, threads_)) {
+      detail::Region_options options;
+      options.threads = threads_;
+      return detail::Region_run<Kinetic_triangulation_2>(*this, options).advance_to(time);
+    }
+  }
+  return run_to(time);
+}
+
+// The plain loop: event by event.
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::run_to(const Time& time) {
   std::size_t events = 0;
   while (settle(&time)) events += run_instant();
   set_current_time(time);
@@ -404,19 +419,25 @@ void Kinetic_triangulation_2<Traits>::count_event(Event_kind kind) {
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::flip_event(const Two_sided_edge& edge, Event_kind kind)
     -> Event {
-  const auto finite_ids = [](Vertex_handle a, Vertex_handle b) -> std::optional<Edge_ids> {
-    const Edge_ids ids = edge_ids(a->point().id(), b->point().id());
-    if (ids[1] == no_point) return std::nullopt;
-    return ids;
+  const auto [removed, added] = flipped_edges(edge);
+  const auto if_finite = [](const Edge_ids& ids) {
+    return ids[1] == no_point ? std::nullopt : std::optional(ids);
   };
-  const auto& [face, i] = edge.here;
-  const auto& [neighbor, j] = edge.there;
   Event event;
   event.kind = kind;
-  event.removed =
-      finite_ids(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)));
-  event.added = finite_ids(face->vertex(i), neighbor->vertex(j));
+  event.removed = if_finite(removed);
+  event.added = if_finite(added);
   return event;
+}
+
+// The edge that a flip removes and the one that it adds. The infinite vertex has the id no_point.
+template <KineticTraits_2 Traits>
+inline std::pair<Edge_ids, Edge_ids> Kinetic_triangulation_2<Traits>::flipped_edges(
+    const Two_sided_edge& edge) {
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
+  return {ids_of(edge.here),
+          edge_ids(face->vertex(i)->point().id(), neighbor->vertex(j)->point().id())};
 }
 
 }  // namespace kinetri

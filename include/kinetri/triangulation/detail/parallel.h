@@ -19,14 +19,15 @@ void for_each_in_parallel(std::vector<Block>& blocks, const Work& work) {
   if (blocks.size() == 1) return work(blocks.front());
   // ThreadSanitizer does not see into oneTBB's library, where work begins after what came before
   // the call, and what comes after the call begins after the work. The tag is global because a task
-  // may read nothing of this thread before it has been told so.
+  // may read nothing of this thread, the function below included, before it has been told so.
   static char begun, done;
-  annotate_happens_before(&begun);
-  tbb::parallel_for_each(blocks, [&work](Block& block) {
+  const auto work_in_order = [&work](Block& block) {
     annotate_happens_after(&begun);
     work(block);
     annotate_happens_before(&done);
-  });
+  };
+  annotate_happens_before(&begun);
+  tbb::parallel_for_each(blocks, work_in_order);
   annotate_happens_after(&done);
 }
 

@@ -44,6 +44,28 @@ inline void Kinetic_triangulation_2<Traits>::Queue_policy::prefetch_first(
   detail::prefetch_around(entry.face->neighbor(entry.index));
 }
 
+// The region that owns both ends of the edge, or the part of what no region owns.
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::Queue_policy::part_of(const Edge& edge) const {
+  const auto [a, b] = ids_of(edge);
+  if (b == no_point) return 2 * triangulation.regions_;
+  const std::uint16_t owner = triangulation.owners_[a];
+  return owner < triangulation.regions_ && owner == triangulation.owners_[b]
+             ? owner
+             : 2 * triangulation.regions_;
+}
+
+template <KineticTraits_2 Traits>
+Queue_handle Kinetic_triangulation_2<Traits>::Queue_policy::handle(const Entry& entry) const {
+  return entry.face->event(entry.index);
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::Queue_policy::set_handle(const Entry& entry,
+                                                               Queue_handle handle) const {
+  set_event(triangulation.two_sided(entry.edge()), handle);
+}
+
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::set_event(const Two_sided_edge& edge, Queue_handle handle) {
   edge.here.first->set_event(edge.here.second, handle);
@@ -72,11 +94,17 @@ void Kinetic_triangulation_2<Traits>::schedule(std::span<const Two_sided_edge> e
           });
 }
 
-// Schedules an edge that has just been flipped, and the outer edges of its quadrilateral, seen from
-// outside: counterclockwise, the first two are those of the face at the edge.
+// Certifies an edge that has just been flipped, and the outer edges of its quadrilateral, seen from
+// outside: counterclockwise, the first two are those of the face at the edge. The time of the flip
+// is within `bounds`; `now` is a function that returns it, which is called only where that is
+// needed. Calls put(edge, kind, certificate) for each of them; does nothing and returns false where
+// the five are not certified together: a point is infinite, or the traits make no batches.
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::schedule_after_flip(
-    const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer) {
+template <class Now, class Put>
+inline bool Kinetic_triangulation_2<Traits>::certify_after_flip(
+    const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer,
+    const Double_interval& bounds, const Now& now, Certificate_counters& counters,
+    const Put& put) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
     const auto& [face, i] = edge.here;
     const auto& [neighbor, j] = edge.there;
@@ -94,24 +122,36 @@ void Kinetic_triangulation_2<Traits>::schedule_after_flip(
       are_finite = are_finite && !triangulation_.is_infinite(corners[k]) &&
                    !triangulation_.is_infinite(beyond);
     }
-    if (are_finite && !rebuilt_edges_) {
-      const auto now = [this]() -> const Time& { return current_time(); };
-      auto certificates = traits_.certificates_after_flip(around, current_bounds());
-      for (std::size_t k = 0; k < certificates.size(); ++k) {
-        const Two_sided_edge& e = k < 4 ? outer[k] : edge;
-        Certificate& known = certificates[k];
-        if (known.kind == Certificate::Kind::unknown) {
-          known =
-              certificate({Entry_kind::flip, around.certificate(k)}, current_time(),
-                          k < 4 ? Certificate_state::any : Certificate_state::vanishes, traits_);
-        }
-        certificate_counters_.count(known);
-        const Entry_kind kind =
-            first_failure(e, Entry_kind::flip, known, now, traits_, certificate_counters_);
-        set_event(e, push(e.here, kind, std::move(known)));
+    if (!are_finite) return false;
+    auto certificates = traits_.certificates_after_flip(around, bounds);
+    for (std::size_t k = 0; k < certificates.size(); ++k) {
+      const Two_sided_edge& e = k < 4 ? outer[k] : edge;
+      Certificate& known = certificates[k];
+      if (known.kind == Certificate::Kind::unknown) {
+        known = certificate({Entry_kind::flip, around.certificate(k)}, now(),
+                            k < 4 ? Certificate_state::any : Certificate_state::vanishes, traits_);
       }
-      return;
+      counters.count(known);
+      const Entry_kind kind = first_failure(e, Entry_kind::flip, known, now, traits_, counters);
+      put(e, kind, std::move(known));
     }
+    return true;
+  }
+  return false;
+}
+
+// Schedules an edge that has just been flipped, and the outer edges of its quadrilateral, as
+// certify_after_flip has them.
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::schedule_after_flip(
+    const Two_sided_edge& edge, const std::array<Two_sided_edge, 4>& outer) {
+  const auto put = [this](const Two_sided_edge& e, Entry_kind kind, Certificate&& known) {
+    set_event(e, push(e.here, kind, std::move(known)));
+  };
+  const auto now = [this]() -> const Time& { return current_time(); };
+  if (!rebuilt_edges_ &&
+      certify_after_flip(edge, outer, current_bounds(), now, certificate_counters_, put)) {
+    return;
   }
   schedule({&edge, 1}, current_time(),
            rebuilt_edges_ ? Certificate_state::any : Certificate_state::vanishes);

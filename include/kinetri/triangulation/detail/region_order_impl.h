@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Region_run: the end of a window: its flips in the order of time.
+#ifndef KINETRI_TRIANGULATION_DETAIL_REGION_ORDER_IMPL_H
+#define KINETRI_TRIANGULATION_DETAIL_REGION_ORDER_IMPL_H
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "kinetri/triangulation/detail/regions.h"
+
+namespace kinetri::detail {
+
+// Reports the flips of the window in the order of time, but for those from the first time on that
+// two have in common, or from the cut on: these are undone.
+template <class Kinetic>
+void Region_run<Kinetic>::settle_window() {
+  put_in_order();
+  for (std::size_t k = 1; k < order_.size(); ++k) {
+    if (order_[k - 1].bounds.upper < order_[k].bounds.lower) continue;
+    if (compare(order_[k - 1], order_[k]) != 0) continue;
+    const Time& tie = time(flip(order_[k]).moment);
+    if (!cut_ || tie < *cut_) cut_ = tie;
+    break;
+  }
+  if (cut_) cut_off();
+  while (!queue().part(due_part()).empty()) {
+    move(due_part(), kinetic_.queue_policy_.part_of(queue().part(due_part()).top()));
+  }
+  report();
+  done_ = order_.size();
+  const auto clear = [this](Lane& lane) {
+    (&lane == &rest_ ? counters_.by_rest : counters_.by_region) += lane.flips.size();
+    counters_.deferred += std::exchange(lane.deferred, 0);
+    lane.flips_before += lane.flips.size();
+    lane.flips.clear();
+    lane.keys.clear();
+    lane.has_undone = false;
+    kinetic_.certificate_counters_ += std::exchange(lane.certificates, {});
+    kinetic_.counters_.rechecks += lane.counters.rechecks;
+    for (std::size_t k = 0; k < event_kinds; ++k) {
+      kinetic_.counters_.discarded[k] += lane.counters.discarded[k];
+    }
+    lane.counters = {};
+  };
+  std::ranges::for_each(lanes_, clear);
+  clear(rest_);
+  if (cut_ && kinetic_.settle(&*cut_)) run_loop_instant();
+}
+
+// Puts the flips that are not undone in the order of time: slices of the window by lower bounds,
+// which several threads do, then, since bounds may overlap, one by one.
+template <class Kinetic>
+void Region_run<Kinetic>::put_in_order() {
+  order_.clear();
+  std::size_t size = rest_.keys.size();
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  const auto look_at = [&](const Lane& lane) {
+    if (lane.keys.empty()) return;
+    size += lane.keys.size();
+    least = std::min(least, lane.keys.front().reached);
+    greatest = std::max(greatest, lane.keys.back().reached);
+  };
+  std::ranges::for_each(lanes_, look_at);
+  look_at(rest_);
+  if (size == 0) return;
+  struct Slice {
+    double least;
+    double greatest;
+    std::vector<Key> keys = {};
+  };
+  constexpr std::size_t keys_per_slice = 4096;
+  const std::size_t number = size / keys_per_slice + 1;
+  std::vector<Slice> slices;
+  for (std::size_t k = 0; k < number; ++k) {
+    const double share = static_cast<double>(k + 1) / static_cast<double>(number);
+    const double end = k + 1 == number ? std::numeric_limits<double>::infinity()
+                                       : least + share * (greatest - least);
+    slices.push_back({k == 0 ? -end : slices.back().greatest, end});
+  }
+  slices.front().least = -std::numeric_limits<double>::infinity();
+  for_each(slices, [this](Slice& slice) {
+    slice.keys = keys_between(slice.least, slice.greatest);
+    std::ranges::sort(slice.keys, {}, [](const Key& key) { return key.bounds.lower; });
+  });
+  order_.reserve(size);
+  for (const Slice& slice : slices) {
+    order_.insert(order_.end(), slice.keys.begin(), slice.keys.end());
+  }
+  if (insert_in_order()) return;
+  std::ranges::sort(order_, [this](const Key& a, const Key& b) { return compare(a, b) < 0; });
+}
+
+// The keys of flips that are not undone and that reach from `least` on, but not `greatest`.
+template <class Kinetic>
+auto Region_run<Kinetic>::keys_between(double least, double greatest) const -> std::vector<Key> {
+  std::vector<Key> result;
+  const auto add = [&](const Lane& lane) {
+    auto key = std::ranges::lower_bound(lane.keys, least, {}, &Key::reached);
+    for (; key != lane.keys.end() && key->reached < greatest; ++key) {
+      if (!lane.has_undone || !lane.flips[key->index].is_undone) result.push_back(*key);
+    }
+  };
+  std::ranges::for_each(lanes_, add);
+  add(rest_);
+  return result;
+}
+
+// Puts each key after those that it does not precede. Gives up, and returns false, where too many
+// are in the way.
+template <class Kinetic>
+bool Region_run<Kinetic>::insert_in_order() {
+  std::size_t steps = 8 * order_.size();
+  for (std::size_t k = 1; k < order_.size(); ++k) {
+    if (order_[k - 1].bounds.upper < order_[k].bounds.lower) continue;
+    const Key key = order_[k];
+    std::size_t to = k;
+    for (; to > 0 && compare(key, order_[to - 1]) < 0; --to) order_[to] = order_[to - 1];
+    order_[to] = key;
+    if (k - to > steps) return false;
+    steps -= k - to;
+  }
+  return true;
+}
+
+// Undoes the flips from the cut on.
+template <class Kinetic>
+void Region_run<Kinetic>::cut_off() {
+  ++counters_.cuts;
+  const std::uint64_t undone = counters_.undone;
+  Moment cut;
+  cut.bounds = cut_->interval();
+  cut.exact = *cut_;
+  const auto first = std::ranges::partition_point(
+      order_, [&](const Key& key) { return compare(flip(key).moment, cut) < 0; });
+  order_.erase(first, order_.end());
+  const auto undo_from_cut = [&](Lane& lane) {
+    for (std::size_t k = lane.flips.size(); k-- > 0;) {
+      Flip& f = lane.flips[k];
+      if (!f.is_undone && compare(f.moment, cut) >= 0) undo(stamp(lane, k));
+    }
+  };
+  undo_from_cut(rest_);
+  std::ranges::for_each(lanes_, undo_from_cut);
+  counters_.cut_off += std::exchange(counters_.undone, undone) - undone;
+}
+
+// Counts the flips of the window and shows them to the observers.
+template <class Kinetic>
+void Region_run<Kinetic>::report() {
+  if (order_.empty()) return;
+  if (!kinetic_.observers_.empty()) {
+    for (const Key& key : order_) report(flip(key));
+  } else {
+    const Moment& last = flip(order_.back()).moment;
+    if (last.exact) {
+      kinetic_.set_current_time(*last.exact);
+    } else {
+      kinetic_.pending_time_ = {last.points, last.bounds};
+    }
+    for (const Key& key : order_) kinetic_.count_event(key.kind);
+  }
+  kinetic_.counters_.flat_hulls +=
+      static_cast<std::uint64_t>(std::ranges::count(order_, Event_kind::hull_insert, &Key::kind));
+  kinetic_.counters_.instants += order_.size();
+  kinetic_.counters_.largest_instant =
+      std::max<std::uint64_t>(kinetic_.counters_.largest_instant, 1);
+}
+
+// Counts a flip and shows it to the observers.
+template <class Kinetic>
+void Region_run<Kinetic>::report(Flip& f) {
+  Event event;
+  kinetic_.set_current_time(time(f.moment));
+  event.number = kinetic_.counters_.number_of_events();
+  event.kind = f.kind;
+  event.time = kinetic_.current_time();
+  if (f.removed[1] != no_point) event.removed = f.removed;
+  if (f.added[1] != no_point) event.added = f.added;
+  kinetic_.is_in_event_ = true;
+  for (Event_observer* observer : kinetic_.observers_) observer->before_event(event);
+  kinetic_.count_event(f.kind);
+  for (Event_observer* observer : kinetic_.observers_) observer->after_event(event);
+  kinetic_.is_in_event_ = false;
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_REGION_ORDER_IMPL_H

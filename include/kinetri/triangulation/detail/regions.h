@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A run by regions: the events of a window of time are executed region by region, each region in
+// its own order, by several threads, and then reported in the order of time. The result is that of
+// the plain loop, event by event and face by face. docs/MATH.md, section 17, proves it.
+//
+// The plain loop. Entries of the queue are ordered by exact time, then by kind, then by the ids of
+// the ends of the edge (Queue_policy::precedes). The loop takes the least entry, executes it, and
+// puts the entries of five edges into the queue; so events at one time are in the order of
+// their entries only among those that are there at once. Two events at different times are in the
+// order of time, whatever else there is. This is all that a run by regions relies on: where two
+// events of a window have one time, the window is cut before that time, and the plain loop executes
+// it.
+//
+// Terms.
+//   region   A set of finite vertices: a cell of a k-d tree of the places when the regions were
+//            made.
+//   window   An interval of time, from the present to a binary64 number `end`, ends included.
+//   part     The queue in parts (Divided_scheduler), R being the number of regions: part r < R has
+//            the entries of the edges of which both ends are in region r, part 2 R those of all
+//            other edges. In a window part R + r has entries that region r has deferred, and part
+//            2 R + 1 those of part 2 R that fail in the window; then the latter has all entries of
+//            the rest. Between two windows these are empty.
+//   lane     What one thread writes: the flips of a region, or of the rest, and their counts.
+//   record   What is known of a flip in a window (Flip): its time, and what is needed to
+//            undo it, the entries of the five edges before it included.
+//   stamp    At a face, the number of the last flip that changed it; 0 if none did. Numbers grow
+//            with execution among flips that conflict (see below). A number less than those of its
+//            lane in this window is that of a flip before the window, and means nothing.
+//   surroundings of a flip: its two faces, and the four faces beside these. Two flips *conflict* if
+//            a face of one is in the surroundings of the other.
+//   stall    An entry that waits for another region or for the rest. It stays in the slots of its
+//            two faces, where others that are later see it: there is no other mark.
+//   rest     The events that no region executed, by one thread in the order of the queue.
+//
+// What an event reads and writes. A flip, at the hull too,
+//   reads    the vertices of its surroundings, and motions, which no window changes;
+//   writes   vertices, neighbors, slots and stamp of its two faces; in each face beside them the
+//            slot, and in two of these the neighbor, across their common edge; for the two ends of
+//            the edge the face that CGAL keeps at a vertex, if that was one of the two faces; the
+//            entries of the five edges; the lane.
+// It allocates no face and no vertex. So the order of faces in CGAL's container, which snapshots
+// keep, is that of the window's start, and face() of a vertex changes only with a flip of that
+// face. Flips from either side of an edge are the same. A recheck writes the entry of one edge.
+// Failure times are exact numbers that several threads may ask (algebra/algebraic_number.h); that
+// of an entry is kept in its part, which one thread owns, and is made anew, and not kept, by a
+// thread that looks at an entry of another part.
+//
+// Region r flips an edge if it is finite and all four vertices are in r. Then each face that it
+// writes has two vertices in r, and each face that it reads too. A face with two vertices in r is
+// written by no other region, since that would have to own two of the three. So regions share
+// nothing that one of them writes.
+//
+// Contract. An entry is executed, by a region or by the rest, only if
+//   (1) it is a flip, and the two faces at its edge are those that it was made for;
+//   (2) no face of its surroundings has been flipped later in time;
+//   (3) no other entry at an edge of its two faces is due before it.
+// A region defers what violates (3), and looks at all edges of the surroundings for that, which
+// saves undoing; (2) is true there, since it executes in the order of time. The rest has (3) by its
+// order, and makes (2) true: it undoes the later flips, each after those that conflict with it and
+// were executed after it. An undone flip has its entry in the queue again and is part of the rest.
+//
+// Invariants, between two executions:
+//   - of two flips that conflict the one that was executed first is not later in time;
+//   - the stamp of a face is that of its last flip, of those that have not been undone;
+//   - every entry in a slot is a fact about the quadrilateral at its edge: the first failure after
+//     the quadrilateral came to be, or a time before that;
+//   - the rest never goes back: what it executes is never undone, unless the window is cut.
+//
+// Never done by region: flips with the infinite vertex, that is at the hull. They are of the rest.
+// Never done in a window: coincidences, triangles at the hull that turn flat and are not flipped,
+// reconstructions, hidden points, ties. Where such an event is next, in the rest, or two flips have
+// the same time, the window is cut: flips at or after that time are undone, those before it are
+// reported, and the plain loop executes that instant. Regions are for points without weights whose
+// places can be rounded (HasRoundedPlace).
+//
+// What is the same as in the plain loop: events, their order and times, faces and all that a
+// snapshot has of them, and of the counters those that count events and instants. Counts of
+// rechecks, discarded failures, certificates and of the queue tell how a run was made: they differ,
+// as they do after a snapshot has been restored.
+#ifndef KINETRI_TRIANGULATION_DETAIL_REGIONS_H
+#define KINETRI_TRIANGULATION_DETAIL_REGIONS_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kinetri/triangulation/detail/parallel.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
+
+namespace kinetri::detail {
+
+/// How a run by regions is made. The result does not depend on it.
+struct Region_options {
+  std::size_t regions = 0;         ///< how many; at most 255; by the number of points if 0
+  double events_per_vertex = 0.3;  ///< in a window, about
+  /// With fewer events to come, as it seems, the plain loop executes them.
+  double least_events_per_vertex = 2;
+  double events_per_division = 4;  ///< a vertex, after which regions are made anew
+  /// Of a region, or of the rest, in a window: where there are more, the window is cut.
+  std::size_t most_flips = std::size_t{1} << 22;
+  std::size_t threads = 0;  ///< at most; 0: those of oneTBB's arena; 1: one region after the other
+};
+
+/// Whether a run by regions may be faster than the plain loop: of so many points, with so many
+/// threads (0: those of oneTBB's arena) of those that oneTBB has here.
+bool may_pay_by_regions(std::size_t points, std::size_t threads);
+
+/// What a run by regions has done.
+struct Region_counters {
+  std::uint64_t windows = 0;    ///< of time
+  std::uint64_t cuts = 0;       ///< windows that ended early
+  std::uint64_t by_region = 0;  ///< flips that regions executed, those undone included
+  std::uint64_t by_rest = 0;    ///< flips that the rest executed, those undone included
+  std::uint64_t by_loop = 0;    ///< events that the plain loop executed
+  std::uint64_t deferred = 0;   ///< entries that regions left to the rest
+  std::uint64_t undone = 0;     ///< flips that came too early
+  std::uint64_t cut_off = 0;    ///< flips that were undone since their window was cut
+};
+
+/// A run of a Kinetic_triangulation_2 by regions.
+template <class KineticTriangulation>
+class Region_run {
+ public:
+  using Time = typename KineticTriangulation::Time;  ///< of events
+
+  /// The triangulation must outlive this object.
+  explicit Region_run(KineticTriangulation& kinetic, const Region_options& options = {});
+
+  /// As advance_to of the triangulation, with the same result. Observers that look at the
+  /// triangulation get the plain loop. If an observer throws, or memory is missing, the
+  /// triangulation can only be destroyed. Precondition: as there.
+  std::size_t advance_to(const Time& until);
+
+  /// What has been done so far.
+  const Region_counters& counters() const { return counters_; }
+
+ private:
+  using Entry = typename KineticTriangulation::Entry;
+  using Entry_kind = typename KineticTriangulation::Entry_kind;
+  using Edge = typename KineticTriangulation::Edge;
+  using Two_sided_edge = typename KineticTriangulation::Two_sided_edge;
+  using Certificate_points = typename KineticTriangulation::Certificate_points;
+  using Face_handle = typename KineticTriangulation::Face_handle;
+  using Vertex_handle = typename KineticTriangulation::Vertex_handle;
+  using Triangulation = typename KineticTriangulation::Triangulation;
+  using Queue = decltype(KineticTriangulation::queue_);
+  using Part = typename Queue::Part;
+  using Stamp = std::uint32_t;
+
+  /// When a flip happens.
+  struct Moment {
+    Certificate_points points = {};
+    Double_interval bounds = {};
+    std::optional<Time> exact = std::nullopt;  // made when it is needed
+  };
+
+  /// A flip of the window: the record.
+  struct Flip {
+    Moment moment;
+    Event_kind kind;
+    Edge_ids removed;
+    Edge_ids added;
+    /// The edge, before the flip.
+    Face_handle face;
+    Face_handle neighbor;
+    int i;
+    int j;
+    bool right_had_face;     // `face` was the one that CGAL keeps at the vertex cw(i)
+    bool left_had_neighbor;  // `neighbor` was the one at the vertex ccw(i)
+    bool is_undone = false;
+    std::array<Stamp, 2> previous;  // of the two faces
+    /// Of the edge, then of the outer edges in the order of flip_edge, before the flip.
+    std::array<Entry, 5> entries;
+    std::array<bool, 5> has_entry;
+    std::vector<std::pair<std::size_t, Time>> exact_times;  // of entries that had one
+  };
+
+  // What the order of flips needs to know of one.
+  struct Key {
+    Double_interval bounds;
+    double reached;       // the greatest lower bound so far in its lane
+    std::uint32_t index;  // in its lane
+    std::uint16_t lane;
+    Event_kind kind;
+  };
+
+  struct alignas(64) Lane {
+    std::size_t number = 0;        // of the region; the rest has the last one
+    std::size_t flips_before = 0;  // in windows before this one, since stamps were cleared
+    std::size_t capacity = 0;      // how many flips it may have in a window
+    std::vector<Flip> flips = {};
+    std::vector<Key> keys = {};  // of the flips
+    bool has_undone = false;     // whether one of them is undone
+    Certificate_counters certificates = {};
+    Triangulation_counters counters = {};
+    std::uint64_t deferred = 0;
+  };
+
+  // The four outer edges of a quadrilateral before the flip.
+  using Outer_edges = std::array<Two_sided_edge, 4>;
+
+  bool can_run() const;
+  std::size_t advance(const Time& until);
+  std::uint64_t executed(std::uint64_t before) const {
+    return kinetic_.counters_.number_of_events() - before;
+  }
+  void run_windows(const Time& until, double width);
+  bool are_stamps_spent() const;
+  void divide();
+  void move_to_parts(std::size_t count);
+  void choose_owners();
+  std::size_t deferred_part(std::size_t region) const { return regions_ + region; }
+  std::size_t shared_part() const { return 2 * regions_; }
+  std::size_t due_part() const { return 2 * regions_ + 1; }
+
+  // Calls work(element) for each element of a vector.
+  template <class Vector, class Work>
+  void for_each(Vector& elements, const Work& work) const {
+    if (options_.threads == 1) {
+      std::ranges::for_each(elements, work);
+    } else {
+      for_each_in_parallel(elements, work);
+    }
+  }
+  bool run_window(double end);
+  double gather_due(double end);
+  void run_region(Lane& lane, double end);
+  void run_rest(double end);
+  void settle_window();
+  void run_loop_instant();
+
+  bool is_owned(const Two_sided_edge& edge, std::size_t region) const;
+  bool is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
+  void recheck(Lane& lane, std::span<const Entry> entries);
+  std::size_t part_for(const Lane& lane, const Entry& entry) const;
+  bool is_later(Stamp stamp, Moment& moment);
+  bool is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment);
+  void undo_later(const Two_sided_edge& edge, Moment& moment);
+  Moment moment_of(const Entry& entry, const Two_sided_edge& edge, const Part& part) const;
+  void put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind, Certificate&& known);
+  void execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge, Moment moment);
+  void undo(Stamp stamp);
+  void undo_last(Stamp stamp);
+  void move(std::size_t from, std::size_t to);
+  void put_in_order();
+  std::vector<Key> keys_between(double least, double greatest) const;
+  bool insert_in_order();
+  void cut_off();
+  void report();
+  void report(Flip& flip);
+
+  Queue& queue() { return kinetic_.queue_; }
+  Outer_edges outer_edges(const Two_sided_edge& edge) const;
+  Flip& flip(Stamp stamp);
+  Flip& flip(const Key& key) {
+    return (key.lane < regions_ ? lanes_[key.lane] : rest_).flips[key.index];
+  }
+  const Time& time(Moment& moment) const;
+  int compare(Moment& a, Moment& b) const;
+  int compare(const Key& a, const Key& b) {
+    if (a.bounds.upper < b.bounds.lower) return -1;
+    return compare(flip(a).moment, flip(b).moment);
+  }
+  bool is_of_window(Stamp stamp) const;
+  const Lane& lane_of(Stamp stamp) const;
+  static Stamp stamp(const Lane& lane, std::size_t index) {
+    return static_cast<Stamp>(((lane.number << index_bits) | (lane.flips_before + index)) + 1);
+  }
+
+  static constexpr unsigned index_bits = 24;          // of a flip in its lane
+  static constexpr std::size_t many_instants = 1024;  // for which parts are put together
+
+  KineticTriangulation& kinetic_;
+  Region_options options_;
+  std::size_t regions_;
+  std::vector<Lane> lanes_;  // of the regions
+  Lane rest_;
+  std::vector<Key> order_;   // of the flips of a window
+  std::optional<Time> cut_;  // where the window ends early
+  // Entries whose bounds begin at or before this go to the rest; minus infinity outside of it.
+  double due_until_ = -std::numeric_limits<double>::infinity();
+  std::size_t done_ = 0;  // flips that the last window reported
+  Region_counters counters_;
+};
+
+extern template class Region_run<Kinetic_triangulation_2<Linear_kinetic_traits_2>>;
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_REGIONS_H

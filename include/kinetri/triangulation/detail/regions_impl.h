@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Region_run: the run, and its windows of time.
+#ifndef KINETRI_TRIANGULATION_DETAIL_REGIONS_IMPL_H
+#define KINETRI_TRIANGULATION_DETAIL_REGIONS_IMPL_H
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/region_division_impl.h"
+#include "kinetri/triangulation/detail/region_flips_impl.h"
+#include "kinetri/triangulation/detail/region_order_impl.h"
+#include "kinetri/triangulation/detail/regions.h"
+
+namespace kinetri::detail {
+
+// Fewer where there are few points, of which more are beside another region then.
+inline std::size_t number_of_regions(const Region_options& options, std::size_t points) {
+  const auto by_points = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 16);
+  return std::clamp<std::size_t>(options.regions > 0 ? options.regions : by_points, 1, 255);
+}
+
+template <class Kinetic>
+Region_run<Kinetic>::Region_run(Kinetic& kinetic, const Region_options& options)
+    : kinetic_(kinetic),
+      options_(options),
+      regions_(number_of_regions(options, kinetic.number_of_points_)) {
+  lanes_.resize(regions_);
+  for (std::size_t r = 0; r < regions_; ++r) lanes_[r].number = r;
+  rest_.number = regions_;
+}
+
+template <class Kinetic>
+bool Region_run<Kinetic>::can_run() const {
+  return HasRoundedPlace<typename Kinetic::Motion> && !Kinetic::is_weighted &&
+         kinetic_.triangulation_.dimension() == 2 &&
+         std::ranges::none_of(kinetic_.observers_, &Event_observer::looks_at_triangulation);
+}
+
+template <class Kinetic>
+std::size_t Region_run<Kinetic>::advance_to(const Time& until) {
+  if (options_.threads < 2) return advance(until);
+  tbb::task_arena arena(static_cast<int>(options_.threads));
+  return arena.execute([&] { return advance(until); });
+}
+
+template <class Kinetic>
+std::size_t Region_run<Kinetic>::advance(const Time& until) {
+  const std::uint64_t before = kinetic_.counters_.number_of_events();
+  const double last = until.interval().lower;
+  // The loop begins, which tells how fast events come.
+  const auto n = static_cast<double>(kinetic_.number_of_points_);
+  const double target = std::max(1.0, options_.events_per_vertex * n);
+  const auto begun = static_cast<std::uint64_t>(std::min(target, 0.02 * n)) + 1;
+  double width = 0;  // of the next window
+  if (can_run() && kinetic_.settle(&until)) {
+    const double begin = queue().top().bounds.lower;
+    double now = begin;
+    while (can_run() && kinetic_.settle(&until) && (executed(before) < begun || !(now > begin))) {
+      now = queue().top().bounds.lower;
+      run_loop_instant();
+    }
+    const auto events = static_cast<double>(executed(before));
+    if ((last - now) * events > options_.least_events_per_vertex * n * (now - begin)) {
+      width = (now - begin) * target / events;
+    }
+  }
+  if (width > 0) run_windows(until, width);
+  if (queue().is_divided()) move_to_parts(1);
+  kinetic_.owners_.clear();
+  kinetic_.regions_ = 0;
+  kinetic_.run_to(until);
+  return static_cast<std::size_t>(executed(before));
+}
+
+template <class Kinetic>
+void Region_run<Kinetic>::run_windows(const Time& until, double width) {
+  const double last = until.interval().lower;
+  const auto n = static_cast<double>(kinetic_.number_of_points_);
+  const double target = std::max(1.0, options_.events_per_vertex * n);
+  const auto most =
+      static_cast<double>(std::min(options_.most_flips, std::size_t{1} << (index_bits - 2)));
+  const double share = 16 * target / static_cast<double>(regions_) + 64;
+  for (Lane& lane : lanes_) lane.capacity = static_cast<std::size_t>(std::min(share, most));
+  rest_.capacity = static_cast<std::size_t>(std::min(4 * target + 64, most));
+  std::size_t by_loop = 0;    // instants that the loop executes before the next window
+  std::size_t next_loop = 1;  // how many if a window is in vain
+  double since_division = 0;
+  while (can_run() && kinetic_.settle(&until)) {
+    const double begin = queue().top().bounds.lower;
+    const double end = std::min(begin + width, last);
+    if (by_loop > 0 || queue().top().kind == Entry_kind::coincidence || !(end > begin)) {
+      if (by_loop >= many_instants && queue().is_divided()) move_to_parts(1);
+      run_loop_instant();
+      if (by_loop > 0) --by_loop;
+      if (!(end > begin)) width = std::max(2 * width, std::numeric_limits<double>::min());
+      continue;
+    }
+    if (!queue().is_divided() || since_division > options_.events_per_division * n ||
+        are_stamps_spent()) {
+      divide();
+      since_division = 0;
+    }
+    const bool is_whole = run_window(end);
+    const auto done = static_cast<double>(done_);
+    since_division += done;
+    // Its first event may be later than its bounds say, and so than the window.
+    if (!cut_ && done_ == 0) by_loop = 1;
+    if (is_whole || done > target) {
+      width *= std::clamp(target / std::max(done, 1.0), 0.25, 4.0);
+      next_loop = 1;
+    } else if (cut_) {
+      width *= 0.5;
+      if (done < target / 8) {
+        by_loop = next_loop;
+        next_loop = std::min<std::size_t>(2 * next_loop, kinetic_.number_of_points_);
+      }
+    }
+  }
+}
+
+// Whether stamps may soon be too large.
+template <class Kinetic>
+bool Region_run<Kinetic>::are_stamps_spent() const {
+  const auto is_spent = [](const Lane& lane) {
+    return lane.flips_before > (std::size_t{1} << (index_bits - 1));
+  };
+  return is_spent(rest_) || std::ranges::any_of(lanes_, is_spent);
+}
+
+// Executes the events at one time as the plain loop does.
+template <class Kinetic>
+void Region_run<Kinetic>::run_loop_instant() {
+  counters_.by_loop += kinetic_.run_instant();
+}
+
+// ---- a window ----
+
+// Returns whether the window reached `end`.
+template <class Kinetic>
+bool Region_run<Kinetic>::run_window(double end) {
+  ++counters_.windows;
+  cut_.reset();
+  const double asked = end;
+  end = gather_due(end);
+  for_each(lanes_, [&](Lane& lane) { run_region(lane, end); });
+  run_rest(end);
+  settle_window();
+  return !cut_ && end == asked;
+}
+
+// Has the certificates of the shared part checked again until it is known which fail in the window,
+// and puts these aside. Returns where the window ends: before the first coincidence.
+template <class Kinetic>
+double Region_run<Kinetic>::gather_due(double end) {
+  Part& shared = queue().part(shared_part());
+  const Time last(end);
+  const auto exact = [&]() -> const Time& { return last; };
+  while (!shared.empty() && shared.is_due(shared.top(), {end, end}, exact)) {
+    const Entry entry = shared.top();
+    if (entry.kind == Entry_kind::recheck) {
+      shared.pop();
+      recheck(rest_, {&entry, 1});
+      continue;
+    }
+    move(shared_part(), due_part());
+    if (entry.kind == Entry_kind::coincidence) return std::min(end, entry.bounds.lower);
+  }
+  return end;
+}
+
+// Certifies the edges of entries anew, from the time of the first entry on.
+template <class Kinetic>
+void Region_run<Kinetic>::recheck(Lane& lane, std::span<const Entry> entries) {
+  lane.counters.rechecks += entries.size();
+  std::array<Two_sided_edge, 2> edges;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    edges[k] = kinetic_.two_sided(entries[k].edge());
+  }
+  kinetic_.certify(std::span(edges).first(entries.size()), Time(entries.front().bounds.lower),
+                   Certificate_state::any, kinetic_.traits_, lane.certificates,
+                   [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
+                     put(lane, edge, kind, std::move(known));
+                   });
+}
+
+// Executes what is due in a region, in its order.
+template <class Kinetic>
+void Region_run<Kinetic>::run_region(Lane& lane, double end) {
+  Part& part = queue().part(lane.number);
+  const Time last(end);
+  const auto exact = [&]() -> const Time& { return last; };
+  const auto is_due = [&](const Entry& entry) { return part.is_due(entry, {end, end}, exact); };
+  const auto recheck_entries = [&](std::span<const Entry> entries) { recheck(lane, entries); };
+  while (part.settle(is_due, recheck_entries)) {
+    const Entry entry = part.top();
+    const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
+    if (entry.kind != Entry_kind::flip || lane.flips.size() >= lane.capacity ||
+        !is_owned(edge, lane.number) || is_blocked(lane, entry, edge)) {
+      ++lane.deferred;
+      move(lane.number, deferred_part(lane.number));
+      continue;
+    }
+    Moment moment = moment_of(entry, edge, part);
+    part.pop();
+    execute(lane, entry, edge, std::move(moment));
+  }
+}
+
+// Executes what is due and no region has executed, in the order of the queue. Stops where an event
+// is no flip.
+template <class Kinetic>
+void Region_run<Kinetic>::run_rest(double end) {
+  for (std::size_t r = 0; r < regions_; ++r) {
+    while (!queue().part(deferred_part(r)).empty()) move(deferred_part(r), due_part());
+  }
+  due_until_ = end;
+  Part& due = queue().part(due_part());
+  const Time last(end);
+  const auto exact = [&]() -> const Time& { return last; };
+  while (!due.empty() && due.is_due(due.top(), {end, end}, exact)) {
+    const Entry entry = due.top();
+    if (entry.kind == Entry_kind::recheck) {
+      // Alone: beside it may be one that is about a flip later than this time.
+      due.pop();
+      recheck(rest_, {&entry, 1});
+      continue;
+    }
+    if (entry.kind == Entry_kind::coincidence || rest_.flips.size() >= rest_.capacity) {
+      cut_ = due.time_of(due.top());
+      break;
+    }
+    const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
+    Moment moment = moment_of(entry, edge, due);
+    undo_later(edge, moment);
+    if (!is_flip(entry, edge, moment)) {
+      cut_ = time(moment);
+      break;
+    }
+    KINETRI_ASSERT(kinetic_.queue_policy_.handle(due.top()) == kinetic_.queue_policy_.handle(entry),
+                   "flips that are undone are later than the event");
+    due.pop();
+    execute(rest_, entry, edge, std::move(moment));
+  }
+  due_until_ = -std::numeric_limits<double>::infinity();
+}
+
+// Moves the first entry of a part to another one.
+template <class Kinetic>
+void Region_run<Kinetic>::move(std::size_t from, std::size_t to) {
+  Part& part = queue().part(from);
+  const Entry entry = part.top();
+  const Queue_handle handle = queue().put(to, entry, part);
+  part.pop();
+  kinetic_.queue_policy_.set_handle(entry, handle);
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_REGIONS_IMPL_H

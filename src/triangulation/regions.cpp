@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/triangulation/detail/regions.h"
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include "kinetri/triangulation/detail/regions_impl.h"
+#include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+
+namespace kinetri::detail {
+
+// With fewer points two threads gain little (bench/README.md).
+bool may_pay_by_regions(std::size_t points, std::size_t threads) {
+  constexpr std::size_t least_points = 200'000;
+  if (points < least_points || threads == 1) return false;
+  const bool has_arena = threads > 1 || tbb::this_task_arena::max_concurrency() > 1;
+  return has_arena &&
+         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
+}
+
+template class Region_run<Kinetic_triangulation_2<Linear_kinetic_traits_2>>;
+
+}  // namespace kinetri::detail

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs by regions beside the plain loop.
+#ifndef KINETRI_TEST_SUPPORT_REGION_RUNS_H
+#define KINETRI_TEST_SUPPORT_REGION_RUNS_H
+
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "kinetri/io/event_log.h"
+#include "kinetri/triangulation/detail/regions.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "support/kinetic_runs.h"
+
+namespace kinetri::test {
+
+using detail::Region_counters;
+using detail::Region_options;
+
+/// Events that nobody needs the triangulation for.
+class Log : public Event_observer {
+ public:
+  bool looks_at_triangulation() const override { return false; }
+  void before_event(const Event& event) override { befores.push_back(event.number); }
+  void after_event(const Event& event) override { events.push_back(event); }
+
+  std::vector<std::uint64_t> befores;
+  std::vector<Event> events;
+};
+
+/// What differs between two states, with all that a snapshot has but counts of how the run was
+/// made.
+inline std::string difference_of_states(const Kinetic_delaunay& one,
+                                        const Kinetic_delaunay& other) {
+  const auto a = one.snapshot();
+  const auto b = other.snapshot();
+  if (a.time != b.time) return "times";
+  if (a.dimension != b.dimension) return "dimensions";
+  if (a.motions != b.motions) return "motions";
+  if (a.faces.size() != b.faces.size()) return "numbers of faces";
+  for (std::size_t f = 0; f < a.faces.size(); ++f) {
+    if (a.faces[f].vertices != b.faces[f].vertices) return "vertices of face " + std::to_string(f);
+    if (a.faces[f].neighbors != b.faces[f].neighbors) {
+      return "neighbors of face " + std::to_string(f);
+    }
+  }
+  if (a.vertex_faces != b.vertex_faces) return "faces of vertices";
+  if (a.infinite_vertex_face != b.infinite_vertex_face) return "face of the infinite vertex";
+  if (a.counters.events != b.counters.events) return "counts of events";
+  if (a.counters.instants != b.counters.instants) return "counts of instants";
+  if (a.counters.largest_instant != b.counters.largest_instant) return "largest instants";
+  if (a.counters.batches != b.counters.batches) return "counts of batches";
+  if (a.counters.flat_hulls != b.counters.flat_hulls) return "counts of flat hulls";
+  if (a.counters.points_set_aside != b.counters.points_set_aside) return "points set aside";
+  if (a.counters.reconstructions != b.counters.reconstructions) return "reconstructions";
+  return {};
+}
+
+inline void add(Region_counters& sum, const Region_counters& counters) {
+  sum.windows += counters.windows;
+  sum.cuts += counters.cuts;
+  sum.by_region += counters.by_region;
+  sum.by_rest += counters.by_rest;
+  sum.by_loop += counters.by_loop;
+  sum.deferred += counters.deferred;
+  sum.undone += counters.undone;
+  sum.cut_off += counters.cut_off;
+}
+
+/// What differs between the plain loop and a run by regions, both in pieces that end at `times`;
+/// with and without observers of the latter.
+inline std::string difference_from_loop(const std::vector<Linear_motion_2>& motions,
+                                        const std::vector<Algebraic_number>& times,
+                                        const Region_options& options, Region_counters& sum,
+                                        const Linear_kinetic_traits_2& traits = {}) {
+  Kinetic_delaunay plain(motions, 0, traits);
+  Kinetic_delaunay watched(motions, 0, traits);
+  Kinetic_delaunay alone(motions, 0, traits);
+  Log expected;
+  Log log;
+  plain.add_observer(expected);
+  watched.add_observer(log);
+  std::ostringstream expected_text;
+  std::ostringstream text;
+  Event_log_writer expected_writer(expected_text);
+  Event_log_writer writer(text);
+  plain.add_observer(expected_writer);
+  watched.add_observer(writer);
+  detail::Region_run<Kinetic_delaunay> watched_run(watched, options);
+  detail::Region_run<Kinetic_delaunay> run(alone, options);
+  for (const Algebraic_number& time : times) {
+    const std::size_t count = plain.advance_to(time);
+    if (watched_run.advance_to(time) != count) return "another number of events";
+    if (run.advance_to(time) != count) return "another number of events without an observer";
+    std::string problem = difference(expected.events, log.events);
+    if (!problem.empty()) return problem;
+    if (expected.befores != log.befores) return "other numbers of events";
+    problem = difference_of_states(plain, watched);
+    if (!problem.empty()) return problem;
+    problem = difference_of_states(plain, alone);
+    if (!problem.empty()) return problem + " without an observer";
+    const bool is_small = motions.size() < 100;
+    problem = audit_problem(watched, is_small ? Audit_level::certificates : Audit_level::links);
+    if (!problem.empty()) return problem;
+    if (plain.next_event_time() != watched.next_event_time()) return "another next event";
+  }
+  add(sum, watched_run.counters());
+  return expected_text.str() == text.str() ? "" : "texts of the logs";
+}
+
+inline Region_options options_of(std::size_t regions, double events_per_vertex) {
+  Region_options options;
+  options.regions = regions;
+  options.events_per_vertex = events_per_vertex;
+  options.least_events_per_vertex = 0;
+  options.events_per_division = 1;
+  if (regions % 5 == 4) options.most_flips = 3;
+  options.threads = regions % 2 == 1 ? 2 : 1;
+  return options;
+}
+
+}  // namespace kinetri::test
+
+#endif  // KINETRI_TEST_SUPPORT_REGION_RUNS_H

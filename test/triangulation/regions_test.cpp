@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs by regions against the plain loop: the same events, with the same numbers and exact times,
+// and the same state, however small the regions and whatever the windows.
+#include "kinetri/triangulation/detail/regions.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/motions.h"
+#include "support/region_runs.h"
+
+namespace kinetri {
+namespace {
+
+using detail::Region_counters;
+using test::difference_from_loop;
+using test::difference_of_states;
+using test::Kinetic_delaunay;
+using test::options_of;
+
+TEST(Regions, run_random_points_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const std::size_t n = 30 + 13 * seed;
+    const std::size_t regions = 1 + seed * 7 % 64;
+    const double events = seed % 4 == 0 ? 0.02 : 0.2 * (seed % 4) * (seed % 5 + 1);
+    ASSERT_EQ(difference_from_loop(test::random_motions(n, 100, 5, seed), {0.5, 1.25},
+                                   options_of(regions, events), sum),
+              "")
+        << "seed " << seed;
+  }
+  // Else the test would say little.
+  EXPECT_GT(sum.by_region, 10'000u);
+  EXPECT_GT(sum.by_rest, 10'000u);
+  EXPECT_GT(sum.by_loop, 100u);
+  EXPECT_GT(sum.undone, 50u);
+}
+
+// Long windows and many small regions: flips come too early, and some never come.
+TEST(Regions, undo_flips_that_come_too_early) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    const std::size_t n = 30 + seed * 37 % 300;
+    const auto motions =
+        seed % 3 == 2 ? test::grid_motions(n, 60, 50, seed) : test::random_motions(n, 100, 5, seed);
+    Kinetic_delaunay plain(motions);
+    Kinetic_delaunay kinetic(motions);
+    detail::Region_run<Kinetic_delaunay> run(kinetic,
+                                             options_of(2 + seed % 63, 0.05 * (1u << (seed % 8))));
+    for (const double share : {0.25, 1.0}) {
+      const double time = share * (seed % 3 == 2 ? 0.2 : 1);
+      plain.advance_to(time);
+      run.advance_to(time);
+      ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed;
+    }
+    test::add(sum, run.counters());
+  }
+  EXPECT_GT(sum.undone, 200u);
+  EXPECT_GT(sum.cut_off, 1000u);
+}
+
+TEST(Regions, run_points_on_a_grid_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const std::size_t n = 5 + seed % 60;
+    ASSERT_EQ(difference_from_loop(test::grid_motions(n, 4 + static_cast<int>(seed % 40), 3, seed),
+                                   {1.0, Rational(7, 3), 6.0},
+                                   options_of(1 + seed % 9, 0.1 + seed % 3), sum),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.cuts, 100u);
+  EXPECT_GT(sum.by_region, 100u);
+  EXPECT_GT(sum.by_rest, 100u);
+}
+
+// Points that leave a corner, and points that come together: many come to the hull and leave it.
+TEST(Regions, change_the_hull_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const auto motions = test::random_motions(20 + 9 * seed, 10, seed % 2 == 0 ? 20 : 5, seed);
+    ASSERT_EQ(difference_from_loop(motions, {0.125, 0.75, 2.0}, options_of(1 + seed % 12, 1), sum),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_rest, 1000u);
+  EXPECT_LT(sum.cuts, sum.windows);
+}
+
+// Bounds of times that are so wide that only the exact times tell the order.
+TEST(Regions, run_without_filter_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    ASSERT_EQ(difference_from_loop(test::random_motions(60 + 40 * seed, 100, 5, seed), {0.5, 2.0},
+                                   options_of(2 + seed, 2), sum, Linear_kinetic_traits_2::exact()),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 500u);
+}
+
+// A point that falls through others that rest, and the same elsewhere, a little slower: two events
+// are less than the distance of binary64 numbers apart.
+TEST(Regions, put_times_in_order_that_bounds_do_not_tell_apart) {
+  constexpr double fall = 1 << 30;
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    auto motions = test::random_motions(60, 100, 0, seed);
+    for (Linear_motion_2& m : motions) {
+      m.position = {std::ldexp(std::round(std::ldexp(m.position.x, 20)), -20),
+                    std::ldexp(std::round(std::ldexp(m.position.y, 20)), -20)};
+    }
+    for (std::size_t k = 0; k < 60; ++k) {
+      Linear_motion_2 other = motions[k];
+      other.position.x += 1024;
+      motions.push_back(other);
+    }
+    motions.push_back({{50, fall + 1}, {0, -(fall + 1)}});
+    motions.push_back({{50 + 1024, fall}, {0, -fall}});
+    ASSERT_EQ(difference_from_loop(motions, {1.5}, options_of(2 + seed % 2, 4), sum), "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 80u);
+}
+
+// A point that reaches the side of the hull at t = 1 and turns back: an instant without an event.
+TEST(Regions, leave_a_touch_of_the_hull_to_the_loop) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    auto motions = test::random_motions(80, 60, 2, seed);
+    for (Linear_motion_2& m : motions) m.position.y += 20;
+    motions.push_back({{0, 0}, {0, 0}});
+    motions.push_back({{10, -10}, {0, 10}});
+    motions.push_back({{6, -5}, {-1, 5}});
+    ASSERT_EQ(difference_from_loop(motions, {0.5, 2.0}, options_of(1 + seed, 4), sum), "")
+        << "seed " << seed;
+  }
+  EXPECT_GE(sum.cuts, 8u);
+}
+
+// What a snapshot has is enough to go on by regions.
+TEST(Regions, go_on_from_a_snapshot) {
+  const auto motions = test::random_motions(500, 100, 5, 3);
+  Kinetic_delaunay plain(motions);
+  Kinetic_delaunay kinetic(motions);
+  detail::Region_run<Kinetic_delaunay>(kinetic, options_of(6, 0.3)).advance_to(0.75);
+  Kinetic_delaunay restored = Kinetic_delaunay::restore(kinetic.snapshot());
+  detail::Region_run<Kinetic_delaunay>(restored, options_of(9, 0.3)).advance_to(1.5);
+  plain.advance_to(1.5);
+  EXPECT_EQ(difference_of_states(plain, restored), "");
+}
+
+// So many points that advance_to takes regions.
+TEST(Regions, are_taken_with_several_threads_and_many_points) {
+  const auto motions = test::random_motions(200'000, 4500, 5, 4);
+  Kinetic_delaunay plain(motions);
+  Kinetic_delaunay kinetic(motions);
+  kinetic.set_threads(2);
+  const std::size_t events = plain.advance_to(2.0);
+  EXPECT_GT(events, 400'000u);
+  EXPECT_EQ(kinetic.advance_to(2.0), events);
+  EXPECT_EQ(difference_of_states(plain, kinetic), "");
+  EXPECT_NE(plain.counters().rechecks, kinetic.counters().rechecks);  // by regions there are others
+}
+
+// Two observers, of which one looks on: the plain loop, with the same events.
+class Spectator : public Event_observer {
+ public:
+  explicit Spectator(const Kinetic_delaunay& kinetic) : kinetic_(kinetic) {}
+  void after_event(const Event& event) override {
+    are_there = are_there && kinetic_.current_time() == event.time;
+  }
+  bool are_there = true;
+
+ private:
+  const Kinetic_delaunay& kinetic_;
+};
+
+TEST(Regions, leave_a_run_to_the_loop_where_somebody_looks_on) {
+  Kinetic_delaunay kinetic(test::random_motions(200, 100, 5, 1));
+  Spectator spectator(kinetic);
+  kinetic.add_observer(spectator);
+  detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(4, 0.5));
+  EXPECT_GT(run.advance_to(0.5), 100u);
+  EXPECT_EQ(run.counters().windows, 0u);
+  EXPECT_TRUE(spectator.are_there);
+}
+
+}  // namespace
+}  // namespace kinetri
