@@ -40,6 +40,7 @@ const std::map<std::string, Mode> modes = {
      {measure_certificates, "certificates of contacts and distances, with filters and without"}},
     {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
     {"encounters", {measure_encounters, "all pairs in range of each other, against the run alone"}},
+    {"regions", {measure_regions, "one run by the plain loop and by regions"}},
     {"steps", {measure_steps, "turns and looks at each step, against a rebuild at each step"}},
     {"answers",
      {measure_answers, "Voronoi cells, areas, nearest neighbors, positions, the closest pair"}},

@@ -109,6 +109,10 @@ nlohmann::json measure_encounters(const Setup& setup);
 /// the distance of neighbors.
 nlohmann::json measure_steps(const Setup& setup);
 
+/// One run to `until`: seconds by the plain loop and by regions, on one thread and on all, and what
+/// the regions did.
+nlohmann::json measure_regions(const Setup& setup);
+
 /// Seconds of a construction, of one change of the velocities of 1000 points, and of a run that
 /// keeps a row for each event.
 nlohmann::json measure_arrays(const Setup& setup);
