@@ -485,7 +485,7 @@ class Kinetic_triangulation_2 {
   void schedule_all();
   template <class Put>
   void schedule_block(Block& block, const Put& put) const;
-  void unschedule(const Two_sided_edge& edge);
+  KINETRI_ALWAYS_INLINE void unschedule(const Two_sided_edge& edge);
   static Event_kind event_kind(Entry_kind failure);
   static void set_event(const Two_sided_edge& edge, Queue_handle handle);
 

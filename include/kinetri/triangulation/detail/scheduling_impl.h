@@ -264,7 +264,7 @@ void Kinetic_triangulation_2<Traits>::schedule_block(Block& block, const Put& pu
 }
 
 template <KineticTraits_2 Traits>
-inline void Kinetic_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
+void Kinetic_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
   const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle == no_event) return;
   const Entry entry = queue_.erase(handle);
