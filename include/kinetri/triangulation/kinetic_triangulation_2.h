@@ -21,6 +21,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -200,6 +201,12 @@ class Kinetic_triangulation_2 {
   /// Goes to `time`: every event at or before it has happened, and current_time() is `time`.
   /// Returns the number of events. Precondition: time >= current_time().
   std::size_t advance_to(const Time& time);
+
+  /// As advance_to(time), but asks `may_go_on` before each time at which something changes; in a
+  /// run by regions (set_threads) before each window of time. Where it returns false, nothing more
+  /// happens: current_time() is the time of the last event. It may call current_time() and
+  /// counters() of this object, and no other of its functions.
+  std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
 
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
   /// arena if 0. They share the work where there are some 200 000 points or more with linear
@@ -501,7 +508,7 @@ class Kinetic_triangulation_2 {
   bool fails_before(const Entry& entry, const Time& time) const;
   void execute_due_events();
   std::size_t step_until(const Time* until);
-  std::size_t run_to(const Time& time);
+  std::size_t run_to(const Time& time, const std::function<bool()>& may_go_on);
   std::size_t run_instant();
   void show_current_time();
   void execute(const Entry& event);

@@ -119,6 +119,12 @@ std::size_t Kinetic_triangulation_2<Traits>::step_until(const Time* until) {
 
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time) {
+  return advance_to(time, nullptr);
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time,
+                                                        const std::function<bool()>& may_go_on) {
   KINETRI_PRECONDITION(
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one, "
@@ -127,18 +133,24 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time) {
     if (detail::may_pay_by_regions(number_of_points_, threads_)) {
       detail::Region_options options;
       options.threads = threads_;
-      return detail::Region_run<Kinetic_triangulation_2>(*this, options).advance_to(time);
+      return detail::Region_run<Kinetic_triangulation_2>(*this, options)
+          .advance_to(time, may_go_on);
     }
   }
-  return run_to(time);
+  return run_to(time, may_go_on);
 }
 
 // The plain loop: event by event.
 template <KineticTraits_2 Traits>
-std::size_t Kinetic_triangulation_2<Traits>::run_to(const Time& time) {
+std::size_t Kinetic_triangulation_2<Traits>::run_to(const Time& time,
+                                                    const std::function<bool()>& may_go_on) {
   std::size_t events = 0;
-  while (settle(&time)) events += run_instant();
-  set_current_time(time);
+  bool goes_on = true;
+  while (goes_on && settle(&time)) {
+    goes_on = may_go_on == nullptr || may_go_on();
+    if (goes_on) events += run_instant();
+  }
+  if (goes_on) set_current_time(time);
   show_current_time();
   return events;
 }

@@ -85,6 +85,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -136,7 +137,7 @@ class Region_run {
   /// As advance_to of the triangulation, with the same result. Observers that look at the
   /// triangulation get the plain loop. If an observer throws, or memory is missing, the
   /// triangulation can only be destroyed. Precondition: as there.
-  std::size_t advance_to(const Time& until);
+  std::size_t advance_to(const Time& until, const std::function<bool()>& may_go_on = nullptr);
 
   /// What has been done so far.
   const Region_counters& counters() const { return counters_; }
@@ -207,11 +208,11 @@ class Region_run {
   using Outer_edges = std::array<Two_sided_edge, 4>;
 
   bool can_run() const;
-  std::size_t advance(const Time& until);
+  std::size_t advance(const Time& until, const std::function<bool()>& may_go_on);
   std::uint64_t executed(std::uint64_t before) const {
     return kinetic_.counters_.number_of_events() - before;
   }
-  void run_windows(const Time& until, double width);
+  void run_windows(const Time& until, double width, const std::function<bool()>& may_go_on);
   bool are_stamps_spent() const;
   void divide();
   void move_to_parts(std::size_t count);

@@ -44,14 +44,16 @@ bool Region_run<Kinetic>::can_run() const {
 }
 
 template <class Kinetic>
-std::size_t Region_run<Kinetic>::advance_to(const Time& until) {
-  if (options_.threads < 2) return advance(until);
+std::size_t Region_run<Kinetic>::advance_to(const Time& until,
+                                            const std::function<bool()>& may_go_on) {
+  if (options_.threads < 2) return advance(until, may_go_on);
   tbb::task_arena arena(static_cast<int>(options_.threads));
-  return arena.execute([&] { return advance(until); });
+  return arena.execute([&] { return advance(until, may_go_on); });
 }
 
 template <class Kinetic>
-std::size_t Region_run<Kinetic>::advance(const Time& until) {
+std::size_t Region_run<Kinetic>::advance(const Time& until,
+                                         const std::function<bool()>& may_go_on) {
   const std::uint64_t before = kinetic_.counters_.number_of_events();
   const double last = until.interval().lower;
   // The loop begins, which tells how fast events come.
@@ -71,16 +73,17 @@ std::size_t Region_run<Kinetic>::advance(const Time& until) {
       width = (now - begin) * target / events;
     }
   }
-  if (width > 0) run_windows(until, width);
+  if (width > 0) run_windows(until, width, may_go_on);
   if (queue().is_divided()) move_to_parts(1);
   kinetic_.owners_.clear();
   kinetic_.regions_ = 0;
-  kinetic_.run_to(until);
+  kinetic_.run_to(until, may_go_on);
   return static_cast<std::size_t>(executed(before));
 }
 
 template <class Kinetic>
-void Region_run<Kinetic>::run_windows(const Time& until, double width) {
+void Region_run<Kinetic>::run_windows(const Time& until, double width,
+                                      const std::function<bool()>& may_go_on) {
   const double last = until.interval().lower;
   const auto n = static_cast<double>(kinetic_.number_of_points_);
   const double target = std::max(1.0, options_.events_per_vertex * n);
@@ -92,7 +95,7 @@ void Region_run<Kinetic>::run_windows(const Time& until, double width) {
   std::size_t by_loop = 0;    // instants that the loop executes before the next window
   std::size_t next_loop = 1;  // how many if a window is in vain
   double since_division = 0;
-  while (can_run() && kinetic_.settle(&until)) {
+  while (can_run() && kinetic_.settle(&until) && (may_go_on == nullptr || may_go_on())) {
     const double begin = queue().top().bounds.lower;
     const double end = std::min(begin + width, last);
     if (by_loop > 0 || queue().top().kind == Entry_kind::coincidence || !(end > begin)) {
