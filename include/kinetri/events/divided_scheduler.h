@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,13 +22,14 @@ namespace kinetri::detail {
 
 /// Entries in parts. A handle names the part in its highest bits, so that whoever has a handle
 /// needs nothing else to find the entry. `Policy` has the functions that Event_scheduler asks for,
-/// and these, which are called only where there are several parts:
+/// and these, which are called only where there are several parts, or to make them. A *subject* is
+/// what an entry is about, entry.subject().
 ///
 /// | Function | Result |
 /// |---|---|
-/// | `part_of(entry)` | the part in which an entry belongs that is about to be scheduled |
-/// | `handle(entry)` | the handle of an entry of the scheduler |
-/// | `set_handle(entry, handle)` | notes that an entry has another handle from now on |
+/// | `part_of(subject)` | the part in which an entry about it belongs |
+/// | `handle(subject)` | the handle of its entry in the scheduler |
+/// | `set_handle(subject, handle)` | notes that its entry has another handle from now on |
 ///
 /// The order of entries is that of one scheduler, whatever their parts are. Several threads may
 /// call const functions at once, and functions of different parts.
@@ -42,77 +44,87 @@ class Divided_scheduler {
   // ---- parts ----
 
   /// Whether there are several parts.
-  bool is_divided() const noexcept { return is_divided_; }
+  bool is_divided() const noexcept { return !parts_.empty(); }
 
-  /// Distributes the entries over `count` parts; handles are others then. `blocks` are entries that
-  /// one thread moves: for_each_entry(block, function) calls function(handle, part) with each of
-  /// them and the part where it belongs. in_parallel(vector, work) calls work with each element of
-  /// a vector, by several threads if that helps. O(n).
-  template <class Block, class For_each_entry, class In_parallel>
+  /// Distributes the entries over `count` parts; handles are others then. Precondition: count > 1,
+  /// or there are several parts. `blocks` are entries that one thread moves:
+  /// for_each_subject(block, function) calls function(subject) with what each of them is about, in
+  /// the same order each time. in_parallel(vector, work) calls work with each element of a vector,
+  /// by several threads if that helps. O(n). Until it is done, the entries take twice the memory.
+  template <class Block, class For_each_subject, class In_parallel>
   void divide(std::size_t count, const std::vector<Block>& blocks,
-              const For_each_entry& for_each_entry, const In_parallel& in_parallel) {
+              const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
+    const Queue_counters before = counters();
+    if (is_divided()) {
+      in_parallel(parts_, [](const std::unique_ptr<Part>& part) { part->forget_order(); });
+    } else {
+      first_.forget_order();
+    }
     struct Share {
       const Block* block;
-      std::vector<std::pair<Queue_handle, std::uint32_t>> entries;  // with their parts
-      std::vector<Queue_handle> next;                               // by part
+      std::vector<Queue_handle> next;  // of each part
     };
     std::vector<Share> shares;
     for (const Block& block : blocks) {
-      shares.push_back({&block, {}, std::vector<Queue_handle>(count, 0)});
+      shares.push_back({&block, std::vector<Queue_handle>(count, 0)});
     }
+    const auto part_of = [&](const auto& subject) {
+      return count == 1 ? 0 : policy_.part_of(subject);
+    };
     in_parallel(shares, [&](Share& share) {
-      for_each_entry(*share.block, [&share](Queue_handle handle, std::size_t part) {
-        share.entries.emplace_back(handle, static_cast<std::uint32_t>(part));
-        ++share.next[part];
-      });
+      for_each_subject(*share.block, [&](const auto& subject) { ++share.next[part_of(subject)]; });
     });
-    std::vector<Filling> fillings(count);
+    std::vector<std::unique_ptr<Part>> made;
+    while (count > 1 && made.size() < count) made.push_back(std::make_unique<Part>(policy_));
+    const auto part_made = [&](std::size_t p) -> Part& { return count == 1 ? first_ : *made[p]; };
     for (std::size_t p = 0; p < count; ++p) {
-      fillings[p].part = p;
-      for (Share& share : shares) {
-        fillings[p].size += std::exchange(share.next[p], fillings[p].size);
-      }
+      Queue_handle size = 0;
+      for (Share& share : shares) size += std::exchange(share.next[p], size);
+      part_made(p).begin_assign(size);
     }
-    in_parallel(fillings, [](Filling& filling) { filling.moved.resize(filling.size); });
     const unsigned shift = shift_of(count);
+    std::mutex times_are_kept;
     in_parallel(shares, [&](Share& share) {
+      using Subject = decltype(Entry().subject());
+      std::vector<std::pair<Subject, Queue_handle>> subjects;
+      for_each_subject(*share.block, [&](const Subject& subject) {
+        subjects.emplace_back(subject, policy_.handle(subject));
+      });
       constexpr std::size_t ahead = 8;
-      for (std::size_t k = 0; k < share.entries.size(); ++k) {
-        if (k + ahead < share.entries.size()) prefetch(share.entries[k + ahead].first);
-        const auto [handle, to] = share.entries[k];
+      for (std::size_t k = 0; k < subjects.size(); ++k) {
+        if (k + ahead < subjects.size()) prefetch(subjects[k + ahead].second);
+        const auto& [subject, handle] = subjects[k];
+        const std::size_t to = part_of(subject);
         const Queue_handle local_handle = share.next[to]++;
-        Moved& moved = fillings[to].moved[local_handle];
-        moved.entry = (*this)[handle];
-        if (moved.entry.time != Time_pool::none) {
-          const Part& from = part(part_of(handle));
-          moved.time = std::make_unique<Algebraic_number>(from.time_of(moved.entry));
-          moved.entry.time = Time_pool::none;
+        const Entry& entry = (*this)[handle];
+        std::unique_ptr<Algebraic_number> time;
+        if (entry.time != Time_pool::none) {
+          time = std::make_unique<Algebraic_number>(part(part_of_handle(handle)).time_of(entry));
         }
-        policy_.set_handle(moved.entry, named(to, local_handle, shift));
+        part_made(to).assign_entry(local_handle, entry, std::move(time), times_are_kept);
+        policy_.set_handle(subject, named(to, local_handle, shift));
       }
     });
-    shares.clear();
-    const Queue_counters before = sum_of_counters();
-    make_parts(count);
-    in_parallel(fillings, [this](Filling& filling) {
-      Part& filled = part(filling.part);
-      filled.assign(filling.size, [&](const auto& put) {
-        for (Queue_handle h = 0; h < filling.size; ++h) {
-          put(h, filling.moved[h].entry, std::move(filling.moved[h].time));
-        }
+    if (count > 1) first_.clear();
+    parts_ = std::move(made);
+    shift_ = shift;
+    if (count == 1) {
+      first_.end_assign();
+    } else {
+      in_parallel(parts_, [](const std::unique_ptr<Part>& part) {
+        part->end_assign();
+        part->count_as({});
       });
-      filled.count_as({});
-      filling.moved = std::vector<Moved>();
-    });
+    }
     first_.count_as(before);
   }
 
-  /// A part.
-  Part& part(std::size_t number) { return number == 0 ? first_ : *more_[number - 1]; }
-  const Part& part(std::size_t number) const { return number == 0 ? first_ : *more_[number - 1]; }
+  /// A part; the only one has the number 0.
+  Part& part(std::size_t number) { return is_divided() ? *parts_[number] : first_; }
+  const Part& part(std::size_t number) const { return is_divided() ? *parts_[number] : first_; }
 
   /// The part that holds the entry of a handle.
-  std::size_t part_of(Queue_handle handle) const {
+  std::size_t part_of_handle(Queue_handle handle) const {
     return static_cast<std::size_t>(std::uint64_t{handle} >> shift_);
   }
 
@@ -132,36 +144,45 @@ class Divided_scheduler {
   // ---- the same as Event_scheduler ----
 
   bool empty() const noexcept {
-    return first_.empty() &&
-           (!is_divided() || std::ranges::all_of(more_, [](const auto& p) { return p->empty(); }));
+    return is_divided() ? std::ranges::all_of(parts_, [](const auto& p) { return p->empty(); })
+                        : first_.empty();
   }
   std::size_t size() const noexcept {
     std::size_t result = first_.size();
-    for (const auto& part : more_) result += part->size();
+    for (const auto& part : parts_) result += part->size();
     return result;
   }
-  /// Without what a division has moved; of the first part alone as long as there are several.
-  const Queue_counters& counters() const noexcept { return first_.counters(); }
+  /// Without what a division has moved.
+  Queue_counters counters() const noexcept {
+    Queue_counters result = first_.counters();
+    for (const auto& part : parts_) {
+      result.pushed += part->counters().pushed;
+      result.discarded += part->counters().discarded;
+    }
+    result.peak = std::max<std::uint64_t>(result.peak, size());
+    return result;
+  }
   bool contains(Queue_handle handle) const noexcept {
     if (!is_divided()) return first_.contains(handle);
-    return part_of(handle) <= more_.size() && part(part_of(handle)).contains(local(handle));
+    return part_of_handle(handle) < parts_.size() &&
+           part(part_of_handle(handle)).contains(local(handle));
   }
   const Entry& operator[](Queue_handle handle) const {
-    return is_divided() ? part(part_of(handle))[local(handle)] : first_[handle];
+    return is_divided() ? part(part_of_handle(handle))[local(handle)] : first_[handle];
   }
   const Entry& top() const { return is_divided() ? part(first_part()).top() : first_.top(); }
   KINETRI_ALWAYS_INLINE void prefetch(Queue_handle handle) const {
     if (!is_divided()) return first_.prefetch(handle);
-    if (handle != no_event) part(part_of(handle)).prefetch(local(handle));
+    if (handle != no_event) part(part_of_handle(handle)).prefetch(local(handle));
   }
   template <class Function>
   void for_each(Function function) const {
     first_.for_each(function);
-    for (const auto& part : more_) part->for_each(function);
+    for (const auto& part : parts_) part->for_each(function);
   }
   bool is_valid() const {
     return first_.is_valid() &&
-           std::ranges::all_of(more_, [](const auto& part) { return part->is_valid(); });
+           std::ranges::all_of(parts_, [](const auto& part) { return part->is_valid(); });
   }
 
   template <class... Parts>
@@ -172,7 +193,7 @@ class Divided_scheduler {
   }
   Queue_handle push(Entry entry, Algebraic_number time) {
     if (!is_divided()) return first_.push(std::move(entry), std::move(time));
-    const std::size_t to = policy_.part_of(entry);
+    const std::size_t to = policy_.part_of(entry.subject());
     return named(to, part(to).push(std::move(entry), std::move(time)));
   }
   /// Leaves one part.
@@ -192,9 +213,11 @@ class Divided_scheduler {
   }
   /// Takes all entries out, and leaves one part.
   void clear() {
-    Queue_counters cleared = sum_of_counters();
+    Queue_counters cleared = counters();
     cleared.discarded += size();
-    make_parts(1);
+    first_.clear();
+    parts_.clear();
+    shift_ = shift_of(1);
     first_.count_as(cleared);
   }
 
@@ -220,19 +243,6 @@ class Divided_scheduler {
   }
 
  private:
-  // An entry on its way to another part, and its exact time if that has been made.
-  struct Moved {
-    Entry entry;
-    std::unique_ptr<Algebraic_number> time;
-  };
-
-  // What a part will hold.
-  struct Filling {
-    std::size_t part = 0;
-    Queue_handle size = 0;
-    std::vector<Moved> moved;
-  };
-
   // How many bits handles have in a part, of so many.
   static unsigned shift_of(std::size_t count) {
     return 32 - static_cast<unsigned>(std::bit_width(count - 1));
@@ -243,39 +253,22 @@ class Divided_scheduler {
 
   // What is done where there are several parts: not inlined, so that one part costs no more.
   Queue_handle emplace_in_parts(const Entry& entry) {
-    const std::size_t to = policy_.part_of(entry);
+    const std::size_t to = policy_.part_of(entry.subject());
     return named(to, part(to).emplace(entry));
   }
   Entry pop_of_parts() { return part(first_part()).pop(); }
-  Entry erase_from_parts(Queue_handle handle) { return part(part_of(handle)).erase(local(handle)); }
+  Entry erase_from_parts(Queue_handle handle) {
+    return part(part_of_handle(handle)).erase(local(handle));
+  }
 
   // The part that has the first entry. Precondition: not empty.
   std::size_t first_part() const {
     std::size_t first = 0;
-    for (std::size_t p = 1; p <= more_.size(); ++p) {
+    for (std::size_t p = 1; p < parts_.size(); ++p) {
       if (part(p).empty()) continue;
       if (part(first).empty() || precedes(part(p), part(first))) first = p;
     }
     return first;
-  }
-
-  // Makes so many empty parts.
-  void make_parts(std::size_t count) {
-    first_.clear();
-    more_.clear();
-    while (more_.size() + 1 < count) more_.push_back(std::make_unique<Part>(policy_));
-    is_divided_ = count > 1;
-    shift_ = shift_of(count);
-  }
-
-  Queue_counters sum_of_counters() const {
-    Queue_counters result = first_.counters();
-    for (const auto& part : more_) {
-      result.pushed += part->counters().pushed;
-      result.discarded += part->counters().discarded;
-      result.peak = std::max(result.peak, part->counters().peak);
-    }
-    return result;
   }
 
   Queue_handle local(Queue_handle handle) const {
@@ -283,7 +276,7 @@ class Divided_scheduler {
   }
 
   Part& part_with(const Entry& entry) {
-    return is_divided() ? part(part_of(policy_.handle(entry))) : first_;
+    return is_divided() ? part(part_of_handle(policy_.handle(entry.subject()))) : first_;
   }
 
   // The first entries of two parts.
@@ -297,10 +290,9 @@ class Divided_scheduler {
   }
 
   const Policy& policy_;
-  Part first_;  // the only one, mostly
-  std::vector<std::unique_ptr<Part>> more_;
-  bool is_divided_ = false;
-  unsigned shift_ = 32;  // handles have so many bits in their part
+  Part first_;                                // the only one, mostly; else empty
+  std::vector<std::unique_ptr<Part>> parts_;  // if there are several
+  unsigned shift_ = 32;                       // handles have so many bits in their part
 };
 
 }  // namespace kinetri::detail

@@ -87,16 +87,31 @@ class Event_scheduler {
   template <class Fill>
   void assign(std::size_t size, Fill fill) {
     std::mutex times_are_kept;
-    queue_.assign(size, [&](const auto& put_item) {
-      fill([&](Queue_handle handle, Entry entry, std::unique_ptr<Algebraic_number> time) {
-        if (time) {
-          const std::scoped_lock lock(times_are_kept);
-          entry.time = times_.keep(std::move(*time));
-        }
-        put_item(handle, std::move(entry));
-      });
+    begin_assign(size);
+    fill([&](Queue_handle handle, Entry entry, std::unique_ptr<Algebraic_number> time) {
+      assign_entry(handle, std::move(entry), std::move(time), times_are_kept);
     });
+    end_assign();
   }
+
+  /// @{
+  /// The steps of assign, as Indexed_queue has them. The mutex protects the exact times of one
+  /// scheduler, or of several.
+  void begin_assign(std::size_t size) { queue_.begin_assign(size); }
+  void assign_entry(Queue_handle handle, Entry entry, std::unique_ptr<Algebraic_number> time,
+                    std::mutex& times_are_kept) {
+    entry.time = Time_pool::none;
+    if (time) {
+      const std::scoped_lock lock(times_are_kept);
+      entry.time = times_.keep(std::move(*time));
+    }
+    queue_.assign_item(handle, std::move(entry));
+  }
+  void end_assign() { queue_.end_assign(); }
+  /// @}
+
+  /// As Indexed_queue says. Exact times are kept.
+  void forget_order() { queue_.forget_order(); }
 
   /// Takes the first entry out. Precondition: not empty.
   Entry pop() {

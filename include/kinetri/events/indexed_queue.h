@@ -89,7 +89,26 @@ class Indexed_queue {
   /// by several threads if that helps. A handle for which it is not called stays free. Linear in
   /// `size`. Precondition: the queue is empty and has had no item since it was made or cleared.
   template <class Fill>
-  void assign(std::size_t size, Fill fill);
+  void assign(std::size_t size, Fill fill) {
+    begin_assign(size);
+    fill([this](Queue_handle handle, Item item) { assign_item(handle, std::move(item)); });
+    end_assign();
+  }
+
+  /// @{
+  /// The steps of assign. Several threads may call assign_item at once, for different handles;
+  /// between the first step and the last one no other function.
+  void begin_assign(std::size_t size);
+  void assign_item(Queue_handle handle, Item item) {
+    places_[handle].item = std::move(item);
+    places_[handle].position = far;
+  }
+  void end_assign();
+  /// @}
+
+  /// Gives the memory back that keeps items in order. From then on no function may be called but
+  /// contains, operator[], size, counters and clear.
+  void forget_order();
 
   /// The handle of the least item. Precondition: not empty.
   Queue_handle top_handle() const {

@@ -31,23 +31,29 @@ inline Queue_handle Indexed_queue<Item, Less>::emplace(Parts&&... parts) {
 }
 
 template <class Item, Bounding_order<Item> Less>
-template <class Fill>
-void Indexed_queue<Item, Less>::assign(std::size_t size, Fill fill) {
+void Indexed_queue<Item, Less>::begin_assign(std::size_t size) {
   KINETRI_PRECONDITION(places_.empty(), "the queue has been used");
   KINETRI_PRECONDITION(size < far, "too many items");
   places_.resize(size);
-  fill([this](Queue_handle handle, Item item) {
-    places_[handle].item = std::move(item);
-    places_[handle].position = far;
-  });
-  for (std::size_t h = size; h-- > 0;) {
+}
+
+template <class Item, Bounding_order<Item> Less>
+void Indexed_queue<Item, Less>::end_assign() {
+  for (std::size_t h = places_.size(); h-- > 0;) {
     if (places_[h].position == nowhere) free_.push_back(static_cast<Queue_handle>(h));
   }
-  size_ = far_ = size - free_.size();
+  size_ = far_ = places_.size() - free_.size();
   spread();
   settle();
   counters_.pushed += size_;
   counters_.peak = std::max<std::uint64_t>(counters_.peak, size_);
+}
+
+template <class Item, Bounding_order<Item> Less>
+void Indexed_queue<Item, Less>::forget_order() {
+  heap_ = {};
+  free_ = {};
+  calendar_ = {};
 }
 
 template <class Item, Bounding_order<Item> Less>
@@ -77,7 +83,10 @@ void Indexed_queue<Item, Less>::for_each(Function function) const {
 template <class Item, Bounding_order<Item> Less>
 inline Queue_handle Indexed_queue<Item, Less>::acquire_handle() {
   if (free_.empty()) {
-    free_.push_back(static_cast<Queue_handle>(places_.size()));
+    // A queue may be a large part of the memory of a program: it does not grow to double its size.
+    const std::size_t size = places_.size();
+    if (size == places_.capacity()) places_.reserve(size + size / 4 + 16);
+    free_.push_back(static_cast<Queue_handle>(size));
     places_.emplace_back();
   }
   const Queue_handle handle = free_.back();

@@ -39,6 +39,7 @@
 #include "kinetri/triangulation/audit.h"
 #include "kinetri/triangulation/detail/edge_changes.h"
 #include "kinetri/triangulation/detail/prefetch.h"
+#include "kinetri/triangulation/detail/region_division.h"
 #include "kinetri/triangulation/detail/regular_triangulation.h"
 #include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
@@ -312,7 +313,7 @@ class Kinetic_triangulation_2 {
   /// How long the constructor took.
   const Construction_seconds& construction_seconds() const { return construction_seconds_; }
   /// Counts of the queue's entries since this object was made.
-  const Queue_counters& queue_counters() const { return queue_.counters(); }
+  Queue_counters queue_counters() const { return queue_.counters(); }
   /// The present number of entries in the queue: failures, and times up to which a certificate
   /// certainly holds; at most one for each edge, those to the infinite vertex included. O(1).
   std::size_t queue_size() const noexcept { return queue_.size(); }
@@ -378,6 +379,7 @@ class Kinetic_triangulation_2 {
           face(edge.first) {}
 
     Edge edge() const { return Edge(face, index); }
+    Edge subject() const { return edge(); }
     bool is_hidden() const {
       if constexpr (is_weighted) return hidden != Vertex_handle();
       return false;
@@ -396,10 +398,9 @@ class Kinetic_triangulation_2 {
       detail::prefetch_around(entry.face);
     }
     void prefetch_first(const Entry& entry) const;
-    std::size_t part_of(const Entry& entry) const { return part_of(entry.edge()); }
     std::size_t part_of(const Edge& edge) const;
-    Queue_handle handle(const Entry& entry) const;
-    void set_handle(const Entry& entry, Queue_handle handle) const;
+    Queue_handle handle(const Edge& edge) const;
+    void set_handle(const Edge& edge, Queue_handle handle) const;
   };
 
   /// An edge as its two faces see it. In dimension 1, where edges have no two sides, `there` is the
@@ -510,6 +511,7 @@ class Kinetic_triangulation_2 {
   std::size_t step_until(const Time* until);
   std::size_t run_to(const Time& time, const std::function<bool()>& may_go_on);
   std::size_t run_instant();
+  void join_parts();
   void show_current_time();
   void execute(const Entry& event);
   void count_event(Event_kind kind);
@@ -613,11 +615,8 @@ class Kinetic_triangulation_2 {
   std::size_t number_of_points_ = 0;
   Queue_policy queue_policy_{*this};
   detail::Divided_scheduler<Entry, Queue_policy> queue_{queue_policy_};
-  /// In a run by regions, by point id, the region that owns the vertex, or the number of regions.
-  /// Else empty. See detail/regions.h.
-  std::vector<std::uint16_t> owners_;
-  std::size_t regions_ = 0;
-  std::size_t threads_ = 1;  // of advance_to; 0: those of oneTBB's arena
+  detail::Region_division division_;  // of the vertices, while the queue is in parts
+  std::size_t threads_ = 1;           // of advance_to; 0: those of oneTBB's arena
   Certificate_counters certificate_counters_;
   std::vector<Observer*> observers_;
   std::vector<Point_set_aside> points_set_aside_;

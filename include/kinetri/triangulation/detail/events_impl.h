@@ -109,6 +109,7 @@ std::size_t Kinetic_triangulation_2<Traits>::step(const Time& until) {
 // Points may meet, and part, without an event.
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_triangulation_2<Traits>::step_until(const Time* until) {
+  join_parts();
   std::size_t events = 0;
   while (events == 0 && settle(until)) {
     events = run_instant();
@@ -137,7 +138,19 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time,
           .advance_to(time, may_go_on);
     }
   }
+  join_parts();
   return run_to(time, may_go_on);
+}
+
+// Ends what runs by regions have left divided, so that single events cost what they should.
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::join_parts() {
+  if constexpr (std::is_same_v<Traits, Linear_kinetic_traits_2>) {
+    if (!queue_.is_divided()) return;
+    detail::Region_options options;
+    options.threads = threads_;
+    detail::Region_run<Kinetic_triangulation_2>(*this, options).join();
+  }
 }
 
 // The plain loop: event by event.

@@ -29,27 +29,52 @@ std::vector<std::span<const Element>> blocks_of(const std::vector<Element>& elem
 template <class Kinetic>
 void Region_run<Kinetic>::divide() {
   choose_owners();
-  kinetic_.regions_ = regions_;
+  division().regions = regions_;
+  division().flips.assign(regions_ + 1, 0);
+  division().events = 0;
   move_to_parts(2 * regions_ + 2);
-  for (Lane& lane : lanes_) lane.flips_before = 0;
-  rest_.flips_before = 0;
+  go_on_with_division();
+}
+
+// Takes up the regions of the division. Stamps of its windows are in the faces.
+template <class Kinetic>
+void Region_run<Kinetic>::go_on_with_division() {
+  regions_ = division().regions;
+  lanes_.resize(regions_);
+  const auto most =
+      static_cast<double>(std::min(options_.most_flips, std::size_t{1} << (index_bits - 2)));
+  const double share = 16 * events_in_window() / static_cast<double>(regions_) + 64;
+  for (std::size_t r = 0; r < regions_; ++r) {
+    lanes_[r].number = r;
+    lanes_[r].flips_before = division().flips[r];
+    lanes_[r].capacity = static_cast<std::size_t>(std::min(share, most));
+  }
+  rest_.number = regions_;
+  rest_.flips_before = division().flips[regions_];
+  rest_.capacity = static_cast<std::size_t>(std::min(4 * events_in_window() + 64, most));
+}
+
+template <class Kinetic>
+void Region_run<Kinetic>::join() {
+  const double width = division().window_width;
+  in_arena([this] { move_to_parts(1); });
+  division() = {};
+  division().window_width = width;
 }
 
 // Distributes the entries over parts, and clears the stamps.
 template <class Kinetic>
 void Region_run<Kinetic>::move_to_parts(std::size_t count) {
   const std::vector<Face_handle> faces = kinetic_.faces();
-  const auto for_each_entry = [&](std::span<const Face_handle> block, const auto& function) {
+  const auto for_each_edge = [&](std::span<const Face_handle> block, const auto& function) {
     for (const Face_handle face : block) {
       face->set_stamp(0);
       kinetic_.for_each_own_edge(face, [&](const Edge& edge) {
-        const Queue_handle handle = face->event(edge.second);
-        if (handle == no_event) return;
-        function(handle, count > 1 ? kinetic_.queue_policy_.part_of(edge) : 0);
+        if (edge.first->event(edge.second) != no_event) function(edge);
       });
     }
   };
-  queue().divide(count, blocks_of(faces), for_each_entry,
+  queue().divide(count, blocks_of(faces), for_each_edge,
                  [this](auto& elements, const auto& work) { this->for_each(elements, work); });
 }
 
@@ -108,7 +133,8 @@ void Region_run<Kinetic>::choose_owners() {
     self(self, places.subspan(middle), first + below, count - below);
   };
   cut(cut, sample, 0, regions_);
-  kinetic_.owners_.assign(kinetic_.vertices_.size(), static_cast<std::uint16_t>(regions_));
+  std::vector<std::uint16_t>& owners = division().owners;
+  owners.assign(kinetic_.vertices_.size(), Region_division::no_region);
   std::vector<std::span<const Vertex_handle>> blocks = blocks_of(vertices);
   for_each(blocks, [&](std::span<const Vertex_handle> block) {
     for (const Vertex_handle v : block) {
@@ -117,7 +143,7 @@ void Region_run<Kinetic>::choose_owners() {
       while (cells[cell].regions > 1) {
         cell = place.*cells[cell].axis < cells[cell].at ? cell + 1 : cells[cell].above;
       }
-      kinetic_.owners_[v->point().id()] = static_cast<std::uint16_t>(cells[cell].first_region);
+      owners[v->point().id()] = static_cast<std::uint16_t>(cells[cell].first_region);
     }
   });
 }

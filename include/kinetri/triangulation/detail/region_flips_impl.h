@@ -28,70 +28,59 @@ auto Region_run<Kinetic>::time(Moment& moment) const -> const Time& {
   return *moment.exact;
 }
 
-// The order of two times: negative, zero or positive.
+// The time of a flip. At the hull it has been made when the flip was executed.
 template <class Kinetic>
-int Region_run<Kinetic>::compare(Moment& a, Moment& b) const {
-  if (&a == &b) return 0;
-  if (a.bounds.upper < b.bounds.lower) return -1;
-  if (b.bounds.upper < a.bounds.lower) return 1;
-  const auto order = time(a) <=> time(b);
-  return order < 0 ? -1 : (order > 0 ? 1 : 0);
+auto Region_run<Kinetic>::time(const Key& key) -> const Time& {
+  Flip& f = flip(key);
+  if (!f.exact) f.exact = std::make_unique<Exact_times>();
+  if (!f.exact->flip) {
+    f.exact->flip = kinetic_.failure_time(certificate_points(f), key.bounds);
+  }
+  return *f.exact->flip;
 }
 
+// What failed when an edge was flipped, as Kinetic_triangulation_2::certificate_points says it.
+// Precondition: the corners are finite.
 template <class Kinetic>
-auto Region_run<Kinetic>::lane_of(Stamp stamp) const -> const Lane& {
-  const std::size_t number = (stamp - 1) >> index_bits;
-  return number < regions_ ? lanes_[number] : rest_;
-}
-
-// Stamps of windows before this one are left in the faces.
-template <class Kinetic>
-bool Region_run<Kinetic>::is_of_window(Stamp stamp) const {
-  return stamp != 0 &&
-         ((stamp - 1) & ((std::size_t{1} << index_bits) - 1)) >= lane_of(stamp).flips_before;
-}
-
-template <class Kinetic>
-auto Region_run<Kinetic>::flip(Stamp stamp) -> Flip& {
-  Lane& lane = const_cast<Lane&>(lane_of(stamp));
-  return lane.flips[((stamp - 1) & ((std::size_t{1} << index_bits) - 1)) - lane.flips_before];
-}
-
-template <class Kinetic>
-bool Region_run<Kinetic>::is_later(Stamp stamp, Moment& moment) {
-  return is_of_window(stamp) && compare(flip(stamp).moment, moment) > 0;
+auto Region_run<Kinetic>::certificate_points(const Flip& flip) const -> Certificate_points {
+  const auto point = [&](std::size_t k) { return &kinetic_.vertices_[flip.corners[k]]->point(); };
+  return {Entry_kind::flip, {point(0), point(1), point(2), point(3)}};
 }
 
 // ---- before a flip ----
 
 template <class Kinetic>
 bool Region_run<Kinetic>::is_owned(const Two_sided_edge& edge, std::size_t region) const {
-  const auto owns = [&](Vertex_handle v) {
-    return !kinetic_.triangulation_.is_infinite(v) && kinetic_.owners_[v->point().id()] == region;
+  // The edge is one of the region's part: its ends are in the region.
+  const auto owns = [&](const Edge& side) {
+    return kinetic_.division_.owner(side.first->vertex(side.second)->point().id()) == region;
   };
-  const auto& [face, i] = edge.here;
-  return owns(face->vertex(i)) && owns(face->vertex(Triangulation::cw(i))) &&
-         owns(face->vertex(Triangulation::ccw(i))) &&
-         owns(edge.there.first->vertex(edge.there.second));
+  return owns(edge.here) && owns(edge.there);
 }
 
 // Whether another entry in the surroundings is not later than this one, which is the first of its
 // part. (No flip there is later: all are of this lane. Entries of the lane's part come after this
-// one, and those of the shared part after the window.)
+// one, those of the shared part after the window, and no other region has entries there.)
 template <class Kinetic>
 bool Region_run<Kinetic>::is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge) {
-  Part& part = queue().part(lane.number);
+  const Queue_handle first_stall = queue().named(deferred_part(0), 0);
+  const auto has_stall = [&](Face_handle face) {
+    const auto is_stall = [&](Queue_handle handle) {
+      return static_cast<Queue_handle>(handle - first_stall) < no_event - first_stall;
+    };
+    return is_stall(face->event(0)) || is_stall(face->event(1)) || is_stall(face->event(2));
+  };
   const auto blocks = [&](Queue_handle handle) {
-    if (handle == no_event) return false;
-    const std::size_t number = queue().part_of(handle);
-    if (number == lane.number || number == shared_part()) return false;
+    if (handle == no_event || handle < first_stall) return false;
     const Entry& other = queue()[handle];
     if (other.bounds.lower > entry.bounds.upper) return false;
     if (other.bounds.upper < entry.bounds.lower) return true;
-    return queue().part(number).time_of(other) <= part.time(part.top());
+    Part& part = queue().part(lane.number);
+    return queue().part(queue().part_of_handle(handle)).time_of(other) <= part.time(part.top());
   };
   const auto is_face_blocked = [&](Face_handle face) {
-    return blocks(face->event(0)) || blocks(face->event(1)) || blocks(face->event(2));
+    return has_stall(face) &&
+           (blocks(face->event(0)) || blocks(face->event(1)) || blocks(face->event(2)));
   };
   for (const Edge& side : {edge.here, edge.there}) {
     const auto& [face, i] = side;
@@ -150,14 +139,15 @@ auto Region_run<Kinetic>::outer_edges(const Two_sided_edge& edge) const -> Outer
 template <class Kinetic>
 std::size_t Region_run<Kinetic>::part_for(const Lane& lane, const Entry& entry) const {
   if (lane.number < regions_) return lane.number;
-  return entry.bounds.lower <= due_until_ ? due_part() : kinetic_.queue_policy_.part_of(entry);
+  return entry.bounds.lower <= due_until_ ? due_part()
+                                          : kinetic_.queue_policy_.part_of(entry.edge());
 }
 
 // Puts the entry of an edge into the lane's part, or where it belongs, and its handle into the
 // faces.
 template <class Kinetic>
-void Region_run<Kinetic>::put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind,
-                              Certificate&& known) {
+inline void Region_run<Kinetic>::put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind,
+                                     Certificate&& known) {
   if (known.kind == Certificate::Kind::never_fails) return kinetic_.set_event(edge, no_event);
   const Entry entry(edge.here, kind, known);
   const std::size_t to = part_for(lane, entry);
@@ -167,11 +157,32 @@ void Region_run<Kinetic>::put(const Lane& lane, const Two_sided_edge& edge, Entr
   kinetic_.set_event(edge, queue().named(to, handle));
 }
 
+// What undoing needs of an entry. `here` is the edge, seen from the quadrilateral.
+template <class Kinetic>
+inline auto Region_run<Kinetic>::kept(const Entry& entry, const Edge& here) -> Kept_entry {
+  return {static_cast<std::uint8_t>(static_cast<unsigned>(entry.kind) & 15U), true,
+          entry.edge() == here, entry.changes_sign};
+}
+
+// The entry again, of the edge as it is before the flip.
+template <class Kinetic>
+auto Region_run<Kinetic>::restored(const Kept_entry& kept, const Two_sided_edge& edge,
+                                   const Double_interval& bounds) const -> Entry {
+  const auto& [face, i] = kept.is_here ? edge.here : edge.there;
+  Entry result;
+  result.bounds = bounds;
+  result.index = static_cast<std::uint8_t>(i);
+  result.kind = static_cast<Entry_kind>(kept.kind);
+  result.changes_sign = kept.changes_sign;
+  result.face = face;
+  return result;
+}
+
 // Flips an edge whose entry has been taken from its part, as flip_edge does, and keeps what undoes
 // it.
 template <class Kinetic>
 void Region_run<Kinetic>::execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge,
-                                  Moment moment) {
+                                  Moment& moment) {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
   const Outer_edges before = outer_edges(edge);
@@ -179,39 +190,43 @@ void Region_run<Kinetic>::execute(Lane& lane, const Entry& entry, const Two_side
     detail::prefetch(there.first->vertex(there.second));
     queue().prefetch(there.first->event(there.second));
   }
+  const std::size_t index = lane.flips.size();
   Flip& f = lane.flips.emplace_back();
-  f.kind = Kinetic::event_kind(entry.kind);
-  std::tie(f.removed, f.added) = Kinetic::flipped_edges(edge);
+  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+  const Vertex_handle left = face->vertex(Triangulation::cw(i));
+  f.corners = {right->point().id(), left->point().id(), face->vertex(i)->point().id(),
+               neighbor->vertex(j)->point().id()};
   f.face = face;
   f.neighbor = neighbor;
-  f.i = i;
-  f.j = j;
-  f.right_had_face = face->vertex(Triangulation::cw(i))->face() == face;
-  f.left_had_neighbor = face->vertex(Triangulation::ccw(i))->face() == neighbor;
-  f.entries[0] = entry;
-  f.entries[0].time = Time_pool::none;
-  f.has_entry[0] = true;
-  if (moment.exact) f.exact_times.emplace_back(0, *moment.exact);
+  f.i = static_cast<std::uint8_t>(i & 3);
+  f.j = static_cast<std::uint8_t>(j & 3);
+  f.left_had_face = left->face() == face;
+  f.right_had_neighbor = right->face() == neighbor;
+  f.entries[0] = kept(entry, edge.here);
+  const auto exact = [&f]() -> Exact_times& {
+    if (!f.exact) f.exact = std::make_unique<Exact_times>();
+    return *f.exact;
+  };
   for (std::size_t k = 1; k < 5; ++k) {
     const Edge& outer = before[k - 1].here;
     const Queue_handle handle = outer.first->event(outer.second);
-    f.has_entry[k] = handle != no_event;
     if (handle == no_event) continue;
     const Entry& old = queue()[handle];
-    if (old.time != Time_pool::none) {
-      f.exact_times.emplace_back(k, queue().part(queue().part_of(handle)).time_of(old));
+    if (old.time != Time_pool::none) [[unlikely]] {
+      exact().entries.emplace_back(k, queue().part(queue().part_of_handle(handle)).time_of(old));
     }
-    f.entries[k] = queue().erase(handle);
-    if (f.entries[k].kind != Entry_kind::recheck) {
-      ++lane.counters.discarded[static_cast<std::size_t>(Kinetic::event_kind(f.entries[k].kind))];
+    f.entries[k] = kept(old, outer);
+    f.outer_bounds[k - 1] = old.bounds;
+    if (old.kind != Entry_kind::recheck) {
+      ++lane.counters.discarded[static_cast<std::size_t>(Kinetic::event_kind(old.kind))];
     }
+    queue().erase(handle);
   }
   f.previous = {face->stamp(), neighbor->stamp()};
-  const std::size_t index = lane.flips.size() - 1;
   const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
   lane.keys.push_back({moment.bounds, std::max(reached, moment.bounds.lower),
                        static_cast<std::uint32_t>(index), static_cast<std::uint16_t>(lane.number),
-                       f.kind});
+                       Kinetic::event_kind(entry.kind)});
   const Stamp number = stamp(lane, index);
   face->set_stamp(number);
   neighbor->set_stamp(number);
@@ -222,17 +237,19 @@ void Region_run<Kinetic>::execute(Lane& lane, const Entry& entry, const Two_side
                               {before[1].there, Edge(face, i)},
                               {before[2].there, Edge(neighbor, Triangulation::cw(j))},
                               {before[3].there, Edge(neighbor, j)}}};
-  f.moment = std::move(moment);
-  const auto now = [&]() -> const Time& { return time(f.moment); };
+  const auto now = [&]() -> const Time& { return time(moment); };
   const auto put_entry = [&](const Two_sided_edge& e, Entry_kind kind, Certificate&& known) {
     put(lane, e, kind, std::move(known));
   };
-  const Double_interval bounds = f.moment.exact ? f.moment.exact->interval() : f.moment.bounds;
-  if (kinetic_.certify_after_flip(added, outer, bounds, now, lane.certificates, put_entry)) return;
-  kinetic_.certify({&added, 1}, now(), Certificate_state::vanishes, kinetic_.traits_,
-                   lane.certificates, put_entry);
-  kinetic_.certify(outer, now(), Certificate_state::any, kinetic_.traits_, lane.certificates,
-                   put_entry);
+  const Double_interval bounds = moment.exact ? moment.exact->interval() : moment.bounds;
+  if (!kinetic_.certify_after_flip(added, outer, bounds, now, lane.certificates, put_entry)) {
+    kinetic_.certify({&added, 1}, now(), Certificate_state::vanishes, kinetic_.traits_,
+                     lane.certificates, put_entry);
+    kinetic_.certify(outer, now(), Certificate_state::any, kinetic_.traits_, lane.certificates,
+                     put_entry);
+  }
+  if (entry.kind != Entry_kind::flip) time(moment);
+  if (moment.exact) exact().flip = std::move(moment.exact);
 }
 
 // Undoes a flip: first those that were executed after it and conflict with it.
@@ -263,48 +280,62 @@ void Region_run<Kinetic>::undo(Stamp number) {
 // just before it, and the entries of then are true again.
 template <class Kinetic>
 void Region_run<Kinetic>::undo_last(Stamp number) {
-  Flip& f = flip(number);
+  const Key& flipped = key(number);
+  Flip& f = flip(flipped);
   KINETRI_ASSERT(f.face->stamp() == number && f.neighbor->stamp() == number,
                  "the last flip of its faces");
   ++counters_.undone;
   f.is_undone = true;
-  const_cast<Lane&>(lane_of(number)).has_undone = true;
+  lane_of(number).has_undone = true;
   const auto erase = [&](Face_handle face, int k) {
     if (face->event(k) != no_event) queue().erase(face->event(k));
   };
+  const int i = f.i;
+  const int j = f.j;
   for (int k = 0; k < 3; ++k) erase(f.face, k);
-  erase(f.neighbor, f.j);
-  erase(f.neighbor, Triangulation::cw(f.j));
+  erase(f.neighbor, j);
+  erase(f.neighbor, Triangulation::cw(j));
   // The flip in reverse. It has left neighbors around as CGAL's flip has them.
-  const Vertex_handle right = f.neighbor->vertex(Triangulation::ccw(f.j));
-  const Vertex_handle left = f.face->vertex(Triangulation::ccw(f.i));
-  const Edge at_bottom = kinetic_.two_sided(Edge(f.face, f.i)).there;
-  const Edge at_top = kinetic_.two_sided(Edge(f.neighbor, f.j)).there;
+  const Vertex_handle left = f.neighbor->vertex(Triangulation::ccw(j));
+  const Vertex_handle right = f.face->vertex(Triangulation::ccw(i));
+  const Edge at_bottom = kinetic_.two_sided(Edge(f.face, i)).there;
+  const Edge at_top = kinetic_.two_sided(Edge(f.neighbor, j)).there;
   auto& tds = kinetic_.triangulation_.tds();
-  f.face->set_vertex(Triangulation::cw(f.i), right);
-  f.neighbor->set_vertex(Triangulation::cw(f.j), left);
-  tds.set_adjacency(f.face, f.i, f.neighbor, f.j);
-  tds.set_adjacency(f.face, Triangulation::ccw(f.i), at_top.first, at_top.second);
-  tds.set_adjacency(f.neighbor, Triangulation::ccw(f.j), at_bottom.first, at_bottom.second);
-  if (f.right_had_face) right->set_face(f.face);
-  if (f.left_had_neighbor) left->set_face(f.neighbor);
+  f.face->set_vertex(Triangulation::cw(i), left);
+  f.neighbor->set_vertex(Triangulation::cw(j), right);
+  tds.set_adjacency(f.face, i, f.neighbor, j);
+  tds.set_adjacency(f.face, Triangulation::ccw(i), at_top.first, at_top.second);
+  tds.set_adjacency(f.neighbor, Triangulation::ccw(j), at_bottom.first, at_bottom.second);
+  if (f.left_had_face) left->set_face(f.face);
+  if (f.right_had_neighbor) right->set_face(f.neighbor);
   f.face->set_stamp(f.previous[0]);
   f.neighbor->set_stamp(f.previous[1]);
-  const Two_sided_edge edge = {Edge(f.face, f.i), Edge(f.neighbor, f.j)};
+  const Two_sided_edge edge = {Edge(f.face, i), Edge(f.neighbor, j)};
+  if (f.exact && f.exact->flip) f.exact->entries.emplace_back(0, *f.exact->flip);
+  put_back(f, edge, f.entries[0], flipped.bounds, 0);
   const Outer_edges outer = outer_edges(edge);
-  for (std::size_t k = 0; k < 5; ++k) {
-    const Two_sided_edge& e = k == 0 ? edge : outer[k - 1];
-    if (!f.has_entry[k]) {
-      kinetic_.set_event(e, no_event);
-      continue;
-    }
-    const auto exact = std::ranges::find(f.exact_times, k, &std::pair<std::size_t, Time>::first);
-    const std::size_t to = part_for(rest_, f.entries[k]);
-    const Queue_handle handle = exact == f.exact_times.end()
-                                    ? queue().part(to).emplace(f.entries[k])
-                                    : queue().part(to).push(f.entries[k], exact->second);
-    kinetic_.set_event(e, queue().named(to, handle));
+  for (std::size_t k = 1; k < 5; ++k) {
+    put_back(f, outer[k - 1], f.entries[k], f.outer_bounds[k - 1], k);
   }
+}
+
+// Schedules the entry number k of an undone flip again.
+template <class Kinetic>
+void Region_run<Kinetic>::put_back(const Flip& f, const Two_sided_edge& edge,
+                                   const Kept_entry& kept, const Double_interval& bounds,
+                                   std::size_t k) {
+  if (!kept.exists) return kinetic_.set_event(edge, no_event);
+  const Entry entry = restored(kept, edge, bounds);
+  const std::size_t to = part_for(rest_, entry);
+  const Time* exact = nullptr;
+  if (f.exact) {
+    for (const auto& [number, made] : f.exact->entries) {
+      if (number == k) exact = &made;
+    }
+  }
+  const Queue_handle handle =
+      exact == nullptr ? queue().part(to).emplace(entry) : queue().part(to).push(entry, *exact);
+  kinetic_.set_event(edge, queue().named(to, handle));
 }
 
 }  // namespace kinetri::detail

@@ -5,7 +5,10 @@
 #define KINETRI_TRIANGULATION_DETAIL_REGION_ORDER_IMPL_H
 
 #include <algorithm>
+#include <array>
+#include <exception>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "kinetri/triangulation/detail/regions.h"
@@ -20,20 +23,28 @@ void Region_run<Kinetic>::settle_window() {
   for (std::size_t k = 1; k < order_.size(); ++k) {
     if (order_[k - 1].bounds.upper < order_[k].bounds.lower) continue;
     if (compare(order_[k - 1], order_[k]) != 0) continue;
-    const Time& tie = time(flip(order_[k]).moment);
+    const Time& tie = time(order_[k]);
     if (!cut_ || tie < *cut_) cut_ = tie;
     break;
   }
   if (cut_) cut_off();
   while (!queue().part(due_part()).empty()) {
-    move(due_part(), kinetic_.queue_policy_.part_of(queue().part(due_part()).top()));
+    const Edge edge = queue().part(due_part()).top().edge();
+    move(due_part(), kinetic_.queue_policy_.part_of(edge));
   }
-  report();
+  std::exception_ptr thrown;
+  try {
+    report();
+  } catch (...) {
+    thrown = std::current_exception();
+  }
   done_ = order_.size();
+  division().events += static_cast<double>(done_);
   const auto clear = [this](Lane& lane) {
     (&lane == &rest_ ? counters_.by_rest : counters_.by_region) += lane.flips.size();
     counters_.deferred += std::exchange(lane.deferred, 0);
     lane.flips_before += lane.flips.size();
+    division().flips[lane.number] = lane.flips_before;
     lane.flips.clear();
     lane.keys.clear();
     lane.has_undone = false;
@@ -46,6 +57,7 @@ void Region_run<Kinetic>::settle_window() {
   };
   std::ranges::for_each(lanes_, clear);
   clear(rest_);
+  if (thrown) std::rethrow_exception(thrown);
   if (cut_ && kinetic_.settle(&*cut_)) run_loop_instant();
 }
 
@@ -130,16 +142,13 @@ template <class Kinetic>
 void Region_run<Kinetic>::cut_off() {
   ++counters_.cuts;
   const std::uint64_t undone = counters_.undone;
-  Moment cut;
-  cut.bounds = cut_->interval();
-  cut.exact = *cut_;
-  const auto first = std::ranges::partition_point(
-      order_, [&](const Key& key) { return compare(flip(key).moment, cut) < 0; });
+  Moment cut = {{}, cut_->interval(), *cut_};
+  const auto first =
+      std::ranges::partition_point(order_, [&](const Key& key) { return compare(key, cut) < 0; });
   order_.erase(first, order_.end());
   const auto undo_from_cut = [&](Lane& lane) {
     for (std::size_t k = lane.flips.size(); k-- > 0;) {
-      Flip& f = lane.flips[k];
-      if (!f.is_undone && compare(f.moment, cut) >= 0) undo(stamp(lane, k));
+      if (!lane.flips[k].is_undone && compare(lane.keys[k], cut) >= 0) undo(stamp(lane, k));
     }
   };
   undo_from_cut(rest_);
@@ -147,43 +156,58 @@ void Region_run<Kinetic>::cut_off() {
   counters_.cut_off += std::exchange(counters_.undone, undone) - undone;
 }
 
-// Counts the flips of the window and shows them to the observers.
+// Counts the flips of the window and shows them to the observers. If an observer throws, the window
+// has been executed and counted all the same.
 template <class Kinetic>
 void Region_run<Kinetic>::report() {
   if (order_.empty()) return;
-  if (!kinetic_.observers_.empty()) {
-    for (const Key& key : order_) report(flip(key));
-  } else {
-    const Moment& last = flip(order_.back()).moment;
-    if (last.exact) {
-      kinetic_.set_current_time(*last.exact);
-    } else {
-      kinetic_.pending_time_ = {last.points, last.bounds};
-    }
-    for (const Key& key : order_) kinetic_.count_event(key.kind);
-  }
   kinetic_.counters_.flat_hulls +=
       static_cast<std::uint64_t>(std::ranges::count(order_, Event_kind::hull_insert, &Key::kind));
   kinetic_.counters_.instants += order_.size();
   kinetic_.counters_.largest_instant =
       std::max<std::uint64_t>(kinetic_.counters_.largest_instant, 1);
+  auto next = order_.cbegin();
+  kinetic_.is_in_event_ = true;
+  try {
+    while (!kinetic_.observers_.empty() && next != order_.cend()) report(*next++);
+  } catch (...) {
+    count_from(next);
+    throw;
+  }
+  count_from(next);
+}
+
+// Counts flips that no observer is told of.
+template <class Kinetic>
+void Region_run<Kinetic>::count_from(typename std::vector<Key>::const_iterator next) {
+  kinetic_.is_in_event_ = false;
+  for (; next != order_.cend(); ++next) kinetic_.count_event(next->kind);
+  const Key& last = order_.back();
+  const Flip& f = flip(last);
+  if (f.exact && f.exact->flip) {
+    kinetic_.set_current_time(*f.exact->flip);
+  } else {
+    kinetic_.pending_time_ = {certificate_points(f), last.bounds};
+  }
 }
 
 // Counts a flip and shows it to the observers.
 template <class Kinetic>
-void Region_run<Kinetic>::report(Flip& f) {
+void Region_run<Kinetic>::report(const Key& key) {
+  const std::array<Point_id, 4>& corners = flip(key).corners;
+  const auto if_finite = [](Point_id a, Point_id b) {
+    return a == no_point || b == no_point ? std::nullopt : std::optional(edge_ids(a, b));
+  };
   Event event;
-  kinetic_.set_current_time(time(f.moment));
+  kinetic_.set_current_time(time(key));
   event.number = kinetic_.counters_.number_of_events();
-  event.kind = f.kind;
+  event.kind = key.kind;
   event.time = kinetic_.current_time();
-  if (f.removed[1] != no_point) event.removed = f.removed;
-  if (f.added[1] != no_point) event.added = f.added;
-  kinetic_.is_in_event_ = true;
+  event.removed = if_finite(corners[0], corners[1]);
+  event.added = if_finite(corners[2], corners[3]);
+  kinetic_.count_event(key.kind);
   for (Event_observer* observer : kinetic_.observers_) observer->before_event(event);
-  kinetic_.count_event(f.kind);
   for (Event_observer* observer : kinetic_.observers_) observer->after_event(event);
-  kinetic_.is_in_event_ = false;
 }
 
 }  // namespace kinetri::detail

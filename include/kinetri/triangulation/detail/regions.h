@@ -17,20 +17,23 @@
 //            made.
 //   window   An interval of time, from the present to a binary64 number `end`, ends included.
 //   part     The queue in parts (Divided_scheduler), R being the number of regions: part r < R has
-//            the entries of the edges of which both ends are in region r, part 2 R those of all
-//            other edges. In a window part R + r has entries that region r has deferred, and part
-//            2 R + 1 those of part 2 R that fail in the window; then the latter has all entries of
-//            the rest. Between two windows these are empty.
+//            the entries of the edges of which both ends are in region r, part R those of all
+//            other edges. In a window part R + 1 + r has entries that region r has deferred, and
+//            part 2 R + 1 those of part R that fail in the window; then the latter has all entries
+//            of the rest. Between two windows these are empty. The queue stays in parts between two
+//            runs (Region_division): other functions of the triangulation find it as one queue.
 //   lane     What one thread writes: the flips of a region, or of the rest, and their counts.
-//   record   What is known of a flip in a window (Flip): its time, and what is needed to
-//            undo it, the entries of the five edges before it included.
+//   record   What is known of a flip in a window (Flip): what is needed to undo it, the entries of
+//            the five edges before it included. Memory of records is most of what a run by regions
+//            takes, and writing them most of what it costs.
 //   stamp    At a face, the number of the last flip that changed it; 0 if none did. Numbers grow
 //            with execution among flips that conflict (see below). A number less than those of its
 //            lane in this window is that of a flip before the window, and means nothing.
 //   surroundings of a flip: its two faces, and the four faces beside these. Two flips *conflict* if
 //            a face of one is in the surroundings of the other.
-//   stall    An entry that waits for another region or for the rest. It stays in the slots of its
-//            two faces, where others that are later see it: there is no other mark.
+//   stall    An entry that waits for another region or for the rest: one of the parts from R + 1
+//            on. It stays in the slots of its two faces, where others that are later see it: there
+//            is no other mark.
 //   rest     The events that no region executed, by one thread in the order of the queue.
 //
 // What an event reads and writes. A flip, at the hull too,
@@ -81,12 +84,15 @@
 #ifndef KINETRI_TRIANGULATION_DETAIL_REGIONS_H
 #define KINETRI_TRIANGULATION_DETAIL_REGIONS_H
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -135,9 +141,13 @@ class Region_run {
   explicit Region_run(KineticTriangulation& kinetic, const Region_options& options = {});
 
   /// As advance_to of the triangulation, with the same result. Observers that look at the
-  /// triangulation get the plain loop. If an observer throws, or memory is missing, the
-  /// triangulation can only be destroyed. Precondition: as there.
+  /// triangulation get the plain loop. If an observer throws, the triangulation is what it is after
+  /// all events of a window of time, of which observers have not been told the later ones. If
+  /// memory is missing, it can only be destroyed. Precondition: as there.
   std::size_t advance_to(const Time& until, const std::function<bool()>& may_go_on = nullptr);
+
+  /// Puts the queue into one part again.
+  void join();
 
   /// What has been done so far.
   const Region_counters& counters() const { return counters_; }
@@ -155,46 +165,59 @@ class Region_run {
   using Part = typename Queue::Part;
   using Stamp = std::uint32_t;
 
-  /// When a flip happens.
+  /// When an entry that is no coincidence fails.
   struct Moment {
     Certificate_points points = {};
     Double_interval bounds = {};
     std::optional<Time> exact = std::nullopt;  // made when it is needed
   };
 
+  /// An entry without its edge and its time.
+  struct Kept_entry {
+    std::uint8_t kind : 4 = 0;
+    bool exists : 1 = false;
+    bool is_here : 1 = false;  // as the edge is seen from the quadrilateral
+    bool changes_sign : 1 = false;
+  };
+
+  /// Exact times that had been made: that of a flip, and those of the entries before it.
+  struct Exact_times {
+    std::optional<Time> flip;
+    std::vector<std::pair<std::size_t, Time>> entries;
+  };
+
   /// A flip of the window: the record.
   struct Flip {
-    Moment moment;
-    Event_kind kind;
-    Edge_ids removed;
-    Edge_ids added;
+    /// The ends of the edge, right and left as `face` has them, and the corners opposite it, of
+    /// `face` and of `neighbor`; no_point is the infinite vertex.
+    std::array<Point_id, 4> corners;
     /// The edge, before the flip.
     Face_handle face;
     Face_handle neighbor;
-    int i;
-    int j;
-    bool right_had_face;     // `face` was the one that CGAL keeps at the vertex cw(i)
-    bool left_had_neighbor;  // `neighbor` was the one at the vertex ccw(i)
-    bool is_undone = false;
     std::array<Stamp, 2> previous;  // of the two faces
-    /// Of the edge, then of the outer edges in the order of flip_edge, before the flip.
-    std::array<Entry, 5> entries;
-    std::array<bool, 5> has_entry;
-    std::vector<std::pair<std::size_t, Time>> exact_times;  // of entries that had one
+    /// Of the outer edges in the order of flip_edge, before the flip.
+    std::array<Double_interval, 4> outer_bounds;
+    std::unique_ptr<Exact_times> exact;  // if there are any
+    std::array<Kept_entry, 5> entries;   // of the edge, then of the outer edges
+    std::uint8_t i : 2;                  // the index of the edge in `face`
+    std::uint8_t j : 2;                  // and in `neighbor`
+    bool left_had_face : 1;              // `face` was the one that CGAL keeps at the left end
+    bool right_had_neighbor : 1;         // `neighbor` was the one at the right end
+    bool is_undone : 1;
   };
 
   // What the order of flips needs to know of one.
   struct Key {
-    Double_interval bounds;
-    double reached;       // the greatest lower bound so far in its lane
-    std::uint32_t index;  // in its lane
+    Double_interval bounds;  // of the time
+    double reached;          // the greatest lower bound so far in its lane
+    std::uint32_t index;     // in its lane
     std::uint16_t lane;
     Event_kind kind;
   };
 
   struct alignas(64) Lane {
     std::size_t number = 0;        // of the region; the rest has the last one
-    std::size_t flips_before = 0;  // in windows before this one, since stamps were cleared
+    std::size_t flips_before = 0;  // in windows before this one, since the division
     std::size_t capacity = 0;      // how many flips it may have in a window
     std::vector<Flip> flips = {};
     std::vector<Key> keys = {};  // of the flips
@@ -207,20 +230,32 @@ class Region_run {
   // The four outer edges of a quadrilateral before the flip.
   using Outer_edges = std::array<Two_sided_edge, 4>;
 
+  using Go_on = std::function<bool()>;
+
   bool can_run() const;
-  std::size_t advance(const Time& until, const std::function<bool()>& may_go_on);
+  std::size_t advance(const Time& until, const Go_on& may_go_on);
+  bool run_windows(const Time& until, const Go_on& may_go_on);
   std::uint64_t executed(std::uint64_t before) const {
     return kinetic_.counters_.number_of_events() - before;
   }
-  void run_windows(const Time& until, double width, const std::function<bool()>& may_go_on);
+  double events_in_window() const;
+  bool measure_width(const Time& until, const Go_on& may_go_on);
   bool are_stamps_spent() const;
   void divide();
+  void go_on_with_division();
   void move_to_parts(std::size_t count);
   void choose_owners();
-  std::size_t deferred_part(std::size_t region) const { return regions_ + region; }
-  std::size_t shared_part() const { return 2 * regions_; }
+  std::size_t shared_part() const { return regions_; }
+  std::size_t deferred_part(std::size_t region) const { return regions_ + 1 + region; }
   std::size_t due_part() const { return 2 * regions_ + 1; }
 
+  // Calls work() where no more threads help than the options allow.
+  template <class Work>
+  auto in_arena(const Work& work) const {
+    if (options_.threads < 2) return work();
+    tbb::task_arena arena(static_cast<int>(options_.threads));
+    return arena.execute(work);
+  }
   // Calls work(element) for each element of a vector.
   template <class Vector, class Work>
   void for_each(Vector& elements, const Work& work) const {
@@ -241,38 +276,66 @@ class Region_run {
   bool is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
   void recheck(Lane& lane, std::span<const Entry> entries);
   std::size_t part_for(const Lane& lane, const Entry& entry) const;
-  bool is_later(Stamp stamp, Moment& moment);
+  bool is_later(Stamp stamp, Moment& moment) {
+    return is_of_window(stamp) && compare(key(stamp), moment) > 0;
+  }
   bool is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment);
   void undo_later(const Two_sided_edge& edge, Moment& moment);
   Moment moment_of(const Entry& entry, const Two_sided_edge& edge, const Part& part) const;
   void put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind, Certificate&& known);
-  void execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge, Moment moment);
+  void execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge, Moment& moment);
+  static Kept_entry kept(const Entry& entry, const Edge& here);
+  Entry restored(const Kept_entry& kept, const Two_sided_edge& edge,
+                 const Double_interval& bounds) const;
   void undo(Stamp stamp);
   void undo_last(Stamp stamp);
+  void put_back(const Flip& flip, const Two_sided_edge& edge, const Kept_entry& kept,
+                const Double_interval& bounds, std::size_t number);
   void move(std::size_t from, std::size_t to);
   void put_in_order();
   std::vector<Key> keys_between(double least, double greatest) const;
   bool insert_in_order();
   void cut_off();
   void report();
-  void report(Flip& flip);
+  void count_from(typename std::vector<Key>::const_iterator next);
+  void report(const Key& key);
 
   Queue& queue() { return kinetic_.queue_; }
+  Region_division& division() { return kinetic_.division_; }
   Outer_edges outer_edges(const Two_sided_edge& edge) const;
-  Flip& flip(Stamp stamp);
-  Flip& flip(const Key& key) {
-    return (key.lane < regions_ ? lanes_[key.lane] : rest_).flips[key.index];
+  static std::size_t index_of(Stamp stamp) {
+    return (stamp - 1) & ((std::size_t{1} << index_bits) - 1);
   }
-  const Time& time(Moment& moment) const;
-  int compare(Moment& a, Moment& b) const;
-  int compare(const Key& a, const Key& b) {
-    if (a.bounds.upper < b.bounds.lower) return -1;
-    return compare(flip(a).moment, flip(b).moment);
+  Lane& lane(std::size_t number) { return number < regions_ ? lanes_[number] : rest_; }
+  Lane& lane_of(Stamp stamp) { return lane((stamp - 1) >> index_bits); }
+  bool is_of_window(Stamp stamp) {
+    return stamp != 0 && index_of(stamp) >= lane_of(stamp).flips_before;
   }
-  bool is_of_window(Stamp stamp) const;
-  const Lane& lane_of(Stamp stamp) const;
   static Stamp stamp(const Lane& lane, std::size_t index) {
     return static_cast<Stamp>(((lane.number << index_bits) | (lane.flips_before + index)) + 1);
+  }
+  // Preconditions: is_of_window(stamp).
+  const Key& key(Stamp stamp) {
+    const Lane& lane = lane_of(stamp);
+    return lane.keys[index_of(stamp) - lane.flips_before];
+  }
+  Flip& flip(Stamp stamp) { return flip(key(stamp)); }
+  Flip& flip(const Key& key) { return lane(key.lane).flips[key.index]; }
+
+  // When something happens: a moment, or the flip of a key.
+  static const Double_interval& bounds(const Moment& moment) { return moment.bounds; }
+  static const Double_interval& bounds(const Key& key) { return key.bounds; }
+  const Time& time(Moment& moment) const;
+  const Time& time(const Key& key);
+  Certificate_points certificate_points(const Flip& flip) const;
+
+  // The order of two times: negative, zero or positive.
+  template <class A, class B>
+  int compare(A& a, B& b) {
+    if (bounds(a).upper < bounds(b).lower) return -1;
+    if (bounds(b).upper < bounds(a).lower) return 1;
+    const auto order = time(a) <=> time(b);
+    return order < 0 ? -1 : (order > 0 ? 1 : 0);
   }
 
   static constexpr unsigned index_bits = 24;          // of a flip in its lane

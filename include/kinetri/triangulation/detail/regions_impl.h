@@ -4,8 +4,6 @@
 #ifndef KINETRI_TRIANGULATION_DETAIL_REGIONS_IMPL_H
 #define KINETRI_TRIANGULATION_DETAIL_REGIONS_IMPL_H
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,9 +29,7 @@ Region_run<Kinetic>::Region_run(Kinetic& kinetic, const Region_options& options)
     : kinetic_(kinetic),
       options_(options),
       regions_(number_of_regions(options, kinetic.number_of_points_)) {
-  lanes_.resize(regions_);
-  for (std::size_t r = 0; r < regions_; ++r) lanes_[r].number = r;
-  rest_.number = regions_;
+  if (!queue().is_divided()) division() = {};
 }
 
 template <class Kinetic>
@@ -44,78 +40,97 @@ bool Region_run<Kinetic>::can_run() const {
 }
 
 template <class Kinetic>
-std::size_t Region_run<Kinetic>::advance_to(const Time& until,
-                                            const std::function<bool()>& may_go_on) {
-  if (options_.threads < 2) return advance(until, may_go_on);
-  tbb::task_arena arena(static_cast<int>(options_.threads));
-  return arena.execute([&] { return advance(until, may_go_on); });
+std::size_t Region_run<Kinetic>::advance_to(const Time& until, const Go_on& may_go_on) {
+  return in_arena([&] { return advance(until, may_go_on); });
 }
 
 template <class Kinetic>
-std::size_t Region_run<Kinetic>::advance(const Time& until,
-                                         const std::function<bool()>& may_go_on) {
+std::size_t Region_run<Kinetic>::advance(const Time& until, const Go_on& may_go_on) {
   const std::uint64_t before = kinetic_.counters_.number_of_events();
-  const double last = until.interval().lower;
-  // The loop begins, which tells how fast events come.
-  const auto n = static_cast<double>(kinetic_.number_of_points_);
-  const double target = std::max(1.0, options_.events_per_vertex * n);
-  const auto begun = static_cast<std::uint64_t>(std::min(target, 0.02 * n)) + 1;
-  double width = 0;  // of the next window
-  if (can_run() && kinetic_.settle(&until)) {
-    const double begin = queue().top().bounds.lower;
-    double now = begin;
-    while (can_run() && kinetic_.settle(&until) && (executed(before) < begun || !(now > begin))) {
-      now = queue().top().bounds.lower;
-      run_loop_instant();
-    }
-    const auto events = static_cast<double>(executed(before));
-    if ((last - now) * events > options_.least_events_per_vertex * n * (now - begin)) {
-      width = (now - begin) * target / events;
-    }
+  bool goes_on = true;
+  try {
+    goes_on = measure_width(until, may_go_on) &&
+              (division().window_width == 0 || run_windows(until, may_go_on));
+  } catch (...) {
+    kinetic_.show_current_time();
+    throw;
   }
-  if (width > 0) run_windows(until, width, may_go_on);
-  if (queue().is_divided()) move_to_parts(1);
-  kinetic_.owners_.clear();
-  kinetic_.regions_ = 0;
-  kinetic_.run_to(until, may_go_on);
+  if (goes_on) {
+    // Where there are no windows, single events are to cost what they should.
+    if (queue().is_divided() && !can_run()) join();
+    kinetic_.run_to(until, may_go_on);
+  } else {
+    kinetic_.show_current_time();
+  }
   return static_cast<std::size_t>(executed(before));
 }
 
+// How many events a window should have.
 template <class Kinetic>
-void Region_run<Kinetic>::run_windows(const Time& until, double width,
-                                      const std::function<bool()>& may_go_on) {
-  const double last = until.interval().lower;
+double Region_run<Kinetic>::events_in_window() const {
+  return std::max(1.0,
+                  options_.events_per_vertex * static_cast<double>(kinetic_.number_of_points_));
+}
+
+// Has the loop execute some events, which tells how fast they come, and so how long a window should
+// be; it is 0 if windows would not pay. Unless that is known from the last run. Returns whether the
+// run may go on.
+template <class Kinetic>
+bool Region_run<Kinetic>::measure_width(const Time& until, const Go_on& may_go_on) {
+  if (queue().is_divided() && division().window_width > 0) return true;
+  const std::uint64_t before = kinetic_.counters_.number_of_events();
   const auto n = static_cast<double>(kinetic_.number_of_points_);
-  const double target = std::max(1.0, options_.events_per_vertex * n);
-  const auto most =
-      static_cast<double>(std::min(options_.most_flips, std::size_t{1} << (index_bits - 2)));
-  const double share = 16 * target / static_cast<double>(regions_) + 64;
-  for (Lane& lane : lanes_) lane.capacity = static_cast<std::size_t>(std::min(share, most));
-  rest_.capacity = static_cast<std::size_t>(std::min(4 * target + 64, most));
+  const auto begun = static_cast<std::uint64_t>(std::min(events_in_window(), 0.02 * n)) + 1;
+  division().window_width = 0;
+  if (!can_run() || !kinetic_.settle(&until)) return true;
+  const double begin = queue().top().bounds.lower;
+  double now = begin;
+  while (can_run() && kinetic_.settle(&until) && (executed(before) < begun || !(now > begin))) {
+    if (may_go_on != nullptr && !may_go_on()) return false;
+    now = queue().top().bounds.lower;
+    run_loop_instant();
+  }
+  const auto events = static_cast<double>(executed(before));
+  const double left = until.interval().lower - now;
+  if (left * events > options_.least_events_per_vertex * n * (now - begin)) {
+    division().window_width = (now - begin) * events_in_window() / events;
+  }
+  return true;
+}
+
+// Returns whether the run may go on.
+template <class Kinetic>
+bool Region_run<Kinetic>::run_windows(const Time& until, const Go_on& may_go_on) {
+  const double last = until.interval().lower;
+  const double target = events_in_window();
+  const auto n = static_cast<double>(kinetic_.number_of_points_);
+  if (queue().is_divided() && (options_.regions == 0 || division().regions == regions_)) {
+    go_on_with_division();
+  }
+  double& width = division().window_width;
   std::size_t by_loop = 0;    // instants that the loop executes before the next window
   std::size_t next_loop = 1;  // how many if a window is in vain
-  double since_division = 0;
-  while (can_run() && kinetic_.settle(&until) && (may_go_on == nullptr || may_go_on())) {
+  while (can_run() && kinetic_.settle(&until)) {
+    if (may_go_on != nullptr && !may_go_on()) return false;
     const double begin = queue().top().bounds.lower;
     const double end = std::min(begin + width, last);
     if (by_loop > 0 || queue().top().kind == Entry_kind::coincidence || !(end > begin)) {
-      if (by_loop >= many_instants && queue().is_divided()) move_to_parts(1);
+      if (by_loop >= many_instants && queue().is_divided()) join();
       run_loop_instant();
       if (by_loop > 0) --by_loop;
       if (!(end > begin)) width = std::max(2 * width, std::numeric_limits<double>::min());
       continue;
     }
-    if (!queue().is_divided() || since_division > options_.events_per_division * n ||
-        are_stamps_spent()) {
+    if (!queue().is_divided() || division().regions != regions_ ||
+        division().events > options_.events_per_division * n || are_stamps_spent()) {
       divide();
-      since_division = 0;
     }
     const bool is_whole = run_window(end);
     const auto done = static_cast<double>(done_);
-    since_division += done;
     // Its first event may be later than its bounds say, and so than the window.
     if (!cut_ && done_ == 0) by_loop = 1;
-    if (is_whole || done > target) {
+    // The last window before `until` is a short one, and says nothing.
+    if ((is_whole && end < last) || done > target) {
       width *= std::clamp(target / std::max(done, 1.0), 0.25, 4.0);
       next_loop = 1;
     } else if (cut_) {
@@ -126,6 +141,7 @@ void Region_run<Kinetic>::run_windows(const Time& until, double width,
       }
     }
   }
+  return true;
 }
 
 // Whether stamps may soon be too large.
@@ -212,7 +228,7 @@ void Region_run<Kinetic>::run_region(Lane& lane, double end) {
     }
     Moment moment = moment_of(entry, edge, part);
     part.pop();
-    execute(lane, entry, edge, std::move(moment));
+    execute(lane, entry, edge, moment);
   }
 }
 
@@ -246,10 +262,11 @@ void Region_run<Kinetic>::run_rest(double end) {
       cut_ = time(moment);
       break;
     }
-    KINETRI_ASSERT(kinetic_.queue_policy_.handle(due.top()) == kinetic_.queue_policy_.handle(entry),
+    KINETRI_ASSERT(kinetic_.queue_policy_.handle(due.top().edge()) ==
+                       kinetic_.queue_policy_.handle(entry.edge()),
                    "flips that are undone are later than the event");
     due.pop();
-    execute(rest_, entry, edge, std::move(moment));
+    execute(rest_, entry, edge, moment);
   }
   due_until_ = -std::numeric_limits<double>::infinity();
 }
@@ -261,7 +278,7 @@ void Region_run<Kinetic>::move(std::size_t from, std::size_t to) {
   const Entry entry = part.top();
   const Queue_handle handle = queue().put(to, entry, part);
   part.pop();
-  kinetic_.queue_policy_.set_handle(entry, handle);
+  kinetic_.queue_policy_.set_handle(entry.edge(), handle);
 }
 
 }  // namespace kinetri::detail

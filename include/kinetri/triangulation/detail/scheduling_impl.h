@@ -44,26 +44,26 @@ inline void Kinetic_triangulation_2<Traits>::Queue_policy::prefetch_first(
   detail::prefetch_around(entry.face->neighbor(entry.index));
 }
 
-// The region that owns both ends of the edge, or the part of what no region owns.
+// The region that owns both ends of the edge, or the part after those of the regions.
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_triangulation_2<Traits>::Queue_policy::part_of(const Edge& edge) const {
-  const auto [a, b] = ids_of(edge);
-  if (b == no_point) return 2 * triangulation.regions_;
-  const std::uint16_t owner = triangulation.owners_[a];
-  return owner < triangulation.regions_ && owner == triangulation.owners_[b]
-             ? owner
-             : 2 * triangulation.regions_;
+  const auto& [face, i] = edge;
+  const detail::Region_division& division = triangulation.division_;
+  const std::uint16_t owner = division.owner(face->vertex(Triangulation::cw(i))->point().id());
+  const bool is_owned = owner != detail::Region_division::no_region &&
+                        owner == division.owner(face->vertex(Triangulation::ccw(i))->point().id());
+  return is_owned ? owner : division.regions;
 }
 
 template <KineticTraits_2 Traits>
-Queue_handle Kinetic_triangulation_2<Traits>::Queue_policy::handle(const Entry& entry) const {
-  return entry.face->event(entry.index);
+Queue_handle Kinetic_triangulation_2<Traits>::Queue_policy::handle(const Edge& edge) const {
+  return edge.first->event(edge.second);
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::Queue_policy::set_handle(const Entry& entry,
+void Kinetic_triangulation_2<Traits>::Queue_policy::set_handle(const Edge& edge,
                                                                Queue_handle handle) const {
-  set_event(triangulation.two_sided(entry.edge()), handle);
+  set_event(triangulation.two_sided(edge), handle);
 }
 
 template <KineticTraits_2 Traits>
