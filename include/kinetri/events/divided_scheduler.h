@@ -170,7 +170,11 @@ class Divided_scheduler {
   const Entry& operator[](Queue_handle handle) const {
     return is_divided() ? part(part_of_handle(handle))[local(handle)] : first_[handle];
   }
-  const Entry& top() const { return is_divided() ? part(first_part()).top() : first_.top(); }
+  KINETRI_ALWAYS_INLINE const Entry& top() const {
+    if (is_divided()) [[unlikely]]
+      return top_of_parts();
+    return first_.top();
+  }
   KINETRI_ALWAYS_INLINE void prefetch(Queue_handle handle) const {
     if (!is_divided()) return first_.prefetch(handle);
     if (handle != no_event) part(part_of_handle(handle)).prefetch(local(handle));
@@ -232,8 +236,16 @@ class Divided_scheduler {
     return time(entry) <= exact_time();
   }
   template <class Is_due, class Recheck>
-  bool settle(const Is_due& is_due, const Recheck& recheck) {
-    if (!is_divided()) return first_.settle(is_due, recheck);
+  KINETRI_ALWAYS_INLINE bool settle(const Is_due& is_due, const Recheck& recheck) {
+    if (is_divided()) [[unlikely]]
+      return settle_parts(is_due, recheck);
+    return first_.settle(is_due, recheck);
+  }
+
+ private:
+  // What is done where there are several parts: not inlined, so that one part costs no more.
+  template <class Is_due, class Recheck>
+  bool settle_parts(const Is_due& is_due, const Recheck& recheck) {
     while (!empty() && is_due(top())) {
       if (!policy_.is_recheck(top())) return true;
       const Entry entry = pop();
@@ -242,7 +254,6 @@ class Divided_scheduler {
     return false;
   }
 
- private:
   // How many bits handles have in a part, of so many.
   static unsigned shift_of(std::size_t count) {
     return 32 - static_cast<unsigned>(std::bit_width(count - 1));
@@ -251,11 +262,11 @@ class Divided_scheduler {
     return static_cast<Queue_handle>((std::uint64_t{part} << shift) | handle);
   }
 
-  // What is done where there are several parts: not inlined, so that one part costs no more.
   Queue_handle emplace_in_parts(const Entry& entry) {
     const std::size_t to = policy_.part_of(entry.subject());
     return named(to, part(to).emplace(entry));
   }
+  const Entry& top_of_parts() const { return part(first_part()).top(); }
   Entry pop_of_parts() { return part(first_part()).pop(); }
   Entry erase_from_parts(Queue_handle handle) {
     return part(part_of_handle(handle)).erase(local(handle));

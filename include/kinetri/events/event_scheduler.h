@@ -59,7 +59,7 @@ class Event_scheduler {
   void count_as(const Queue_counters& counters) noexcept { queue_.count_as(counters); }
   bool contains(Queue_handle handle) const noexcept { return queue_.contains(handle); }
   const Entry& operator[](Queue_handle handle) const { return queue_[handle]; }
-  const Entry& top() const { return queue_.top(); }
+  KINETRI_ALWAYS_INLINE const Entry& top() const { return queue_.top(); }
   KINETRI_ALWAYS_INLINE void prefetch(Queue_handle handle) const { queue_.prefetch(handle); }
   template <class Function>
   void for_each(Function function) const {
@@ -152,7 +152,7 @@ class Event_scheduler {
   /// Returns whether it is an event that is due. `recheck` is called with one entry, or two of
   /// consecutive times, which have been taken out.
   template <class Is_due, class Recheck>
-  bool settle(const Is_due& is_due, const Recheck& recheck) {
+  KINETRI_ALWAYS_INLINE bool settle(const Is_due& is_due, const Recheck& recheck) {
     while (!empty() && is_due(top())) {
       if (!policy_.is_recheck(top())) return true;
       std::array<Entry, 2> entries = {pop(), Entry()};

@@ -111,12 +111,12 @@ class Indexed_queue {
   void forget_order();
 
   /// The handle of the least item. Precondition: not empty.
-  Queue_handle top_handle() const {
+  KINETRI_ALWAYS_INLINE Queue_handle top_handle() const {
     KINETRI_PRECONDITION(!empty(), "top of an empty queue");
     return heap_.front().handle;
   }
   /// The least item. Precondition: not empty.
-  const Item& top() const { return places_[top_handle()].item; }
+  KINETRI_ALWAYS_INLINE const Item& top() const { return places_[top_handle()].item; }
 
   /// Removes the least item and returns it. Precondition: not empty.
   Item pop() { return take(top_handle()); }
@@ -189,6 +189,7 @@ class Indexed_queue {
   }
 
   Queue_handle acquire_handle();
+  void add_handle();
   Item take(Queue_handle handle);
   void remove(Queue_handle handle);
 

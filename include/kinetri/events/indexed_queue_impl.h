@@ -82,16 +82,21 @@ void Indexed_queue<Item, Less>::for_each(Function function) const {
 // A handle that is not in use yet; the last one that became free first.
 template <class Item, Bounding_order<Item> Less>
 inline Queue_handle Indexed_queue<Item, Less>::acquire_handle() {
-  if (free_.empty()) {
-    // A queue may be a large part of the memory of a program: it does not grow to double its size.
-    const std::size_t size = places_.size();
-    if (size == places_.capacity()) places_.reserve(size + size / 4 + 16);
-    free_.push_back(static_cast<Queue_handle>(size));
-    places_.emplace_back();
-  }
+  if (free_.empty()) [[unlikely]]
+    add_handle();
   const Queue_handle handle = free_.back();
   free_.pop_back();
   return handle;
+}
+
+// Makes another handle. A queue may be a large part of the memory of a program, so it does not grow
+// to double its size.
+template <class Item, Bounding_order<Item> Less>
+void Indexed_queue<Item, Less>::add_handle() {
+  const std::size_t size = places_.size();
+  if (size == places_.capacity()) places_.reserve(size + size / 4 + 16);
+  free_.push_back(static_cast<Queue_handle>(size));
+  places_.emplace_back();
 }
 
 // Removes the item of `handle` and frees the handle. Moving it out releases what it owned.

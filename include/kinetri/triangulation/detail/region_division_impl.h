@@ -46,6 +46,8 @@ void Region_run<Kinetic>::go_on_with_division() {
   const double share = 16 * events_in_window() / static_cast<double>(regions_) + 64;
   for (std::size_t r = 0; r < regions_; ++r) {
     lanes_[r].number = r;
+    lanes_[r].part = &queue().part(r);
+    lanes_[r].first_handle = queue().named(r, 0);
     lanes_[r].flips_before = division().flips[r];
     lanes_[r].capacity = static_cast<std::size_t>(std::min(share, most));
   }

@@ -135,26 +135,29 @@ auto Region_run<Kinetic>::outer_edges(const Two_sided_edge& edge) const -> Outer
           kinetic_.two_sided(Edge(face, Triangulation::ccw(i)))};
 }
 
-// The part into which a lane puts an entry.
+// Schedules an entry where one of the rest belongs. `exact` is its time, if that has been made.
 template <class Kinetic>
-std::size_t Region_run<Kinetic>::part_for(const Lane& lane, const Entry& entry) const {
-  if (lane.number < regions_) return lane.number;
-  return entry.bounds.lower <= due_until_ ? due_part()
-                                          : kinetic_.queue_policy_.part_of(entry.edge());
+Queue_handle Region_run<Kinetic>::put_into_rest(const Entry& entry, const Time* exact) {
+  const std::size_t to =
+      entry.bounds.lower <= due_until_ ? due_part() : kinetic_.queue_policy_.part_of(entry.edge());
+  Part& part = queue().part(to);
+  return queue().named(to, exact == nullptr ? part.emplace(entry) : part.push(entry, *exact));
 }
 
-// Puts the entry of an edge into the lane's part, or where it belongs, and its handle into the
-// faces.
+// Schedules an edge in the lane's part, or where it belongs.
 template <class Kinetic>
-inline void Region_run<Kinetic>::put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind,
-                                     Certificate&& known) {
+KINETRI_ALWAYS_INLINE void Region_run<Kinetic>::put(const Lane& lane, const Two_sided_edge& edge,
+                                                    Entry_kind kind, Certificate&& known) {
   if (known.kind == Certificate::Kind::never_fails) return kinetic_.set_event(edge, no_event);
-  const Entry entry(edge.here, kind, known);
-  const std::size_t to = part_for(lane, entry);
-  const Queue_handle handle = known.failure == nullptr
-                                  ? queue().part(to).emplace(entry)
-                                  : queue().part(to).push(entry, std::move(*known.failure));
-  kinetic_.set_event(edge, queue().named(to, handle));
+  if (lane.part == nullptr) {
+    const Entry entry(edge.here, kind, known);
+    return kinetic_.set_event(edge, put_into_rest(entry, known.failure.get()));
+  }
+  const Queue_handle handle =
+      known.failure == nullptr
+          ? lane.part->emplace(edge.here, kind, known)
+          : lane.part->push(Entry(edge.here, kind, known), std::move(*known.failure));
+  kinetic_.set_event(edge, lane.first_handle | handle);
 }
 
 // What undoing needs of an entry. `here` is the edge, seen from the quadrilateral.
@@ -326,16 +329,13 @@ void Region_run<Kinetic>::put_back(const Flip& f, const Two_sided_edge& edge,
                                    std::size_t k) {
   if (!kept.exists) return kinetic_.set_event(edge, no_event);
   const Entry entry = restored(kept, edge, bounds);
-  const std::size_t to = part_for(rest_, entry);
   const Time* exact = nullptr;
   if (f.exact) {
     for (const auto& [number, made] : f.exact->entries) {
       if (number == k) exact = &made;
     }
   }
-  const Queue_handle handle =
-      exact == nullptr ? queue().part(to).emplace(entry) : queue().part(to).push(entry, *exact);
-  kinetic_.set_event(edge, queue().named(to, handle));
+  kinetic_.set_event(edge, put_into_rest(entry, exact));
 }
 
 }  // namespace kinetri::detail

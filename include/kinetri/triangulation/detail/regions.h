@@ -216,9 +216,11 @@ class Region_run {
   };
 
   struct alignas(64) Lane {
-    std::size_t number = 0;        // of the region; the rest has the last one
-    std::size_t flips_before = 0;  // in windows before this one, since the division
-    std::size_t capacity = 0;      // how many flips it may have in a window
+    std::size_t number = 0;         // of the region; the rest has the last one
+    Part* part = nullptr;           // of the region; the rest has none
+    Queue_handle first_handle = 0;  // of the part, as the queue names it
+    std::size_t flips_before = 0;   // in windows before this one, since the division
+    std::size_t capacity = 0;       // how many flips it may have in a window
     std::vector<Flip> flips = {};
     std::vector<Key> keys = {};  // of the flips
     bool has_undone = false;     // whether one of them is undone
@@ -275,16 +277,17 @@ class Region_run {
   bool is_owned(const Two_sided_edge& edge, std::size_t region) const;
   bool is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
   void recheck(Lane& lane, std::span<const Entry> entries);
-  std::size_t part_for(const Lane& lane, const Entry& entry) const;
+  Queue_handle put_into_rest(const Entry& entry, const Time* exact);
   bool is_later(Stamp stamp, Moment& moment) {
     return is_of_window(stamp) && compare(key(stamp), moment) > 0;
   }
   bool is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment);
   void undo_later(const Two_sided_edge& edge, Moment& moment);
   Moment moment_of(const Entry& entry, const Two_sided_edge& edge, const Part& part) const;
-  void put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind, Certificate&& known);
+  KINETRI_ALWAYS_INLINE void put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind,
+                                 Certificate&& known);
   void execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge, Moment& moment);
-  static Kept_entry kept(const Entry& entry, const Edge& here);
+  KINETRI_ALWAYS_INLINE static Kept_entry kept(const Entry& entry, const Edge& here);
   Entry restored(const Kept_entry& kept, const Two_sided_edge& edge,
                  const Double_interval& bounds) const;
   void undo(Stamp stamp);
