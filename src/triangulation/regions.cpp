@@ -20,5 +20,6 @@ bool may_pay_by_regions(std::size_t points, std::size_t threads) {
 }
 
 template class Region_run<Kinetic_triangulation_2<Linear_kinetic_traits_2>>;
+template class Region_run<Kinetic_triangulation_2<Polynomial_kinetic_traits_2>>;
 
 }  // namespace kinetri::detail

@@ -32,8 +32,9 @@ class Log : public Event_observer {
 
 /// What differs between two states, with all that a snapshot has but counts of how the run was
 /// made.
-inline std::string difference_of_states(const Kinetic_delaunay& one,
-                                        const Kinetic_delaunay& other) {
+template <class Traits>
+std::string difference_of_states(const Kinetic_triangulation_2<Traits>& one,
+                                 const Kinetic_triangulation_2<Traits>& other) {
   const auto a = one.snapshot();
   const auto b = other.snapshot();
   if (a.time != b.time) return "times";
@@ -71,13 +72,15 @@ inline void add(Region_counters& sum, const Region_counters& counters) {
 
 /// What differs between the plain loop and a run by regions, both in pieces that end at `times`;
 /// with and without observers of the latter.
-inline std::string difference_from_loop(const std::vector<Linear_motion_2>& motions,
-                                        const std::vector<Algebraic_number>& times,
-                                        const Region_options& options, Region_counters& sum,
-                                        const Linear_kinetic_traits_2& traits = {}) {
-  Kinetic_delaunay plain(motions, 0, traits);
-  Kinetic_delaunay watched(motions, 0, traits);
-  Kinetic_delaunay alone(motions, 0, traits);
+template <class Traits = Linear_kinetic_traits_2>
+std::string difference_from_loop(const std::vector<typename Traits::Motion>& motions,
+                                 const std::vector<Algebraic_number>& times,
+                                 const Region_options& options, Region_counters& sum,
+                                 const Traits& traits = {}) {
+  using Kinetic = Kinetic_triangulation_2<Traits>;
+  Kinetic plain(motions, 0, traits);
+  Kinetic watched(motions, 0, traits);
+  Kinetic alone(motions, 0, traits);
   Log expected;
   Log log;
   plain.add_observer(expected);
@@ -88,8 +91,8 @@ inline std::string difference_from_loop(const std::vector<Linear_motion_2>& moti
   Event_log_writer writer(text);
   plain.add_observer(expected_writer);
   watched.add_observer(writer);
-  detail::Region_run<Kinetic_delaunay> watched_run(watched, options);
-  detail::Region_run<Kinetic_delaunay> run(alone, options);
+  detail::Region_run<Kinetic> watched_run(watched, options);
+  detail::Region_run<Kinetic> run(alone, options);
   for (const Algebraic_number& time : times) {
     const std::size_t count = plain.advance_to(time);
     if (watched_run.advance_to(time) != count) return "another number of events";
@@ -117,7 +120,8 @@ inline Region_options options_of(std::size_t regions, double events_per_vertex) 
   options.least_events_per_vertex = 0;
   options.events_per_division = 1;
   if (regions % 5 == 4) options.most_flips = 3;
-  options.threads = regions % 2 == 1 ? 2 : 1;
+  options.threads = regions % 2 == 1 ? 1 + regions % 8 : 1;
+  options.order_of_tasks = regions;
   return options;
 }
 

@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+#include <vector>
 
 #include "support/motions.h"
 #include "support/region_runs.h"
@@ -22,8 +26,8 @@ using test::options_of;
 
 TEST(Regions, run_random_points_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    const std::size_t n = 30 + 13 * seed;
+  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 30 + 13 * (seed % 60);
     const std::size_t regions = 1 + seed * 7 % 64;
     const double events = seed % 4 == 0 ? 0.02 : 0.2 * (seed % 4) * (seed % 5 + 1);
     ASSERT_EQ(difference_from_loop(test::random_motions(n, 100, 5, seed), {0.5, 1.25},
@@ -41,7 +45,7 @@ TEST(Regions, run_random_points_as_the_loop_does) {
 // Long windows and many small regions: flips come too early, and some never come.
 TEST(Regions, undo_flips_that_come_too_early) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 400; ++seed) {
+  for (unsigned seed = 0; seed < 400u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 30 + seed * 37 % 300;
     const auto motions =
         seed % 3 == 2 ? test::grid_motions(n, 60, 50, seed) : test::random_motions(n, 100, 5, seed);
@@ -63,7 +67,7 @@ TEST(Regions, undo_flips_that_come_too_early) {
 
 TEST(Regions, run_points_on_a_grid_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 200; ++seed) {
+  for (unsigned seed = 0; seed < 200u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 5 + seed % 60;
     ASSERT_EQ(difference_from_loop(test::grid_motions(n, 4 + static_cast<int>(seed % 40), 3, seed),
                                    {1.0, Rational(7, 3), 6.0},
@@ -87,6 +91,21 @@ TEST(Regions, change_the_hull_as_the_loop_does) {
   }
   EXPECT_GT(sum.by_rest, 1000u);
   EXPECT_LT(sum.cuts, sum.windows);
+}
+
+TEST(Regions, run_polynomial_motions_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 40 + 10 * (seed % 12);
+    const auto motions = seed % 3 == 2 ? test::polynomial_grid_motions(n, 30, 4, 3, seed)
+                                       : test::random_polynomial_motions(n, 100, 5, seed);
+    ASSERT_EQ(difference_from_loop<Polynomial_kinetic_traits_2>(motions, {0.5, 2.0},
+                                                                options_of(2 + seed % 7, 0.5), sum),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 500u);
+  EXPECT_GT(sum.by_rest, 500u);
 }
 
 // Bounds of times that are so wide that only the exact times tell the order.
@@ -138,6 +157,101 @@ TEST(Regions, leave_a_touch_of_the_hull_to_the_loop) {
         << "seed " << seed;
   }
   EXPECT_GE(sum.cuts, 8u);
+}
+
+// Runs by regions one after the other, with changes of points and single events between them.
+TEST(Regions, keep_their_division_while_points_change) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    std::mt19937_64 random(seed);
+    const auto motions = test::random_motions(150 + 20 * (seed % 12), 100, 5, seed);
+    auto others = test::random_motions(400, 100, 5, seed + 100);
+    Kinetic_delaunay plain(motions);
+    Kinetic_delaunay kinetic(motions);
+    for (unsigned round = 1; round <= 8; ++round) {
+      const double time = 0.25 * round;
+      detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(2 + seed % 4, 0.3));
+      ASSERT_EQ(plain.advance_to(time), run.advance_to(time));
+      ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed << ", t = " << time;
+      ASSERT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "") << "seed " << seed;
+      test::add(sum, run.counters());
+      std::vector<Point_id> ids;
+      std::vector<Linear_motion_2> turned;
+      for (Point_id id = 0; id < plain.next_id(); ++id) {
+        if (!plain.contains(id) || random() % 16 != 0) continue;
+        ids.push_back(id);
+        turned.push_back(others[id]);
+        turned.back().epoch = time;
+      }
+      for (Kinetic_delaunay* k : {&plain, &kinetic}) {
+        k->set_motions(ids, turned);
+        k->insert(others[300 + round]);
+        k->erase(ids.front());
+        if (round % 4 == 1) k->step();
+        if (round % 4 == 2) k->next_event_time();
+      }
+      ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed << ", t = " << time;
+      ASSERT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "") << "seed " << seed;
+    }
+    plain.reverse();
+    kinetic.reverse();
+    ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 1000u);
+}
+
+// Between two windows somebody may end the run; then it is that of the plain loop up to there.
+TEST(Regions, stop_where_they_may_not_go_on) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const auto motions = test::random_motions(300, 100, 5, seed);
+    Kinetic_delaunay plain(motions);
+    Kinetic_delaunay kinetic(motions);
+    std::size_t events = 0;
+    std::size_t stops = 0;
+    while (kinetic.current_time() < 1.0) {
+      detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(2 + seed, 0.3));
+      unsigned asked = 0;
+      const std::size_t more = run.advance_to(1.0, [&] { return ++asked % (12 + seed) != 0; });
+      ASSERT_EQ(plain.advance_to(kinetic.current_time()), more);
+      ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed;
+      events += more;
+      ++stops;
+    }
+    EXPECT_GT(events, 300u);
+    EXPECT_GT(stops, 3u);
+  }
+}
+
+// One that throws when it is told of a certain event.
+class Thrower : public Event_observer {
+ public:
+  explicit Thrower(std::uint64_t number) : number_(number) {}
+  bool looks_at_triangulation() const override { return false; }
+  void after_event(const Event& event) override {
+    if (event.number == number_) throw std::runtime_error("enough");
+  }
+
+ private:
+  std::uint64_t number_;
+};
+
+TEST(Regions, are_usable_after_an_observer_has_thrown) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const auto motions = test::random_motions(300, 100, 5, seed);
+    Kinetic_delaunay plain(motions);
+    Kinetic_delaunay kinetic(motions);
+    Thrower thrower(150 + seed);
+    kinetic.add_observer(thrower);
+    detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(2 + seed, 0.5));
+    EXPECT_THROW(run.advance_to(2.0), std::runtime_error);
+    EXPECT_GT(run.counters().windows, 0u);
+    plain.advance_to(kinetic.current_time());
+    ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed;
+    ASSERT_GT(plain.counters().number_of_events(), 150u + seed);
+    plain.advance_to(2.0);
+    detail::Region_run<Kinetic_delaunay>(kinetic, options_of(3, 0.5)).advance_to(2.0);
+    ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed;
+  }
 }
 
 // What a snapshot has is enough to go on by regions.

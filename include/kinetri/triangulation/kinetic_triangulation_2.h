@@ -210,12 +210,13 @@ class Kinetic_triangulation_2 {
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
 
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
-  /// arena if 0. They share the work where there are some 200 000 points or more with linear
-  /// motions without weights, no observer looks at the triangulation
+  /// arena if 0. They share the work where there are some 200 000 points or more with linear or
+  /// polynomial motions without weights, no observer looks at the triangulation
   /// (Event_observer::looks_at_triangulation), and many events are to come. The result is the same,
   /// event by event and face by face; only counts of certificates, rechecks and the queue, which
-  /// tell how it was found, differ. During the call, up to 400 bytes a point more are in use. If an
-  /// observer throws then, this object can only be destroyed.
+  /// tell how it was found, differ. Some 100 bytes a point more are in use from then on. If an
+  /// observer throws, later events up to the end of a window of time have happened too, and
+  /// observers are not told of them.
   void set_threads(std::size_t most) { threads_ = most; }
 
   /// As step(), but only if the next event is at or before `until`; else nothing happens, and

@@ -130,7 +130,7 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time,
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one, "
       "or call reverse first");
-  if constexpr (std::is_same_v<Traits, Linear_kinetic_traits_2>) {
+  if constexpr (detail::has_region_runs<Traits>) {
     if (detail::may_pay_by_regions(number_of_points_, threads_)) {
       detail::Region_options options;
       options.threads = threads_;
@@ -145,7 +145,7 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time,
 // Ends what runs by regions have left divided, so that single events cost what they should.
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::join_parts() {
-  if constexpr (std::is_same_v<Traits, Linear_kinetic_traits_2>) {
+  if constexpr (detail::has_region_runs<Traits>) {
     if (!queue_.is_divided()) return;
     detail::Region_options options;
     options.threads = threads_;

@@ -93,8 +93,11 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <random>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -113,11 +116,19 @@ struct Region_options {
   /// Of a region, or of the rest, in a window: where there are more, the window is cut.
   std::size_t most_flips = std::size_t{1} << 22;
   std::size_t threads = 0;  ///< at most; 0: those of oneTBB's arena; 1: one region after the other
+  /// If not 0, the order in which one thread takes regions and other tasks: another one for each
+  /// number. For tests.
+  std::uint64_t order_of_tasks = 0;
 };
 
 /// Whether a run by regions may be faster than the plain loop: of so many points, with so many
 /// threads (0: those of oneTBB's arena) of those that oneTBB has here.
 bool may_pay_by_regions(std::size_t points, std::size_t threads);
+
+/// Whether the library has runs by regions of these traits.
+template <class Traits>
+inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_traits_2> ||
+                                        std::is_same_v<Traits, Polynomial_kinetic_traits_2>;
 
 /// What a run by regions has done.
 struct Region_counters {
@@ -262,7 +273,12 @@ class Region_run {
   template <class Vector, class Work>
   void for_each(Vector& elements, const Work& work) const {
     if (options_.threads == 1) {
-      std::ranges::for_each(elements, work);
+      if (options_.order_of_tasks == 0)
+        return static_cast<void>(std::ranges::for_each(elements, work));
+      std::vector<std::size_t> order(elements.size());
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      std::ranges::shuffle(order, std::mt19937_64(options_.order_of_tasks));
+      for (const std::size_t k : order) work(elements[k]);
     } else {
       for_each_in_parallel(elements, work);
     }
@@ -358,6 +374,7 @@ class Region_run {
 };
 
 extern template class Region_run<Kinetic_triangulation_2<Linear_kinetic_traits_2>>;
+extern template class Region_run<Kinetic_triangulation_2<Polynomial_kinetic_traits_2>>;
 
 }  // namespace kinetri::detail
 
