@@ -4,6 +4,8 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+
 #include "kinetri/triangulation/detail/regions_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 
@@ -17,6 +19,12 @@ bool may_pay_by_regions(std::size_t points, std::size_t threads) {
   const bool has_arena = threads > 1 || tbb::this_task_arena::max_concurrency() > 1;
   return has_arena &&
          tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
+}
+
+int arena_size(std::size_t threads) {
+  const std::size_t allowed =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return static_cast<int>(std::min(threads, allowed));
 }
 
 template class Region_run<Kinetic_triangulation_2<Linear_kinetic_traits_2>>;

@@ -4,6 +4,8 @@
 #ifndef KINETRI_TEST_SUPPORT_REGION_RUNS_H
 #define KINETRI_TEST_SUPPORT_REGION_RUNS_H
 
+#include <tbb/global_control.h>
+
 #include <cstdint>
 #include <sstream>
 #include <string>
@@ -78,6 +80,8 @@ std::string difference_from_loop(const std::vector<typename Traits::Motion>& mot
                                  const Region_options& options, Region_counters& sum,
                                  const Traits& traits = {}) {
   using Kinetic = Kinetic_triangulation_2<Traits>;
+  // More threads than this machine may have.
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
   Kinetic plain(motions, 0, traits);
   Kinetic watched(motions, 0, traits);
   Kinetic alone(motions, 0, traits);

@@ -125,6 +125,9 @@ struct Region_options {
 /// threads (0: those of oneTBB's arena) of those that oneTBB has here.
 bool may_pay_by_regions(std::size_t points, std::size_t threads);
 
+/// How large an arena of oneTBB may be for so many threads: no larger than oneTBB allows.
+int arena_size(std::size_t threads);
+
 /// Whether the library has runs by regions of these traits.
 template <class Traits>
 inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_traits_2> ||
@@ -266,7 +269,7 @@ class Region_run {
   template <class Work>
   auto in_arena(const Work& work) const {
     if (options_.threads < 2) return work();
-    tbb::task_arena arena(static_cast<int>(options_.threads));
+    tbb::task_arena arena(arena_size(options_.threads));
     return arena.execute(work);
   }
   // Calls work(element) for each element of a vector.
