@@ -54,7 +54,7 @@ LIBRARIES = {
     "observers": NUMBER_TYPES
     + ("CGAL/", "boost/container/", "boost/geometry", "boost/math/quadrature/"),
     "io": ("nlohmann/", "fmt/", "boost/crc.hpp", "sqlite3.h", "expat.h"),
-    "cli": ("CLI/",),
+    "cli": ("CLI/", "tbb/"),
     "apps": (),
     "python": ("pybind11/",),
     "video": ("opencv2/", "png.h", "zstd.h"),

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <string_view>
 
@@ -28,14 +29,14 @@ enum Stage : int {
 std::atomic<int> stage = reading;
 std::atomic<bool> stop_requested = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
-                  std::atomic<pid_t>::is_always_lock_free,
+                  std::atomic<pid_t>::is_always_lock_free && std::atomic<long>::is_always_lock_free,
               "a signal handler may not wait for a lock");
 std::atomic<pid_t> child = 0;
+// In microseconds, how long a run may take until it notices that it is to stop: some of its steps
+// are long. Set before the stage `running`.
+std::atomic<long> patience = 0;
 std::string_view program_name;  // set before there is a handler
 pthread_t outputs_thread;       // the thread that writes outputs; set before there is a handler
-
-// How long a run may take until it notices that it is to stop: some of its steps are long.
-constexpr suseconds_t patience_us = 400'000;
 
 // Async-signal-safe.
 void write_error(std::string_view text) {
@@ -43,8 +44,10 @@ void write_error(std::string_view text) {
 }
 
 // Sends SIGALRM after so many microseconds; not at all after 0.
-void set_alarm(suseconds_t microseconds) {
-  const itimerval timer = {{0, 0}, {0, microseconds}};
+void set_alarm(long microseconds) {
+  constexpr long second = 1'000'000;
+  const itimerval timer = {
+      {0, 0}, {microseconds / second, static_cast<suseconds_t>(microseconds % second)}};
   ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
@@ -67,7 +70,7 @@ static void on_signal(int signal) {
   if (stage == committing) return;
   if (stage == committed) end_now();
   if (stage != reading && !stop_requested.exchange(true)) {
-    if (stage == running) set_alarm(patience_us);
+    if (stage == running) set_alarm(patience);
     return;
   }
   constexpr std::string_view at_once = ": interrupted, nothing written\n";
@@ -99,7 +102,8 @@ void install_signal_handlers(std::string_view program) {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void stop_gracefully_from_now_on() {
+void stop_gracefully_from_now_on(std::chrono::microseconds most) {
+  patience = static_cast<long>(most.count());
   stage = running;
 }
 

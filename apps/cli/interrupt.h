@@ -5,12 +5,13 @@
 // Normally it ends the process at once, with exit code 130, and removes the temporaries of output
 // files. While a run is under way the first one only asks it to stop, so that it writes what it
 // has; the second one ends the process. So does the first one if the run does not notice it within
-// 0.4 s: a single step may be long, such as an instant with very many events, or an audit.
+// some time: a single step may be long, such as an instant with very many events, or an audit.
 #ifndef KINETRI_APPS_INTERRUPT_H
 #define KINETRI_APPS_INTERRUPT_H
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <string_view>
 
 namespace kinetri::app {
@@ -20,8 +21,10 @@ namespace kinetri::app {
 /// have, an error instead of a signal.
 void install_signal_handlers(std::string_view program);
 
-/// From now on the first signal only makes interrupted() true.
-void stop_gracefully_from_now_on();
+/// From now on the first signal only makes interrupted() true, if it is asked within that time.
+/// Else the process ends then.
+void stop_gracefully_from_now_on(
+    std::chrono::microseconds patience = std::chrono::milliseconds(400));
 
 /// From now on the first signal changes nothing: the run is over, and its outputs are written. The
 /// second one ends the process.

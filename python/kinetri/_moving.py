@@ -286,6 +286,23 @@ class MovingPoints(RunAnswers):
 
     # ---- time ----
 
+    @property
+    def threads(self) -> int:
+        """int: how many threads may work together while time advances; 0, as at first: all that there are.
+
+        The results are the same for any number, up to 1024. Several threads share the work where there are
+        some 200 000 points or more that neither accelerate nor have radii or weights, nor collide, and many
+        events are to come. Copies, and objects that are loaded or restored, begin with 0.
+        """
+        return self._engine.threads()
+
+    @threads.setter
+    def threads(self, number: int) -> None:
+        number = _arrays.count("threads", number)
+        if number > 1024:
+            raise PreconditionError(f"threads is {number}; expected a whole number from 0 to 1024")
+        self._engine.set_threads(number)
+
     def advance_to(self, time: TimeLike, *, progress: Progress = False) -> int:
         """Goes to a time: every event at or before it has happened then.
 

@@ -344,8 +344,13 @@ void bind_time_and_changes(py::class_<Moving, std::shared_ptr<Moving>>& type) {
   type.def("advance",
            [](Moving& moving, const py::object& until, Event_observer* observer,
               const py::object& progress) {
-             const auto time = limit(until);
-             return moving.advance(pointer(time), observer, progress);
+             return moving.advance(time_of(until), observer, progress);
+           })
+      .def("threads",
+           [](Moving& moving) { return moving.with_engine([](Engine& e) { return e.threads(); }); })
+      .def("set_threads",
+           [](Moving& moving, std::size_t most) {
+             moving.with_engine([&](Engine& e) { e.set_threads(most); });
            })
       .def("step",
            [](Moving& moving, const py::object& until, Event_observer* observer) {

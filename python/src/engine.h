@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -93,7 +94,10 @@ class Engine {
   // ---- time ----
   virtual std::optional<Time> next_event_time() = 0;
   virtual std::size_t step(const Time* until) = 0;
-  virtual std::size_t advance_to(const Time& time) = 0;
+  virtual std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on) = 0;
+  /// Of advance_to: 0 at first.
+  virtual std::size_t threads() const = 0;
+  virtual void set_threads(std::size_t most) = 0;
   virtual std::size_t reverse() = 0;
 
   // ---- changes ----

@@ -5,6 +5,8 @@
 #define KINETRI_PYTHON_ENGINE_OF_H
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -81,7 +83,9 @@ class Engine_of final : public Engine {
 
   static constexpr bool is_simulation = !std::is_same_v<Core<Traits>, Kinetic>;
 
-  explicit Engine_of(std::unique_ptr<Core<Traits>> core) : core_(std::move(core)) {}
+  explicit Engine_of(std::unique_ptr<Core<Traits>> core) : core_(std::move(core)) {
+    core_->set_threads(threads_);
+  }
 
   // ---- the present ----
 
@@ -110,7 +114,14 @@ class Engine_of final : public Engine {
   std::size_t step(const Time* until) override {
     return until != nullptr ? core_->step(*until) : core_->step();
   }
-  std::size_t advance_to(const Time& time) override { return core_->advance_to(time); }
+  std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on) override {
+    return core_->advance_to(time, may_go_on);
+  }
+  std::size_t threads() const override { return threads_; }
+  void set_threads(std::size_t most) override {
+    threads_ = most;
+    core_->set_threads(most);
+  }
   std::size_t reverse() override {
     if constexpr (!is_simulation) return core_->reverse();
     refuse(
@@ -228,6 +239,7 @@ class Engine_of final : public Engine {
   }
 
   const std::unique_ptr<Core<Traits>> core_;
+  std::size_t threads_ = 0;
 };
 
 // ---- the present ----

@@ -36,9 +36,11 @@ static_assert(sizeof(Event_row) ==
 /// The kind's name as a row has it.
 Kind_text row_text(Event_kind kind);
 
-/// Keeps the events as rows. Simultaneous events have the same time, which is rounded once.
+/// Keeps the events as rows. Simultaneous events have the same time, which is rounded once. It
+/// needs nothing but the events.
 class Event_table : public Event_observer {
  public:
+  bool looks_at_triangulation() const override { return false; }
   void after_event(const Event& event) override;
 
   /// Rows so far; the table is empty then.
@@ -49,9 +51,10 @@ class Event_table : public Event_observer {
   std::optional<Algebraic_number> time_;  // of the last row
 };
 
-/// Keeps the events themselves.
+/// Keeps the events themselves, and needs nothing else.
 class Event_list : public Event_observer {
  public:
+  bool looks_at_triangulation() const override { return false; }
   void after_event(const Event& event) override { events_.push_back(event); }
 
   /// The events so far; the list is empty then.

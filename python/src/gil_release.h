@@ -19,16 +19,30 @@ class Gil_release {
   Gil_release() : is_last_thread_(_Py_IsFinalizing() != 0), state_(PyEval_SaveThread()) {}
   Gil_release(const Gil_release&) = delete;
   Gil_release& operator=(const Gil_release&) = delete;
-  ~Gil_release() {
+  ~Gil_release() { take_gil(); }
+
+  /// Calls `function`, with the GIL meanwhile.
+  template <class Function>
+  void with_gil(const Function& function) {
+    struct Release {
+      Gil_release& self;
+      ~Release() { self.state_ = PyEval_SaveThread(); }
+    };
+    take_gil();
+    const Release afterwards = {*this};
+    function();
+  }
+
+ private:
+  void take_gil() {
     while (!is_last_thread_ && _Py_IsFinalizing() != 0) {
       std::this_thread::sleep_for(std::chrono::seconds(1));
     }
     PyEval_RestoreThread(state_);
   }
 
- private:
   const bool is_last_thread_;  // who has the GIL at the end ends the interpreter
-  PyThreadState* const state_;
+  PyThreadState* state_;
 };
 
 }  // namespace kinetri::python

@@ -2,6 +2,7 @@
 #include "moving.h"
 
 #include <chrono>
+#include <exception>
 
 #include "kinetri/base/error.h"
 #include "kinetri/simulation/simulation_2.h"
@@ -30,9 +31,10 @@ Moving::Use::~Use() {
 }
 
 // Errors of contacts, and those of a response, leave the simulation within the instant.
-std::size_t Moving::guarded_step(const Algebraic_number* until) {
+template <class Run>
+std::size_t Moving::guarded(const Run& run) {
   try {
-    return engine_->step(until);
+    return run();
   } catch (const Negative_radius_error&) {
     throw;
   } catch (const Coincident_trajectories_error&) {  // by a scheduled change, which is dropped
@@ -53,30 +55,36 @@ void Moving::raise_if_interrupted() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
-std::size_t Moving::advance(const Algebraic_number* until, Event_observer* observer,
+std::size_t Moving::advance(const Algebraic_number& until, Event_observer* observer,
                             const py::object& progress) {
   using Clock = std::chrono::steady_clock;
   constexpr auto most_time = std::chrono::milliseconds(50);
-  constexpr int steps_between_looks = 16;
   const Use use(*this, observer);
-  std::size_t events = 0;
-  bool is_done = false;
-  while (!is_done) {
-    {
-      const Gil_release no_gil;
-      const auto deadline = Clock::now() + most_time;
-      for (int steps = 1; !is_done; ++steps) {
-        const std::size_t more = guarded_step(until);
-        events += more;
-        is_done = more == 0;
-        if (interrupted_ && *interrupted_) break;
-        if (steps % steps_between_looks == 0 && Clock::now() >= deadline) break;
-      }
-      if (is_done && until != nullptr) engine_->advance_to(*until);
-    }
+  const auto look = [&] {
     raise_if_interrupted();
     if (!progress.is_none()) progress(engine_->current_time().to_double());
+  };
+  std::size_t events = 0;
+  std::exception_ptr error;  // of a look, after which the engine comes to an end by itself
+  {
+    Gil_release no_gil;
+    auto next_look = Clock::now() + most_time;
+    const auto may_go_on = [&] {
+      if (!(interrupted_ && *interrupted_) && Clock::now() < next_look) return true;
+      no_gil.with_gil([&] {
+        try {
+          look();
+        } catch (...) {
+          error = std::current_exception();
+        }
+      });
+      next_look = Clock::now() + most_time;
+      return error == nullptr;
+    };
+    events = guarded([&] { return engine_->advance_to(until, may_go_on); });
   }
+  if (error) std::rethrow_exception(error);
+  look();
   return events;
 }
 
@@ -85,7 +93,7 @@ std::size_t Moving::step(const Algebraic_number* until, Event_observer* observer
   {
     const Use use(*this, observer);
     const Gil_release no_gil;
-    events = guarded_step(until);
+    events = guarded([&] { return engine_->step(until); });
   }
   raise_if_interrupted();
   return events;

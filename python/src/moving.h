@@ -32,10 +32,11 @@ class Moving {
     return function(*engine_);
   }
 
-  /// Executes all events up to `until`, or all there are, and goes to that time. Returns their
-  /// number. The observer, if there is one, sees them. Between events it lets Python deal with
-  /// signals, and calls progress(time) about 20 times a second, unless that is None.
-  std::size_t advance(const Algebraic_number* until, Event_observer* observer,
+  /// Executes all events up to `until`, and goes to that time. Returns their number. The observer,
+  /// if there is one, sees them. Between events, or windows of time of a run by regions, it lets
+  /// Python deal with signals, and calls progress(time) at most 20 times a second, unless that is
+  /// None.
+  std::size_t advance(const Algebraic_number& until, Event_observer* observer,
                       const pybind11::object& progress);
 
   /// Executes the events of the next time, if that is not after `until`. Returns their number. The
@@ -55,7 +56,8 @@ class Moving {
     Event_observer* observer_;
   };
 
-  std::size_t guarded_step(const Algebraic_number* until);
+  template <class Run>
+  std::size_t guarded(const Run& run);
   void raise_if_interrupted();
 
   std::unique_ptr<Engine> engine_;

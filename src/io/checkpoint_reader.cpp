@@ -177,11 +177,8 @@ Simulation_snapshot<Traits> simulation_snapshot(const Json_value& state) {
   result.has_response = state.member("has_response").truth();
   const Json_value counters = state.member("counters");
   read_counts(counters.member("events"), topology.counters.events);
-  read_counts(counters.member("discarded"), topology.counters.discarded);
   read_counters(counters, topology.counters, triangulation_counters);
-  read_counters(state.member("certificates"), topology.certificates, certificate_counters);
   read_counters(state.member("contact_counters"), result.counters, contact_counters);
-  read_counters(state.member("contact_certificates"), result.certificates, certificate_counters);
   state.member("points").for_each(
       [&](const Json_value& point) { topology.motions.push_back(motion<Motion>(point)); });
   topology.dimension = state.member("dimension").small_number(-1, 2);

@@ -52,8 +52,6 @@ void write(Json_writer& json, const Triangulation_counters& counters) {
   json.begin_object();
   json.key("events");
   write_list(json, counters.events);
-  json.key("discarded");
-  write_list(json, counters.discarded);
   write_counters(json, counters, triangulation_counters);
   json.end_object();
 }
@@ -87,9 +85,7 @@ class Checkpoint_writer {
     add_list("masses", snapshot.options.masses,
              [](Json_writer& json, double mass) { json.value(mass); });
     add_written("counters", topology.counters);
-    add_written("certificates", topology.certificates, certificate_counters);
     add_written("contact_counters", snapshot.counters, contact_counters);
-    add_written("contact_certificates", snapshot.certificates, certificate_counters);
     add_list("points", topology.motions,
              [](Json_writer& json, const auto& motion) { write(json, motion); });
     add("dimension", topology.dimension);

@@ -30,21 +30,18 @@ inline constexpr std::array<Named_counter<Certificate_counters>, 5> certificate_
     {"exact_decided", &Certificate_counters::exact_decided},
 }};
 
-/// Of a triangulation, those that are not by kinds of events.
-inline constexpr std::array<Named_counter<Triangulation_counters>, 7> triangulation_counters = {{
+/// Of a triangulation, those that tell what happened, and are not by kinds of events.
+inline constexpr std::array<Named_counter<Triangulation_counters>, 6> triangulation_counters = {{
     {"instants", &Triangulation_counters::instants},
     {"largest_instant", &Triangulation_counters::largest_instant},
     {"batches", &Triangulation_counters::batches},
     {"flat_hulls", &Triangulation_counters::flat_hulls},
     {"points_set_aside", &Triangulation_counters::points_set_aside},
     {"reconstructions", &Triangulation_counters::reconstructions},
-    {"rechecks", &Triangulation_counters::rechecks},
 }};
 
-/// Of contacts, those that are not of their queue.
-inline constexpr std::array<Named_counter<Contact_counters>, 4> contact_counters = {{
-    {"discarded_walls", &Contact_counters::discarded_walls},
-    {"discarded_collisions", &Contact_counters::discarded_collisions},
+/// Of contacts, those that tell what happened.
+inline constexpr std::array<Named_counter<Contact_counters>, 2> contact_counters = {{
     {"instants", &Contact_counters::instants},
     {"most_at_one_time", &Contact_counters::most_at_one_time},
 }};

@@ -40,6 +40,7 @@ void write_all_counters(Json_writer& json, const Run_statistics& statistics) {
   json.member("events_total", triangulation.number_of_events());
   write_events(json, "events_discarded", triangulation.discarded);
   write_counters(json, triangulation, triangulation_counters);
+  json.member("rechecks", triangulation.rechecks);
   write_object(json, "certificates", statistics.certificates, certificate_counters);
   write_object(json, "queue", statistics.queue, queue_counters);
   json.key("contacts");

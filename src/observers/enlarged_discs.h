@@ -131,6 +131,8 @@ class Enlarged_discs : private Event_observer {
     ids_[own_id] = id;
   }
 
+  // It only reads the ids of the event.
+  bool looks_at_triangulation() const override { return false; }
   void after_event(const Event& event) override {
     if (event.kind != Event_kind::collision) return;
     contacts_.push_back({edge_ids(ids_[*event.point_a], ids_[*event.point_b]), event.time});

@@ -45,6 +45,9 @@ class Path_recorder : public Event_observer {
     simulation.add_observer(*this);
   }
 
+  // It does not but for the motions of points that reach a wall, which no event of a run by regions
+  // does.
+  bool looks_at_triangulation() const override { return false; }
   void after_event(const Event& event) override {
     if (event.removed) ++edge_changes_;
     if (event.added) ++edge_changes_;

@@ -33,7 +33,8 @@ Command resume_command() {
       "The run continues as if it had never stopped: the event log of the first part and that of "
       "this one together are the log of one long run, byte for byte, and events keep counting. "
       "Box, "
-      "discs and collisions are those of the checkpoint. Counts in --stats include the first part.",
+      "discs and collisions are those of the checkpoint. Counts of events and instants in --stats "
+      "include the first part.",
       "With --events or --motions, the files that --events, --motions, --initial-edges and --edges "
       "of the first part have written must be as it left them, or not be there.",
       "Exit codes: see kinetri simulate."};

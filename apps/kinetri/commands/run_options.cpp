@@ -27,6 +27,8 @@ constexpr std::array<std::string_view, 3> progress_modes = {"auto", "always", "n
 
 constexpr std::uint64_t most_events = std::numeric_limits<std::uint64_t>::max();
 
+constexpr std::uint64_t most_threads = 1024;
+
 constexpr double smallest_share = 1e-9;
 
 constexpr const char* outputs_heading = "Outputs";
@@ -245,6 +247,11 @@ void add_run_options(Command& command, Run_options& options,
           "1000000000)")
       .heading = run_heading;
   command
+      .add("--threads", &options.threads, "N",
+           "Use at most N threads; 0 (default): as many as the machine gives; the outputs are the "
+           "same for any N")
+      .heading = run_heading;
+  command
       .add_flag("--exact-only", options.exact_only,
                 "Use exact arithmetic for every decision, without floating-point filters: the same "
                 "events, but slower")
@@ -283,6 +290,7 @@ Run_settings run_settings(const Run_options& options) {
   if (options.max_events) {
     result.max_events = count_argument("--max-events", *options.max_events, most_events);
   }
+  result.threads = count_argument("--threads", options.threads, most_threads);
   result.audit = static_cast<Audit_mode>(choice_argument("--audit", options.audit, audit_modes));
   result.exact_only = options.exact_only;
   result.verifies = options.verify;

@@ -30,6 +30,7 @@ struct Run_options {
   std::string frames_per_time_option;  ///< with all its names: any of them may have been used
   std::optional<std::string> html_view;
   std::optional<std::string> max_events;
+  std::string threads = "0";
   std::string audit = "none";
   std::string progress = "auto";
   bool exact_only = false;

@@ -138,7 +138,13 @@ Command simulate_command() {
       "the "
       "run ends, with the outputs of what happened until then.",
       "Ctrl-C stops the run after the events of the present time, and the outputs hold what "
-      "happened until then. Where that takes longer than 0.4 s, nothing is written.",
+      "happened until then. Where that takes longer than 0.4 s, and 5 s more for each million "
+      "points, "
+      "nothing is written.",
+      "A run uses all processors that the machine gives, or --threads N of them: at the start, and "
+      "where some 200000 points or more move with constant velocities, and nothing touches discs. "
+      "The outputs are the same for any N, but for what --stats and --plot tell of how the run was "
+      "made.",
       "With --verify, the answer of kinetri-verify is a line on standard output; on standard error "
       "if an output of the run goes to standard output. A run that a signal stops is not verified.",
       "Exit codes: 0 done; 1 an audit failed, or kinetri-verify refuted the run; 2 bad usage or "

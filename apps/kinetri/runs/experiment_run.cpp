@@ -14,6 +14,7 @@
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
+#include "cli/worker_threads.h"
 #include "io/output_file.h"
 #include "io/text.h"
 #include "outputs/gnuplot.h"
@@ -117,6 +118,7 @@ Exit_code Experiments::run() {
     throw Output_error(joined(plan_.directory, ": the directory cannot be made: ",
                               failure.message(), "; expected a path where that is possible"));
   }
+  const Worker_threads workers(0);
   stop_gracefully_from_now_on();
   measure();
   if (plan_.compares) compare();

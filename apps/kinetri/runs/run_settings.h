@@ -4,6 +4,7 @@
 #ifndef KINETRI_APPS_RUN_SETTINGS_H
 #define KINETRI_APPS_RUN_SETTINGS_H
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,6 +36,7 @@ struct Run_settings {
   std::optional<double> html_range;          ///< of the encounters in that page
   std::optional<double> until_share;         ///< the run ends where the discs cover this share
   Audit_mode audit = Audit_mode::none;
+  std::size_t threads = 0;  ///< that work together; 0: as many as the machine gives
   bool exact_only = false;  ///< without filters
   bool verifies = false;    ///< by kinetri-verify, after the run
   Progress_mode progress = Progress_mode::automatic;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <ostream>
@@ -18,6 +20,7 @@
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
+#include "cli/worker_threads.h"
 #include "io/stats_file.h"
 #include "io/text.h"
 #include "kinetri/io/checkpoint_file.h"
@@ -101,9 +104,14 @@ class Simulation_run {
   void report_early_end() const;
   void advance();
   bool go_to(double end);
+  bool may_run_ahead() const;
+  bool run_ahead(const Algebraic_number& until);
+  bool has_room_for_events() const;
+  template <class Run>
+  std::size_t execute(const Run& run);
+  void expect_logs_are_written();
   std::optional<double> next_stop() const;
   void stop_at(double time);
-  std::size_t step(const Algebraic_number& until);
   void audit(Audit_level level);
   void write_outputs();
   void write_edges_now(std::ostream& out);
@@ -121,6 +129,7 @@ class Simulation_run {
   Run_outputs outputs_;
   Progress progress_;
   Stopwatch stopwatch_;
+  std::optional<Worker_threads> workers_;  // from before the simulation is made
   Run_statistics statistics_;
   std::optional<Event_log_writer> log_;
   std::unique_ptr<Event_observer> motion_log_;
@@ -140,7 +149,9 @@ class Simulation_run {
 
 Exit_code Simulation_run::run() {
   build();
-  stop_gracefully_from_now_on();
+  // A window of time of a run by regions may have an event for every third point.
+  stop_gracefully_from_now_on(std::chrono::milliseconds(400) +
+                              std::chrono::microseconds(5 * statistics_.points));
   progress_.show_stage("running");
   if (settings_.audit == Audit_mode::events) audit(Audit_level::certificates);
   advance();
@@ -178,8 +189,10 @@ void Simulation_run::build() {
   statistics_.from = source_.from();
   progress_.show_stage(joined("triangulating ", counted(statistics_.points, "point")));
   statistics_.seconds.read = stopwatch_.lap();
+  workers_.emplace(settings_.threads);
   simulation_ =
       source_.make_simulation(settings_.exact_only ? Arithmetic::exact_only : Arithmetic::filtered);
+  simulation_.visit([this](auto& s) { s.set_threads(settings_.threads); });
   statistics_.until = end_of_run();
   progress_.set_range(statistics_.from, statistics_.until);
   watch_growth();
@@ -267,9 +280,13 @@ std::optional<double> Simulation_run::share_of_box() const {
       });
 }
 
-std::size_t Simulation_run::step(const Algebraic_number& until) {
+// Returns the number of events that `run` executes in the simulation, and counts them.
+template <class Run>
+std::size_t Simulation_run::execute(const Run& run) {
   try {
-    return simulation_.visit([&](auto& s) { return s.step(until); });
+    const std::size_t events = simulation_.visit(run);
+    executed_ += events;
+    return events;
   } catch (const Coincident_trajectories_error& error) {
     throw source_.coincidence(error, time());
   }
@@ -319,22 +336,58 @@ void Simulation_run::advance() {
 bool Simulation_run::go_to(double end) {
   const Algebraic_number until(end);
   while (!interrupted() && !jammed_ && executed_ <= settings_.max_events) {
-    const std::size_t events = step(until);
-    if (events == 0) {
+    if (may_run_ahead()) {
+      if (run_ahead(until)) return true;
+      continue;
+    }
+    if (execute([&](auto& s) { return s.step(until); }) == 0) {
       simulation_.visit([&](auto& s) { s.advance_to(until); });
       return true;
     }
-    executed_ += events;
     jammed_ = is_jammed();
-    for (const Output log : {Output::events, Output::motions}) {
-      if (outputs_.has(log) && !outputs_.stream(log)) outputs_.finish(log);
-    }
+    expect_logs_are_written();
     if (progress_.due()) progress_.show(time(), number_of_events());
     // Recomputing all certificates exactly is left to the audits at the two ends: it would take
     // nearly all the time of the run.
     if (settings_.audit == Audit_mode::events) audit(Audit_level::reference);
   }
   return false;
+}
+
+// Whether nothing is to be done between the events, so that they may come by the thousand.
+bool Simulation_run::may_run_ahead() const {
+  return settings_.audit != Audit_mode::events && !jam_watch_ && has_room_for_events();
+}
+
+// Whether so many events are allowed that there are not too many after the next window of time of a
+// run by regions, or the next instant. A window has far fewer than 16 events a point.
+bool Simulation_run::has_room_for_events() const {
+  const std::uint64_t executed = number_of_events() - events_before_;
+  const std::uint64_t needed = 16 * std::uint64_t{statistics_.points} + 1'000'000;
+  return executed <= settings_.max_events && settings_.max_events - executed >= needed;
+}
+
+// Executes the events up to `until`, or until there is a reason to go on step by step or to end.
+// Whether it got there.
+bool Simulation_run::run_ahead(const Algebraic_number& until) {
+  bool goes_on = true;
+  const auto is_well = [this](Output log) { return !outputs_.has(log) || outputs_.stream(log); };
+  const std::function<bool()> may_go_on = [&] {
+    goes_on = !interrupted() && has_room_for_events() && is_well(Output::events) &&
+              is_well(Output::motions);
+    if (goes_on && progress_.due()) progress_.show(time(), number_of_events());
+    return goes_on;
+  };
+  execute([&](auto& s) { return s.advance_to(until, may_go_on); });
+  expect_logs_are_written();
+  return goes_on;
+}
+
+// Throws where a log cannot be written.
+void Simulation_run::expect_logs_are_written() {
+  for (const Output log : {Output::events, Output::motions}) {
+    if (outputs_.has(log) && !outputs_.stream(log)) outputs_.finish(log);
+  }
 }
 
 void Simulation_run::audit(Audit_level level) {

@@ -47,8 +47,10 @@ struct Checkpoint {
 
 /// Writes a checkpoint so that read_checkpoint gives every number back: binary64 numbers with
 /// digits that read back exactly, -0 too, and exact times as fractions, or as the root of a
-/// polynomial between two fractions. Errors are those of the stream. Cost: linear; some 150 bytes a
-/// point.
+/// polynomial between two fractions. Of the counters it has those that tell what happened, and not
+/// those of certificates, rechecks and what was discarded, which tell how the run was made: so the
+/// text is the same however many threads made it. Errors are those of the stream. Cost: linear;
+/// some 150 bytes a point.
 void write_checkpoint(std::ostream& out, const Checkpoint& checkpoint);
 
 /// Writes the file `path` whole, or not at all: it is written under a temporary name beside its

@@ -40,6 +40,9 @@ class Motion_log_writer : public Event_observer {
   /// not reversed while it is observed.
   Motion_log_writer(std::ostream& out, const Triangulation& triangulation, double radius = 0);
 
+  /// It does not but for the motions of points that an event names, which no event of a run by
+  /// regions does.
+  bool looks_at_triangulation() const override { return false; }
   /// Notes the motions that a collision may change.
   void before_event(const Event& event) override;
 

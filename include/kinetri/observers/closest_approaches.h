@@ -51,6 +51,8 @@ concept HasLinearMotion = ContactKineticTraits_2<Traits> &&
 /// their own, also for those that overlap. Memory: O(edges + overlaps + number).
 template <HasLinearMotion Traits = Linear_kinetic_traits_2>
 class Closest_approaches : public Event_observer, private Overlap_observer {
+  static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
+
  public:
   /// Observes from the current time on. Preconditions: number > 0; if discs have radii of their
   /// own, the simulation has a response, such as log_contact, because it does not follow overlaps
@@ -66,6 +68,9 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   /// round its numbers.
   std::vector<Approach> approaches();
 
+  /// Points without radii: it does not but for motions, which no run by regions changes, and for
+  /// the edges at points that an event names, which no event of such a run does.
+  bool looks_at_triangulation() const override { return has_radii; }
   /// Called by the simulation; tracks edges and motions.
   void after_event(const Event& event) override;
 
@@ -83,8 +88,6 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
     Edge_ids points = {no_point, no_point};
     detail::Gap_of_pair<Disc_motion_2> least;
   };
-
-  static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
 
   static bool is_nearer(const Candidate& a, const Candidate& b);
 

@@ -73,8 +73,11 @@ class Neighbor_graph {
 };
 
 /// The base of such observers. A class that derives from it reads the graph in its constructor, and
-/// again when `advance` and `change` are called. The triangulation must outlive this object, and
-/// must not be reversed meanwhile.
+/// again when `advance`, `before_change` and `change` are called: these must ask nothing else of
+/// the triangulation than its traits and next_id(), since a run by regions may be ahead of what
+/// they are told (Event_observer::looks_at_triangulation). This base reads there only points that
+/// an event names, and no event of such a run names one. The triangulation must outlive this
+/// object, and must not be reversed meanwhile.
 ///
 /// Cost: O(1) amortized for each edge that changes, and one exact comparison of times an event.
 /// Memory: O(n).
@@ -137,6 +140,7 @@ class Edge_follower : private Event_observer {
   void finish_instant();
   void sum_up_edges();
   void sum_up_points();
+  bool looks_at_triangulation() const override { return false; }
   void before_event(const Event& event) override;
   void after_event(const Event& event) override;
 

@@ -44,7 +44,7 @@ class Encounter_observer {
  public:
   virtual ~Encounter_observer() = default;
   /// The two are in range from `time` on. Must neither change what is observed nor ask the object
-  /// that tells of it.
+  /// that tells of it. May be called when time has gone on: must not look at the triangulation.
   virtual void begins(const Edge_ids& points, const Algebraic_number& time) = 0;
   /// The two were in range up to `time`. As above.
   virtual void ends(const Edge_ids& points, const Algebraic_number& time) = 0;

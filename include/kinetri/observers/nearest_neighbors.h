@@ -53,8 +53,9 @@ class Nearest_neighbors final : private Edge_follower<Traits> {
 
   /// @{
   /// Observes from the current time on. The first changes are those of the start: each point that
-  /// is not alone gets its nearest neighbor. Changes are given to `on_change`, which must not
-  /// change the triangulation, where there is such a function; else they are kept for changes().
+  /// is not alone gets its nearest neighbor. Changes are given to `on_change`, which must
+  /// neither change the triangulation nor look at it, since time may have gone on, where there is
+  /// such a function; else they are kept for changes().
   explicit Nearest_neighbors(Simulation_2<Traits>& simulation, On_change on_change = {});
   explicit Nearest_neighbors(Triangulation& triangulation, On_change on_change = {});
   /// @}

@@ -13,6 +13,10 @@
 // that is true of the regular triangulation, but for the last condition. The pairs that overlap are
 // kept. The simulation follows the edges as an observer of the triangulation.
 //
+// Without a response nothing that happens to the triangulation changes the queue. So `advance_to`
+// lets the triangulation run up to the first entry, by itself and on several threads, unless an
+// observer looks on, which may schedule changes.
+//
 // One contact's way through the code: `step` lets the triangulation execute what is before it, in
 // exact order; `execute_due_entries` takes it out of the queue; `hit_wall` or `collide` finds the
 // motions after it; `change` hands these to the triangulation, which reports the event, and
@@ -22,6 +26,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -182,9 +187,22 @@ class Simulation_2 : private Event_observer {
   /// As step(), but only if the next event is at or before `until`; else nothing happens.
   std::size_t step(const Time& until) { return step(&until); }
 
-  /// Goes to `time`: every event at or before it has happened. Returns the number of events.
-  /// Precondition: time >= current_time().
-  std::size_t advance_to(const Time& time);
+  /// Goes to `time`: every event at or before it has happened. Returns the number of events. The
+  /// result, exceptions included, is that of step(time) until there is none, and then of time
+  /// passing. Precondition: time >= current_time().
+  std::size_t advance_to(const Time& time) { return advance_to(time, nullptr); }
+
+  /// As advance_to(time), but asks `may_go_on` at first and then again and again: not less often
+  /// than at every second time at which something changes, or in a run by regions (set_threads) in
+  /// each window of time. Where it returns false, nothing more happens: current_time() is the time
+  /// of the last event. It may call current_time(), and current_time() and counters() of
+  /// triangulation(), and no other function of this object.
+  std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
+
+  /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
+  /// arena if 0. They share the work between contacts and scheduled changes, where there is no
+  /// response; otherwise as set_threads of the triangulation says. The result is the same.
+  void set_threads(std::size_t most) { triangulation_.set_threads(most); }
 
   // ---- changing points ----
 
@@ -217,9 +235,10 @@ class Simulation_2 : private Event_observer {
   /// is dropped. A change that leads out of the box, or to the trajectory of a point that keeps it
   /// at that time, is dropped too: the call that has reached its time throws what the functions
   /// above throw, and the next call goes on with the remaining changes. An observer may schedule
-  /// changes. Precondition: time >= current_time(); the motion is finite; the id has been given or
-  /// reserved; the mass is positive and finite. schedule_insert returns the id that the point will
-  /// have.
+  /// changes if it looks at the triangulation (Event_observer::looks_at_triangulation; checked by
+  /// advance_to). Precondition: time >= current_time(); the motion is finite; the id has been given
+  /// or reserved; the mass is positive and finite. schedule_insert returns the id that the point
+  /// will have.
   Point_id schedule_insert(const Time& time, const Motion& motion, double mass = 1);
   void schedule_motion(const Time& time, Point_id id, const Motion& motion);
   void schedule_erase(const Time& time, Point_id id);
@@ -230,8 +249,14 @@ class Simulation_2 : private Event_observer {
   /// @{
   /// The functions of the triangulation of these names. Contacts are events of the kinds wall and
   /// collision; the motions change between `before_event` and `after_event`.
-  void add_observer(Observer& observer) { triangulation_.add_observer(observer); }
-  void remove_observer(Observer& observer) { triangulation_.remove_observer(observer); }
+  void add_observer(Observer& observer) {
+    triangulation_.add_observer(observer);
+    observers_.push_back(&observer);
+  }
+  void remove_observer(Observer& observer) {
+    triangulation_.remove_observer(observer);
+    std::erase(observers_, &observer);
+  }
   /// @}
 
   /// The points whose discs overlap that of the point just after the current time, exactly; sorted.
@@ -416,6 +441,9 @@ class Simulation_2 : private Event_observer {
 
   // Events.
   std::size_t step(const Time* until);
+  bool can_run_triangulation() const;
+  bool run_triangulation(const Time& until, const std::function<bool()>& may_go_on,
+                         std::size_t& events);
   void settle();
   void recheck(const Entry& entry);
   std::size_t execute_due_entries();
@@ -455,6 +483,7 @@ class Simulation_2 : private Event_observer {
   std::unordered_map<std::uint32_t, Motion> scheduled_motions_;  // by number of the change
   std::uint32_t scheduled_ = 0;                                  // changes so far
   std::size_t scheduled_entries_ = 0;                            // of changes, in the queue
+  std::vector<const Observer*> observers_;                       // but for this object
   std::vector<Overlap_observer*> overlap_observers_;
   std::span<const Point_id> changing_points_;  // of which `change` schedules all contacts anew
   bool is_within_instant_ = false;

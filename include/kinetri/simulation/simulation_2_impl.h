@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -33,7 +35,7 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
                        "masses, but not one for each point");
   make_walls();
   for (Point_id id = 0; id < motions.size(); ++id) check_place(point(id));
-  triangulation_.add_observer(*this);
+  if (options_.response) triangulation_.add_observer(*this);
   find_all_overlaps();
   if (options_.refuses_overlaps) refuse_overlaps();
   schedule_all();
@@ -126,14 +128,58 @@ void Simulation_2<Traits>::refuse_vanishing(Point_id id, const Time& time) const
 // ---- time ----
 
 template <ContactKineticTraits_2 Traits>
-std::size_t Simulation_2<Traits>::advance_to(const Time& time) {
+std::size_t Simulation_2<Traits>::advance_to(const Time& time,
+                                             const std::function<bool()>& may_go_on) {
   KINETRI_PRECONDITION(
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one");
   std::size_t events = 0;
-  while (const std::size_t more = step(&time)) events += more;
-  triangulation_.advance_to(time);
+  while (may_go_on == nullptr || may_go_on()) {
+    if (can_run_triangulation() && !run_triangulation(time, may_go_on, events)) break;
+    const std::size_t more = step(&time);
+    if (more == 0) {
+      triangulation_.advance_to(time);
+      break;
+    }
+    events += more;
+  }
   return events;
+}
+
+// Whether what happens to the triangulation changes nothing in the queue. With a response, contacts
+// of edges come and go; an observer that looks on may schedule changes.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::can_run_triangulation() const {
+  return !options_.response &&
+         std::ranges::none_of(observers_, &Event_observer::looks_at_triangulation);
+}
+
+// Lets the triangulation run to a time before the first entry of the queue, or to `until`, and adds
+// its events. Returns whether it may go on. Not up to the time of the entry, since it is to be
+// known whether the triangulation has events then; not where a radius ends, since that is refused
+// at the time of the last event.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::run_triangulation(const Time& until,
+                                             const std::function<bool()>& may_go_on,
+                                             std::size_t& events) {
+  settle();
+  Time end = until;
+  if (!queue_.empty()) {
+    if (queue_.top().kind == Entry_kind::vanish) return true;
+    const Time before(
+        std::nextafter(queue_.top().bounds.lower, -std::numeric_limits<double>::infinity()));
+    if (before <= current_time()) return true;
+    if (before < until) end = before;
+  }
+  bool goes_on = true;
+  std::function<bool()> ask;
+  if (may_go_on != nullptr) ask = [&] { return goes_on = may_go_on(); };
+  const std::uint32_t scheduled = scheduled_;
+  events += triangulation_.advance_to(end, ask);
+  KINETRI_PRECONDITION(scheduled_ == scheduled,
+                       "an observer that does not look at the triangulation has scheduled a "
+                       "change; let its looks_at_triangulation() return true");
+  return goes_on;
 }
 
 template <ContactKineticTraits_2 Traits>

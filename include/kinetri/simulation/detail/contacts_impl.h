@@ -181,10 +181,10 @@ void Simulation_2<Traits>::refuse_press(Point_id id, const std::string& who) con
               "take a response that stops or removes points or lets them pass");
 }
 
-// Follows the edges of the triangulation. While points change, `change` schedules their contacts.
+// Follows the edges of the triangulation, where there is a response. While points change, `change`
+// schedules their contacts.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::after_event(const Event& event) {
-  if (!options_.response) return;
   if (event.removed) {
     const Edge_ids& edge = *event.removed;
     if (!is_overlapped(edge)) unschedule_pair(edge);

@@ -72,7 +72,7 @@ Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& sna
   }
   counters_.queue = {};
   make_walls();
-  triangulation_.add_observer(*this);
+  if (options_.response) triangulation_.add_observer(*this);
   restore_contacts(snapshot);
   restore_changes(snapshot);
 }

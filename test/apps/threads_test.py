@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`--threads N`: the outputs are the same for any N, byte by byte, and no thread but the first one takes
+signals.
+
+usage: threads_test.py PROGRAM
+"""
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+sys.dont_write_bytecode = True
+from in_folder import In_folder  # noqa: E402
+
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
+
+OUTPUTS = ("events", "initial-edges", "edges", "motions", "checkpoint")
+
+# What --stats promises: what happened. The rest tells how, and how long it took.
+PROMISED = ("points", "from", "until", "reached", "interrupted", "events", "events_total", "instants",
+            "largest_instant", "batches", "flat_hulls", "points_set_aside", "reconstructions", "audits")
+
+TRACKS = "t,id,x,y\n0,a,0,0\n0,b,9,0\n0,c,4,7\n0,d,5,3\n5,a,1,1\n5,b,9,1\n5,c,4,-2\n5,d,-3,3\n"
+
+
+class Threads(In_folder):
+    maxDiff = 2000
+
+    def run_program(self, arguments, code=0):
+        done = subprocess.run([PROGRAM, *arguments.split()], cwd=self.folder, timeout=600, check=False,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stderr
+
+    def results(self, command, threads, more=""):
+        """({output: content}, statistics) of a run."""
+        name = f"with{threads}"
+        (self.folder / name).mkdir()
+        outputs = " ".join(f"--{output} {name}/{output}" for output in (*OUTPUTS, "stats"))
+        self.run_program(f"{command} {outputs} {more.format(name)} --threads {threads} --quiet")
+        written = {path.name: path.read_bytes() for path in (self.folder / name).iterdir()}
+        stats = json.loads(written.pop("stats"))
+        # Where its logs are.
+        written["checkpoint"] = b"".join(line for line in written["checkpoint"].splitlines(True)
+                                         if b'"path"' not in line and b"checksum" not in line)
+        return written, stats
+
+    def expect_same(self, command, more=""):
+        """Returns the statistics of one thread and of two."""
+        one, stats_of_one = self.results(command, 1, more)
+        two, stats_of_two = self.results(command, 2, more)
+        self.assertEqual(one.keys(), two.keys())
+        for output, content in one.items():
+            self.assertTrue(content == two[output], f"--{output} differs")
+        for name in PROMISED:
+            self.assertEqual(stats_of_one[name], stats_of_two[name], name)
+        return stats_of_one, stats_of_two
+
+    def expect_regions(self, stats):
+        """By regions other certificates are checked again."""
+        one, two = stats
+        self.assertNotEqual(one["rechecks"], two["rechecks"])
+
+    def test_runs_of_few_points_are_the_same(self):
+        self.run_program("generate uniform --points 60 --side 60 --seed 3 --output p.csv")
+        self.expect_same("simulate p.csv --until 3 --box -9,-9,69,69 --radius 1 --collisions elastic")
+
+    def test_tracks_are_the_same(self):
+        self.write("t.csv", TRACKS)
+        self.expect_same("tracks t.csv", "--components {0}/components --encounters {0}/encounters --range 4")
+
+    def test_very_many_points_are_the_same(self):
+        self.run_program("generate uniform --points 200000 --side 4500 --speed 5 --seed 4 --output p.csv")
+        more = "--encounters {0}/encounters --range 0.02"
+        self.expect_regions(self.expect_same("simulate p.csv --until 2", more))
+
+    def test_very_many_points_resumed_are_the_same(self):
+        self.run_program("generate uniform --points 200000 --side 4500 --speed 5 --seed 5 --output p.csv")
+        self.run_program("simulate p.csv --until 1.5 --checkpoint c --threads 2 --quiet")
+        self.run_program("simulate p.csv --until 1.5 --checkpoint d --threads 1 --quiet")
+        self.assertEqual((self.folder / "c").read_bytes(), (self.folder / "d").read_bytes())
+        self.expect_regions(self.expect_same("resume c --until 3"))
+
+    def test_a_number_that_is_none_is_refused(self):
+        self.run_program("generate uniform --points 9 --output p.csv")
+        for number in ("x", "-1", "1.5", "1025", ""):
+            done = subprocess.run([PROGRAM, "simulate", "p.csv", "--until", "1", f"--threads={number}"],
+                                  cwd=self.folder, capture_output=True, text=True, check=False, timeout=60)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"--threads: '{number}' cannot be used; expected a whole number from 0 to 1024\n",
+                          done.stderr)
+
+    @unittest.skipUnless(pathlib.Path("/proc/self/task").exists(), "no /proc")
+    def test_only_the_first_thread_takes_signals(self):
+        self.run_program("generate uniform --points 4000 --seed 1 --output p.csv")
+        bits = sum(1 << (number - 1) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM))
+        for threads in (1, 2, 5):
+            command = [PROGRAM, "simulate", "p.csv", "--until", "1000000", "--progress", "always",
+                       "--threads", str(threads)]
+            with subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE) as process:
+                shown = b""
+                while b"running" not in shown and b"events/s" not in shown:
+                    shown += process.stderr.read(1)
+                blocked = {}
+                for task in pathlib.Path(f"/proc/{process.pid}/task").iterdir():
+                    status = dict(line.split(":", 1) for line in
+                                  (task / "status").read_text(encoding="utf-8").splitlines() if ":" in line)
+                    blocked[int(task.name)] = int(status["SigBlk"], 16) & bits
+                process.send_signal(signal.SIGINT)
+                begin = time.monotonic()
+                process.communicate(timeout=60)
+                self.assertEqual(process.returncode, 130)
+                self.assertLess(time.monotonic() - begin, 30)
+            self.assertEqual(len(blocked), threads)
+            self.assertEqual(blocked.pop(process.pid), 0)
+            self.assertEqual(set(blocked.values()), {bits} if threads > 1 else set())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
