@@ -256,6 +256,7 @@ class Region_run {
   }
   double events_in_window() const;
   bool measure_width(const Time& until, const Go_on& may_go_on);
+  bool is_long_enough(const Time& until);
   bool are_stamps_spent() const;
   void divide();
   void go_on_with_division();

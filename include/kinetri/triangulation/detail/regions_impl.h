@@ -50,7 +50,7 @@ std::size_t Region_run<Kinetic>::advance(const Time& until, const Go_on& may_go_
   bool goes_on = true;
   try {
     goes_on = measure_width(until, may_go_on) &&
-              (division().window_width == 0 || run_windows(until, may_go_on));
+              (!is_long_enough(until) || run_windows(until, may_go_on));
   } catch (...) {
     kinetic_.show_current_time();
     throw;
@@ -70,6 +70,13 @@ template <class Kinetic>
 double Region_run<Kinetic>::events_in_window() const {
   return std::max(1.0,
                   options_.events_per_vertex * static_cast<double>(kinetic_.number_of_points_));
+}
+
+// Whether so much time is left that windows pay.
+template <class Kinetic>
+bool Region_run<Kinetic>::is_long_enough(const Time& until) {
+  const double left = until.interval().lower - kinetic_.current_time().interval().upper;
+  return division().window_width > 0 && left >= division().window_width / 16;
 }
 
 // Has the loop execute some events, which tells how fast they come, and so how long a window should
