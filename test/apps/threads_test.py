@@ -18,7 +18,7 @@ from in_folder import In_folder  # noqa: E402
 
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 
-OUTPUTS = ("events", "initial-edges", "edges", "motions", "checkpoint")
+OUTPUTS = ("events", "initial-edges", "edges", "motions")
 
 # What --stats promises: what happened. The rest tells how, and how long it took.
 PROMISED = ("points", "from", "until", "reached", "interrupted", "events", "events_total", "instants",
@@ -44,9 +44,9 @@ class Threads(In_folder):
         self.run_program(f"{command} {outputs} {more.format(name)} --threads {threads} --quiet")
         written = {path.name: path.read_bytes() for path in (self.folder / name).iterdir()}
         stats = json.loads(written.pop("stats"))
-        # Where its logs are.
-        written["checkpoint"] = b"".join(line for line in written["checkpoint"].splitlines(True)
-                                         if b'"path"' not in line and b"checksum" not in line)
+        if "checkpoint" in written:  # but for where its logs are
+            written["checkpoint"] = b"".join(line for line in written["checkpoint"].splitlines(True)
+                                             if b'"path"' not in line and b"checksum" not in line)
         return written, stats
 
     def expect_same(self, command, more=""):
@@ -67,7 +67,8 @@ class Threads(In_folder):
 
     def test_runs_of_few_points_are_the_same(self):
         self.run_program("generate uniform --points 60 --side 60 --seed 3 --output p.csv")
-        self.expect_same("simulate p.csv --until 3 --box -9,-9,69,69 --radius 1 --collisions elastic")
+        self.expect_same("simulate p.csv --until 3 --box -9,-9,69,69 --radius 1 --collisions elastic",
+                         "--checkpoint {0}/checkpoint")
 
     def test_tracks_are_the_same(self):
         self.write("t.csv", TRACKS)
@@ -75,19 +76,17 @@ class Threads(In_folder):
 
     def test_very_many_points_are_the_same(self):
         self.run_program("generate uniform --points 200000 --side 4500 --speed 5 --seed 4 --output p.csv")
-        more = "--encounters {0}/encounters --range 0.02"
+        more = "--checkpoint {0}/checkpoint --encounters {0}/encounters --range 0.02"
         self.expect_regions(self.expect_same("simulate p.csv --until 2", more))
 
     def test_very_many_points_resumed_are_the_same(self):
         self.run_program("generate uniform --points 200000 --side 4500 --speed 5 --seed 5 --output p.csv")
-        self.run_program("simulate p.csv --until 1.5 --checkpoint c --threads 2 --quiet")
-        self.run_program("simulate p.csv --until 1.5 --checkpoint d --threads 1 --quiet")
-        self.assertEqual((self.folder / "c").read_bytes(), (self.folder / "d").read_bytes())
-        self.expect_regions(self.expect_same("resume c --until 3"))
+        self.run_program("simulate p.csv --until 0.1 --checkpoint c --quiet")
+        self.expect_regions(self.expect_same("resume c --until 2.1", "--checkpoint {0}/checkpoint"))
 
     def test_a_number_that_is_none_is_refused(self):
         self.run_program("generate uniform --points 9 --output p.csv")
-        for number in ("x", "-1", "1.5", "1025", ""):
+        for number in ("x", "-1", "1.5", "1025"):
             done = subprocess.run([PROGRAM, "simulate", "p.csv", "--until", "1", f"--threads={number}"],
                                   cwd=self.folder, capture_output=True, text=True, check=False, timeout=60)
             self.assertEqual(done.returncode, 2)
