@@ -13,7 +13,7 @@ namespace kinetri::detail {
 
 // With fewer points two threads gain little (bench/README.md).
 bool may_pay_by_regions(std::size_t points, std::size_t threads) {
-  constexpr std::size_t least_points = 200'000;
+  constexpr std::size_t least_points = 50'000;
   constexpr std::size_t most_points = 100'000'000;  // so that handles of a part have enough bits
   if (points < least_points || points > most_points || threads == 1) return false;
   const bool has_arena = threads > 1 || tbb::this_task_arena::max_concurrency() > 1;

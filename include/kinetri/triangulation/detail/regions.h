@@ -111,7 +111,7 @@ struct Region_options {
   std::size_t regions = 0;         ///< how many; at most 255; by the number of points if 0
   double events_per_vertex = 0.3;  ///< in a window, about
   /// With fewer events to come, as it seems, the plain loop executes them.
-  double least_events_per_vertex = 2;
+  double least_events_per_vertex = 1;
   double events_per_division = 4;  ///< a vertex, after which regions are made anew
   /// Of a region, or of the rest, in a window: where there are more, the window is cut.
   std::size_t most_flips = std::size_t{1} << 22;
