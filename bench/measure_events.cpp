@@ -161,15 +161,30 @@ json measure_events(const Setup& setup) {
   return median_round([&] { return measure_round(setup, motions, halfway); });
 }
 
-json measure_memory(const Setup& setup) {
-  Kinetic exact(setup.motions());
-  exact.advance_to(setup.until);
+// The greatest so far, of this process.
+double peak_rss_bytes() {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  const double bytes = static_cast<double>(usage.ru_maxrss) * 1024;
-  return {{"peak_rss_bytes", bytes},
-          {"bytes_per_point", bytes / static_cast<double>(setup.options.points)},
-          {"counters", counters(exact)}};
+  return static_cast<double>(usage.ru_maxrss) * 1024;
+}
+
+json measure_memory(const Setup& setup) {
+  const auto points = static_cast<double>(setup.options.points);
+  json result;
+  {
+    Kinetic exact(setup.motions());
+    exact.advance_to(setup.until);
+    const double bytes = peak_rss_bytes();
+    result = {{"peak_rss_bytes", bytes},
+              {"bytes_per_point", bytes / points},
+              {"counters", counters(exact)}};
+  }
+  // Second, since it takes more.
+  Kinetic exact(setup.motions());
+  exact.set_threads(0);
+  exact.advance_to(setup.until);
+  result["bytes_per_point_with_threads"] = peak_rss_bytes() / points;
+  return result;
 }
 
 json measure_lattice_row(const Setup& setup) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One run by the plain loop, by regions one after the other, and by regions on all threads.
-#include <cmath>
+// One run by the plain loop, by regions one after the other, and by regions on all threads, three
+// times in turn: the times of the last round, and the ratios of all, sorted.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
@@ -48,17 +50,26 @@ json run_by_regions(const Setup& setup, const std::vector<Linear_motion_2>& moti
 }  // namespace
 
 json measure_regions(const Setup& setup) {
+  constexpr int rounds = 3;
   const std::vector<Linear_motion_2> motions = setup.motions();
   std::size_t events = 0;
-  const double loop = seconds_of_loop(setup, motions, events);
-  const json one = run_by_regions(setup, motions, 1);
-  const json threads = run_by_regions(setup, motions, 0);
-  return {{"events", events},
-          {"loop_seconds", loop},
-          {"one_thread", one},
-          {"threads", threads},
-          {"loop_over_one_thread", ratio(loop, one["seconds"].get<double>())},
-          {"loop_over_threads", ratio(loop, threads["seconds"].get<double>())}};
+  json result;
+  std::vector<double> over_one_thread;
+  std::vector<double> over_threads;
+  for (int round = 0; round < rounds; ++round) {
+    const double loop = seconds_of_loop(setup, motions, events);
+    result["one_thread"] = run_by_regions(setup, motions, 1);
+    result["threads"] = run_by_regions(setup, motions, 0);
+    result["loop_seconds"] = loop;
+    over_one_thread.push_back(ratio(loop, result["one_thread"]["seconds"].get<double>()));
+    over_threads.push_back(ratio(loop, result["threads"]["seconds"].get<double>()));
+  }
+  result["events"] = events;
+  std::ranges::sort(over_one_thread);
+  std::ranges::sort(over_threads);
+  result["loop_over_one_thread"] = over_one_thread;
+  result["loop_over_threads"] = over_threads;
+  return result;
 }
 
 }  // namespace kinetri::bench
