@@ -284,6 +284,7 @@ TEST(Advance, stops_where_it_may_not_go_on) {
       std::size_t asked = 0;
       is_whole = true;
       simulation.advance_to(2.0, [&] {
+        EXPECT_TRUE(is_whole) << "asked again";
         EXPECT_EQ(simulation.triangulation().counters().number_of_events(), log.events.size());
         is_whole = asked++ < stops;
         return is_whole;
