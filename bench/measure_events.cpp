@@ -19,7 +19,7 @@ constexpr std::size_t most_rounds = 25;
 
 json counters(const Kinetic& triangulation) {
   const Certificate_counters certificates = triangulation.certificate_counters();
-  const Queue_counters& queue = triangulation.queue_counters();
+  const Queue_counters queue = triangulation.queue_counters();
   return {{"events", triangulation.counters().number_of_events()},
           {"reconstructions", triangulation.counters().reconstructions},
           {"pushed", queue.pushed},

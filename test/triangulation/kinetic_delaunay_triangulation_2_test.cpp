@@ -308,7 +308,6 @@ TEST(Kinetic_delaunay_triangulation_2, stands_at_the_same_exact_times_with_obser
 TEST(Kinetic_delaunay_triangulation_2, counters_add_up) {
   Kinetic_delaunay kinetic(test::random_motions(50, 70, 5, 21));
   kinetic.advance_to(3.0);
-  const Queue_counters& queue = kinetic.queue_counters();
   const std::uint64_t executed = kinetic.counters().number_of_events();
   std::uint64_t left = 0;
   while (kinetic.next_event_time()) {
@@ -318,6 +317,7 @@ TEST(Kinetic_delaunay_triangulation_2, counters_add_up) {
   EXPECT_GT(executed, 0u);
   EXPECT_GT(left, 0u);
   EXPECT_GT(kinetic.counters().rechecks, 0u);
+  const Queue_counters queue = kinetic.queue_counters();
   EXPECT_EQ(queue.pushed,
             queue.discarded + kinetic.counters().rechecks + kinetic.counters().number_of_events());
 }
