@@ -60,6 +60,7 @@ std::size_t Moving::advance(const Algebraic_number& until, Event_observer* obser
   using Clock = std::chrono::steady_clock;
   constexpr auto most_time = std::chrono::milliseconds(50);
   const Use use(*this, observer);
+  if (until < engine_->current_time()) engine_->advance_to(until, nullptr);  // is refused
   const auto look = [&] {
     raise_if_interrupted();
     if (!progress.is_none()) progress(engine_->current_time().to_double());
