@@ -9,8 +9,11 @@
 #include <exception>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "kinetri/triangulation/detail/region_division_impl.h"
 #include "kinetri/triangulation/detail/regions.h"
 
 namespace kinetri::detail {
@@ -166,6 +169,13 @@ void Region_run<Kinetic>::report() {
   kinetic_.counters_.instants += order_.size();
   kinetic_.counters_.largest_instant =
       std::max<std::uint64_t>(kinetic_.counters_.largest_instant, 1);
+  if (!kinetic_.observers_.empty()) {
+    // Observers get exact times, which several threads make.
+    std::vector<std::span<const Key>> blocks = blocks_of(order_);
+    for_each(blocks, [this](std::span<const Key> block) {
+      for (const Key& key : block) time(key);
+    });
+  }
   auto next = order_.cbegin();
   kinetic_.is_in_event_ = true;
   try {
