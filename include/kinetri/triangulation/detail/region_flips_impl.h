@@ -160,24 +160,24 @@ KINETRI_ALWAYS_INLINE void Region_run<Kinetic>::put(const Lane& lane, const Two_
   kinetic_.set_event(edge, lane.first_handle | handle);
 }
 
-// What undoing needs of an entry. `here` is the edge, seen from the quadrilateral.
+// What undoing needs of an entry.
 template <class Kinetic>
-inline auto Region_run<Kinetic>::kept(const Entry& entry, const Edge& here) -> Kept_entry {
+inline auto Region_run<Kinetic>::kept(const Entry& entry) -> Kept_entry {
   return {static_cast<std::uint8_t>(static_cast<unsigned>(entry.kind) & 15U), true,
-          entry.edge() == here, entry.changes_sign};
+          entry.changes_sign};
 }
 
-// The entry again, of the edge as it is before the flip.
+// The entry again, of the edge as it is before the flip. Which of the two sides of the edge it
+// names, nothing depends on.
 template <class Kinetic>
-auto Region_run<Kinetic>::restored(const Kept_entry& kept, const Two_sided_edge& edge,
-                                   const Double_interval& bounds) const -> Entry {
-  const auto& [face, i] = kept.is_here ? edge.here : edge.there;
+auto Region_run<Kinetic>::restored(const Kept_entry& kept, const Edge& edge,
+                                   const Double_interval& bounds) -> Entry {
   Entry result;
   result.bounds = bounds;
-  result.index = static_cast<std::uint8_t>(i);
+  result.index = static_cast<std::uint8_t>(edge.second);
   result.kind = static_cast<Entry_kind>(kept.kind);
   result.changes_sign = kept.changes_sign;
-  result.face = face;
+  result.face = edge.first;
   return result;
 }
 
@@ -205,7 +205,7 @@ void Region_run<Kinetic>::execute(Lane& lane, const Entry& entry, const Two_side
   f.j = static_cast<std::uint8_t>(j & 3);
   f.left_had_face = left->face() == face;
   f.right_had_neighbor = right->face() == neighbor;
-  f.entries[0] = kept(entry, edge.here);
+  f.entries[0] = kept(entry);
   const auto exact = [&f]() -> Exact_times& {
     if (!f.exact) f.exact = std::make_unique<Exact_times>();
     return *f.exact;
@@ -218,7 +218,7 @@ void Region_run<Kinetic>::execute(Lane& lane, const Entry& entry, const Two_side
     if (old.time != Time_pool::none) [[unlikely]] {
       exact().entries.emplace_back(k, queue().part(queue().part_of_handle(handle)).time_of(old));
     }
-    f.entries[k] = kept(old, outer);
+    f.entries[k] = kept(old);
     f.outer_bounds[k - 1] = old.bounds;
     if (old.kind != Entry_kind::recheck) {
       ++lane.counters.discarded[static_cast<std::size_t>(Kinetic::event_kind(old.kind))];
@@ -328,7 +328,7 @@ void Region_run<Kinetic>::put_back(const Flip& f, const Two_sided_edge& edge,
                                    const Kept_entry& kept, const Double_interval& bounds,
                                    std::size_t k) {
   if (!kept.exists) return kinetic_.set_event(edge, no_event);
-  const Entry entry = restored(kept, edge, bounds);
+  const Entry entry = restored(kept, edge.here, bounds);
   const Time* exact = nullptr;
   if (f.exact) {
     for (const auto& [number, made] : f.exact->entries) {

@@ -190,7 +190,6 @@ class Region_run {
   struct Kept_entry {
     std::uint8_t kind : 4 = 0;
     bool exists : 1 = false;
-    bool is_here : 1 = false;  // as the edge is seen from the quadrilateral
     bool changes_sign : 1 = false;
   };
 
@@ -307,9 +306,8 @@ class Region_run {
   KINETRI_ALWAYS_INLINE void put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind,
                                  Certificate&& known);
   void execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge, Moment& moment);
-  KINETRI_ALWAYS_INLINE static Kept_entry kept(const Entry& entry, const Edge& here);
-  Entry restored(const Kept_entry& kept, const Two_sided_edge& edge,
-                 const Double_interval& bounds) const;
+  KINETRI_ALWAYS_INLINE static Kept_entry kept(const Entry& entry);
+  static Entry restored(const Kept_entry& kept, const Edge& edge, const Double_interval& bounds);
   void undo(Stamp stamp);
   void undo_last(Stamp stamp);
   void put_back(const Flip& flip, const Two_sided_edge& edge, const Kept_entry& kept,
