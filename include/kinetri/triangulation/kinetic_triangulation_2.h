@@ -210,7 +210,7 @@ class Kinetic_triangulation_2 {
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
 
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
-  /// arena if 0. They share the work where there are some 200 000 points or more with linear or
+  /// arena if 0. They share the work where there are some 50 000 points or more with linear or
   /// polynomial motions without weights, no observer looks at the triangulation
   /// (Event_observer::looks_at_triangulation), and many events are to come. The result is the same,
   /// event by event and face by face; only counts of certificates, rechecks and the queue, which
