@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kinetri/kinetic/rounded_places.h"
@@ -14,10 +15,10 @@
 
 namespace kinetri::detail {
 
-// The elements of a vector in blocks, each for one thread.
+// Elements in blocks, each for one thread.
 template <class Element>
-std::vector<std::span<const Element>> blocks_of(const std::vector<Element>& elements) {
-  constexpr std::size_t size = 4096;
+std::vector<std::span<const Element>> blocks_of(std::span<const Element> elements,
+                                                std::size_t size = 4096) {
   std::vector<std::span<const Element>> blocks;
   for (std::span<const Element> left = elements; !left.empty();) {
     blocks.push_back(left.first(std::min(size, left.size())));
@@ -76,7 +77,7 @@ void Region_run<Kinetic>::move_to_parts(std::size_t count) {
       });
     }
   };
-  queue().divide(count, blocks_of(faces), for_each_edge,
+  queue().divide(count, blocks_of(std::span(std::as_const(faces))), for_each_edge,
                  [this](auto& elements, const auto& work) { this->for_each(elements, work); });
 }
 
@@ -137,7 +138,7 @@ void Region_run<Kinetic>::choose_owners() {
   cut(cut, sample, 0, regions_);
   std::vector<std::uint16_t>& owners = division().owners;
   owners.assign(kinetic_.vertices_.size(), Region_division::no_region);
-  std::vector<std::span<const Vertex_handle>> blocks = blocks_of(vertices);
+  auto blocks = blocks_of(std::span(std::as_const(vertices)));
   for_each(blocks, [&](std::span<const Vertex_handle> block) {
     for (const Vertex_handle v : block) {
       const Vector_2 place = place_of(v);

@@ -169,17 +169,20 @@ void Region_run<Kinetic>::report() {
   kinetic_.counters_.instants += order_.size();
   kinetic_.counters_.largest_instant =
       std::max<std::uint64_t>(kinetic_.counters_.largest_instant, 1);
-  if (!kinetic_.observers_.empty()) {
-    // Observers get exact times, which several threads make.
-    std::vector<std::span<const Key>> blocks = blocks_of(order_);
-    for_each(blocks, [this](std::span<const Key> block) {
-      for (const Key& key : block) time(key);
-    });
-  }
+  // Observers get exact times. Several threads make those of some events, which are then reported.
+  constexpr std::ptrdiff_t events_at_once = 16'384;
+  constexpr std::size_t events_of_thread = 1024;
   auto next = order_.cbegin();
   kinetic_.is_in_event_ = true;
   try {
-    while (!kinetic_.observers_.empty() && next != order_.cend()) report(*next++);
+    while (!kinetic_.observers_.empty() && next != order_.cend()) {
+      const auto end = next + std::min(events_at_once, order_.cend() - next);
+      auto blocks = blocks_of(std::span(next, end), events_of_thread);
+      for_each(blocks, [this](std::span<const Key> block) {
+        for (const Key& key : block) time(key);
+      });
+      while (next != end) report(*next++);
+    }
   } catch (...) {
     count_from(next);
     throw;
@@ -191,6 +194,7 @@ void Region_run<Kinetic>::report() {
 template <class Kinetic>
 void Region_run<Kinetic>::count_from(typename std::vector<Key>::const_iterator next) {
   kinetic_.is_in_event_ = false;
+  if (next == order_.cend()) return;  // the present time is that of the last one
   for (; next != order_.cend(); ++next) kinetic_.count_event(next->kind);
   const Key& last = order_.back();
   const Flip& f = flip(last);
@@ -218,6 +222,7 @@ void Region_run<Kinetic>::report(const Key& key) {
   kinetic_.count_event(key.kind);
   for (Event_observer* observer : kinetic_.observers_) observer->before_event(event);
   for (Event_observer* observer : kinetic_.observers_) observer->after_event(event);
+  flip(key).exact.reset();
 }
 
 }  // namespace kinetri::detail
