@@ -183,6 +183,7 @@ TEST(Regions, keep_their_division_while_points_change) {
         turned.push_back(others[id]);
         turned.back().epoch = time;
       }
+      if (ids.empty()) continue;
       for (Kinetic_delaunay* k : {&plain, &kinetic}) {
         k->set_motions(ids, turned);
         k->insert(others[300 + round]);
