@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/base/check.h"
 #include "kinetri/events/event_scheduler.h"
 
 namespace kinetri::detail {
@@ -259,6 +260,7 @@ class Divided_scheduler {
     return 32 - static_cast<unsigned>(std::bit_width(count - 1));
   }
   static Queue_handle named(std::size_t part, Queue_handle handle, unsigned shift) {
+    KINETRI_ASSERT((std::uint64_t{handle} >> shift) == 0, "the handle has room in its part");
     return static_cast<Queue_handle>((std::uint64_t{part} << shift) | handle);
   }
 

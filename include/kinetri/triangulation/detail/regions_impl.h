@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -18,10 +19,14 @@
 
 namespace kinetri::detail {
 
-// Fewer where there are few points, of which more are beside another region then.
+// Fewer where there are few points, of which more are beside another region then; and where there
+// are so many that handles, which name one of 2 R + 2 parts, would have no bits left for the
+// entries of all 3 n edges in one part, and of as many that come later.
 inline std::size_t number_of_regions(const Region_options& options, std::size_t points) {
   const auto by_points = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 16);
-  return std::clamp<std::size_t>(options.regions > 0 ? options.regions : by_points, 1, 255);
+  const int bits = std::max(2, 32 - static_cast<int>(std::bit_width(6 * points)));
+  const std::size_t most = std::min<std::size_t>(255, (std::size_t{1} << bits) / 2 - 1);
+  return std::clamp<std::size_t>(options.regions > 0 ? options.regions : by_points, 1, most);
 }
 
 template <class Kinetic>
