@@ -214,7 +214,7 @@ class Kinetic_triangulation_2 {
   /// polynomial motions without weights, no observer looks at the triangulation
   /// (Event_observer::looks_at_triangulation), and many events are to come. The result is the same,
   /// event by event and face by face; only counts of certificates, rechecks and the queue, which
-  /// tell how it was found, differ. Some 100 bytes a point more are in use from then on. If an
+  /// tell how it was found, differ. Some 150 bytes a point more are in use from then on. If an
   /// observer throws, later events up to the end of a window of time have happened too, and
   /// observers are not told of them.
   void set_threads(std::size_t most) { threads_ = most; }
