@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
 #include "kinetri/algebra/real_roots.h"
 #include "support/kinetic_runs.h"
+#include "support/motions.h"
 
 namespace kinetri {
 namespace {
@@ -61,6 +63,24 @@ TEST_P(Start, of_points_near_a_lattice_at_an_irrational_time_is_delaunay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Epochs, Start, testing::Values(0.0, 1.0 / 3, 1e6 / 3, 1e12 / 3, 1e17 / 3));
+
+// The blocks of memory that faces are in come in any order of addresses: here in some orders.
+TEST(Start_of_equal_points, has_equal_faces_wherever_they_are_in_memory) {
+  const auto motions = test::grid_motions(54, 33, 3, 349);
+  std::vector<std::unique_ptr<char[]>> between;
+  for (std::size_t k = 1; k <= 40; ++k) {
+    const Kinetic_delaunay one(motions);
+    between.push_back(std::make_unique<char[]>(37 * k % 5000 + 1));
+    const Kinetic_delaunay other(motions);
+    const auto first = one.snapshot();
+    const auto second = other.snapshot();
+    ASSERT_EQ(first.faces.size(), second.faces.size());
+    for (std::size_t f = 0; f < first.faces.size(); ++f) {
+      ASSERT_EQ(first.faces[f].vertices, second.faces[f].vertices) << "run " << k << ", " << f;
+      ASSERT_EQ(first.faces[f].neighbors, second.faces[f].neighbors) << "run " << k << ", " << f;
+    }
+  }
+}
 
 TEST(Start_of_close_points, with_equal_rounded_places_is_delaunay) {
   std::vector<Linear_motion_2> motions;

@@ -454,6 +454,7 @@ class Kinetic_triangulation_2 {
   std::vector<Face_handle> faces() const;
   template <class Function>
   void for_each_own_edge(Face_handle face, Function function) const;
+  static bool is_chosen_side(const Edge& edge);
   static Two_sided_edge chosen_side(const Two_sided_edge& edge);
   std::vector<Edge> edges() const;
   Two_sided_edge two_sided(const Edge& edge) const;

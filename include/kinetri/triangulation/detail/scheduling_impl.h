@@ -182,14 +182,20 @@ void Kinetic_triangulation_2<Traits>::for_each_own_edge(Face_handle face, Functi
   }
 }
 
-// The same edge, from the side that its ids choose: which face has it as its own is another one in
-// each run, and certificates are rounded otherwise from the other side.
+// Whether the ids of an edge choose this side of it, and so not the other. Addresses, by which an
+// edge is that of one of its faces, are others in each run.
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::is_chosen_side(const Edge& edge) {
+  const auto& [face, i] = edge;
+  return face->vertex(Triangulation::cw(i))->point().id() <
+         face->vertex(Triangulation::ccw(i))->point().id();
+}
+
+// The same edge, from the side that its ids choose: certificates are rounded otherwise from the
+// other side.
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::chosen_side(const Two_sided_edge& edge) -> Two_sided_edge {
-  const auto& [face, i] = edge.here;
-  const bool is_here = face->vertex(Triangulation::cw(i))->point().id() <
-                       face->vertex(Triangulation::ccw(i))->point().id();
-  return is_here ? edge : Two_sided_edge{edge.there, edge.here};
+  return is_chosen_side(edge.here) ? edge : Two_sided_edge{edge.there, edge.here};
 }
 
 // All edges, infinite ones too.

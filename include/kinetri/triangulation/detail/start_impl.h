@@ -214,7 +214,9 @@ bool Kinetic_triangulation_2<Traits>::is_hull_convex(const Triangulation& triang
 }
 
 // Flips edges until the triangulation, which is embedded, is Delaunay. Returns false if it is not
-// the only one that is: if four points are cocircular.
+// the only one that is: if four points are cocircular. Each edge is looked at from the side that
+// its ids choose, so that equal points get equal faces in an equal order; addresses choose another
+// side in each run.
 template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangulation,
                                                           const Rounded_places& places) {
@@ -230,8 +232,9 @@ bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangu
     is_changed = false;
     for (const Face_handle face : triangulation.finite_face_handles()) {
       for (int i = 0; i < 3; ++i) {
+        if (!is_chosen_side(Edge(face, i))) continue;
         const Face_handle beyond = face->neighbor(i);
-        if (!(face < beyond) || triangulation.is_infinite(beyond)) continue;
+        if (triangulation.is_infinite(beyond)) continue;
         const Vertex_handle opposite = beyond->vertex(triangulation.tds().mirror_index(face, i));
         const auto where = side(face, opposite->point());
         if (where == CGAL::ON_ORIENTED_BOUNDARY) return false;
