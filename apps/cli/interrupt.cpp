@@ -5,6 +5,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -16,6 +17,9 @@
 
 namespace kinetri::app {
 namespace {
+
+// The last one tells that a run has not noticed one of the others.
+constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGALRM};
 
 // What there is to lose when a signal comes.
 enum Stage : int {
@@ -91,15 +95,17 @@ void install_signal_handlers(std::string_view program) {
   struct sigaction action = {};
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
-  sigemptyset(&action.sa_mask);
-  sigaddset(&action.sa_mask, SIGINT);
-  sigaddset(&action.sa_mask, SIGTERM);
-  sigaddset(&action.sa_mask, SIGALRM);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGALRM, &action, nullptr);
+  action.sa_mask = handled_signals();
+  for (const int signal : signals) sigaction(signal, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+}
+
+sigset_t handled_signals() {
+  sigset_t result = {};
+  sigemptyset(&result);
+  for (const int signal : signals) sigaddset(&result, signal);
+  return result;
 }
 
 void stop_gracefully_from_now_on(std::chrono::microseconds most) {

@@ -12,6 +12,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <csignal>
 #include <string_view>
 
 namespace kinetri::app {
@@ -20,6 +21,9 @@ namespace kinetri::app {
 /// it is. Also makes writing to a closed pipe, or beyond the size that files may
 /// have, an error instead of a signal.
 void install_signal_handlers(std::string_view program);
+
+/// The signals that these handlers handle.
+sigset_t handled_signals();
 
 /// From now on the first signal only makes interrupted() true, if it is asked within that time.
 /// Else the process ends then.

@@ -10,6 +10,8 @@
 #include <csignal>
 #include <mutex>
 
+#include "cli/interrupt.h"
+
 namespace kinetri::app {
 namespace {
 
@@ -18,12 +20,8 @@ namespace {
 class Signal_block {
  public:
   Signal_block() {
-    sigset_t signals = {};
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGINT);
-    sigaddset(&signals, SIGTERM);
-    sigaddset(&signals, SIGALRM);
-    ::pthread_sigmask(SIG_BLOCK, &signals, &before_);
+    const sigset_t handled = handled_signals();
+    ::pthread_sigmask(SIG_BLOCK, &handled, &before_);
   }
   ~Signal_block() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
   Signal_block(const Signal_block&) = delete;
