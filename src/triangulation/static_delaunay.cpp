@@ -75,6 +75,12 @@ Static_delaunay static_regular(const Static_points& points) {
 
 Static_delaunay static_delaunay(const Static_points& points) {
   if (!points.weights.empty()) return static_regular(points);
+  constexpr std::size_t points_per_cell = 16384;
+  if (points.places.size() >= 2 * points_per_cell) {
+    Static_delaunay by_cells =
+        static_delaunay_by_cells(points.places, points.places.size() / points_per_cell);
+    if (!by_cells.faces.empty()) return by_cells;
+  }
   std::vector<std::pair<Kernel::Point_2, Point_id>> numbered;
   numbered.reserve(points.places.size());
   for (const Vector_2& place : points.places) {

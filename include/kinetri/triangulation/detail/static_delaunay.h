@@ -17,6 +17,7 @@
 
 namespace kinetri::detail {
 
+/// The faces of a triangulation, as plain numbers.
 struct Static_delaunay {
   /// A face, as CGAL has it: neighbor i is opposite vertex i.
   struct Face {
@@ -42,8 +43,18 @@ struct Static_points {
 
 /// The triangulation of the places, which are numbered from 0. Empty if there is none with a vertex
 /// for each place: if two places are equal, or all are on a line. Precondition: all coordinates are
-/// finite. O(n log n), some 0.5 microseconds a point.
+/// finite. O(n log n), some microseconds a point. Many points without weights are divided into
+/// cells, for several threads, as static_delaunay_by_cells says; by how many threads, the result
+/// does not depend on it.
 Static_delaunay static_delaunay(const Static_points& points);
+
+/// The same for points without weights, cell by cell [Funke and Sanders 2017]: several threads
+/// triangulate the places of a cell each. A triangle whose circle is inside of its cell is one of
+/// all places. The ends of the other triangles are on the border; a triangulation of these alone
+/// fills what is left. Empty also where that does not fit together, as where four places are on a
+/// circle, and where half of the places or more are on the border. Circles are rounded: where that
+/// matters, a triangle may not be Delaunay (see is_certainly_delaunay). Precondition: cells > 0.
+Static_delaunay static_delaunay_by_cells(std::span<const Vector_2> places, std::size_t cells);
 
 /// Whether all triangles certainly turn left, the certificates of all edges between two of them
 /// certainly hold, and hidden points are certainly inside of and above their faces, for points that
