@@ -187,20 +187,51 @@ void Recorder<Traits>::after_event(const Event& event) {
     if (event.point_a) record_motion(*event.point_a, index);
     if (event.point_b) record_motion(*event.point_b, index);
   }
-  if (is_one_flip(event.kind)) {
-    std::vector<Edge_ids> edges;
-    if (event.removed) edges.push_back(*event.removed);
-    if (event.added) edges.push_back(*event.added);
-    record_triangles(changed_triangles(edges));
-  }
+  if (is_one_flip(event.kind)) record_flip(event);
   thin_if_needed();
+}
+
+// Records the triangles that a flip removes and adds. Those at the removed edge are known; at the
+// hull there is one triangle more or less. The triangulation may have changed further.
+template <class Traits>
+void Recorder<Traits>::record_flip(const Event& event) {
+  std::vector<Recorded_triangle> changes;
+  const auto change = [&changes](bool is_added, Point_id p, Point_id q, Point_id r) {
+    changes.push_back({0, is_added, triangle_ids(p, q, r)});
+  };
+  if (event.kind == Event_kind::flip) {
+    const auto [p, q] = *event.removed;
+    const Point_id left = triangles_.apex(p, q);
+    const Point_id right = triangles_.apex(q, p);
+    KINETRI_ASSERT(edge_ids(left, right) == *event.added, "the triangles at the edge are known");
+    change(false, p, q, left);
+    change(false, q, p, right);
+    change(true, left, right, q);
+    change(true, right, left, p);
+  } else {
+    const bool is_added = event.kind == Event_kind::hull_remove;
+    const auto [p, q] = is_added ? *event.added : *event.removed;
+    const Point_id apex = *event.apex;
+    // A triangle that comes is where there is none yet.
+    const bool is_left =
+        is_added ? triangles_.apex(q, apex) == no_point : triangles_.apex(p, q) == apex;
+    if (is_left) {
+      change(is_added, p, q, apex);
+    } else {
+      change(is_added, q, p, apex);
+    }
+  }
+  std::ranges::sort(changes, {}, [](const Recorded_triangle& triangle) {
+    return std::pair(triangle.is_added, triangle.corners);
+  });
+  record_triangles(changes);
 }
 
 // The other kinds of event are reported when the triangulation has already changed further, up to
 // the state in which this is called.
 template <class Traits>
 void Recorder<Traits>::after_rebuild(const Time& time, std::span<const Edge_ids> edges) {
-  std::vector<Recorded_triangle> changes = changed_triangles(edges);
+  const std::vector<Recorded_triangle> changes = changed_triangles(edges);
   if (changes.empty()) return;
   const bool is_reported = !recording_.events.empty() && time_ && *time_ == time &&
                            !is_one_flip(recording_.events.back().kind);
@@ -211,7 +242,7 @@ void Recorder<Traits>::after_rebuild(const Time& time, std::span<const Edge_ids>
     row.kind = Event_kind::rebuild;
     row.time = rounded_time_;
   }
-  record_triangles(std::move(changes));
+  record_triangles(changes);
   thin_if_needed();
 }
 
@@ -269,11 +300,10 @@ std::vector<Recorded_triangle> Recorder<Traits>::changed_triangles(
 
 // Adds the changes to the last row.
 template <class Traits>
-void Recorder<Traits>::record_triangles(std::vector<Recorded_triangle> changes) {
-  for (Recorded_triangle& change : changes) {
-    change.event = recording_.events.size() - 1;
-    change.is_added ? triangles_.insert(change.corners) : triangles_.erase(change.corners);
-    recording_.triangles.push_back(change);
+void Recorder<Traits>::record_triangles(std::span<const Recorded_triangle> changes) {
+  for (const auto& [event, is_added, corners] : changes) {
+    is_added ? triangles_.insert(corners) : triangles_.erase(corners);
+    recording_.triangles.push_back({recording_.events.size() - 1, is_added, corners});
   }
 }
 

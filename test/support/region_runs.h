@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kinetri/io/event_log.h"
+#include "kinetri/simulation/recording.h"
 #include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "support/kinetic_runs.h"
@@ -95,6 +96,11 @@ std::string difference_from_loop(const std::vector<typename Traits::Motion>& mot
   Event_log_writer writer(text);
   plain.add_observer(expected_writer);
   watched.add_observer(writer);
+  const double end = times.back().to_double();
+  Recorder<Traits> expected_recorder(plain, end, 1'000'000);
+  Recorder<Traits> recorder(watched, end, 1'000'000);
+  plain.add_observer(expected_recorder);
+  watched.add_observer(recorder);
   detail::Region_run<Kinetic> watched_run(watched, options);
   detail::Region_run<Kinetic> run(alone, options);
   for (const Algebraic_number& time : times) {
@@ -114,6 +120,10 @@ std::string difference_from_loop(const std::vector<typename Traits::Motion>& mot
     if (plain.next_event_time() != watched.next_event_time()) return "another next event";
   }
   add(sum, watched_run.counters());
+  const Recording expected_recording = expected_recorder.recording();
+  const Recording recording = recorder.recording();
+  if (expected_recording.events.size() != recording.events.size()) return "recorded events";
+  if (expected_recording.triangles != recording.triangles) return "recorded triangles";
   return expected_text.str() == text.str() ? "" : "texts of the logs";
 }
 

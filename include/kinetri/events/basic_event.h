@@ -54,8 +54,8 @@ constexpr Edge_ids edge_ids(Point_id a, Point_id b) {
 /// | Kind | Fields |
 /// |---|---|
 /// | `flip` | `removed`, `added` |
-/// | `hull_insert` | `removed` |
-/// | `hull_remove` | `added` |
+/// | `hull_insert` | `removed`; `apex`, which comes to the hull there |
+/// | `hull_remove` | `added`; `apex`, which leaves the hull there |
 /// | `rebuild` | `removed` or `added`: each edge has an event of its own |
 /// | `hide`, `reveal` | `point_a`; its edges have `rebuild` events after it |
 /// | `wall`, `insert`, `erase`, `trajectory` | `point_a` |
@@ -69,6 +69,8 @@ struct Basic_event {
   std::optional<Edge_ids> added = std::nullopt;    ///< the edge that comes
   std::optional<Point_id> point_a = std::nullopt;  ///< the point, or the first of two
   std::optional<Point_id> point_b = std::nullopt;  ///< the second of two points
+  /// The third corner of the triangle that goes or comes at a hull edge. Files do not have it.
+  std::optional<Point_id> apex = std::nullopt;
 };
 
 }  // namespace kinetri

@@ -78,7 +78,9 @@ struct Recording {
 };
 
 /// Observes a run and records it. Cost of an event: the degrees of the ends of its edges; besides,
-/// O(rows log rows) once in `most_rows` / 2 events or less often. Memory: O(points + rows).
+/// O(rows log rows) once in `most_rows` / 2 events or less often. Memory: O(points + rows). It
+/// looks at the triangulation only where points change or more than a flip happens, so that flips
+/// may be reported some time after they have happened.
 template <class Traits = Linear_kinetic_traits_2>
 class Recorder : public Event_observer {
  public:
@@ -91,6 +93,7 @@ class Recorder : public Event_observer {
   /// of the whole run if these are more. Preconditions: until is finite; most_rows > 0.
   Recorder(const Triangulation& triangulation, double until, std::size_t most_rows);
 
+  bool looks_at_triangulation() const override { return false; }
   /// Records the event.
   void after_event(const Event& event) override;
 
@@ -105,8 +108,9 @@ class Recorder : public Event_observer {
   void set_time(const Time& time);
   void record_motion(Point_id id, std::optional<std::size_t> event);
   Point_id apex_now(Point_id p, Point_id q) const;
+  void record_flip(const Event& event);
   std::vector<Recorded_triangle> changed_triangles(std::span<const Edge_ids> edges) const;
-  void record_triangles(std::vector<Recorded_triangle> changes);
+  void record_triangles(std::span<const Recorded_triangle> changes);
   void thin_if_needed();
   void thin(Recording& recording, std::size_t most_rows) const;
 

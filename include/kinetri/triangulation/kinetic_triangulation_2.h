@@ -524,7 +524,7 @@ class Kinetic_triangulation_2 {
   bool are_all_collinear(const Two_sided_edge& hull_edge) const;
   bool can_insert_into_hull(const Two_sided_edge& hull_edge) const;
   void flip_edge(const Two_sided_edge& edge, Event_kind kind);
-  static Event flip_event(const Two_sided_edge& edge, Event_kind kind);
+  static Event flip_event(Event_kind kind, const Edge_ids& removed, const Edge_ids& added);
   static std::pair<Edge_ids, Edge_ids> flipped_edges(const Two_sided_edge& edge);
 
   struct Location {

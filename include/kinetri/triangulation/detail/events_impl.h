@@ -416,7 +416,8 @@ void Kinetic_triangulation_2<Traits>::flip_edge(const Two_sided_edge& edge, Even
     }
   };
   if (rebuilt_edges_ || !observers_.empty()) {
-    report(flip_event(edge, kind), flip);
+    const auto [removed, added] = flipped_edges(edge);
+    report(flip_event(kind, removed, added), flip);
   } else {
     flip();
     count_event(kind);
@@ -440,18 +441,20 @@ void Kinetic_triangulation_2<Traits>::count_event(Event_kind kind) {
   ++events_in_instant_;
 }
 
-// What observers are told of a flip that is about to happen.
+// What observers are told of a flip, but for its number and time.
 template <KineticTraits_2 Traits>
-auto Kinetic_triangulation_2<Traits>::flip_event(const Two_sided_edge& edge, Event_kind kind)
-    -> Event {
-  const auto [removed, added] = flipped_edges(edge);
-  const auto if_finite = [](const Edge_ids& ids) {
-    return ids[1] == no_point ? std::nullopt : std::optional(ids);
-  };
+auto Kinetic_triangulation_2<Traits>::flip_event(Event_kind kind, const Edge_ids& removed,
+                                                 const Edge_ids& added) -> Event {
   Event event;
   event.kind = kind;
-  event.removed = if_finite(removed);
-  event.added = if_finite(added);
+  for (const auto& [ids, edge] : {std::pair(removed, &event.removed), {added, &event.added}}) {
+    // The other end of an infinite edge, whose greater id is that of the infinite vertex.
+    if (ids[1] == no_point) {
+      event.apex = ids[0];
+    } else {
+      *edge = ids;
+    }
+  }
   return event;
 }
 

@@ -209,16 +209,11 @@ void Region_run<Kinetic>::count_from(typename std::vector<Key>::const_iterator n
 template <class Kinetic>
 void Region_run<Kinetic>::report(const Key& key) {
   const std::array<Point_id, 4>& corners = flip(key).corners;
-  const auto if_finite = [](Point_id a, Point_id b) {
-    return a == no_point || b == no_point ? std::nullopt : std::optional(edge_ids(a, b));
-  };
-  Event event;
+  Event event = Kinetic::flip_event(key.kind, edge_ids(corners[0], corners[1]),
+                                    edge_ids(corners[2], corners[3]));
   kinetic_.set_current_time(time(key));
   event.number = kinetic_.counters_.number_of_events();
-  event.kind = key.kind;
   event.time = kinetic_.current_time();
-  event.removed = if_finite(corners[0], corners[1]);
-  event.added = if_finite(corners[2], corners[3]);
   kinetic_.count_event(key.kind);
   for (Event_observer* observer : kinetic_.observers_) observer->before_event(event);
   for (Event_observer* observer : kinetic_.observers_) observer->after_event(event);
