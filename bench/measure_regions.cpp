@@ -40,6 +40,7 @@ json run_by_regions(const Setup& setup, const std::vector<Linear_motion_2>& moti
           {"windows", counters.windows},
           {"cuts", counters.cuts},
           {"by_region", counters.by_region},
+          {"by_union", counters.by_union},
           {"by_rest", counters.by_rest},
           {"by_loop", counters.by_loop},
           {"deferred", counters.deferred},

@@ -66,6 +66,7 @@ inline void add(Region_counters& sum, const Region_counters& counters) {
   sum.windows += counters.windows;
   sum.cuts += counters.cuts;
   sum.by_region += counters.by_region;
+  sum.by_union += counters.by_union;
   sum.by_rest += counters.by_rest;
   sum.by_loop += counters.by_loop;
   sum.deferred += counters.deferred;

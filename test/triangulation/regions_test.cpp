@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <stdexcept>
@@ -24,6 +26,40 @@ using test::difference_of_states;
 using test::Kinetic_delaunay;
 using test::options_of;
 
+TEST(Region_division, has_a_lowest_node_for_two_vertices) {
+  for (std::size_t regions = 1; regions <= 128; regions *= 2) {
+    detail::Region_division division;
+    division.regions = regions;
+    // Two vertices in each region.
+    for (std::size_t id = 0; id < 2 * regions; ++id) {
+      division.owners.push_back(static_cast<std::uint16_t>(id / 2));
+    }
+    const std::size_t root = division.nodes() - 1;
+    const auto path = [&](std::size_t node) {
+      std::vector<std::size_t> result = {node};
+      while (result.back() != root) result.push_back(division.above(result.back()));
+      return result;
+    };
+    std::vector<std::size_t> below(root + 1);
+    for (std::size_t node = 0; node < root; ++node) {
+      ++below[division.above(node)];
+      EXPECT_EQ(division.level(division.above(node)), division.level(node) + 1);
+      EXPECT_EQ(division.level(node) == 0, node < regions);
+    }
+    for (std::size_t node = regions; node <= root; ++node) {
+      EXPECT_EQ(below[node], regions == 1 ? 1u : 2u);
+    }
+    for (Point_id a = 0; a < 2 * regions; ++a) {
+      EXPECT_EQ(division.node_of(a, no_point), root);
+      for (Point_id b = 0; b < 2 * regions; ++b) {
+        const std::vector<std::size_t> of_a = path(a / 2);
+        const std::vector<std::size_t> of_b = path(b / 2);
+        EXPECT_EQ(division.node_of(a, b), *std::ranges::find_first_of(of_a, of_b));
+      }
+    }
+  }
+}
+
 TEST(Regions, run_random_points_as_the_loop_does) {
   Region_counters sum;
   for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
@@ -37,6 +73,7 @@ TEST(Regions, run_random_points_as_the_loop_does) {
   }
   // Else the test would say little.
   EXPECT_GT(sum.by_region, 10'000u);
+  EXPECT_GT(sum.by_union, 10'000u);
   EXPECT_GT(sum.by_rest, 10'000u);
   EXPECT_GT(sum.by_loop, 100u);
   EXPECT_GT(sum.undone, 50u);

@@ -47,11 +47,12 @@ class Divided_scheduler {
   /// Whether there are several parts.
   bool is_divided() const noexcept { return !parts_.empty(); }
 
-  /// Distributes the entries over `count` parts; handles are others then. Precondition: count > 1,
-  /// or there are several parts. `blocks` are entries that one thread moves:
-  /// for_each_subject(block, function) calls function(subject) with what each of them is about, in
-  /// the same order each time. in_parallel(vector, work) calls work with each element of a vector,
-  /// by several threads if that helps. O(n). Until it is done, the entries take twice the memory.
+  /// Distributes the entries over `count` parts, at most 65536; handles are others then.
+  /// Precondition: count > 1, or there are several parts. `blocks` are entries that one thread
+  /// moves: for_each_subject(block, function) calls function(subject) with what each of them is
+  /// about, in the same order each time. in_parallel(vector, work) calls work with each element of
+  /// a vector, by several threads if that helps. O(n). Until it is done, the entries take twice the
+  /// memory.
   template <class Block, class For_each_subject, class In_parallel>
   void divide(std::size_t count, const std::vector<Block>& blocks,
               const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
@@ -63,26 +64,33 @@ class Divided_scheduler {
     }
     struct Share {
       const Block* block;
-      std::vector<Queue_handle> next;  // of each part
+      std::vector<Queue_handle> next;         // of each part
+      std::vector<std::uint16_t> parts = {};  // of each subject
     };
     std::vector<Share> shares;
     for (const Block& block : blocks) {
       shares.push_back({&block, std::vector<Queue_handle>(count, 0)});
     }
-    const auto part_of = [&](const auto& subject) {
-      return count == 1 ? 0 : policy_.part_of(subject);
-    };
     in_parallel(shares, [&](Share& share) {
-      for_each_subject(*share.block, [&](const auto& subject) { ++share.next[part_of(subject)]; });
+      for_each_subject(*share.block, [&](const auto& subject) {
+        const std::size_t part = count == 1 ? 0 : policy_.part_of(subject);
+        share.parts.push_back(static_cast<std::uint16_t>(part));
+        ++share.next[part];
+      });
     });
-    std::vector<std::unique_ptr<Part>> made;
-    while (count > 1 && made.size() < count) made.push_back(std::make_unique<Part>(policy_));
-    const auto part_made = [&](std::size_t p) -> Part& { return count == 1 ? first_ : *made[p]; };
-    for (std::size_t p = 0; p < count; ++p) {
+    struct Made {
+      std::unique_ptr<Part> part;
       Queue_handle size = 0;
-      for (Share& share : shares) size += std::exchange(share.next[p], size);
-      part_made(p).begin_assign(size);
+    };
+    std::vector<Made> made(count);
+    const auto part_made = [&](std::size_t p) -> Part& {
+      return count == 1 ? first_ : *made[p].part;
+    };
+    for (std::size_t p = 0; p < count; ++p) {
+      if (count > 1) made[p].part = std::make_unique<Part>(policy_);
+      for (Share& share : shares) made[p].size += std::exchange(share.next[p], made[p].size);
     }
+    in_parallel(made, [&](const Made& m) { (count == 1 ? first_ : *m.part).begin_assign(m.size); });
     const unsigned shift = shift_of(count);
     std::mutex times_are_kept;
     in_parallel(shares, [&](Share& share) {
@@ -95,7 +103,7 @@ class Divided_scheduler {
       for (std::size_t k = 0; k < subjects.size(); ++k) {
         if (k + ahead < subjects.size()) prefetch(subjects[k + ahead].second);
         const auto& [subject, handle] = subjects[k];
-        const std::size_t to = part_of(subject);
+        const std::size_t to = share.parts[k];
         const Queue_handle local_handle = share.next[to]++;
         const Entry& entry = (*this)[handle];
         std::unique_ptr<Algebraic_number> time;
@@ -107,7 +115,11 @@ class Divided_scheduler {
       }
     });
     if (count > 1) first_.clear();
-    parts_ = std::move(made);
+    in_parallel(parts_, [](std::unique_ptr<Part>& part) { part.reset(); });
+    parts_.clear();
+    for (Made& m : made) {
+      if (count > 1) parts_.push_back(std::move(m.part));
+    }
     shift_ = shift;
     if (count == 1) {
       first_.end_assign();
@@ -232,9 +244,7 @@ class Divided_scheduler {
   }
   template <class Exact_time>
   bool is_due(const Entry& entry, const Double_interval& bounds, const Exact_time& exact_time) {
-    if (entry.bounds.upper < bounds.lower) return true;
-    if (entry.bounds.lower > bounds.upper) return false;
-    return time(entry) <= exact_time();
+    return part_with(entry).is_due(entry, bounds, exact_time);
   }
   template <class Is_due, class Recheck>
   KINETRI_ALWAYS_INLINE bool settle(const Is_due& is_due, const Recheck& recheck) {

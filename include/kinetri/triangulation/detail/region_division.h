@@ -4,6 +4,8 @@
 #ifndef KINETRI_TRIANGULATION_DETAIL_REGION_DIVISION_H
 #define KINETRI_TRIANGULATION_DETAIL_REGION_DIVISION_H
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,20 +16,47 @@
 namespace kinetri::detail {
 
 /// Which region a vertex belongs to, and how far a run by regions has come. See detail/regions.h.
+///
+/// Regions are the leaves of a binary tree. Its nodes are numbered level by level: the regions,
+/// then the unions of two regions each, then those of two such unions; the root, of all points, is
+/// last. Where there is one region, the root is another node above it.
 struct Region_division {
   /// The number of no region: that of the infinite vertex, and of points that came after the
   /// division.
   static constexpr std::uint16_t no_region = std::numeric_limits<std::uint16_t>::max();
 
-  std::size_t regions = 0;            ///< how many there are
+  std::size_t regions = 0;            ///< how many there are: a power of two, or 0
   std::vector<std::uint16_t> owners;  ///< by point id, the region that owns the vertex
-  /// Of each region, then of the rest: how many flips have been numbered since the division.
+  /// Of each node: how many flips have been numbered since the division.
   std::vector<std::size_t> flips;
   double events = 0;        ///< of windows since the division
   double window_width = 0;  ///< of the next window
 
   /// The region that owns a vertex. The infinite vertex has the id no_point.
   std::uint16_t owner(Point_id id) const { return id < owners.size() ? owners[id] : no_region; }
+
+  /// How many nodes the tree has.
+  std::size_t nodes() const { return std::max<std::size_t>(2 * regions - 1, 2); }
+  /// The first node of a level; regions are the level 0.
+  std::size_t first_node(unsigned level) const { return 2 * regions - ((2 * regions) >> level); }
+  /// The level of a node.
+  unsigned level(std::size_t node) const {
+    return static_cast<unsigned>(std::bit_width(regions)) -
+           static_cast<unsigned>(std::bit_width(2 * regions - 1 - node));
+  }
+  /// The node above one that is not the root.
+  std::size_t above(std::size_t node) const {
+    const unsigned l = level(node);
+    return first_node(l + 1) + (node - first_node(l)) / 2;
+  }
+  /// The lowest node that two vertices are in: the root if one of them is in no region.
+  std::size_t node_of(Point_id a, Point_id b) const {
+    const unsigned p = owner(a);
+    const unsigned q = owner(b);
+    if (p == no_region || q == no_region) return nodes() - 1;
+    const auto level = static_cast<unsigned>(std::bit_width(p ^ q));
+    return first_node(level) + (p >> level);
+  }
 };
 
 }  // namespace kinetri::detail

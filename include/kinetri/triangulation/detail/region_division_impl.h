@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "kinetri/kinetic/rounded_places.h"
+#include "kinetri/triangulation/detail/kd_cells.h"
+#include "kinetri/triangulation/detail/prefetch.h"
 #include "kinetri/triangulation/detail/regions.h"
 
 namespace kinetri::detail {
@@ -31,9 +33,10 @@ template <class Kinetic>
 void Region_run<Kinetic>::divide() {
   choose_owners();
   division().regions = regions_;
-  division().flips.assign(regions_ + 1, 0);
+  const std::size_t nodes = division().nodes();
+  division().flips.assign(nodes, 0);
   division().events = 0;
-  move_to_parts(2 * regions_ + 2);
+  move_to_parts(3 * nodes - 1 - regions_);
   go_on_with_division();
 }
 
@@ -41,20 +44,21 @@ void Region_run<Kinetic>::divide() {
 template <class Kinetic>
 void Region_run<Kinetic>::go_on_with_division() {
   regions_ = division().regions;
-  lanes_.resize(regions_);
+  lanes_.resize(division().nodes());
   const auto most =
       static_cast<double>(std::min(options_.most_flips, std::size_t{1} << (index_bits - 2)));
-  const double share = 16 * events_in_window() / static_cast<double>(regions_) + 64;
-  for (std::size_t r = 0; r < regions_; ++r) {
-    lanes_[r].number = r;
-    lanes_[r].part = &queue().part(r);
-    lanes_[r].first_handle = queue().named(r, 0);
-    lanes_[r].flips_before = division().flips[r];
-    lanes_[r].capacity = static_cast<std::size_t>(std::min(share, most));
+  for (std::size_t node = 0; node < lanes_.size(); ++node) {
+    Lane& lane = lanes_[node];
+    lane.number = node;
+    lane.level = division().level(node);
+    const std::size_t from = lane.is_region() ? node : due_part(node);
+    lane.part = &queue().part(from);
+    lane.first_handle = queue().named(from, 0);
+    lane.flips_before = division().flips[node];
+    const auto nodes = static_cast<double>(regions_ >> lane.level);
+    const double share = (lane.is_region() ? 16 : 4) * events_in_window() / std::max(nodes, 1.0);
+    lane.capacity = static_cast<std::size_t>(std::min(share + 64, most));
   }
-  rest_.number = regions_;
-  rest_.flips_before = division().flips[regions_];
-  rest_.capacity = static_cast<std::size_t>(std::min(4 * events_in_window() + 64, most));
 }
 
 template <class Kinetic>
@@ -70,9 +74,12 @@ template <class Kinetic>
 void Region_run<Kinetic>::move_to_parts(std::size_t count) {
   const std::vector<Face_handle> faces = kinetic_.faces();
   const auto for_each_edge = [&](std::span<const Face_handle> block, const auto& function) {
-    for (const Face_handle face : block) {
-      face->set_stamp(0);
-      kinetic_.for_each_own_edge(face, [&](const Edge& edge) {
+    // What is far away in memory is asked for in time.
+    for (std::size_t k = 0; k < block.size(); ++k) {
+      if (k + 12 < block.size()) prefetch(block[k + 12]);
+      if (k + 6 < block.size()) prefetch_around(block[k + 6]);
+      block[k]->set_stamp(0);
+      kinetic_.for_each_own_edge(block[k], [&](const Edge& edge) {
         if (edge.first->event(edge.second) != no_event) function(edge);
       });
     }
@@ -81,8 +88,7 @@ void Region_run<Kinetic>::move_to_parts(std::size_t count) {
                  [this](auto& elements, const auto& work) { this->for_each(elements, work); });
 }
 
-// A k-d tree of the places of some vertices tells who owns a vertex: it cuts the wider side of a
-// cell, so that regions have about as many vertices.
+// Regions are the cells of a k-d tree of the places of some vertices.
 template <class Kinetic>
 void Region_run<Kinetic>::choose_owners() {
   std::vector<Vertex_handle> vertices;
@@ -102,51 +108,13 @@ void Region_run<Kinetic>::choose_owners() {
        k += vertices.size() / (sample_per_region * regions_) + 1) {
     sample.push_back(place_of(vertices[k]));
   }
-  // A cell of several regions is cut: below `at` it is the next cell, from there on another one.
-  struct Cell {
-    std::size_t regions;
-    std::size_t first_region;
-    double Vector_2::*axis = nullptr;
-    double at = 0;
-    std::size_t above = 0;
-  };
-  std::vector<Cell> cells;
-  const auto cut = [&](const auto& self, std::span<Vector_2> places, std::size_t first,
-                       std::size_t count) -> void {
-    const std::size_t cell = cells.size();
-    cells.push_back({count, first});
-    if (count == 1) return;
-    const auto extent = [&](double Vector_2::*axis) {
-      if (places.empty()) return 0.0;
-      const auto [least, greatest] = std::ranges::minmax(places, {}, axis);
-      return greatest.*axis - least.*axis;
-    };
-    double Vector_2::*const axis =
-        extent(&Vector_2::x) < extent(&Vector_2::y) ? &Vector_2::y : &Vector_2::x;
-    const std::size_t below = count / 2;
-    const std::size_t middle = places.size() * below / count;
-    if (middle < places.size()) {
-      std::ranges::nth_element(places, places.begin() + static_cast<std::ptrdiff_t>(middle), {},
-                               axis);
-      cells[cell].at = places[middle].*axis;
-    }
-    cells[cell].axis = axis;
-    self(self, places.first(middle), first, below);
-    cells[cell].above = cells.size();
-    self(self, places.subspan(middle), first + below, count - below);
-  };
-  cut(cut, sample, 0, regions_);
+  const Kd_cells cells(std::move(sample), regions_);
   std::vector<std::uint16_t>& owners = division().owners;
   owners.assign(kinetic_.vertices_.size(), Region_division::no_region);
   auto blocks = blocks_of(std::span(std::as_const(vertices)));
   for_each(blocks, [&](std::span<const Vertex_handle> block) {
     for (const Vertex_handle v : block) {
-      const Vector_2 place = place_of(v);
-      std::size_t cell = 0;
-      while (cells[cell].regions > 1) {
-        cell = place.*cells[cell].axis < cells[cell].at ? cell + 1 : cells[cell].above;
-      }
-      owners[v->point().id()] = static_cast<std::uint16_t>(cells[cell].first_region);
+      owners[v->point().id()] = static_cast<std::uint16_t>(cells.cell_of(place_of(v)));
     }
   });
 }

@@ -49,21 +49,24 @@ auto Region_run<Kinetic>::certificate_points(const Flip& flip) const -> Certific
 
 // ---- before a flip ----
 
+// Whether all four vertices are in the node, of whose entries this is one.
 template <class Kinetic>
-bool Region_run<Kinetic>::is_owned(const Two_sided_edge& edge, std::size_t region) const {
-  // The edge is one of the region's part: its ends are in the region.
+bool Region_run<Kinetic>::is_owned(const Lane& lane, const Two_sided_edge& edge) const {
+  // So the ends of the edge are in the node.
+  const std::size_t place = lane.number - kinetic_.division_.first_node(lane.level);
   const auto owns = [&](const Edge& side) {
-    return kinetic_.division_.owner(side.first->vertex(side.second)->point().id()) == region;
+    const Point_id id = side.first->vertex(side.second)->point().id();
+    return std::size_t{kinetic_.division_.owner(id)} >> lane.level == place;
   };
   return owns(edge.here) && owns(edge.there);
 }
 
-// Whether another entry in the surroundings is not later than this one, which is the first of its
-// part. (No flip there is later: all are of this lane. Entries of the lane's part come after this
-// one, those of the shared part after the window, and no other region has entries there.)
+// Whether another entry in the surroundings waits and is not later than this one, which is the
+// first of the lane's part. (Entries of that part come after this one, those of nodes' parts after
+// the window. What waits there was deferred by this node, or is due in a node above.)
 template <class Kinetic>
 bool Region_run<Kinetic>::is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge) {
-  const Queue_handle first_stall = queue().named(deferred_part(0), 0);
+  const Queue_handle first_stall = queue().named(lanes_.size(), 0);
   const auto has_stall = [&](Face_handle face) {
     const auto is_stall = [&](Queue_handle handle) {
       return static_cast<Queue_handle>(handle - first_stall) < no_event - first_stall;
@@ -72,11 +75,12 @@ bool Region_run<Kinetic>::is_blocked(Lane& lane, const Entry& entry, const Two_s
   };
   const auto blocks = [&](Queue_handle handle) {
     if (handle == no_event || handle < first_stall) return false;
+    if (&queue().part(queue().part_of_handle(handle)) == lane.part) return false;
     const Entry& other = queue()[handle];
     if (other.bounds.lower > entry.bounds.upper) return false;
     if (other.bounds.upper < entry.bounds.lower) return true;
-    Part& part = queue().part(lane.number);
-    return queue().part(queue().part_of_handle(handle)).time_of(other) <= part.time(part.top());
+    return queue().part(queue().part_of_handle(handle)).time_of(other) <=
+           lane.part->time(lane.part->top());
   };
   const auto is_face_blocked = [&](Face_handle face) {
     return has_stall(face) &&
@@ -110,14 +114,16 @@ bool Region_run<Kinetic>::is_flip(const Entry& entry, const Two_sided_edge& edge
 
 // Undoes the flips in the surroundings of an edge that are later than the moment.
 template <class Kinetic>
-void Region_run<Kinetic>::undo_later(const Two_sided_edge& edge, Moment& moment) {
+void Region_run<Kinetic>::undo_later(Lane& lane, const Two_sided_edge& edge, Moment& moment) {
   for (const Edge& side : {edge.here, edge.there}) {
     const auto& [face, i] = side;
     KINETRI_ASSERT(!is_later(face->stamp(), moment),
                    "a flip at a face whose edge has an entry before it");
     for (const int k : {Triangulation::cw(i), Triangulation::ccw(i)}) {
       // Another face may be beside it then.
-      while (is_later(face->neighbor(k)->stamp(), moment)) undo(face->neighbor(k)->stamp());
+      while (is_later(face->neighbor(k)->stamp(), moment)) {
+        undo(lane, face->neighbor(k)->stamp());
+      }
     }
   }
 }
@@ -135,23 +141,25 @@ auto Region_run<Kinetic>::outer_edges(const Two_sided_edge& edge) const -> Outer
           kinetic_.two_sided(Edge(face, Triangulation::ccw(i)))};
 }
 
-// Schedules an entry where one of the rest belongs. `exact` is its time, if that has been made.
+// Schedules an entry for a union of regions: in the part that it executes, or where the entry
+// belongs between two windows. `exact` is its time, if that has been made.
 template <class Kinetic>
-Queue_handle Region_run<Kinetic>::put_into_rest(const Entry& entry, const Time* exact) {
-  const std::size_t to =
-      entry.bounds.lower <= due_until_ ? due_part() : kinetic_.queue_policy_.part_of(entry.edge());
+Queue_handle Region_run<Kinetic>::put(const Lane& lane, const Entry& entry, const Time* exact) {
+  const std::size_t to = entry.bounds.lower <= due_until_
+                             ? due_part(lane.number)
+                             : kinetic_.queue_policy_.part_of(entry.edge());
   Part& part = queue().part(to);
   return queue().named(to, exact == nullptr ? part.emplace(entry) : part.push(entry, *exact));
 }
 
-// Schedules an edge in the lane's part, or where it belongs.
+// Schedules an edge.
 template <class Kinetic>
 KINETRI_ALWAYS_INLINE void Region_run<Kinetic>::put(const Lane& lane, const Two_sided_edge& edge,
                                                     Entry_kind kind, Certificate&& known) {
   if (known.kind == Certificate::Kind::never_fails) return kinetic_.set_event(edge, no_event);
-  if (lane.part == nullptr) {
+  if (!lane.is_region()) {
     const Entry entry(edge.here, kind, known);
-    return kinetic_.set_event(edge, put_into_rest(entry, known.failure.get()));
+    return kinetic_.set_event(edge, put(lane, entry, known.failure.get()));
   }
   const Queue_handle handle =
       known.failure == nullptr
@@ -257,7 +265,7 @@ void Region_run<Kinetic>::execute(Lane& lane, const Entry& entry, const Two_side
 
 // Undoes a flip: first those that were executed after it and conflict with it.
 template <class Kinetic>
-void Region_run<Kinetic>::undo(Stamp number) {
+void Region_run<Kinetic>::undo(Lane& lane, Stamp number) {
   // The last flip at a face or beside it.
   const auto last_at = [&](Face_handle face) {
     Stamp last = 0;
@@ -273,7 +281,7 @@ void Region_run<Kinetic>::undo(Stamp number) {
     if (last > waiting.back()) {
       waiting.push_back(last);
     } else {
-      undo_last(waiting.back());
+      undo_last(lane, waiting.back());
       waiting.pop_back();
     }
   }
@@ -282,12 +290,12 @@ void Region_run<Kinetic>::undo(Stamp number) {
 // Undoes a flip that no other one after it conflicts with. Then the surroundings are what they were
 // just before it, and the entries of then are true again.
 template <class Kinetic>
-void Region_run<Kinetic>::undo_last(Stamp number) {
+void Region_run<Kinetic>::undo_last(Lane& lane, Stamp number) {
   const Key& flipped = key(number);
   Flip& f = flip(flipped);
   KINETRI_ASSERT(f.face->stamp() == number && f.neighbor->stamp() == number,
                  "the last flip of its faces");
-  ++counters_.undone;
+  ++lane.undone;
   f.is_undone = true;
   lane_of(number).has_undone = true;
   const auto erase = [&](Face_handle face, int k) {
@@ -315,16 +323,16 @@ void Region_run<Kinetic>::undo_last(Stamp number) {
   f.neighbor->set_stamp(f.previous[1]);
   const Two_sided_edge edge = {Edge(f.face, i), Edge(f.neighbor, j)};
   if (f.exact && f.exact->flip) f.exact->entries.emplace_back(0, *f.exact->flip);
-  put_back(f, edge, f.entries[0], flipped.bounds, 0);
+  put_back(lane, f, edge, f.entries[0], flipped.bounds, 0);
   const Outer_edges outer = outer_edges(edge);
   for (std::size_t k = 1; k < 5; ++k) {
-    put_back(f, outer[k - 1], f.entries[k], f.outer_bounds[k - 1], k);
+    put_back(lane, f, outer[k - 1], f.entries[k], f.outer_bounds[k - 1], k);
   }
 }
 
 // Schedules the entry number k of an undone flip again.
 template <class Kinetic>
-void Region_run<Kinetic>::put_back(const Flip& f, const Two_sided_edge& edge,
+void Region_run<Kinetic>::put_back(const Lane& lane, const Flip& f, const Two_sided_edge& edge,
                                    const Kept_entry& kept, const Double_interval& bounds,
                                    std::size_t k) {
   if (!kept.exists) return kinetic_.set_event(edge, no_event);
@@ -335,7 +343,7 @@ void Region_run<Kinetic>::put_back(const Flip& f, const Two_sided_edge& edge,
       if (number == k) exact = &made;
     }
   }
-  kinetic_.set_event(edge, put_into_rest(entry, exact));
+  kinetic_.set_event(edge, put(lane, entry, exact));
 }
 
 }  // namespace kinetri::detail

@@ -31,9 +31,8 @@ void Region_run<Kinetic>::settle_window() {
     break;
   }
   if (cut_) cut_off();
-  while (!queue().part(due_part()).empty()) {
-    const Edge edge = queue().part(due_part()).top().edge();
-    move(due_part(), kinetic_.queue_policy_.part_of(edge));
+  for (const Lane& lane : lanes_) {
+    if (!lane.is_region()) move_home(due_part(lane.number));
   }
   std::exception_ptr thrown;
   try {
@@ -43,14 +42,14 @@ void Region_run<Kinetic>::settle_window() {
   }
   done_ = order_.size();
   division().events += static_cast<double>(done_);
-  const auto clear = [this](Lane& lane) {
-    (&lane == &rest_ ? counters_.by_rest : counters_.by_region) += lane.flips.size();
+  const auto count = [this](Lane& lane) {
+    (is_root(lane)      ? counters_.by_rest
+     : lane.is_region() ? counters_.by_region
+                        : counters_.by_union) += lane.flips.size();
     counters_.deferred += std::exchange(lane.deferred, 0);
+    counters_.undone += std::exchange(lane.undone, 0);
     lane.flips_before += lane.flips.size();
     division().flips[lane.number] = lane.flips_before;
-    lane.flips.clear();
-    lane.keys.clear();
-    lane.has_undone = false;
     kinetic_.certificate_counters_ += std::exchange(lane.certificates, {});
     kinetic_.counters_.rechecks += lane.counters.rechecks;
     for (std::size_t k = 0; k < event_kinds; ++k) {
@@ -58,8 +57,13 @@ void Region_run<Kinetic>::settle_window() {
     }
     lane.counters = {};
   };
-  std::ranges::for_each(lanes_, clear);
-  clear(rest_);
+  const auto clear = [](Lane& lane) {
+    lane.flips.clear();
+    lane.keys.clear();
+    lane.has_undone = false;
+  };
+  std::ranges::for_each(lanes_, count);
+  for_each(lanes_, clear);
   if (thrown) std::rethrow_exception(thrown);
   if (cut_ && kinetic_.settle(&*cut_)) run_loop_instant();
 }
@@ -69,7 +73,7 @@ void Region_run<Kinetic>::settle_window() {
 template <class Kinetic>
 void Region_run<Kinetic>::put_in_order() {
   order_.clear();
-  std::size_t size = rest_.keys.size();
+  std::size_t size = 0;
   double least = std::numeric_limits<double>::infinity();
   double greatest = -least;
   const auto look_at = [&](const Lane& lane) {
@@ -79,7 +83,6 @@ void Region_run<Kinetic>::put_in_order() {
     greatest = std::max(greatest, lane.keys.back().reached);
   };
   std::ranges::for_each(lanes_, look_at);
-  look_at(rest_);
   if (size == 0) return;
   struct Slice {
     double least;
@@ -119,7 +122,6 @@ auto Region_run<Kinetic>::keys_between(double least, double greatest) const -> s
     }
   };
   std::ranges::for_each(lanes_, add);
-  add(rest_);
   return result;
 }
 
@@ -144,19 +146,21 @@ bool Region_run<Kinetic>::insert_in_order() {
 template <class Kinetic>
 void Region_run<Kinetic>::cut_off() {
   ++counters_.cuts;
-  const std::uint64_t undone = counters_.undone;
+  Lane& root_lane = lanes_.back();
+  const std::uint64_t undone = root_lane.undone;
   Moment cut = {{}, cut_->interval(), *cut_};
   const auto first =
       std::ranges::partition_point(order_, [&](const Key& key) { return compare(key, cut) < 0; });
   order_.erase(first, order_.end());
   const auto undo_from_cut = [&](Lane& lane) {
     for (std::size_t k = lane.flips.size(); k-- > 0;) {
-      if (!lane.flips[k].is_undone && compare(lane.keys[k], cut) >= 0) undo(stamp(lane, k));
+      if (!lane.flips[k].is_undone && compare(lane.keys[k], cut) >= 0) {
+        undo(root_lane, stamp(lane, k));
+      }
     }
   };
-  undo_from_cut(rest_);
-  std::ranges::for_each(lanes_, undo_from_cut);
-  counters_.cut_off += std::exchange(counters_.undone, undone) - undone;
+  std::for_each(lanes_.rbegin(), lanes_.rend(), undo_from_cut);
+  counters_.cut_off += std::exchange(root_lane.undone, undone) - undone;
 }
 
 // Counts the flips of the window and shows them to the observers. If an observer throws, the window

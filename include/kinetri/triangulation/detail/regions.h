@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A run by regions: the events of a window of time are executed region by region, each region in
-// its own order, by several threads, and then reported in the order of time. The result is that of
+// its own order, by several threads; then, in unions of two regions, of four, and so on, those that
+// concern several regions; and then all are reported in the order of time. The result is that of
 // the plain loop, event by event and face by face. docs/MATH.md, section 17, proves it.
 //
 // The plain loop. Entries of the queue are ordered by exact time, then by kind, then by the ids of
@@ -13,16 +14,18 @@
 // it.
 //
 // Terms.
-//   region   A set of finite vertices: a cell of a k-d tree of the places when the regions were
-//            made.
+//   node     A set of vertices: of the binary tree of Region_division. Its leaves are the regions:
+//            sets of finite vertices, the cells of a k-d tree of the places when they were made. A
+//            *union* is a node that is no region; the root has all vertices.
 //   window   An interval of time, from the present to a binary64 number `end`, ends included.
-//   part     The queue in parts (Divided_scheduler), R being the number of regions: part r < R has
-//            the entries of the edges of which both ends are in region r, part R those of all
-//            other edges. In a window part R + 1 + r has entries that region r has deferred, and
-//            part 2 R + 1 those of part R that fail in the window; then the latter has all entries
-//            of the rest. Between two windows these are empty. The queue stays in parts between two
-//            runs (Region_division): other functions of the triangulation find it as one queue.
-//   lane     What one thread writes: the flips of a region, or of the rest, and their counts.
+//   part     The queue in parts (Divided_scheduler). Each node has one for the entries of the edges
+//            of which both ends are in the node, but not in a node below it. In a window each node
+//            but the root has a second one, of entries that it has deferred, and each union a third
+//            one, of entries that are due: those of its first part that fail in the window, and
+//            what the two nodes below it have deferred. The two latter are empty between two
+//            windows. The queue stays in parts between two runs: other functions of the
+//            triangulation find it as one queue.
+//   lane     What one thread writes: the flips of a node, and their counts.
 //   record   What is known of a flip in a window (Flip): what is needed to undo it, the entries of
 //            the five edges before it included. Memory of records is most of what a run by regions
 //            takes, and writing them most of what it costs.
@@ -31,10 +34,10 @@
 //            lane in this window is that of a flip before the window, and means nothing.
 //   surroundings of a flip: its two faces, and the four faces beside these. Two flips *conflict* if
 //            a face of one is in the surroundings of the other.
-//   stall    An entry that waits for another region or for the rest: one of the parts from R + 1
-//            on. It stays in the slots of its two faces, where others that are later see it: there
-//            is no other mark.
-//   rest     The events that no region executed, by one thread in the order of the queue.
+//   stall    An entry that waits for a node above: deferred, or due in a union. It stays in the
+//   slots
+//            of its two faces, where others that are later see it: there is no other mark.
+//   rest     The events that the root executes, by one thread in the order of the queue.
 //
 // What an event reads and writes. A flip, at the hull too,
 //   reads    the vertices of its surroundings, and motions, which no window changes;
@@ -49,28 +52,33 @@
 // of an entry is kept in its part, which one thread owns, and is made anew, and not kept, by a
 // thread that looks at an entry of another part.
 //
-// Region r flips an edge if it is finite and all four vertices are in r. Then each face that it
-// writes has two vertices in r, and each face that it reads too. A face with two vertices in r is
-// written by no other region, since that would have to own two of the three. So regions share
-// nothing that one of them writes.
+// A window goes through the tree level by level: the regions, by several threads, then the unions
+// of two regions, and so on up to the root, which is alone. A node but the root flips an edge if it
+// is finite and all four vertices are in the node. Then each face that it writes has two vertices
+// in the node, and each face that it reads too. A face with two vertices in the node is written by
+// no other node of its level, since that would have to own two of the three. So nodes of one level
+// share nothing that one of them writes.
 //
-// Contract. An entry is executed, by a region or by the rest, only if
+// Contract. An entry is executed only if
 //   (1) it is a flip, and the two faces at its edge are those that it was made for;
 //   (2) no face of its surroundings has been flipped later in time;
 //   (3) no other entry at an edge of its two faces is due before it.
-// A region defers what violates (3), and looks at all edges of the surroundings for that, which
-// saves undoing; (2) is true there, since it executes in the order of time. The rest has (3) by its
-// order, and makes (2) true: it undoes the later flips, each after those that conflict with it and
-// were executed after it. An undone flip has its entry in the queue again and is part of the rest.
+// A node has (3) for its own entries by its order. It defers what violates (3) by a stall, and
+// looks at all edges of the surroundings for that, which saves undoing. In a region (2) is true,
+// since it executes in the order of time. A union makes (2) true: it undoes the later flips, each
+// after those that conflict with it and were executed after it; these are flips of nodes below it.
+// An undone flip has its entry in the queue again, and the union executes it, or leaves it to the
+// node above.
 //
 // Invariants, between two executions:
 //   - of two flips that conflict the one that was executed first is not later in time;
 //   - the stamp of a face is that of its last flip, of those that have not been undone;
 //   - every entry in a slot is a fact about the quadrilateral at its edge: the first failure after
 //     the quadrilateral came to be, or a time before that;
-//   - the rest never goes back: what it executes is never undone, unless the window is cut.
+//   - a node never goes back: what it executes, only nodes above it undo, and what the root
+//     executes is never undone, unless the window is cut.
 //
-// Never done by region: flips with the infinite vertex, that is at the hull. They are of the rest.
+// Done by the root alone: flips with the infinite vertex, that is at the hull.
 // Never done in a window: coincidences, triangles at the hull that turn flat and are not flipped,
 // reconstructions, hidden points, ties. Where such an event is next, in the rest, or two flips have
 // the same time, the window is cut: flips at or after that time are undone, those before it are
@@ -108,12 +116,13 @@ namespace kinetri::detail {
 
 /// How a run by regions is made. The result does not depend on it.
 struct Region_options {
-  std::size_t regions = 0;         ///< how many; at most 255; by the number of points if 0
+  /// How many: the greatest power of two up to this and to 128; by the number of points if 0.
+  std::size_t regions = 0;
   double events_per_vertex = 0.3;  ///< in a window, about
   /// With fewer events to come, as it seems, the plain loop executes them.
   double least_events_per_vertex = 1;
   double events_per_division = 4;  ///< a vertex, after which regions are made anew
-  /// Of a region, or of the rest, in a window: where there are more, the window is cut.
+  /// Of a node in a window. It leaves what is more to the node above it; the root cuts the window.
   std::size_t most_flips = std::size_t{1} << 22;
   std::size_t threads = 0;  ///< at most; 0: those of oneTBB's arena; 1: one region after the other
   /// If not 0, the order in which one thread takes regions and other tasks: another one for each
@@ -138,9 +147,10 @@ struct Region_counters {
   std::uint64_t windows = 0;    ///< of time
   std::uint64_t cuts = 0;       ///< windows that ended early
   std::uint64_t by_region = 0;  ///< flips that regions executed, those undone included
-  std::uint64_t by_rest = 0;    ///< flips that the rest executed, those undone included
+  std::uint64_t by_union = 0;   ///< flips that unions of regions executed, those undone included
+  std::uint64_t by_rest = 0;    ///< flips that the root executed, those undone included
   std::uint64_t by_loop = 0;    ///< events that the plain loop executed
-  std::uint64_t deferred = 0;   ///< entries that regions left to the rest
+  std::uint64_t deferred = 0;   ///< entries that nodes left to those above them
   std::uint64_t undone = 0;     ///< flips that came too early
   std::uint64_t cut_off = 0;    ///< flips that were undone since their window was cut
 };
@@ -229,8 +239,9 @@ class Region_run {
   };
 
   struct alignas(64) Lane {
-    std::size_t number = 0;         // of the region; the rest has the last one
-    Part* part = nullptr;           // of the region; the rest has none
+    std::size_t number = 0;         // of the node
+    unsigned level = 0;             // of the node
+    Part* part = nullptr;           // whose entries it executes
     Queue_handle first_handle = 0;  // of the part, as the queue names it
     std::size_t flips_before = 0;   // in windows before this one, since the division
     std::size_t capacity = 0;       // how many flips it may have in a window
@@ -240,6 +251,9 @@ class Region_run {
     Certificate_counters certificates = {};
     Triangulation_counters counters = {};
     std::uint64_t deferred = 0;
+    std::uint64_t undone = 0;
+
+    bool is_region() const { return level == 0; }
   };
 
   // The four outer edges of a quadrilateral before the flip.
@@ -261,9 +275,14 @@ class Region_run {
   void go_on_with_division();
   void move_to_parts(std::size_t count);
   void choose_owners();
-  std::size_t shared_part() const { return regions_; }
-  std::size_t deferred_part(std::size_t region) const { return regions_ + 1 + region; }
-  std::size_t due_part() const { return 2 * regions_ + 1; }
+  std::size_t root() const { return lanes_.size() - 1; }
+  bool is_root(const Lane& lane) const { return lane.number == root(); }
+  // The parts after those of the nodes; see above. The root defers nothing, and a region has no
+  // part of entries that are due.
+  std::size_t deferred_part(std::size_t node) const { return lanes_.size() + node; }
+  std::size_t due_part(std::size_t node) const { return 2 * lanes_.size() - 1 + node - regions_; }
+  // Those of the level, in their order.
+  std::vector<Lane*> lanes_at(unsigned level);
 
   // Calls work() where no more threads help than the options allow.
   template <class Work>
@@ -288,31 +307,35 @@ class Region_run {
   }
   bool run_window(double end);
   double gather_due(double end);
+  double gather_due(Lane& lane, double end);
   void run_region(Lane& lane, double end);
-  void run_rest(double end);
+  void run_union(Lane& lane, double end);
+  bool may_execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
+  void defer(Lane& lane, std::size_t from);
   void settle_window();
   void run_loop_instant();
 
-  bool is_owned(const Two_sided_edge& edge, std::size_t region) const;
+  bool is_owned(const Lane& lane, const Two_sided_edge& edge) const;
   bool is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
   void recheck(Lane& lane, std::span<const Entry> entries);
-  Queue_handle put_into_rest(const Entry& entry, const Time* exact);
+  Queue_handle put(const Lane& lane, const Entry& entry, const Time* exact);
   bool is_later(Stamp stamp, Moment& moment) {
     return is_of_window(stamp) && compare(key(stamp), moment) > 0;
   }
   bool is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment);
-  void undo_later(const Two_sided_edge& edge, Moment& moment);
+  void undo_later(Lane& lane, const Two_sided_edge& edge, Moment& moment);
   Moment moment_of(const Entry& entry, const Two_sided_edge& edge, const Part& part) const;
   KINETRI_ALWAYS_INLINE void put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind,
                                  Certificate&& known);
   void execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge, Moment& moment);
   KINETRI_ALWAYS_INLINE static Kept_entry kept(const Entry& entry);
   static Entry restored(const Kept_entry& kept, const Edge& edge, const Double_interval& bounds);
-  void undo(Stamp stamp);
-  void undo_last(Stamp stamp);
-  void put_back(const Flip& flip, const Two_sided_edge& edge, const Kept_entry& kept,
-                const Double_interval& bounds, std::size_t number);
+  void undo(Lane& lane, Stamp stamp);
+  void undo_last(Lane& lane, Stamp stamp);
+  void put_back(const Lane& lane, const Flip& flip, const Two_sided_edge& edge,
+                const Kept_entry& kept, const Double_interval& bounds, std::size_t number);
   void move(std::size_t from, std::size_t to);
+  void move_home(std::size_t from);
   void put_in_order();
   std::vector<Key> keys_between(double least, double greatest) const;
   bool insert_in_order();
@@ -327,8 +350,7 @@ class Region_run {
   static std::size_t index_of(Stamp stamp) {
     return (stamp - 1) & ((std::size_t{1} << index_bits) - 1);
   }
-  Lane& lane(std::size_t number) { return number < regions_ ? lanes_[number] : rest_; }
-  Lane& lane_of(Stamp stamp) { return lane((stamp - 1) >> index_bits); }
+  Lane& lane_of(Stamp stamp) { return lanes_[(stamp - 1) >> index_bits]; }
   bool is_of_window(Stamp stamp) {
     return stamp != 0 && index_of(stamp) >= lane_of(stamp).flips_before;
   }
@@ -341,7 +363,7 @@ class Region_run {
     return lane.keys[index_of(stamp) - lane.flips_before];
   }
   Flip& flip(Stamp stamp) { return flip(key(stamp)); }
-  Flip& flip(const Key& key) { return lane(key.lane).flips[key.index]; }
+  Flip& flip(const Key& key) { return lanes_[key.lane].flips[key.index]; }
 
   // When something happens: a moment, or the flip of a key.
   static const Double_interval& bounds(const Moment& moment) { return moment.bounds; }
@@ -365,11 +387,11 @@ class Region_run {
   KineticTriangulation& kinetic_;
   Region_options options_;
   std::size_t regions_;
-  std::vector<Lane> lanes_;  // of the regions
-  Lane rest_;
+  std::vector<Lane> lanes_;  // of the nodes
   std::vector<Key> order_;   // of the flips of a window
   std::optional<Time> cut_;  // where the window ends early
-  // Entries whose bounds begin at or before this go to the rest; minus infinity outside of it.
+  // Entries whose bounds begin at or before this are put where the node that executes now takes its
+  // entries from; minus infinity where none does, and while regions do.
   double due_until_ = -std::numeric_limits<double>::infinity();
   std::size_t done_ = 0;  // flips that the last window reported
   Region_counters counters_;

@@ -20,13 +20,14 @@
 namespace kinetri::detail {
 
 // Fewer where there are few points, of which more are beside another region then; and where there
-// are so many that handles, which name one of 2 R + 2 parts, would have no bits left for the
-// entries of all 3 n edges in one part, and of as many that come later.
+// are so many that handles, which name one of at most 5 R - 1 parts, would have no bits left for
+// the entries of all 3 n edges in one part, and of as many that come later.
 inline std::size_t number_of_regions(const Region_options& options, std::size_t points) {
   const auto by_points = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 16);
   const int bits = std::max(2, 32 - static_cast<int>(std::bit_width(6 * points)));
-  const std::size_t most = std::min<std::size_t>(255, (std::size_t{1} << bits) / 2 - 1);
-  return std::clamp<std::size_t>(options.regions > 0 ? options.regions : by_points, 1, most);
+  const std::size_t most = std::min<std::size_t>(128, ((std::size_t{1} << bits) + 1) / 5);
+  return std::bit_floor(
+      std::clamp<std::size_t>(options.regions > 0 ? options.regions : by_points, 1, most));
 }
 
 template <class Kinetic>
@@ -162,7 +163,7 @@ bool Region_run<Kinetic>::are_stamps_spent() const {
   const auto is_spent = [](const Lane& lane) {
     return lane.flips_before > (std::size_t{1} << (index_bits - 1));
   };
-  return is_spent(rest_) || std::ranges::any_of(lanes_, is_spent);
+  return std::ranges::any_of(lanes_, is_spent);
 }
 
 // Executes the events at one time as the plain loop does.
@@ -180,27 +181,58 @@ bool Region_run<Kinetic>::run_window(double end) {
   cut_.reset();
   const double asked = end;
   end = gather_due(end);
-  for_each(lanes_, [&](Lane& lane) { run_region(lane, end); });
-  run_rest(end);
+  for (unsigned level = 0; level <= lanes_.back().level; ++level) {
+    auto lanes = lanes_at(level);
+    for_each(lanes, [&](Lane* lane) {
+      lane->is_region() ? run_region(*lane, end) : run_union(*lane, end);
+    });
+    due_until_ = end;
+  }
+  due_until_ = -std::numeric_limits<double>::infinity();
   settle_window();
   return !cut_ && end == asked;
 }
 
-// Has the certificates of the shared part checked again until it is known which fail in the window,
-// and puts these aside. Returns where the window ends: before the first coincidence.
+template <class Kinetic>
+auto Region_run<Kinetic>::lanes_at(unsigned level) -> std::vector<Lane*> {
+  std::vector<Lane*> result;
+  for (Lane& lane : lanes_) {
+    if (lane.level == level) result.push_back(&lane);
+  }
+  return result;
+}
+
+// Puts aside what fails in the window at edges between regions. Returns where the window ends:
+// before the first coincidence there.
 template <class Kinetic>
 double Region_run<Kinetic>::gather_due(double end) {
-  Part& shared = queue().part(shared_part());
+  struct Gathering {
+    Lane* lane;
+    double end;
+  };
+  std::vector<Gathering> all;
+  for (Lane& lane : lanes_) {
+    if (!lane.is_region()) all.push_back({&lane, end});
+  }
+  for_each(all, [&](Gathering& g) { g.end = gather_due(*g.lane, end); });
+  return std::ranges::min(all, {}, &Gathering::end).end;
+}
+
+// The same for a union of regions: has the certificates of its part checked again until it is known
+// which fail in the window.
+template <class Kinetic>
+double Region_run<Kinetic>::gather_due(Lane& lane, double end) {
+  Part& part = queue().part(lane.number);
   const Time last(end);
   const auto exact = [&]() -> const Time& { return last; };
-  while (!shared.empty() && shared.is_due(shared.top(), {end, end}, exact)) {
-    const Entry entry = shared.top();
+  while (!part.empty() && part.is_due(part.top(), {end, end}, exact)) {
+    const Entry entry = part.top();
     if (entry.kind == Entry_kind::recheck) {
-      shared.pop();
-      recheck(rest_, {&entry, 1});
+      part.pop();
+      recheck(lane, {&entry, 1});
       continue;
     }
-    move(shared_part(), due_part());
+    move(lane.number, due_part(lane.number));
     if (entry.kind == Entry_kind::coincidence) return std::min(end, entry.bounds.lower);
   }
   return end;
@@ -224,7 +256,7 @@ void Region_run<Kinetic>::recheck(Lane& lane, std::span<const Entry> entries) {
 // Executes what is due in a region, in its order.
 template <class Kinetic>
 void Region_run<Kinetic>::run_region(Lane& lane, double end) {
-  Part& part = queue().part(lane.number);
+  Part& part = *lane.part;
   const Time last(end);
   const auto exact = [&]() -> const Time& { return last; };
   const auto is_due = [&](const Entry& entry) { return part.is_due(entry, {end, end}, exact); };
@@ -232,10 +264,8 @@ void Region_run<Kinetic>::run_region(Lane& lane, double end) {
   while (part.settle(is_due, recheck_entries)) {
     const Entry entry = part.top();
     const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
-    if (entry.kind != Entry_kind::flip || lane.flips.size() >= lane.capacity ||
-        !is_owned(edge, lane.number) || is_blocked(lane, entry, edge)) {
-      ++lane.deferred;
-      move(lane.number, deferred_part(lane.number));
+    if (!may_execute(lane, entry, edge)) {
+      defer(lane, lane.number);
       continue;
     }
     Moment moment = moment_of(entry, edge, part);
@@ -244,15 +274,16 @@ void Region_run<Kinetic>::run_region(Lane& lane, double end) {
   }
 }
 
-// Executes what is due and no region has executed, in the order of the queue. Stops where an event
-// is no flip.
+// Executes what is due in a union of regions and has not been executed by one of these, in the
+// order of the queue. The root stops where an event is no flip.
 template <class Kinetic>
-void Region_run<Kinetic>::run_rest(double end) {
-  for (std::size_t r = 0; r < regions_; ++r) {
-    while (!queue().part(deferred_part(r)).empty()) move(deferred_part(r), due_part());
+void Region_run<Kinetic>::run_union(Lane& lane, double end) {
+  const std::size_t from = due_part(lane.number);
+  for (std::size_t below = 0; below < lane.number; ++below) {
+    if (division().above(below) != lane.number) continue;
+    while (!queue().part(deferred_part(below)).empty()) move(deferred_part(below), from);
   }
-  due_until_ = end;
-  Part& due = queue().part(due_part());
+  Part& due = *lane.part;
   const Time last(end);
   const auto exact = [&]() -> const Time& { return last; };
   while (!due.empty() && due.is_due(due.top(), {end, end}, exact)) {
@@ -260,16 +291,20 @@ void Region_run<Kinetic>::run_rest(double end) {
     if (entry.kind == Entry_kind::recheck) {
       // Alone: beside it may be one that is about a flip later than this time.
       due.pop();
-      recheck(rest_, {&entry, 1});
+      recheck(lane, {&entry, 1});
       continue;
     }
-    if (entry.kind == Entry_kind::coincidence || rest_.flips.size() >= rest_.capacity) {
+    const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
+    if (!is_root(lane) && !may_execute(lane, entry, edge)) {
+      defer(lane, from);
+      continue;
+    }
+    if (entry.kind == Entry_kind::coincidence || lane.flips.size() >= lane.capacity) {
       cut_ = due.time_of(due.top());
       break;
     }
-    const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
     Moment moment = moment_of(entry, edge, due);
-    undo_later(edge, moment);
+    undo_later(lane, edge, moment);
     if (!is_flip(entry, edge, moment)) {
       cut_ = time(moment);
       break;
@@ -278,9 +313,22 @@ void Region_run<Kinetic>::run_rest(double end) {
                        kinetic_.queue_policy_.handle(entry.edge()),
                    "flips that are undone are later than the event");
     due.pop();
-    execute(rest_, entry, edge, moment);
+    execute(lane, entry, edge, moment);
   }
-  due_until_ = -std::numeric_limits<double>::infinity();
+}
+
+// Whether a node that is not the root may flip the edge of the first of its entries now.
+template <class Kinetic>
+bool Region_run<Kinetic>::may_execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge) {
+  return entry.kind == Entry_kind::flip && lane.flips.size() < lane.capacity &&
+         is_owned(lane, edge) && !is_blocked(lane, entry, edge);
+}
+
+// Leaves the first entry of a part to the node above.
+template <class Kinetic>
+void Region_run<Kinetic>::defer(Lane& lane, std::size_t from) {
+  ++lane.deferred;
+  move(from, deferred_part(lane.number));
 }
 
 // Moves the first entry of a part to another one.
@@ -291,6 +339,13 @@ void Region_run<Kinetic>::move(std::size_t from, std::size_t to) {
   const Queue_handle handle = queue().put(to, entry, part);
   part.pop();
   kinetic_.queue_policy_.set_handle(entry.edge(), handle);
+}
+
+// Moves the entries of a part to where they belong between two windows.
+template <class Kinetic>
+void Region_run<Kinetic>::move_home(std::size_t from) {
+  Part& part = queue().part(from);
+  while (!part.empty()) move(from, kinetic_.queue_policy_.part_of(part.top().edge()));
 }
 
 }  // namespace kinetri::detail

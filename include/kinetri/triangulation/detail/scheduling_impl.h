@@ -44,15 +44,12 @@ inline void Kinetic_triangulation_2<Traits>::Queue_policy::prefetch_first(
   detail::prefetch_around(entry.face->neighbor(entry.index));
 }
 
-// The region that owns both ends of the edge, or the part after those of the regions.
+// That of the lowest node that both ends of the edge are in.
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_triangulation_2<Traits>::Queue_policy::part_of(const Edge& edge) const {
   const auto& [face, i] = edge;
-  const detail::Region_division& division = triangulation.division_;
-  const std::uint16_t owner = division.owner(face->vertex(Triangulation::cw(i))->point().id());
-  const bool is_owned = owner != detail::Region_division::no_region &&
-                        owner == division.owner(face->vertex(Triangulation::ccw(i))->point().id());
-  return is_owned ? owner : division.regions;
+  return triangulation.division_.node_of(face->vertex(Triangulation::cw(i))->point().id(),
+                                         face->vertex(Triangulation::ccw(i))->point().id());
 }
 
 template <KineticTraits_2 Traits>
