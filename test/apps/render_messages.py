@@ -71,7 +71,10 @@ def cases():
     have_both = both(tool("rsvg-convert", "cat"), tool("ffmpeg", "exit 0"))
     yield render("--animate a.gif --from 1.5 --until 1", until=1, **{"from": "1.5"}, prepare=have_both, **tools)
     yield render("--animate a.mp4 --height 99", option="--height", side=99, prepare=have_both, **tools)
-    yield render("--animate a.gif --fps 1e6", fps=1000000, **{"from": 0}, until=2, prepare=have_both, **tools)
+    yield render("--animate a.gif --fps 1e-300", option="--fps", number="1e-300", lowest=0.01, highest=1000,
+                 prepare=have_both, **tools)
+    yield render("--animate a.gif --fps 1000 --speed 0.01", fps=1000, **{"from": 0}, until=2, prepare=have_both,
+                 **tools)
     yield render("-o a.png", otherwise="an --output that ends with .svg", environment={"PATH": "/nowhere"})
     yield render("--animate a.gif", environment={"PATH": "bin"}, prepare=tool("rsvg-convert", "exit 0"))
     broken = '[ "$1" = --version ] || [ "$1" = -version ] || { echo no room >&2; exit 1; }'

@@ -103,7 +103,9 @@ Film_plan film_plan(const Render_options& options, const Picture_options& pictur
                     const Recording& recording) {
   Film_plan result;
   result.format = static_cast<Film_format>(format_of("--animate", *options.animate, film_endings));
-  result.frames_per_second = options.fps ? positive_argument("--fps", *options.fps) : 20;
+  // The lowest rate is one that all formats can have.
+  result.frames_per_second =
+      options.fps ? size_argument("--fps", *options.fps, 0.01, 1000, false) : 20;
   result.speed = options.speed ? positive_argument("--speed", *options.speed) : 1;
   const double from =
       options.from ? time_of_run("--from", *options.from, recording) : recording.from;
@@ -218,8 +220,10 @@ Command render_command() {
       .needs = "--animate";
   result.add("--until", &options->until, "T", "The film ends at this time (default: the end)")
       .needs = "--animate";
-  result.add("--fps", &options->fps, "N", "Frames in a second of the film (default 20)").needs =
-      "--animate";
+  result
+      .add("--fps", &options->fps, "N",
+           "Frames in a second of the film, from 0.01 to 1000 (default 20)")
+      .needs = "--animate";
   result
       .add("--speed", &options->speed, "V",
            "Time of the run that passes in a second of the film (default 1)")

@@ -35,8 +35,7 @@
 //   surroundings of a flip: its two faces, and the four faces beside these. Two flips *conflict* if
 //            a face of one is in the surroundings of the other.
 //   stall    An entry that waits for a node above: deferred, or due in a union. It stays in the
-//   slots
-//            of its two faces, where others that are later see it: there is no other mark.
+//            slots of its two faces, where others that are later see it: there is no other mark.
 //   rest     The events that the root executes, by one thread in the order of the queue.
 //
 // What an event reads and writes. A flip, at the hull too,

@@ -23,7 +23,7 @@ namespace kinetri::detail {
 // are so many that handles, which name one of at most 5 R - 1 parts, would have no bits left for
 // the entries of all 3 n edges in one part, and of as many that come later.
 inline std::size_t number_of_regions(const Region_options& options, std::size_t points) {
-  const auto by_points = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 16);
+  const auto by_points = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 15);
   const int bits = std::max(2, 32 - static_cast<int>(std::bit_width(6 * points)));
   const std::size_t most = std::min<std::size_t>(128, ((std::size_t{1} << bits) + 1) / 5);
   return std::bit_floor(
