@@ -79,6 +79,10 @@ class Threads(In_folder):
         more = "--checkpoint {0}/checkpoint --encounters {0}/encounters --range 0.02"
         self.expect_regions(self.expect_same("simulate p.csv --until 2", more))
 
+    def test_recordings_of_very_many_points_are_the_same(self):
+        self.run_program("generate uniform --points 60000 --seed 5 --output p.csv")
+        self.expect_regions(self.expect_same("simulate p.csv --until 1.5", "--html {0}/run.html"))
+
     def test_very_many_points_resumed_are_the_same(self):
         self.run_program("generate uniform --points 200000 --side 4500 --speed 5 --seed 5 --output p.csv")
         self.run_program("simulate p.csv --until 0.1 --checkpoint c --quiet")
