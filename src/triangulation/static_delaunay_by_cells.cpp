@@ -197,11 +197,9 @@ std::vector<Part> parts_of(std::span<const Vector_2> places, const Kd_cells& cel
 }  // namespace
 
 Static_delaunay static_delaunay_by_cells(std::span<const Vector_2> places, std::size_t cells) {
-  constexpr std::size_t sample_per_cell = 128;
   std::vector<Vector_2> sample;
-  for (std::size_t k = 0; k < places.size(); k += places.size() / (sample_per_cell * cells) + 1) {
-    sample.push_back(places[k]);
-  }
+  const std::size_t step = Kd_cells::sample_step(places.size(), cells);
+  for (std::size_t k = 0; k < places.size(); k += step) sample.push_back(places[k]);
   const Kd_cells plane(std::move(sample), cells);
   std::vector<Part> parts = parts_of(places, plane);
   for_each_in_parallel(parts, [&](Part& part) { triangulate(places, part); });

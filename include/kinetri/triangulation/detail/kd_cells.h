@@ -27,6 +27,13 @@ class Kd_cells {
   /// coordinates are finite. O(n log count) for a sample of n places.
   Kd_cells(std::vector<Vector_2> sample, std::size_t count);
 
+  /// Every so manieth of `places` places is enough of a sample for `count` cells: some hundred for
+  /// each cell. Precondition: count > 0.
+  static std::size_t sample_step(std::size_t places, std::size_t count) {
+    constexpr std::size_t sample_per_cell = 128;
+    return places / (sample_per_cell * count) + 1;
+  }
+
   /// The cell that a place is in. Precondition: the coordinates are finite. O(log count).
   std::size_t cell_of(const Vector_2& place) const;
 

@@ -102,12 +102,9 @@ void Region_run<Kinetic>::choose_owners() {
     const Vector_2 place = rounded_place(v->point().motion(), now);
     return Vector_2{finite(place.x), finite(place.y)};
   };
-  constexpr std::size_t sample_per_region = 128;
   std::vector<Vector_2> sample;
-  for (std::size_t k = 0; k < vertices.size();
-       k += vertices.size() / (sample_per_region * regions_) + 1) {
-    sample.push_back(place_of(vertices[k]));
-  }
+  const std::size_t step = Kd_cells::sample_step(vertices.size(), regions_);
+  for (std::size_t k = 0; k < vertices.size(); k += step) sample.push_back(place_of(vertices[k]));
   const Kd_cells cells(std::move(sample), regions_);
   std::vector<std::uint16_t>& owners = division().owners;
   owners.assign(kinetic_.vertices_.size(), Region_division::no_region);
