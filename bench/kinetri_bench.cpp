@@ -28,6 +28,7 @@ struct Mode {
 };
 
 const std::string discs_mode = "discs";
+const std::string contacts_mode = "contacts";
 
 const std::map<std::string, Mode> modes = {
     {"events",
@@ -41,6 +42,8 @@ const std::map<std::string, Mode> modes = {
     {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
     {"encounters", {measure_encounters, "all pairs in range of each other, against the run alone"}},
     {"regions", {measure_regions, "one run by the plain loop and by regions"}},
+    {contacts_mode,
+     {measure_contacts, "one run of colliding discs by the plain loop and by regions", 4}},
     {"steps", {measure_steps, "turns and looks at each step, against a rebuild at each step"}},
     {"answers",
      {measure_answers, "Voronoi cells, areas, nearest neighbors, positions, the closest pair"}},
@@ -77,17 +80,21 @@ int main(int argc, char** argv) {
   std::string mode;
   for (const auto& [mode_name, m] : modes) {
     CLI::App& command = *program.add_subcommand(mode_name, m.description);
-    if (mode_name == discs_mode) {
+    const bool are_discs = mode_name == discs_mode || mode_name == contacts_mode;
+    if (are_discs) {
       command
           .add_option("--area-fraction", setup.area_fraction,
                       "share of the plane that the discs cover (0.3)")
           ->check(CLI::Range(1e-6, most_area_fraction));
+    }
+    if (mode_name == discs_mode) {
       command
           .add_option("--sizes", setup.size_ratio,
                       "greatest radius over the least, of discs at random places (equal discs on a "
                       "jittered lattice)")
           ->check(CLI::Range(1.0, 1000.0));
-    } else {
+    }
+    if (!are_discs) {
       command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")
           ->transform(CLI::CheckedTransformer(scenarios()));
     }
@@ -102,7 +109,7 @@ int main(int argc, char** argv) {
     command.callback([&, until, chosen = mode_name, usual = m.until] {
       mode = chosen;
       if (until->count() == 0) setup.until = usual;
-      if (mode == discs_mode) {
+      if (mode == discs_mode || mode == contacts_mode) {
         setup.scenario = Scenario::lattice_jitter;
         setup.options.jitter = discs_jitter;
       }

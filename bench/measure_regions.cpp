@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "bench_discs.h"
+#include "kinetri/simulation/detail/contact_turns.h"
+#include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "measurements.h"
@@ -16,22 +19,24 @@ namespace {
 
 using nlohmann::json;
 using Kinetic = Kinetic_delaunay_triangulation_2<>;
+using Simulation = Simulation_2<Linear_kinetic_traits_2>;
 
-double seconds_of_loop(const Setup& setup, const std::vector<Linear_motion_2>& motions,
-                       std::size_t& events) {
-  Kinetic kinetic(motions);
-  const Stopwatch watch;
-  events = kinetic.advance_to(setup.until);
-  return watch.seconds();
+detail::Region_run<Kinetic> run_of(Kinetic& kinetic, const detail::Region_options& options) {
+  return detail::Region_run<Kinetic>(kinetic, options);
+}
+detail::Region_run<Kinetic, detail::Contact_turns<Simulation>> run_of(
+    Simulation& simulation, const detail::Region_options& options) {
+  return detail::Contact_turns<Simulation>::run_of(simulation, options);
 }
 
-json run_by_regions(const Setup& setup, const std::vector<Linear_motion_2>& motions,
-                    std::size_t threads) {
-  Kinetic kinetic(motions);
+// One run of what `make` makes by regions.
+template <class Make>
+json run_by_regions(const Setup& setup, const Make& make, std::size_t threads) {
+  auto kinetic = make();
   detail::Region_options options;
   options.threads = threads;
   options.least_events_per_vertex = 0;
-  detail::Region_run<Kinetic> run(kinetic, options);
+  auto run = run_of(kinetic, options);
   const Stopwatch watch;
   run.advance_to(setup.until);
   const double seconds = watch.seconds();
@@ -48,29 +53,47 @@ json run_by_regions(const Setup& setup, const std::vector<Linear_motion_2>& moti
           {"cut_off", counters.cut_off}};
 }
 
-}  // namespace
-
-json measure_regions(const Setup& setup) {
+template <class Make>
+json measure_runs(const Setup& setup, const Make& make) {
   constexpr int rounds = 3;
-  const std::vector<Linear_motion_2> motions = setup.motions();
-  std::size_t events = 0;
   json result;
   std::vector<double> over_one_thread;
   std::vector<double> over_threads;
   for (int round = 0; round < rounds; ++round) {
-    const double loop = seconds_of_loop(setup, motions, events);
-    result["one_thread"] = run_by_regions(setup, motions, 1);
-    result["threads"] = run_by_regions(setup, motions, 0);
+    double loop = 0;
+    {
+      auto kinetic = make();
+      const Stopwatch watch;
+      result["events"] = kinetic.advance_to(setup.until);
+      loop = watch.seconds();
+    }
+    result["one_thread"] = run_by_regions(setup, make, 1);
+    result["threads"] = run_by_regions(setup, make, 0);
     result["loop_seconds"] = loop;
     over_one_thread.push_back(ratio(loop, result["one_thread"]["seconds"].get<double>()));
     over_threads.push_back(ratio(loop, result["threads"]["seconds"].get<double>()));
   }
-  result["events"] = events;
   std::ranges::sort(over_one_thread);
   std::ranges::sort(over_threads);
   result["loop_over_one_thread"] = over_one_thread;
   result["loop_over_threads"] = over_threads;
   return result;
+}
+
+}  // namespace
+
+json measure_regions(const Setup& setup) {
+  const std::vector<Linear_motion_2> motions = setup.motions();
+  return measure_runs(setup, [&] { return Kinetic(motions); });
+}
+
+json measure_contacts(const Setup& setup) {
+  const Bench_discs discs = equal_discs(setup);
+  Simulation_options options;
+  options.box = discs.box;
+  options.radius = discs.radii.front();
+  options.response = collide_elastically;
+  return measure_runs(setup, [&] { return Simulation(discs.motions, options); });
 }
 
 }  // namespace kinetri::bench

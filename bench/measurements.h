@@ -113,6 +113,9 @@ nlohmann::json measure_steps(const Setup& setup);
 /// the regions did.
 nlohmann::json measure_regions(const Setup& setup);
 
+/// The same with equal discs in a box, which collide.
+nlohmann::json measure_contacts(const Setup& setup);
+
 /// Seconds of a construction, of one change of the velocities of 1000 points, and of a run that
 /// keeps a row for each event.
 nlohmann::json measure_arrays(const Setup& setup);

@@ -66,4 +66,11 @@ Contact_response_2 erase_both(const Contact_2& /*contact*/) {
   return {std::nullopt, std::nullopt, true, true};
 }
 
+bool detail::is_pure(const Collision_response& response) {
+  using Function = Contact_response_2 (*)(const Contact_2&);
+  const Function* const function = response.target<Function>();
+  return function != nullptr && (*function == swap_velocities || *function == collide_elastically ||
+                                 *function == stop_both);
+}
+
 }  // namespace kinetri

@@ -27,7 +27,18 @@ int arena_size(std::size_t threads) {
   return static_cast<int>(std::min(threads, allowed));
 }
 
-template class Region_run<Kinetic_triangulation_2<Linear_kinetic_traits_2>>;
-template class Region_run<Kinetic_triangulation_2<Polynomial_kinetic_traits_2>>;
+// Of turns, which are not there, nothing is compiled.
+template <class Traits>
+using Run = Region_run<Kinetic_triangulation_2<Traits>>;
+template Run<Linear_kinetic_traits_2>::Region_run(Kinetic_triangulation_2<Linear_kinetic_traits_2>&,
+                                                  const Region_options&, No_turns);
+template std::size_t Run<Linear_kinetic_traits_2>::advance_to(const Algebraic_number&,
+                                                              const std::function<bool()>&);
+template void Run<Linear_kinetic_traits_2>::join();
+template Run<Polynomial_kinetic_traits_2>::Region_run(
+    Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&, const Region_options&, No_turns);
+template std::size_t Run<Polynomial_kinetic_traits_2>::advance_to(const Algebraic_number&,
+                                                                  const std::function<bool()>&);
+template void Run<Polynomial_kinetic_traits_2>::join();
 
 }  // namespace kinetri::detail

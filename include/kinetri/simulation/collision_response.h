@@ -109,6 +109,14 @@ inline constexpr std::array<Named_response, 6> named_responses = {
      {"stop", stop_both, "both stop"},
      {"remove", erase_both, "both vanish"}}};
 
+namespace detail {
+
+/// Whether a response is a built-in one that gives the points other velocities, and so depends on
+/// its argument only.
+bool is_pure(const Collision_response& response);
+
+}  // namespace detail
+
 }  // namespace kinetri
 
 #endif  // KINETRI_SIMULATION_COLLISION_RESPONSE_H

@@ -13,9 +13,10 @@
 // that is true of the regular triangulation, but for the last condition. The pairs that overlap are
 // kept. The simulation follows the edges as an observer of the triangulation.
 //
-// Without a response nothing that happens to the triangulation changes the queue. So `advance_to`
-// lets the triangulation run up to the first entry, by itself and on several threads, unless an
-// observer looks on, which may schedule changes.
+// With several threads `advance_to` runs by regions (triangulation/detail/regions.h), contacts and
+// all, unless an observer looks on: see detail/contact_turns.h. Where nothing but changes is
+// scheduled, what happens to the triangulation changes nothing in the queue, and it runs up to the
+// first entry by itself.
 //
 // One contact's way through the code: `step` lets the triangulation execute what is before it, in
 // exact order; `execute_due_entries` takes it out of the queue; `hit_wall` or `collide` finds the
@@ -38,6 +39,7 @@
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
+#include "kinetri/events/divided_scheduler.h"
 #include "kinetri/events/event_scheduler.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/kinetic/disc_motion_2.h"
@@ -47,6 +49,13 @@
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
+
+namespace detail {
+
+template <class Simulation>
+class Contact_turns;
+
+}  // namespace detail
 
 /// A contact that no response can deal with.
 class Contact_error : public Error {
@@ -200,9 +209,14 @@ class Simulation_2 : private Event_observer {
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
 
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
-  /// arena if 0. They share the work between contacts and scheduled changes, where there is no
-  /// response; otherwise as set_threads of the triangulation says. The result is the same.
-  void set_threads(std::size_t most) { triangulation_.set_threads(most); }
+  /// arena if 0. They share the work, contacts included, where set_threads of the triangulation says
+  /// so, there is no overlap observer, and the response, if there is one, is a built-in one that
+  /// gives velocities (swap_velocities, collide_elastically, stop_both) or is said to be pure
+  /// (Simulation_options::response_is_pure). The result is the same.
+  void set_threads(std::size_t most) {
+    threads_ = most;
+    triangulation_.set_threads(most);
+  }
 
   // ---- changing points ----
 
@@ -297,6 +311,8 @@ class Simulation_2 : private Event_observer {
   }
 
  private:
+  friend class detail::Contact_turns<Simulation_2>;
+
   /// In the order in which they are executed at one time.
   enum class Entry_kind : std::uint8_t { wall, collision, erase, trajectory, insert, vanish };
 
@@ -306,6 +322,13 @@ class Simulation_2 : private Event_observer {
   static bool is_contact(Entry_kind kind) { return kind <= Entry_kind::collision; }
   static bool is_change(Entry_kind kind) { return !is_contact(kind) && kind != Entry_kind::vanish; }
 
+  /// What an entry is about.
+  struct Subject {
+    Entry_kind kind = Entry_kind::wall;
+    Point_id point_a = no_point;
+    Point_id point_b = no_point;
+  };
+
   /// A contact, or a time up to which there certainly is none; or a change that was scheduled; or
   /// the time at which the radius of a disc is 0.
   struct Entry : detail::Scheduled {
@@ -313,6 +336,8 @@ class Simulation_2 : private Event_observer {
     bool is_event = false;
     Point_id point_a = no_point;
     Point_id point_b = no_point;  // of a wall, which of the four; of a change, its number
+
+    Subject subject() const { return {kind, point_a, point_b}; }
   };
 
   /// A scheduled change that is not in the queue any more; the motion is the one that it gives.
@@ -321,9 +346,9 @@ class Simulation_2 : private Event_observer {
     std::optional<Motion> motion;
   };
 
-  /// What the scheduler asks; see Event_scheduler.
+  /// What the scheduler asks; see Event_scheduler and Divided_scheduler.
   struct Queue_policy {
-    const Simulation_2& simulation;
+    Simulation_2& simulation;
 
     Time entry_time(const Entry& entry) const;
     bool precedes(const Entry& a, const Entry& b) const;
@@ -331,6 +356,15 @@ class Simulation_2 : private Event_observer {
     static void prefetch(const Entry&) {}
     static void prefetch_more(const Entry&) {}
     static void prefetch_first(const Entry&) {}
+    std::size_t part_of(const Subject& subject) const;
+    Queue_handle handle(const Subject& subject) const;
+    void set_handle(const Subject& subject, Queue_handle handle) const;
+  };
+
+  /// A change that was scheduled; the motion is the one that it gives.
+  struct Scheduled_change {
+    std::optional<Motion> motion;
+    Queue_handle event = no_event;
   };
 
   /// A disc that may come into contact.
@@ -371,6 +405,8 @@ class Simulation_2 : private Event_observer {
   template <HasWeight M = Motion>
   void schedule_vanishing(Point_id id);
   void schedule_wall(Point_id id, const Time& after);
+  std::pair<Entry, Certificate> first_wall(Point_id id, const Time& after,
+                                           Certificate_counters& counters) const;
   void unschedule_wall(Point_id id);
   void schedule_pair(const Edge_ids& pair, const Time& after);
   bool schedule_new_pair(const Edge_ids& pair, const Time& after);
@@ -385,6 +421,7 @@ class Simulation_2 : private Event_observer {
   void forget(const Entry& entry);
   Queue_handle forget_pair(const Edge_ids& pair);
   Queue_handle forget_partner(Point_id id, Point_id other);
+  void note(const Subject& subject, Queue_handle handle);
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
 
@@ -441,6 +478,10 @@ class Simulation_2 : private Event_observer {
 
   // Events.
   std::size_t step(const Time* until);
+  std::size_t step_in_parts(const Time* until);
+  void join_parts();
+  void join_parts_of_contacts();
+  bool may_run_by_regions() const;
   bool can_run_triangulation() const;
   bool run_triangulation(const Time& until, const std::function<bool()>& may_go_on,
                          std::size_t& events);
@@ -449,9 +490,12 @@ class Simulation_2 : private Event_observer {
   std::size_t execute_due_entries();
   void execute_due_entries(std::vector<Due_change>& postponed);
   void check_limit(const Entry& entry, std::uint64_t contacts) const;
-  [[noreturn]] void refuse_press(Point_id id, const std::string& who) const;
+  [[noreturn]] void refuse_press(Point_id id, const std::string& who, const Time& now) const;
+  using Change = typename Triangulation::Change;
   void hit_wall(Point_id id, std::size_t wall);
+  Change reflection(Point_id id, std::size_t wall, const Time& now) const;
   void collide(Point_id a, Point_id b);
+  std::vector<Change> collision(Point_id a, Point_id b, const Time& now) const;
   void schedule(const Time& time, Entry_kind kind, Point_id id,
                 const std::optional<Motion>& motion);
   void push_change(const Time& time, Entry entry, const std::optional<Motion>& motion);
@@ -466,8 +510,9 @@ class Simulation_2 : private Event_observer {
   [[noreturn]] void refuse_vanishing(Point_id id, const Time& time) const;
   template <class Make_changes>
   void change(std::span<const Point_id> points, Make_changes make_changes);
-  Motion with_velocity(Point_id id, const Vector_2& velocity, double time) const;
-  Motion usable(Point_id id, Motion motion) const;
+  Motion with_velocity(Point_id id, const Vector_2& velocity, const Time& now) const;
+  Motion usable(Point_id id, Motion motion, const Time& now) const;
+  bool looks_at_triangulation() const override { return false; }  // a run by regions tells it
   void after_event(const Event& event) override;
 
   Traits traits_;
@@ -476,13 +521,14 @@ class Simulation_2 : private Event_observer {
   std::array<Wall_2, 4> walls_ = {};
   Triangulation triangulation_;
   Queue_policy queue_policy_{*this};
-  detail::Event_scheduler<Entry, Queue_policy> queue_{queue_policy_};
+  detail::Divided_scheduler<Entry, Queue_policy> queue_{queue_policy_};
+  std::size_t threads_ = 1;  // of advance_to
   Certificate_counters certificate_counters_;
   // By point id; null where the point has none, or has been erased.
   std::vector<std::unique_ptr<Contacts>> contacts_;
-  std::unordered_map<std::uint32_t, Motion> scheduled_motions_;  // by number of the change
-  std::uint32_t scheduled_ = 0;                                  // changes so far
-  std::size_t scheduled_entries_ = 0;                            // of changes, in the queue
+  std::unordered_map<std::uint32_t, Scheduled_change> scheduled_changes_;  // by their numbers
+  std::uint32_t scheduled_ = 0;                                            // changes so far
+  std::size_t scheduled_entries_ = 0;  // of changes, in the queue
   std::vector<const Observer*> observers_;                       // but for this object
   std::vector<Overlap_observer*> overlap_observers_;
   std::span<const Point_id> changing_points_;  // of which `change` schedules all contacts anew

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/simulation/detail/contact_turns.h"
 #include "kinetri/simulation/detail/disc_numbers.h"
 #include "kinetri/simulation/detail/shortest_text.h"
 #include "kinetri/simulation/simulation_2.h"
@@ -133,6 +134,15 @@ std::size_t Simulation_2<Traits>::advance_to(const Time& time,
   KINETRI_PRECONDITION(
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one");
+  if constexpr (detail::has_region_runs<Traits>) {
+    if (may_run_by_regions()) {
+      detail::Region_options options;
+      options.threads = threads_;
+      return detail::Contact_turns<Simulation_2>::run_of(*this, options)
+          .advance_to(time, may_go_on);
+    }
+  }
+  join_parts_of_contacts();
   std::size_t events = 0;
   while (may_go_on == nullptr || may_go_on()) {
     if (can_run_triangulation() && !run_triangulation(time, may_go_on, events)) break;
@@ -182,19 +192,57 @@ bool Simulation_2<Traits>::run_triangulation(const Time& until,
   return goes_on;
 }
 
+// Whether a run by regions may execute contacts and be faster.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::may_run_by_regions() const {
+  if constexpr (detail::has_region_runs<Traits>) {
+    return (options_.box || options_.response) &&
+           detail::may_pay_by_regions(triangulation_.number_of_points(), threads_) &&
+           detail::Contact_turns<Simulation_2>::can_run(*this);
+  }
+  return false;
+}
+
+// Ends what runs by regions have left divided.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::join_parts() {
+  join_parts_of_contacts();
+  detail::Plain_loop<Triangulation>::join(triangulation_);
+}
+
+// The same, if runs by regions have executed contacts.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::join_parts_of_contacts() {
+  if constexpr (detail::has_region_runs<Traits>) {
+    if (queue_.is_divided()) {
+      detail::Region_options options;
+      options.threads = threads_;
+      detail::Contact_turns<Simulation_2>::run_of(*this, options).join();
+    }
+  }
+}
+
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::step(const Time* until) {
+  join_parts();
+  return step_in_parts(until);
+}
+
+// The same where the queues may stay in parts.
+template <ContactKineticTraits_2 Traits>
+std::size_t Simulation_2<Traits>::step_in_parts(const Time* until) {
+  using Loop = detail::Plain_loop<Triangulation>;
   settle();
-  if (queue_.empty()) return until != nullptr ? triangulation_.step(*until) : triangulation_.step();
+  if (queue_.empty()) return Loop::step(triangulation_, until);
   const Time first = queue_.time(queue_.top());
   // A radius may become 0, but not less.
   const bool is_end = queue_.top().kind == Entry_kind::vanish;
   const bool is_due = until == nullptr || (is_end ? first < *until : first <= *until);
-  const std::size_t events = triangulation_.step(is_due ? first : *until);
+  const std::size_t events = Loop::step(triangulation_, is_due ? &first : until);
   if (events == 0) {
     if (!is_due) return 0;
     if (is_end) refuse_vanishing(queue_.top().point_a, first);
-    triangulation_.advance_to(first);
+    Loop::run_to(triangulation_, first);
   }
   const std::size_t due_events = execute_due_entries();
   if (events == 0) ++counters_.instants;

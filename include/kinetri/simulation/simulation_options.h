@@ -26,6 +26,10 @@ struct Simulation_options {
   double radius = 0;
   /// The response to contacts of discs. If empty, no contacts are computed.
   Collision_response response = nullptr;
+  /// Whether the response depends on nothing but its argument, and may be called by several threads
+  /// at once, also for contacts that turn out not to happen. Then runs on several threads
+  /// (Simulation_2::set_threads) execute contacts too. The built-in responses are known to be so.
+  bool response_is_pure = false;
   /// Whether discs that overlap at the start, or where one is inserted, are refused: touching is
   /// allowed. For responses that cannot deal with discs that overlap, such as elastic collisions.
   bool refuses_overlaps = false;

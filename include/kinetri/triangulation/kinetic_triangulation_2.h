@@ -54,6 +54,9 @@ class Auditor;
 template <class Kinetic, class Traits>
 class Hidden_points;
 template <class KineticTriangulation>
+class Plain_loop;
+struct No_turns;
+template <class KineticTriangulation, class Turns = No_turns>
 class Region_run;
 
 /// CGAL's triangulation of moving points: regular where they have weights, else Delaunay.
@@ -337,7 +340,9 @@ class Kinetic_triangulation_2 {
   friend class detail::Auditor<Kinetic_triangulation_2>;
   friend class detail::Hidden_points<Kinetic_triangulation_2, Traits>;
   friend class detail::Hidden_points<const Kinetic_triangulation_2, Traits>;
-  friend class detail::Region_run<Kinetic_triangulation_2>;
+  friend class detail::Plain_loop<Kinetic_triangulation_2>;
+  template <class Kinetic, class Turns>
+  friend class detail::Region_run;
 
   static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
 
@@ -511,6 +516,7 @@ class Kinetic_triangulation_2 {
   bool fails_before(const Entry& entry, const Time& time) const;
   void execute_due_events();
   std::size_t step_until(const Time* until);
+  std::size_t step_in_parts(const Time* until);
   std::size_t run_to(const Time& time, const std::function<bool()>& may_go_on);
   std::size_t run_instant();
   void join_parts();
@@ -587,6 +593,9 @@ class Kinetic_triangulation_2 {
   bool make_jumps(std::span<const Jump> jumps, bool are_located);
   void set_point(const Change& change);
   bool is_embedded_around(Vertex_handle v) const;
+  template <class Is_left_turn>
+  bool is_embedded_around(Vertex_handle v, const Double_interval& bounds,
+                          const Is_left_turn& is_left_turn) const;
   Location locate(const Point_2& point, Face_handle start) const;
   void take_out(Vertex_handle v);
   void put_in(Vertex_handle v, const Location& location,

@@ -39,15 +39,14 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::push_change(const Time& time, Entry entry,
                                        const std::optional<Motion>& motion) {
   entry.bounds = time.interval();
-  if (motion) scheduled_motions_.emplace(entry.point_b, *motion);
-  queue_.push(entry, time);
+  scheduled_changes_[entry.point_b] = {motion, queue_.push(entry, time)};
   ++scheduled_entries_;
 }
 
 template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::take_scheduled_motion(const Entry& change) -> std::optional<Motion> {
-  const auto node = scheduled_motions_.extract(change.point_b);
-  return node ? std::optional(node.mapped()) : std::nullopt;
+  const auto node = scheduled_changes_.extract(change.point_b);
+  return node ? node.mapped().motion : std::nullopt;
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -140,7 +139,6 @@ void Simulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
                        std::to_string(ids.size()) + " ids and " +
                            std::to_string(velocities.size()) +
                            " velocities; expected as many of each");
-  const double now = current_time().to_double();
   std::vector<Motion> motions;
   motions.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -148,7 +146,7 @@ void Simulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
     KINETRI_PRECONDITION(std::isfinite(velocities[i].x) && std::isfinite(velocities[i].y),
                          "the velocity of point " + std::to_string(ids[i]) +
                              " is not finite; expected two finite numbers");
-    motions.push_back(with_velocity(ids[i], velocities[i], now));
+    motions.push_back(with_velocity(ids[i], velocities[i], current_time()));
   }
   set_motions(ids, motions);
 }

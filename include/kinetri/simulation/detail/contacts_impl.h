@@ -21,11 +21,23 @@ namespace kinetri {
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
-  if (!traits_.has_approach_speed(point(id), walls_[wall], current_time())) {
-    refuse_press(id, "point " + std::to_string(id) + " accelerates toward the " +
-                         std::string(name(walls_[wall].side)) + " wall");
+  const Change reflected = reflection(id, wall, current_time());
+  change({&id, 1}, [&] {
+    triangulation_.apply(Event_kind::wall, id, std::nullopt, {&reflected, 1});
+  });
+}
+
+// What a wall does to a point at the time `now`, at which they touch. Changes nothing.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::reflection(Point_id id, std::size_t wall, const Time& now) const
+    -> Change {
+  if (!traits_.has_approach_speed(point(id), walls_[wall], now)) {
+    refuse_press(id,
+                 "point " + std::to_string(id) + " accelerates toward the " +
+                     std::string(name(walls_[wall].side)) + " wall",
+                 now);
   }
-  const double time = current_time().to_double();
+  const double time = now.to_double();
   const Motion& motion = triangulation_.motion(id);
   Vector_2 velocity = rounded_velocity(motion, time);
   double& component = walls_[wall].is_vertical() ? velocity.x : velocity.y;
@@ -33,16 +45,27 @@ void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
   if (walls_[wall].rim) {  // the rim parts from the wall as fast as it came
     component += (walls_[wall].is_upper() ? -2 : 2) * detail::growth_of(motion);
   }
-  const typename Triangulation::Change reflected = {id, with_velocity(id, velocity, time)};
-  change({&id, 1}, [&] {
-    triangulation_.apply(Event_kind::wall, id, std::nullopt, {&reflected, 1});
-  });
+  return {id, with_velocity(id, velocity, now)};
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
   if (find_overlap({a, b}) != nullptr) mark_passing(a, b, false);  // they had separated
-  const double time = current_time().to_double();
+  const std::vector<Change> changes = collision(a, b, current_time());
+  if (changes.empty()) {
+    let_pass(a, b);
+    triangulation_.apply(Event_kind::collision, a, b, {});
+    return schedule_pair({a, b}, current_time());
+  }
+  const std::array<Point_id, 2> points = {a, b};
+  change(points, [&] { triangulation_.apply(Event_kind::collision, a, b, changes); });
+}
+
+// What the response does to two discs at the time `now`, at which they touch. Changes nothing.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::collision(Point_id a, Point_id b, const Time& now) const
+    -> std::vector<Change> {
+  const double time = now.to_double();
   const Motion& motion_a = triangulation_.motion(a);
   const Motion& motion_b = triangulation_.motion(b);
   const Vector_2 place_a = rounded_place(motion_a, time);
@@ -53,15 +76,15 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
     auto& [known_velocity, motion] = known[id == a ? 0 : 1];
     if (!motion || known_velocity != velocity) {
       known_velocity = velocity;
-      motion = with_velocity(id, velocity, time);
+      motion = with_velocity(id, velocity, now);
     }
     return *motion;
   };
   const auto would_approach = [&](const Vector_2& velocity_a, const Vector_2& velocity_b) {
     return traits_.do_approach(Point_2(motion_with(a, velocity_a), a),
-                               Point_2(motion_with(b, velocity_b), b), current_time());
+                               Point_2(motion_with(b, velocity_b), b), now);
   };
-  const bool is_pressed = !traits_.has_approach_speed(point(a), point(b), current_time());
+  const bool is_pressed = !traits_.has_approach_speed(point(a), point(b), now);
   const Contact_response_2 response =
       options_.response({time,
                          a,
@@ -82,7 +105,7 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
     const Motion& motion = triangulation_.motion(id);
     if (stops) {
       if (is_at_rest(motion)) return std::nullopt;
-      return usable(id, at_rest_at(motion, time));
+      return usable(id, at_rest_at(motion, time), now);
     }
     if (!velocity || *velocity == rounded_velocity(motion, time)) return std::nullopt;
     return motion_with(id, *velocity);
@@ -91,23 +114,20 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
   const auto new_b = new_motion(b, response.stops_b, response.velocity_b);
   if (is_pressed && response.is_motion_given() &&
       traits_.do_approach(Point_2(new_a.value_or(motion_a), a),
-                          Point_2(new_b.value_or(motion_b), b), current_time())) {
-    refuse_press(a, "points " + std::to_string(a) + " and " + std::to_string(b) +
-                        " accelerate toward each other");
+                          Point_2(new_b.value_or(motion_b), b), now)) {
+    refuse_press(a,
+                 "points " + std::to_string(a) + " and " + std::to_string(b) +
+                     " accelerate toward each other",
+                 now);
   }
-  std::array<typename Triangulation::Change, 2> changes;
-  std::size_t number = 0;
-  if (response.erases_a || new_a) changes[number++] = {a, response.erases_a ? std::nullopt : new_a};
-  if (response.erases_b || new_b) changes[number++] = {b, response.erases_b ? std::nullopt : new_b};
-  if (number == 0) {
-    let_pass(a, b);
-    triangulation_.apply(Event_kind::collision, a, b, {});
-    return schedule_pair({a, b}, current_time());
+  std::vector<Change> changes;
+  if (response.erases_a || new_a) {
+    changes.push_back({a, response.erases_a ? std::nullopt : new_a});
   }
-  const std::array<Point_id, 2> points = {a, b};
-  change(points, [&] {
-    triangulation_.apply(Event_kind::collision, a, b, {changes.data(), number});
-  });
+  if (response.erases_b || new_b) {
+    changes.push_back({b, response.erases_b ? std::nullopt : new_b});
+  }
+  return changes;
 }
 
 // Has changes made of the points, which are sorted, with their contacts taken out before and
@@ -145,13 +165,13 @@ void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes
   schedule_anew();
 }
 
-// The motion of a point after a contact, moved so that it is not outside of the box now. Throws
-// where its numbers are too large.
+// The motion of a point after a contact at the time `now`, moved so that it is not outside of the
+// box then. Throws where its numbers are too large.
 template <ContactKineticTraits_2 Traits>
-auto Simulation_2<Traits>::usable(Point_id id, Motion motion) const -> Motion {
+auto Simulation_2<Traits>::usable(Point_id id, Motion motion, const Time& now) const -> Motion {
   if (!is_finite(motion)) {
     throw Contact_overflow_error(
-        id, "after its contact at t = " + detail::text(current_time()) + " point " +
+        id, "after its contact at t = " + detail::text(now) + " point " +
                 std::to_string(id) +
                 " has a place, velocity or acceleration beyond the range of binary64; expected "
                 "smaller numbers, in other units perhaps");
@@ -159,23 +179,24 @@ auto Simulation_2<Traits>::usable(Point_id id, Motion motion) const -> Motion {
   if (!options_.box) return motion;
   for (const Wall_2& wall : walls_) {
     // Mostly it is far inside. Where it has to be moved, how far depends on the interval.
-    if (clamped_inside(motion, wall, current_time().interval()) == motion) continue;
-    motion = clamped_inside(motion, wall, current_time().tight_interval());
+    if (clamped_inside(motion, wall, now.interval()) == motion) continue;
+    motion = clamped_inside(motion, wall, now.tight_interval());
   }
   return motion;
 }
 
 template <ContactKineticTraits_2 Traits>
-auto Simulation_2<Traits>::with_velocity(Point_id id, const Vector_2& velocity, double time) const
-    -> Motion {
-  return usable(id, with_velocity_at(triangulation_.motion(id), velocity, time));
+auto Simulation_2<Traits>::with_velocity(Point_id id, const Vector_2& velocity,
+                                         const Time& now) const -> Motion {
+  return usable(id, with_velocity_at(triangulation_.motion(id), velocity, now.to_double()), now);
 }
 
 // `who` touches something, without a speed toward it, but with an acceleration toward it.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::refuse_press(Point_id id, const std::string& who) const {
+void Simulation_2<Traits>::refuse_press(Point_id id, const std::string& who,
+                                        const Time& now) const {
   throw Endless_contacts_error(
-      id, who + " at t = " + detail::text(current_time()) +
+      id, who + " at t = " + detail::text(now) +
               ", in contact without any speed, so that no change of velocities separates them; "
               "expected contacts with a speed: change the accelerations, end before that time, or "
               "take a response that stops or removes points or lets them pass");

@@ -15,6 +15,7 @@
 #include "kinetri/simulation/detail/disc_numbers.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/triangulation/detail/plain_loop.h"
 
 namespace kinetri {
 
@@ -44,6 +45,53 @@ bool Simulation_2<Traits>::Queue_policy::is_recheck(const Entry& entry) const {
   if (!entry.is_event) return true;
   return (entry.kind == Entry_kind::erase || entry.kind == Entry_kind::trajectory) &&
          !simulation.triangulation_.contains(entry.point_a);
+}
+
+// The same node of the regions that the triangulation's queue has for an edge of the two points.
+template <ContactKineticTraits_2 Traits>
+std::size_t Simulation_2<Traits>::Queue_policy::part_of(const Subject& subject) const {
+  const detail::Region_division& division =
+      detail::Plain_loop<Triangulation>::division(simulation.triangulation_);
+  if (subject.kind == Entry_kind::wall) return division.node_of(subject.point_a, subject.point_a);
+  if (subject.kind == Entry_kind::collision) {
+    return division.node_of(subject.point_a, subject.point_b);
+  }
+  return division.nodes() - 1;
+}
+
+template <ContactKineticTraits_2 Traits>
+Queue_handle Simulation_2<Traits>::Queue_policy::handle(const Subject& subject) const {
+  if (is_change(subject.kind)) {
+    const auto change = simulation.scheduled_changes_.find(subject.point_b);
+    return change == simulation.scheduled_changes_.end() ? no_event : change->second.event;
+  }
+  const Contacts* const contacts = simulation.find_contacts(subject.point_a);
+  if (contacts == nullptr) return no_event;
+  if (subject.kind == Entry_kind::wall) return contacts->wall_event;
+  if (subject.kind == Entry_kind::vanish) return contacts->vanish_event;
+  const auto partner = std::ranges::find(contacts->partners, subject.point_b, &Partner::id);
+  return partner == contacts->partners.end() ? no_event : partner->event;
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::Queue_policy::set_handle(const Subject& subject,
+                                                    Queue_handle handle) const {
+  if (is_change(subject.kind)) {
+    simulation.scheduled_changes_.at(subject.point_b).event = handle;
+    return;
+  }
+  const auto contacts = [&](Point_id id) -> Contacts& { return *simulation.find_contacts(id); };
+  if (subject.kind == Entry_kind::wall) {
+    contacts(subject.point_a).wall_event = handle;
+  } else if (subject.kind == Entry_kind::vanish) {
+    contacts(subject.point_a).vanish_event = handle;
+  } else {
+    const auto set = [&](Point_id id, Point_id other) {
+      std::ranges::find(contacts(id).partners, other, &Partner::id)->event = handle;
+    };
+    set(subject.point_a, subject.point_b);
+    set(subject.point_b, subject.point_a);
+  }
 }
 
 // Puts the entry into the queue with the contact of the certificate, or the time to check it again.
@@ -110,6 +158,16 @@ Queue_handle Simulation_2<Traits>::forget_partner(Point_id id, Point_id other) {
 }
 
 template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::note(const Subject& subject, Queue_handle handle) {
+  if (subject.kind == Entry_kind::wall) {
+    contacts_of(subject.point_a).wall_event = handle;
+  } else {
+    contacts_of(subject.point_a).partners.push_back({subject.point_b, handle});
+    contacts_of(subject.point_b).partners.push_back({subject.point_a, handle});
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::contacts_of(Point_id id) -> Contacts& {
   if (id >= contacts_.size()) contacts_.resize(triangulation_.next_id());
   if (contacts_[id] == nullptr) contacts_[id] = std::make_unique<Contacts>();
@@ -143,6 +201,15 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
   if (!options_.box) return;
   unschedule_wall(id);
+  auto [first, certificate] = first_wall(id, after, certificate_counters_);
+  contacts_of(id).wall_event = push(first, std::move(certificate));
+}
+
+// That entry, and the certificate that tells its time.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::first_wall(Point_id id, const Time& after,
+                                      Certificate_counters& counters) const
+    -> std::pair<Entry, Certificate> {
   Entry first;
   first.point_a = id;
   Certificate first_certificate;
@@ -154,7 +221,7 @@ void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
   };
   for (Point_id wall = 0; wall < walls_.size(); ++wall) {
     Certificate certificate = traits_.wall_certificate(point(id), walls_[wall], after);
-    certificate_counters_.count(certificate);
+    counters.count(certificate);
     if (certificate.kind == Certificate::Kind::never_fails) continue;
     const auto is_earlier = [&] {
       if (first_certificate.kind == Certificate::Kind::never_fails) return true;
@@ -166,7 +233,7 @@ void Simulation_2<Traits>::schedule_wall(Point_id id, const Time& after) {
     first.point_b = wall;
     first_certificate = std::move(certificate);
   }
-  contacts_of(id).wall_event = push(first, std::move(first_certificate));
+  return {first, std::move(first_certificate)};
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -197,10 +264,7 @@ bool Simulation_2<Traits>::schedule_new_pair(const Edge_ids& pair, const Time& a
   certificate_counters_.count(certificate);
   const bool may_overlap = certificate.may_vanish;
   const Queue_handle event = push(entry, std::move(certificate));
-  if (event != no_event) {
-    contacts_of(pair[0]).partners.push_back({pair[1], event});
-    contacts_of(pair[1]).partners.push_back({pair[0], event});
-  }
+  if (event != no_event) note(entry.subject(), event);
   return may_overlap;
 }
 

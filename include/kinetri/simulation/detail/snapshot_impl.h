@@ -38,14 +38,12 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   });
   std::ranges::sort(changes, {}, &Entry::point_b);
   for (const Entry& change : changes) {
-    const auto motion = scheduled_motions_.find(change.point_b);
     result.scheduled.push_back(
         {queue_.time_of(change).detached(),
          change.kind == Entry_kind::erase    ? Event_kind::erase
          : change.kind == Entry_kind::insert ? Event_kind::insert
                                              : Event_kind::trajectory,
-         change.point_a,
-         motion == scheduled_motions_.end() ? std::nullopt : std::optional(motion->second)});
+         change.point_a, scheduled_changes_.at(change.point_b).motion});
   }
   return result;
 }

@@ -458,6 +458,19 @@ void Kinetic_triangulation_2<Traits>::set_point(const Change& change) {
 // within less than half of that. Sufficient, not necessary.
 template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::is_embedded_around(Vertex_handle v) const {
+  const auto orientation = triangulation_.geom_traits().orientation_2_object();
+  return is_embedded_around(
+      v, current_bounds(), [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+        return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
+      });
+}
+
+// The same at a time within `bounds`, with a predicate of the instant after it.
+template <KineticTraits_2 Traits>
+template <class Is_left_turn>
+bool Kinetic_triangulation_2<Traits>::is_embedded_around(Vertex_handle v,
+                                                         const Double_interval& bounds,
+                                                         const Is_left_turn& is_left_turn) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
     // Mostly it is an inner vertex of few neighbors.
     std::array<const Point_2*, 16> around;
@@ -469,14 +482,10 @@ bool Kinetic_triangulation_2<Traits>::is_embedded_around(Vertex_handle v) const 
       if (is_inner) around[number++] = &u->point();
     });
     if (is_inner &&
-        traits_.is_surrounded(v->point(), std::span(around).first(number), current_bounds())) {
+        traits_.is_surrounded(v->point(), std::span(around).first(number), bounds)) {
       return true;
     }
   }
-  const auto orientation = triangulation_.geom_traits().orientation_2_object();
-  const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
-    return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
-  };
   Vertex_handle previous;  // hull neighbors, if v is on the hull
   Vertex_handle next;
   Vertex_handle before_previous;

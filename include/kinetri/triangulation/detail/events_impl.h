@@ -110,6 +110,12 @@ std::size_t Kinetic_triangulation_2<Traits>::step(const Time& until) {
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_triangulation_2<Traits>::step_until(const Time* until) {
   join_parts();
+  return step_in_parts(until);
+}
+
+// The same where the queue may stay in parts.
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::step_in_parts(const Time* until) {
   std::size_t events = 0;
   while (events == 0 && settle(until)) {
     events = run_instant();

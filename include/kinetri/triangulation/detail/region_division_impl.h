@@ -29,8 +29,8 @@ std::vector<std::span<const Element>> blocks_of(std::span<const Element> element
   return blocks;
 }
 
-template <class Kinetic>
-void Region_run<Kinetic>::divide() {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::divide() {
   choose_owners();
   division().regions = regions_;
   const std::size_t nodes = division().nodes();
@@ -41,8 +41,8 @@ void Region_run<Kinetic>::divide() {
 }
 
 // Takes up the regions of the division. Stamps of its windows are in the faces.
-template <class Kinetic>
-void Region_run<Kinetic>::go_on_with_division() {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::go_on_with_division() {
   regions_ = division().regions;
   lanes_.resize(division().nodes());
   const auto most =
@@ -55,14 +55,15 @@ void Region_run<Kinetic>::go_on_with_division() {
     lane.part = &queue().part(from);
     lane.first_handle = queue().named(from, 0);
     lane.flips_before = division().flips[node];
+    if constexpr (has_turns) lane.turn_part = &turns_.queue().part(from);
     const auto nodes = static_cast<double>(regions_ >> lane.level);
     const double share = (lane.is_region() ? 16 : 4) * events_in_window() / std::max(nodes, 1.0);
     lane.capacity = static_cast<std::size_t>(std::min(share + 64, most));
   }
 }
 
-template <class Kinetic>
-void Region_run<Kinetic>::join() {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::join() {
   const double width = division().window_width;
   in_arena([this] { move_to_parts(1); });
   division() = {};
@@ -70,8 +71,8 @@ void Region_run<Kinetic>::join() {
 }
 
 // Distributes the entries over parts, and clears the stamps.
-template <class Kinetic>
-void Region_run<Kinetic>::move_to_parts(std::size_t count) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::move_to_parts(std::size_t count) {
   const std::vector<Face_handle> faces = kinetic_.faces();
   const auto for_each_edge = [&](std::span<const Face_handle> block, const auto& function) {
     // What is far away in memory is asked for in time.
@@ -84,13 +85,25 @@ void Region_run<Kinetic>::move_to_parts(std::size_t count) {
       });
     }
   };
-  queue().divide(count, blocks_of(std::span(std::as_const(faces))), for_each_edge,
-                 [this](auto& elements, const auto& work) { this->for_each(elements, work); });
+  const auto in_parallel = [this](auto& elements, const auto& work) {
+    this->for_each(elements, work);
+  };
+  queue().divide(count, blocks_of(std::span(std::as_const(faces))), for_each_edge, in_parallel);
+  if constexpr (has_turns) turns_.divide(count, in_parallel);
+}
+
+// Whether all that is to come is in parts.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_divided() {
+  if constexpr (has_turns) {
+    if (!turns_.queue().is_divided()) return false;
+  }
+  return queue().is_divided();
 }
 
 // Regions are the cells of a k-d tree of the places of some vertices.
-template <class Kinetic>
-void Region_run<Kinetic>::choose_owners() {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::choose_owners() {
   std::vector<Vertex_handle> vertices;
   vertices.reserve(kinetic_.number_of_points_);
   for (const Vertex_handle v : kinetic_.triangulation_.finite_vertex_handles()) {

@@ -14,44 +14,46 @@
 
 namespace kinetri::detail {
 
-template <class Kinetic>
-auto Region_run<Kinetic>::moment_of(const Entry& entry, const Two_sided_edge& edge,
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::moment_of(const Entry& entry, const Two_sided_edge& edge,
                                     const Part& part) const -> Moment {
   Moment result{kinetic_.certificate_points(edge), entry.bounds, std::nullopt};
   if (entry.time != Time_pool::none) result.exact = part.time_of(entry);
   return result;
 }
 
-template <class Kinetic>
-auto Region_run<Kinetic>::time(Moment& moment) const -> const Time& {
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::time(Moment& moment) const -> const Time& {
   if (!moment.exact) moment.exact = kinetic_.failure_time(moment.points, moment.bounds);
   return *moment.exact;
 }
 
 // The time of a flip. At the hull it has been made when the flip was executed.
-template <class Kinetic>
-auto Region_run<Kinetic>::time(const Key& key) -> const Time& {
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::time(const Key& key) -> const Time& {
   Flip& f = flip(key);
   if (!f.exact) f.exact = std::make_unique<Exact_times>();
   if (!f.exact->flip) {
-    f.exact->flip = kinetic_.failure_time(certificate_points(f), key.bounds);
+    f.exact->flip = kinetic_.failure_time(certificate_points(key), key.bounds);
   }
   return *f.exact->flip;
 }
 
 // What failed when an edge was flipped, as Kinetic_triangulation_2::certificate_points says it.
 // Precondition: the corners are finite.
-template <class Kinetic>
-auto Region_run<Kinetic>::certificate_points(const Flip& flip) const -> Certificate_points {
-  const auto point = [&](std::size_t k) { return &kinetic_.vertices_[flip.corners[k]]->point(); };
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::certificate_points(const Key& key) -> Certificate_points {
+  const Stamp number = stamp(lanes_[key.lane], key.index);
+  const Flip& f = flip(key);
+  const auto point = [&](std::size_t k) { return &point_at(f.corners[k], number); };
   return {Entry_kind::flip, {point(0), point(1), point(2), point(3)}};
 }
 
 // ---- before a flip ----
 
 // Whether all four vertices are in the node, of whose entries this is one.
-template <class Kinetic>
-bool Region_run<Kinetic>::is_owned(const Lane& lane, const Two_sided_edge& edge) const {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_owned(const Lane& lane, const Two_sided_edge& edge) const {
   // So the ends of the edge are in the node.
   const std::size_t place = lane.number - kinetic_.division_.first_node(lane.level);
   const auto owns = [&](const Edge& side) {
@@ -64,27 +66,11 @@ bool Region_run<Kinetic>::is_owned(const Lane& lane, const Two_sided_edge& edge)
 // Whether another entry in the surroundings waits and is not later than this one, which is the
 // first of the lane's part. (Entries of that part come after this one, those of nodes' parts after
 // the window. What waits there was deferred by this node, or is due in a node above.)
-template <class Kinetic>
-bool Region_run<Kinetic>::is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge) {
-  const Queue_handle first_stall = queue().named(lanes_.size(), 0);
-  const auto has_stall = [&](Face_handle face) {
-    const auto is_stall = [&](Queue_handle handle) {
-      return static_cast<Queue_handle>(handle - first_stall) < no_event - first_stall;
-    };
-    return is_stall(face->event(0)) || is_stall(face->event(1)) || is_stall(face->event(2));
-  };
-  const auto blocks = [&](Queue_handle handle) {
-    if (handle == no_event || handle < first_stall) return false;
-    if (&queue().part(queue().part_of_handle(handle)) == lane.part) return false;
-    const Entry& other = queue()[handle];
-    if (other.bounds.lower > entry.bounds.upper) return false;
-    if (other.bounds.upper < entry.bounds.lower) return true;
-    return queue().part(queue().part_of_handle(handle)).time_of(other) <=
-           lane.part->time(lane.part->top());
-  };
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge) {
+  const auto exact = [&]() -> const Time& { return lane.part->time(lane.part->top()); };
   const auto is_face_blocked = [&](Face_handle face) {
-    return has_stall(face) &&
-           (blocks(face->event(0)) || blocks(face->event(1)) || blocks(face->event(2)));
+    return waits_before(face, lane.part, entry.bounds, exact);
   };
   for (const Edge& side : {edge.here, edge.there}) {
     const auto& [face, i] = side;
@@ -93,14 +79,40 @@ bool Region_run<Kinetic>::is_blocked(Lane& lane, const Entry& entry, const Two_s
       return true;
     }
   }
+  if constexpr (has_turns) return is_pair_blocked(lane, edge, entry);
   return false;
+}
+
+// Whether an entry at an edge of a face waits, in another part than `own`, that is not later than
+// what has these bounds, and the time exact().
+template <class Kinetic, class Turns>
+template <class Exact>
+inline bool Region_run<Kinetic, Turns>::waits_before(Face_handle face, const Part* own,
+                                                     const Double_interval& bounds,
+                                                     const Exact& exact) {
+  const Queue_handle first_stall = queue().named(lanes_.size(), 0);
+  const auto is_stall = [&](Queue_handle handle) {
+    return static_cast<Queue_handle>(handle - first_stall) < no_event - first_stall;
+  };
+  if (!is_stall(face->event(0)) && !is_stall(face->event(1)) && !is_stall(face->event(2))) {
+    return false;
+  }
+  const auto waits = [&](Queue_handle handle) {
+    if (!is_stall(handle)) return false;
+    const Part& part = queue().part(queue().part_of_handle(handle));
+    if (&part == own) return false;
+    const Entry& other = queue()[handle];
+    if (other.bounds.lower > bounds.upper) return false;
+    return other.bounds.upper < bounds.lower || part.time_of(other) <= exact();
+  };
+  return waits(face->event(0)) || waits(face->event(1)) || waits(face->event(2));
 }
 
 // Whether the plain loop flips the edge of an entry that is no coincidence: of the flat triangles
 // at the hull some only touch it, and some take a reconstruction; see
 // Kinetic_triangulation_2::execute.
-template <class Kinetic>
-bool Region_run<Kinetic>::is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment) {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment) {
   if (entry.kind != Entry_kind::hull_insert) return true;
   const Time before = kinetic_.current_time();
   kinetic_.set_current_time(time(moment));
@@ -113,8 +125,8 @@ bool Region_run<Kinetic>::is_flip(const Entry& entry, const Two_sided_edge& edge
 }
 
 // Undoes the flips in the surroundings of an edge that are later than the moment.
-template <class Kinetic>
-void Region_run<Kinetic>::undo_later(Lane& lane, const Two_sided_edge& edge, Moment& moment) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::undo_later(Lane& lane, const Two_sided_edge& edge, Moment& moment) {
   for (const Edge& side : {edge.here, edge.there}) {
     const auto& [face, i] = side;
     KINETRI_ASSERT(!is_later(face->stamp(), moment),
@@ -131,8 +143,8 @@ void Region_run<Kinetic>::undo_later(Lane& lane, const Two_sided_edge& edge, Mom
 // ---- a flip ----
 
 // Counterclockwise from the corner of the face: as in Kinetic_triangulation_2::flip_edge.
-template <class Kinetic>
-auto Region_run<Kinetic>::outer_edges(const Two_sided_edge& edge) const -> Outer_edges {
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::outer_edges(const Two_sided_edge& edge) const -> Outer_edges {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
   return {kinetic_.two_sided(Edge(face, Triangulation::cw(i))),
@@ -143,8 +155,8 @@ auto Region_run<Kinetic>::outer_edges(const Two_sided_edge& edge) const -> Outer
 
 // Schedules an entry for a union of regions: in the part that it executes, or where the entry
 // belongs between two windows. `exact` is its time, if that has been made.
-template <class Kinetic>
-Queue_handle Region_run<Kinetic>::put(const Lane& lane, const Entry& entry, const Time* exact) {
+template <class Kinetic, class Turns>
+Queue_handle Region_run<Kinetic, Turns>::put(const Lane& lane, const Entry& entry, const Time* exact) {
   const std::size_t to = entry.bounds.lower <= due_until_
                              ? due_part(lane.number)
                              : kinetic_.queue_policy_.part_of(entry.edge());
@@ -153,8 +165,8 @@ Queue_handle Region_run<Kinetic>::put(const Lane& lane, const Entry& entry, cons
 }
 
 // Schedules an edge.
-template <class Kinetic>
-KINETRI_ALWAYS_INLINE void Region_run<Kinetic>::put(const Lane& lane, const Two_sided_edge& edge,
+template <class Kinetic, class Turns>
+KINETRI_ALWAYS_INLINE void Region_run<Kinetic, Turns>::put(const Lane& lane, const Two_sided_edge& edge,
                                                     Entry_kind kind, Certificate&& known) {
   if (known.kind == Certificate::Kind::never_fails) return kinetic_.set_event(edge, no_event);
   if (!lane.is_region()) {
@@ -169,16 +181,16 @@ KINETRI_ALWAYS_INLINE void Region_run<Kinetic>::put(const Lane& lane, const Two_
 }
 
 // What undoing needs of an entry.
-template <class Kinetic>
-inline auto Region_run<Kinetic>::kept(const Entry& entry) -> Kept_entry {
+template <class Kinetic, class Turns>
+inline auto Region_run<Kinetic, Turns>::kept(const Entry& entry) -> Kept_entry {
   return {static_cast<std::uint8_t>(static_cast<unsigned>(entry.kind) & 15U), true,
           entry.changes_sign};
 }
 
 // The entry again, of the edge as it is before the flip. Which of the two sides of the edge it
 // names, nothing depends on.
-template <class Kinetic>
-auto Region_run<Kinetic>::restored(const Kept_entry& kept, const Edge& edge,
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::restored(const Kept_entry& kept, const Edge& edge,
                                    const Double_interval& bounds) -> Entry {
   Entry result;
   result.bounds = bounds;
@@ -191,8 +203,8 @@ auto Region_run<Kinetic>::restored(const Kept_entry& kept, const Edge& edge,
 
 // Flips an edge whose entry has been taken from its part, as flip_edge does, and keeps what undoes
 // it.
-template <class Kinetic>
-void Region_run<Kinetic>::execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge,
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge,
                                   Moment& moment) {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
@@ -259,13 +271,14 @@ void Region_run<Kinetic>::execute(Lane& lane, const Entry& entry, const Two_side
     kinetic_.certify(outer, now(), Certificate_state::any, kinetic_.traits_, lane.certificates,
                      put_entry);
   }
+  if constexpr (has_turns) follow_flip(lane, f, moment);
   if (entry.kind != Entry_kind::flip) time(moment);
   if (moment.exact) exact().flip = std::move(moment.exact);
 }
 
 // Undoes a flip: first those that were executed after it and conflict with it.
-template <class Kinetic>
-void Region_run<Kinetic>::undo(Lane& lane, Stamp number) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::undo(Lane& lane, Stamp number) {
   // The last flip at a face or beside it.
   const auto last_at = [&](Face_handle face) {
     Stamp last = 0;
@@ -277,7 +290,8 @@ void Region_run<Kinetic>::undo(Lane& lane, Stamp number) {
   std::vector<Stamp> waiting = {number};  // each for the one after it
   while (!waiting.empty()) {
     const Flip& f = flip(waiting.back());
-    const Stamp last = std::max(last_at(f.face), last_at(f.neighbor));
+    Stamp last = 0;
+    for_each_written_face(f, [&](Face_handle face) { last = std::max(last, last_at(face)); });
     if (last > waiting.back()) {
       waiting.push_back(last);
     } else {
@@ -289,15 +303,20 @@ void Region_run<Kinetic>::undo(Lane& lane, Stamp number) {
 
 // Undoes a flip that no other one after it conflicts with. Then the surroundings are what they were
 // just before it, and the entries of then are true again.
-template <class Kinetic>
-void Region_run<Kinetic>::undo_last(Lane& lane, Stamp number) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
   const Key& flipped = key(number);
   Flip& f = flip(flipped);
-  KINETRI_ASSERT(f.face->stamp() == number && f.neighbor->stamp() == number,
-                 "the last flip of its faces");
   ++lane.undone;
   f.is_undone = true;
   lane_of(number).has_undone = true;
+  for_each_written_face(f, [&](Face_handle face) {
+    KINETRI_ASSERT(face->stamp() == number, "the last flip of its faces");
+  });
+  if constexpr (has_turns) {
+    if (f.beside.turn) return undo_turn(lane, *f.beside.turn);
+    unfollow_flip(lane, f);
+  }
   const auto erase = [&](Face_handle face, int k) {
     if (face->event(k) != no_event) queue().erase(face->event(k));
   };
@@ -331,8 +350,8 @@ void Region_run<Kinetic>::undo_last(Lane& lane, Stamp number) {
 }
 
 // Schedules the entry number k of an undone flip again.
-template <class Kinetic>
-void Region_run<Kinetic>::put_back(const Lane& lane, const Flip& f, const Two_sided_edge& edge,
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::put_back(const Lane& lane, const Flip& f, const Two_sided_edge& edge,
                                    const Kept_entry& kept, const Double_interval& bounds,
                                    std::size_t k) {
   if (!kept.exists) return kinetic_.set_event(edge, no_event);

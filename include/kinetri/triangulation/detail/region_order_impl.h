@@ -20,8 +20,8 @@ namespace kinetri::detail {
 
 // Reports the flips of the window in the order of time, but for those from the first time on that
 // two have in common, or from the cut on: these are undone.
-template <class Kinetic>
-void Region_run<Kinetic>::settle_window() {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::settle_window() {
   put_in_order();
   for (std::size_t k = 1; k < order_.size(); ++k) {
     if (order_[k - 1].bounds.upper < order_[k].bounds.lower) continue;
@@ -32,7 +32,9 @@ void Region_run<Kinetic>::settle_window() {
   }
   if (cut_) cut_off();
   for (const Lane& lane : lanes_) {
-    if (!lane.is_region()) move_home(due_part(lane.number));
+    if (lane.is_region()) continue;
+    move_home(due_part(lane.number));
+    if constexpr (has_turns) move_turns_home(due_part(lane.number));
   }
   std::exception_ptr thrown;
   try {
@@ -40,6 +42,7 @@ void Region_run<Kinetic>::settle_window() {
   } catch (...) {
     thrown = std::current_exception();
   }
+  if constexpr (has_turns) settle_turns_of_window();
   done_ = order_.size();
   division().events += static_cast<double>(done_);
   const auto count = [this](Lane& lane) {
@@ -65,13 +68,13 @@ void Region_run<Kinetic>::settle_window() {
   std::ranges::for_each(lanes_, count);
   for_each(lanes_, clear);
   if (thrown) std::rethrow_exception(thrown);
-  if (cut_ && kinetic_.settle(&*cut_)) run_loop_instant();
+  if (cut_ && settle(*cut_)) run_loop_instant(*cut_);
 }
 
 // Puts the flips that are not undone in the order of time: slices of the window by lower bounds,
 // which several threads do, then, since bounds may overlap, one by one.
-template <class Kinetic>
-void Region_run<Kinetic>::put_in_order() {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::put_in_order() {
   order_.clear();
   std::size_t size = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -112,8 +115,8 @@ void Region_run<Kinetic>::put_in_order() {
 }
 
 // The keys of flips that are not undone and that reach from `least` on, but not `greatest`.
-template <class Kinetic>
-auto Region_run<Kinetic>::keys_between(double least, double greatest) const -> std::vector<Key> {
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::keys_between(double least, double greatest) const -> std::vector<Key> {
   std::vector<Key> result;
   const auto add = [&](const Lane& lane) {
     auto key = std::ranges::lower_bound(lane.keys, least, {}, &Key::reached);
@@ -127,8 +130,8 @@ auto Region_run<Kinetic>::keys_between(double least, double greatest) const -> s
 
 // Puts each key after those that it does not precede. Gives up, and returns false, where too many
 // are in the way.
-template <class Kinetic>
-bool Region_run<Kinetic>::insert_in_order() {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::insert_in_order() {
   std::size_t steps = 8 * order_.size();
   for (std::size_t k = 1; k < order_.size(); ++k) {
     if (order_[k - 1].bounds.upper < order_[k].bounds.lower) continue;
@@ -143,8 +146,8 @@ bool Region_run<Kinetic>::insert_in_order() {
 }
 
 // Undoes the flips from the cut on.
-template <class Kinetic>
-void Region_run<Kinetic>::cut_off() {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::cut_off() {
   ++counters_.cuts;
   Lane& root_lane = lanes_.back();
   const std::uint64_t undone = root_lane.undone;
@@ -165,21 +168,27 @@ void Region_run<Kinetic>::cut_off() {
 
 // Counts the flips of the window and shows them to the observers. If an observer throws, the window
 // has been executed and counted all the same.
-template <class Kinetic>
-void Region_run<Kinetic>::report() {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::report() {
   if (order_.empty()) return;
   kinetic_.counters_.flat_hulls +=
       static_cast<std::uint64_t>(std::ranges::count(order_, Event_kind::hull_insert, &Key::kind));
-  kinetic_.counters_.instants += order_.size();
+  const auto flips = static_cast<std::uint64_t>(
+      std::ranges::count_if(order_, [](const Key& key) { return !is_turn(key); }));
+  kinetic_.counters_.instants += flips;
   kinetic_.counters_.largest_instant =
-      std::max<std::uint64_t>(kinetic_.counters_.largest_instant, 1);
+      std::max<std::uint64_t>(kinetic_.counters_.largest_instant, flips > 0 ? 1 : 0);
+  if constexpr (has_turns) turns_.count(order_.size() - flips);
   // Observers get exact times. Several threads make those of some events, which are then reported.
   constexpr std::ptrdiff_t events_at_once = 16'384;
   constexpr std::size_t events_of_thread = 1024;
   auto next = order_.cbegin();
+  const bool is_watched = std::ranges::any_of(
+      kinetic_.observers_, [this](const Event_observer* o) { return is_told(o); });
+  if (is_watched) go_back_in_turns();
   kinetic_.is_in_event_ = true;
   try {
-    while (!kinetic_.observers_.empty() && next != order_.cend()) {
+    while (is_watched && next != order_.cend()) {
       const auto end = next + std::min(events_at_once, order_.cend() - next);
       auto blocks = blocks_of(std::span(next, end), events_of_thread);
       for_each(blocks, [this](std::span<const Key> block) {
@@ -188,6 +197,7 @@ void Region_run<Kinetic>::report() {
       while (next != end) report(*next++);
     }
   } catch (...) {
+    go_through_turns();
     count_from(next);
     throw;
   }
@@ -195,8 +205,8 @@ void Region_run<Kinetic>::report() {
 }
 
 // Counts flips that no observer is told of.
-template <class Kinetic>
-void Region_run<Kinetic>::count_from(typename std::vector<Key>::const_iterator next) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::count_from(typename std::vector<Key>::const_iterator next) {
   kinetic_.is_in_event_ = false;
   if (next == order_.cend()) return;  // the present time is that of the last one
   for (; next != order_.cend(); ++next) kinetic_.count_event(next->kind);
@@ -205,22 +215,32 @@ void Region_run<Kinetic>::count_from(typename std::vector<Key>::const_iterator n
   if (f.exact && f.exact->flip) {
     kinetic_.set_current_time(*f.exact->flip);
   } else {
-    kinetic_.pending_time_ = {certificate_points(f), last.bounds};
+    kinetic_.pending_time_ = {certificate_points(last), last.bounds};
   }
 }
 
 // Counts a flip and shows it to the observers.
-template <class Kinetic>
-void Region_run<Kinetic>::report(const Key& key) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::report(const Key& key) {
   const std::array<Point_id, 4>& corners = flip(key).corners;
-  Event event = Kinetic::flip_event(key.kind, edge_ids(corners[0], corners[1]),
-                                    edge_ids(corners[2], corners[3]));
+  Event event;
+  if (is_turn(key)) {
+    event = turn_event(key);
+  } else {
+    event = Kinetic::flip_event(key.kind, edge_ids(corners[0], corners[1]),
+                                edge_ids(corners[2], corners[3]));
+  }
   kinetic_.set_current_time(time(key));
   event.number = kinetic_.counters_.number_of_events();
   event.time = kinetic_.current_time();
   kinetic_.count_event(key.kind);
-  for (Event_observer* observer : kinetic_.observers_) observer->before_event(event);
-  for (Event_observer* observer : kinetic_.observers_) observer->after_event(event);
+  for (Event_observer* observer : kinetic_.observers_) {
+    if (is_told(observer)) observer->before_event(event);
+  }
+  if (is_turn(key)) set_motions(key, true);
+  for (Event_observer* observer : kinetic_.observers_) {
+    if (is_told(observer)) observer->after_event(event);
+  }
   flip(key).exact.reset();
 }
 

@@ -37,14 +37,22 @@
 //   stall    An entry that waits for a node above: deferred, or due in a union. It stays in the
 //            slots of its two faces, where others that are later see it: there is no other mark.
 //   rest     The events that the root executes, by one thread in the order of the queue.
+//   turn     An event that gives one point or two another motion: a contact. A simulation has turns;
+//            their entries are in a queue of its own, in the same parts. See Turns below. The record
+//            of a turn is a Flip too, since it is numbered, ordered and undone as one.
 //
 // What an event reads and writes. A flip, at the hull too,
-//   reads    the vertices of its surroundings, and motions, which no window changes;
+//   reads    the vertices of its surroundings, and their motions;
 //   writes   vertices, neighbors, slots and stamp of its two faces; in each face beside them the
 //            slot, and in two of these the neighbor, across their common edge; for the two ends of
 //            the edge the face that CGAL keeps at a vertex, if that was one of the two faces; the
-//            entries of the five edges; the lane.
-// It allocates no face and no vertex. So the order of faces in CGAL's container, which snapshots
+//            entries of the five edges; where there are turns, those of the pairs that are the ends
+//            of the edge before and after; the lane.
+// The faces of a turn, two for a flip, are all those at its points; its surroundings are these and
+// the faces beside them. It writes their slots and stamps, the motions of its points, the entries of
+// the edges of these faces, and the entries of all turns of its points. Two events that have a
+// motion of one point in common conflict: if one changes it, it writes all faces at the point.
+// An event allocates no face and no vertex. So the order of faces in CGAL's container, which snapshots
 // keep, is that of the window's start, and face() of a vertex changes only with a flip of that
 // face. Flips from either side of an edge are the same. A recheck writes the entry of one edge.
 // Failure times are exact numbers that several threads may ask (algebra/algebraic_number.h); that
@@ -53,15 +61,18 @@
 //
 // A window goes through the tree level by level: the regions, by several threads, then the unions
 // of two regions, and so on up to the root, which is alone. A node but the root flips an edge if it
-// is finite and all four vertices are in the node. Then each face that it writes has two vertices
+// is finite and all four vertices are in the node, and executes a turn if all neighbors of its points
+// are finite and in the node. Then each face that it writes has two vertices
 // in the node, and each face that it reads too. A face with two vertices in the node is written by
 // no other node of its level, since that would have to own two of the three. So nodes of one level
 // share nothing that one of them writes.
 //
 // Contract. An entry is executed only if
-//   (1) it is a flip, and the two faces at its edge are those that it was made for;
-//   (2) no face of its surroundings has been flipped later in time;
-//   (3) no other entry at an edge of its two faces is due before it.
+//   (1) it is a flip, and the two faces at its edge are those that it was made for; or it is a turn,
+//       and the motions of its points are those that it was made for;
+//   (2) no face of its surroundings has been written later in time;
+//   (3) no other entry at an edge of its faces is due before it, and no other entry of a turn that
+//       it takes out of the queue.
 // A node has (3) for its own entries by its order. It defers what violates (3) by a stall, and
 // looks at all edges of the surroundings for that, which saves undoing. In a region (2) is true,
 // since it executes in the order of time. A union makes (2) true: it undoes the later flips, each
@@ -77,12 +88,19 @@
 //   - a node never goes back: what it executes, only nodes above it undo, and what the root
 //     executes is never undone, unless the window is cut.
 //
-// Done by the root alone: flips with the infinite vertex, that is at the hull.
+// Done by the root alone: flips with the infinite vertex, that is at the hull; turns at the hull.
 // Never done in a window: coincidences, triangles at the hull that turn flat and are not flipped,
-// reconstructions, hidden points, ties. Where such an event is next, in the rest, or two flips have
+// reconstructions, hidden points, ties; turns after which the triangles at a point are not embedded
+// or a certificate fails at once; changes that are no turns. Where such an event is next, in the rest, or two flips have
 // the same time, the window is cut: flips at or after that time are undone, those before it are
 // reported, and the plain loop executes that instant. Regions are for points without weights whose
 // places can be rounded (HasRoundedPlace).
+//
+// Motions of the past. The exact time of a flip is made when it is needed, mostly when observers are
+// told of it. Then its points may have turned: so the records of turns keep the motions before and
+// after them, by points from the last turn to the first. And observers may read motions of points
+// of which they are told: so points get the motions back that they had when the window began, and
+// turn again, one after the other, while observers are told of the events.
 //
 // What is the same as in the plain loop: events, their order and times, faces and all that a
 // snapshot has of them, and of the counters those that count events and instants. Counts of
@@ -104,6 +122,7 @@
 #include <optional>
 #include <random>
 #include <span>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -154,14 +173,23 @@ struct Region_counters {
   std::uint64_t cut_off = 0;    ///< flips that were undone since their window was cut
 };
 
-/// A run of a Kinetic_triangulation_2 by regions.
-template <class KineticTriangulation>
+/// Motions that nothing changes. The other model of Turns, which has the functions that Region_run
+/// calls, is Contact_turns of simulation/detail/contact_turns.h.
+struct No_turns {
+  static constexpr bool exist = false;
+  struct Entry {};
+  struct Part {};
+};
+
+/// A run of a Kinetic_triangulation_2 by regions. `Turns` is No_turns, or tells of turns.
+template <class KineticTriangulation, class Turns>
 class Region_run {
  public:
   using Time = typename KineticTriangulation::Time;  ///< of events
 
   /// The triangulation must outlive this object.
-  explicit Region_run(KineticTriangulation& kinetic, const Region_options& options = {});
+  explicit Region_run(KineticTriangulation& kinetic, const Region_options& options = {},
+                      Turns turns = {});
 
   /// As advance_to of the triangulation, with the same result. Observers that look at the
   /// triangulation get the plain loop. If an observer throws, the triangulation is what it is after
@@ -187,6 +215,13 @@ class Region_run {
   using Queue = decltype(KineticTriangulation::queue_);
   using Part = typename Queue::Part;
   using Stamp = std::uint32_t;
+  using Motion = typename KineticTriangulation::Motion;
+  using Point_2 = typename KineticTriangulation::Point_2;
+  using Change = typename KineticTriangulation::Change;
+  using Turn_entry = typename Turns::Entry;
+  using Turn_part = typename Turns::Part;
+
+  static constexpr bool has_turns = Turns::exist;
 
   /// When an entry that is no coincidence fails.
   struct Moment {
@@ -208,7 +243,33 @@ class Region_run {
     std::vector<std::pair<std::size_t, Time>> entries;
   };
 
-  /// A flip of the window: the record.
+  /// An entry that has left the queue, to be put back.
+  template <class Any_entry>
+  struct Removed_entry {
+    Any_entry entry;
+    std::unique_ptr<Time> exact = nullptr;  // if it had been made
+  };
+
+  /// A turn of the window: the rest of its record.
+  struct Turn {
+    std::array<Point_id, 2> points = {no_point, no_point};  // as the event names them
+    std::array<Point_id, 2> turned = {no_point, no_point};
+    std::array<Point_2, 2> before = {};                   // of those turned
+    std::array<Point_2, 2> after = {};                    // of those turned
+    std::array<Stamp, 2> previous = {};                   // their turns before this one
+    std::vector<std::pair<Face_handle, Stamp>> faces;     // written, with their stamps before
+    std::vector<Removed_entry<Entry>> entries;            // of edges
+    std::vector<Removed_entry<Turn_entry>> turn_entries;  // the executed one included
+  };
+
+  /// What the record of a flip has besides, where there are turns.
+  struct Beside {
+    std::unique_ptr<Turn> turn;                          // if it is no flip, but a turn
+    std::unique_ptr<Removed_entry<Turn_entry>> removed;  // that of the removed edge
+  };
+  struct Nothing {};
+
+  /// A flip of the window, or a turn: the record.
   struct Flip {
     /// The ends of the edge, right and left as `face` has them, and the corners opposite it, of
     /// `face` and of `neighbor`; no_point is the infinite vertex.
@@ -226,6 +287,7 @@ class Region_run {
     bool left_had_face : 1;              // `face` was the one that CGAL keeps at the left end
     bool right_had_neighbor : 1;         // `neighbor` was the one at the right end
     bool is_undone : 1;
+    [[no_unique_address]] std::conditional_t<has_turns, Beside, Nothing> beside;
   };
 
   // What the order of flips needs to know of one.
@@ -242,13 +304,16 @@ class Region_run {
     unsigned level = 0;             // of the node
     Part* part = nullptr;           // whose entries it executes
     Queue_handle first_handle = 0;  // of the part, as the queue names it
-    std::size_t flips_before = 0;   // in windows before this one, since the division
+    Turn_part* turn_part = nullptr;  // the same of turns
+    std::size_t flips_before = 0;    // in windows before this one, since the division
     std::size_t capacity = 0;       // how many flips it may have in a window
     std::vector<Flip> flips = {};
     std::vector<Key> keys = {};  // of the flips
     bool has_undone = false;     // whether one of them is undone
     Certificate_counters certificates = {};
+    Certificate_counters turn_certificates = {};
     Triangulation_counters counters = {};
+    std::vector<Point_id> stalled = {};  // points of turns that it has deferred
     std::uint64_t deferred = 0;
     std::uint64_t undone = 0;
 
@@ -305,6 +370,10 @@ class Region_run {
     }
   }
   bool run_window(double end);
+  bool settle(const Time& until);
+  double next_lower();
+  bool is_divided();
+  bool is_coincidence_next();
   double gather_due(double end);
   double gather_due(Lane& lane, double end);
   void run_region(Lane& lane, double end);
@@ -312,7 +381,7 @@ class Region_run {
   bool may_execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
   void defer(Lane& lane, std::size_t from);
   void settle_window();
-  void run_loop_instant();
+  void run_loop_instant(const Time& until);
 
   bool is_owned(const Lane& lane, const Two_sided_edge& edge) const;
   bool is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
@@ -335,6 +404,74 @@ class Region_run {
                 const Kept_entry& kept, const Double_interval& bounds, std::size_t number);
   void move(std::size_t from, std::size_t to);
   void move_home(std::size_t from);
+
+  // Turns.
+  using Points = std::span<const Point_id>;
+  using Edge_certificate = std::tuple<Two_sided_edge, Entry_kind, Certificate>;
+  using Turn_certificate = std::pair<Turn_entry, Certificate>;
+  struct New_certificates {
+    std::vector<Edge_certificate> edges;
+    std::vector<Turn_certificate> turns;
+  };
+  static bool is_turn(const Key& key) {
+    return key.kind == Event_kind::wall || key.kind == Event_kind::collision;
+  }
+  double gather_due_turns(Lane& lane, double end);
+  bool settle_turns(Lane& lane, const Time& last);
+  bool is_turn_first(Lane& lane, bool is_flip_due);
+  bool execute_turn(Lane& lane);
+  bool turn(Lane& lane, const Turn_entry& entry, Moment& moment);
+  bool set_points(const Lane& lane, Turn& turn, std::span<const Change> changes, Moment& moment);
+  bool certify_turn(Lane& lane, const Turn& turn, Points turned, Moment& moment,
+                    New_certificates& result);
+  void record_turn(Lane& lane, const Turn_entry& entry, std::unique_ptr<Turn> turn, Points turned,
+                   Moment& moment, New_certificates& certificates);
+  void leave_turn(Lane& lane);
+  void stall(Lane& lane, const Turn_entry& entry);
+  void move_turn(std::size_t from, std::size_t to);
+  void move_turns_home(std::size_t from);
+  bool owns_star(const Lane& lane, Point_id id) const;
+  bool is_turn_blocked(Lane& lane, Points points, Moment& moment);
+  bool is_stalled(Point_id id, const Double_interval& bounds) const;
+  bool is_pair_blocked(Lane& lane, const Two_sided_edge& edge, const Entry& entry);
+  template <class Exact>
+  bool waits_before(Face_handle face, const Part* own, const Double_interval& bounds,
+                    const Exact& exact);
+  template <class Exact>
+  bool waits_before(Queue_handle turn, const Turn_part* own, const Double_interval& bounds,
+                    const Exact& exact);
+  void undo_later_around(Lane& lane, Points points, Moment& moment);
+  void put_turn(const Lane& lane, Turn_entry entry, Certificate&& known);
+  void put_turn_back(const Lane& lane, Removed_entry<Turn_entry>& removed);
+  auto take_turn_entry(Queue_handle handle) -> Removed_entry<Turn_entry>;
+  auto take_turn_entries(Points points) -> std::vector<Removed_entry<Turn_entry>>;
+  void recheck_turn(Lane& lane, const Turn_entry& entry);
+  void follow_flip(Lane& lane, Flip& flip, Moment& moment);
+  void unfollow_flip(Lane& lane, Flip& flip);
+  void undo_turn(Lane& lane, Turn& turn);
+  static Points turned(const Turn& turn);
+  template <class Function>
+  void for_each_face_around(Points points, const Function& function) const;
+  std::vector<Two_sided_edge> edges_around(Points points) const;
+  const Point_2& point_at(Point_id id, Stamp flip);
+  void set_motions(const Turn& turn, bool are_after);
+  void set_motions(const Key& key, bool are_after);
+  void go_back_in_turns();
+  void go_through_turns();
+  Event turn_event(const Key& key);
+  bool is_told(const Event_observer* observer) const;
+  void settle_turns_of_window();
+  template <class Function>
+  void for_each_written_face(const Flip& flip, const Function& function) const {
+    if constexpr (has_turns) {
+      if (flip.beside.turn) {
+        for (const auto& [face, stamp] : flip.beside.turn->faces) function(face);
+        return;
+      }
+    }
+    function(flip.face);
+    function(flip.neighbor);
+  }
   void put_in_order();
   std::vector<Key> keys_between(double least, double greatest) const;
   bool insert_in_order();
@@ -369,7 +506,7 @@ class Region_run {
   static const Double_interval& bounds(const Key& key) { return key.bounds; }
   const Time& time(Moment& moment) const;
   const Time& time(const Key& key);
-  Certificate_points certificate_points(const Flip& flip) const;
+  Certificate_points certificate_points(const Key& key);
 
   // The order of two times: negative, zero or positive.
   template <class A, class B>
@@ -384,6 +521,7 @@ class Region_run {
   static constexpr std::size_t many_instants = 1024;  // for which parts are put together
 
   KineticTriangulation& kinetic_;
+  [[no_unique_address]] Turns turns_;
   Region_options options_;
   std::size_t regions_;
   std::vector<Lane> lanes_;  // of the nodes
@@ -393,11 +531,13 @@ class Region_run {
   // entries from; minus infinity where none does, and while regions do.
   double due_until_ = -std::numeric_limits<double>::infinity();
   std::size_t done_ = 0;  // flips that the last window reported
+  // Of each point, where there are turns: the last turn of the window, or 0, and a time up to which
+  // no turn of it waits for a node above.
+  std::vector<Stamp> turned_;
+  std::vector<double> stalls_;
   Region_counters counters_;
 };
 
-extern template class Region_run<Kinetic_triangulation_2<Linear_kinetic_traits_2>>;
-extern template class Region_run<Kinetic_triangulation_2<Polynomial_kinetic_traits_2>>;
 
 }  // namespace kinetri::detail
 

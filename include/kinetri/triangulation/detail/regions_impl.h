@@ -15,6 +15,7 @@
 #include "kinetri/triangulation/detail/region_division_impl.h"
 #include "kinetri/triangulation/detail/region_flips_impl.h"
 #include "kinetri/triangulation/detail/region_order_impl.h"
+#include "kinetri/triangulation/detail/region_turns_impl.h"
 #include "kinetri/triangulation/detail/regions.h"
 
 namespace kinetri::detail {
@@ -30,28 +31,32 @@ inline std::size_t number_of_regions(const Region_options& options, std::size_t 
       std::clamp<std::size_t>(options.regions > 0 ? options.regions : by_points, 1, most));
 }
 
-template <class Kinetic>
-Region_run<Kinetic>::Region_run(Kinetic& kinetic, const Region_options& options)
+template <class Kinetic, class Turns>
+Region_run<Kinetic, Turns>::Region_run(Kinetic& kinetic, const Region_options& options, Turns turns)
     : kinetic_(kinetic),
+      turns_(std::move(turns)),
       options_(options),
       regions_(number_of_regions(options, kinetic.number_of_points_)) {
   if (!queue().is_divided()) division() = {};
 }
 
-template <class Kinetic>
-bool Region_run<Kinetic>::can_run() const {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::can_run() const {
+  if constexpr (has_turns) {
+    if (!turns_.can_run()) return false;
+  }
   return HasRoundedPlace<typename Kinetic::Motion> && !Kinetic::is_weighted &&
          kinetic_.triangulation_.dimension() == 2 &&
          std::ranges::none_of(kinetic_.observers_, &Event_observer::looks_at_triangulation);
 }
 
-template <class Kinetic>
-std::size_t Region_run<Kinetic>::advance_to(const Time& until, const Go_on& may_go_on) {
+template <class Kinetic, class Turns>
+std::size_t Region_run<Kinetic, Turns>::advance_to(const Time& until, const Go_on& may_go_on) {
   return in_arena([&] { return advance(until, may_go_on); });
 }
 
-template <class Kinetic>
-std::size_t Region_run<Kinetic>::advance(const Time& until, const Go_on& may_go_on) {
+template <class Kinetic, class Turns>
+std::size_t Region_run<Kinetic, Turns>::advance(const Time& until, const Go_on& may_go_on) {
   const std::uint64_t before = kinetic_.counters_.number_of_events();
   bool goes_on = true;
   try {
@@ -64,7 +69,11 @@ std::size_t Region_run<Kinetic>::advance(const Time& until, const Go_on& may_go_
   if (goes_on) {
     // Where there are no windows, single events are to cost what they should.
     if (queue().is_divided() && !can_run()) join();
-    kinetic_.run_to(until, may_go_on);
+    if constexpr (has_turns) {
+      turns_.run_to(until, may_go_on);
+    } else {
+      kinetic_.run_to(until, may_go_on);
+    }
   } else {
     kinetic_.show_current_time();
   }
@@ -72,15 +81,15 @@ std::size_t Region_run<Kinetic>::advance(const Time& until, const Go_on& may_go_
 }
 
 // How many events a window should have.
-template <class Kinetic>
-double Region_run<Kinetic>::events_in_window() const {
+template <class Kinetic, class Turns>
+double Region_run<Kinetic, Turns>::events_in_window() const {
   return std::max(1.0,
                   options_.events_per_vertex * static_cast<double>(kinetic_.number_of_points_));
 }
 
 // Whether so much time is left that windows pay.
-template <class Kinetic>
-bool Region_run<Kinetic>::is_long_enough(const Time& until) {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_long_enough(const Time& until) {
   const double left = until.interval().lower - kinetic_.current_time().interval().upper;
   return division().window_width > 0 && left >= division().window_width / 16;
 }
@@ -88,20 +97,20 @@ bool Region_run<Kinetic>::is_long_enough(const Time& until) {
 // Has the loop execute some events, which tells how fast they come, and so how long a window should
 // be; it is 0 if windows would not pay. Unless that is known from the last run. Returns whether the
 // run may go on.
-template <class Kinetic>
-bool Region_run<Kinetic>::measure_width(const Time& until, const Go_on& may_go_on) {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::measure_width(const Time& until, const Go_on& may_go_on) {
   if (queue().is_divided() && division().window_width > 0) return true;
   const std::uint64_t before = kinetic_.counters_.number_of_events();
   const auto n = static_cast<double>(kinetic_.number_of_points_);
   const auto begun = static_cast<std::uint64_t>(std::min(events_in_window(), 0.02 * n)) + 1;
   division().window_width = 0;
-  if (!can_run() || !kinetic_.settle(&until)) return true;
-  const double begin = queue().top().bounds.lower;
+  if (!can_run() || !settle(until)) return true;
+  const double begin = next_lower();
   double now = begin;
-  while (can_run() && kinetic_.settle(&until) && (executed(before) < begun || !(now > begin))) {
+  while (can_run() && settle(until) && (executed(before) < begun || !(now > begin))) {
     if (may_go_on != nullptr && !may_go_on()) return false;
-    now = queue().top().bounds.lower;
-    run_loop_instant();
+    now = next_lower();
+    run_loop_instant(until);
   }
   const auto events = static_cast<double>(executed(before));
   const double left = until.interval().lower - now;
@@ -112,29 +121,36 @@ bool Region_run<Kinetic>::measure_width(const Time& until, const Go_on& may_go_o
 }
 
 // Returns whether the run may go on.
-template <class Kinetic>
-bool Region_run<Kinetic>::run_windows(const Time& until, const Go_on& may_go_on) {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may_go_on) {
   const double last = until.interval().lower;
   const double target = events_in_window();
   const auto n = static_cast<double>(kinetic_.number_of_points_);
-  if (queue().is_divided() && (options_.regions == 0 || division().regions == regions_)) {
+  if (is_divided() && (options_.regions == 0 || division().regions == regions_)) {
     go_on_with_division();
   }
   double& width = division().window_width;
   std::size_t by_loop = 0;    // instants that the loop executes before the next window
   std::size_t next_loop = 1;  // how many if a window is in vain
-  while (can_run() && kinetic_.settle(&until)) {
+  const auto leave_more_to_loop = [&] {
+    by_loop = next_loop;
+    next_loop = std::min<std::size_t>(2 * next_loop, kinetic_.number_of_points_);
+  };
+  while (can_run() && settle(until)) {
     if (may_go_on != nullptr && !may_go_on()) return false;
-    const double begin = queue().top().bounds.lower;
+    const double begin = next_lower();
     const double end = std::min(begin + width, last);
-    if (by_loop > 0 || queue().top().kind == Entry_kind::coincidence || !(end > begin)) {
-      if (by_loop >= many_instants && queue().is_divided()) join();
-      run_loop_instant();
+    if constexpr (has_turns) {
+      if (by_loop == 0 && !turns_.begin_window(begin)) leave_more_to_loop();
+    }
+    if (by_loop > 0 || is_coincidence_next() || !(end > begin)) {
+      if (by_loop >= many_instants && is_divided()) join();
+      run_loop_instant(until);
       if (by_loop > 0) --by_loop;
       if (!(end > begin)) width = std::max(2 * width, std::numeric_limits<double>::min());
       continue;
     }
-    if (!queue().is_divided() || division().regions != regions_ ||
+    if (!is_divided() || division().regions != regions_ ||
         division().events > options_.events_per_division * n || are_stamps_spent()) {
       divide();
     }
@@ -148,18 +164,15 @@ bool Region_run<Kinetic>::run_windows(const Time& until, const Go_on& may_go_on)
       next_loop = 1;
     } else if (cut_) {
       width *= 0.5;
-      if (done < target / 8) {
-        by_loop = next_loop;
-        next_loop = std::min<std::size_t>(2 * next_loop, kinetic_.number_of_points_);
-      }
+      if (done < target / 8) leave_more_to_loop();
     }
   }
   return true;
 }
 
 // Whether stamps may soon be too large.
-template <class Kinetic>
-bool Region_run<Kinetic>::are_stamps_spent() const {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::are_stamps_spent() const {
   const auto is_spent = [](const Lane& lane) {
     return lane.flips_before > (std::size_t{1} << (index_bits - 1));
   };
@@ -167,19 +180,54 @@ bool Region_run<Kinetic>::are_stamps_spent() const {
 }
 
 // Executes the events at one time as the plain loop does.
-template <class Kinetic>
-void Region_run<Kinetic>::run_loop_instant() {
-  counters_.by_loop += kinetic_.run_instant();
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::run_loop_instant(const Time& until) {
+  if constexpr (has_turns) {
+    counters_.by_loop += turns_.run_instant(until);
+  } else {
+    counters_.by_loop += kinetic_.run_instant();
+  }
+}
+
+// Whether something happens up to a time.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::settle(const Time& until) {
+  bool result = kinetic_.settle(&until);
+  if constexpr (has_turns) result = turns_.settle(until) || result;
+  return result;
+}
+
+// The least lower bound of a time of what happens next. Precondition: something does.
+template <class Kinetic, class Turns>
+double Region_run<Kinetic, Turns>::next_lower() {
+  double result = std::numeric_limits<double>::infinity();
+  if (!queue().empty()) result = queue().top().bounds.lower;
+  if constexpr (has_turns) {
+    if (!turns_.queue().empty()) result = std::min(result, turns_.queue().top().bounds.lower);
+  }
+  return result;
+}
+
+// Whether points may coincide at that time.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_coincidence_next() {
+  return !queue().empty() && queue().top().kind == Entry_kind::coincidence &&
+         queue().top().bounds.lower <= next_lower();
 }
 
 // ---- a window ----
 
 // Returns whether the window reached `end`.
-template <class Kinetic>
-bool Region_run<Kinetic>::run_window(double end) {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::run_window(double end) {
   ++counters_.windows;
   cut_.reset();
   const double asked = end;
+  if constexpr (has_turns) {
+    kinetic_.show_current_time();  // made from motions of now
+    turned_.resize(kinetic_.vertices_.size(), 0);
+    stalls_.resize(kinetic_.vertices_.size(), std::numeric_limits<double>::infinity());
+  }
   end = gather_due(end);
   for (unsigned level = 0; level <= lanes_.back().level; ++level) {
     auto lanes = lanes_at(level);
@@ -193,8 +241,8 @@ bool Region_run<Kinetic>::run_window(double end) {
   return !cut_ && end == asked;
 }
 
-template <class Kinetic>
-auto Region_run<Kinetic>::lanes_at(unsigned level) -> std::vector<Lane*> {
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::lanes_at(unsigned level) -> std::vector<Lane*> {
   std::vector<Lane*> result;
   for (Lane& lane : lanes_) {
     if (lane.level == level) result.push_back(&lane);
@@ -204,8 +252,8 @@ auto Region_run<Kinetic>::lanes_at(unsigned level) -> std::vector<Lane*> {
 
 // Puts aside what fails in the window at edges between regions. Returns where the window ends:
 // before the first coincidence there.
-template <class Kinetic>
-double Region_run<Kinetic>::gather_due(double end) {
+template <class Kinetic, class Turns>
+double Region_run<Kinetic, Turns>::gather_due(double end) {
   struct Gathering {
     Lane* lane;
     double end;
@@ -215,13 +263,19 @@ double Region_run<Kinetic>::gather_due(double end) {
     if (!lane.is_region()) all.push_back({&lane, end});
   }
   for_each(all, [&](Gathering& g) { g.end = gather_due(*g.lane, end); });
+  if constexpr (has_turns) {
+    for (Lane& lane : lanes_) {
+      if (lane.is_region()) continue;
+      lane.turn_part->for_each([&](const Turn_entry& entry) { stall(lane, entry); });
+    }
+  }
   return std::ranges::min(all, {}, &Gathering::end).end;
 }
 
 // The same for a union of regions: has the certificates of its part checked again until it is known
 // which fail in the window.
-template <class Kinetic>
-double Region_run<Kinetic>::gather_due(Lane& lane, double end) {
+template <class Kinetic, class Turns>
+double Region_run<Kinetic, Turns>::gather_due(Lane& lane, double end) {
   Part& part = queue().part(lane.number);
   const Time last(end);
   const auto exact = [&]() -> const Time& { return last; };
@@ -233,14 +287,18 @@ double Region_run<Kinetic>::gather_due(Lane& lane, double end) {
       continue;
     }
     move(lane.number, due_part(lane.number));
-    if (entry.kind == Entry_kind::coincidence) return std::min(end, entry.bounds.lower);
+    if (entry.kind == Entry_kind::coincidence) {
+      end = std::min(end, entry.bounds.lower);
+      break;
+    }
   }
+  if constexpr (has_turns) return gather_due_turns(lane, end);
   return end;
 }
 
 // Certifies the edges of entries anew, from the time of the first entry on.
-template <class Kinetic>
-void Region_run<Kinetic>::recheck(Lane& lane, std::span<const Entry> entries) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::recheck(Lane& lane, std::span<const Entry> entries) {
   lane.counters.rechecks += entries.size();
   std::array<Two_sided_edge, 2> edges;
   for (std::size_t k = 0; k < entries.size(); ++k) {
@@ -254,14 +312,22 @@ void Region_run<Kinetic>::recheck(Lane& lane, std::span<const Entry> entries) {
 }
 
 // Executes what is due in a region, in its order.
-template <class Kinetic>
-void Region_run<Kinetic>::run_region(Lane& lane, double end) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::run_region(Lane& lane, double end) {
   Part& part = *lane.part;
   const Time last(end);
   const auto exact = [&]() -> const Time& { return last; };
   const auto is_due = [&](const Entry& entry) { return part.is_due(entry, {end, end}, exact); };
   const auto recheck_entries = [&](std::span<const Entry> entries) { recheck(lane, entries); };
-  while (part.settle(is_due, recheck_entries)) {
+  while (true) {
+    const bool is_flip_due = part.settle(is_due, recheck_entries);
+    if constexpr (has_turns) {
+      if (settle_turns(lane, last) && is_turn_first(lane, is_flip_due)) {
+        execute_turn(lane);
+        continue;
+      }
+    }
+    if (!is_flip_due) break;
     const Entry entry = part.top();
     const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
     if (!may_execute(lane, entry, edge)) {
@@ -276,24 +342,36 @@ void Region_run<Kinetic>::run_region(Lane& lane, double end) {
 
 // Executes what is due in a union of regions and has not been executed by one of these, in the
 // order of the queue. The root stops where an event is no flip.
-template <class Kinetic>
-void Region_run<Kinetic>::run_union(Lane& lane, double end) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
   const std::size_t from = due_part(lane.number);
   for (std::size_t below = 0; below < lane.number; ++below) {
     if (division().above(below) != lane.number) continue;
     while (!queue().part(deferred_part(below)).empty()) move(deferred_part(below), from);
+    if constexpr (has_turns) {
+      auto& turns = turns_.queue();
+      while (!turns.part(deferred_part(below)).empty()) move_turn(deferred_part(below), from);
+    }
   }
   Part& due = *lane.part;
   const Time last(end);
   const auto exact = [&]() -> const Time& { return last; };
-  while (!due.empty() && due.is_due(due.top(), {end, end}, exact)) {
-    const Entry entry = due.top();
-    if (entry.kind == Entry_kind::recheck) {
+  while (true) {
+    const bool is_one_due = !due.empty() && due.is_due(due.top(), {end, end}, exact);
+    if (is_one_due && due.top().kind == Entry_kind::recheck) {
       // Alone: beside it may be one that is about a flip later than this time.
-      due.pop();
+      const Entry entry = due.pop();
       recheck(lane, {&entry, 1});
       continue;
     }
+    if constexpr (has_turns) {
+      if (settle_turns(lane, last) && is_turn_first(lane, is_one_due)) {
+        if (!execute_turn(lane)) break;
+        continue;
+      }
+    }
+    if (!is_one_due) break;
+    const Entry entry = due.top();
     const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
     if (!is_root(lane) && !may_execute(lane, entry, edge)) {
       defer(lane, from);
@@ -318,22 +396,22 @@ void Region_run<Kinetic>::run_union(Lane& lane, double end) {
 }
 
 // Whether a node that is not the root may flip the edge of the first of its entries now.
-template <class Kinetic>
-bool Region_run<Kinetic>::may_execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge) {
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::may_execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge) {
   return entry.kind == Entry_kind::flip && lane.flips.size() < lane.capacity &&
          is_owned(lane, edge) && !is_blocked(lane, entry, edge);
 }
 
 // Leaves the first entry of a part to the node above.
-template <class Kinetic>
-void Region_run<Kinetic>::defer(Lane& lane, std::size_t from) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::defer(Lane& lane, std::size_t from) {
   ++lane.deferred;
   move(from, deferred_part(lane.number));
 }
 
 // Moves the first entry of a part to another one.
-template <class Kinetic>
-void Region_run<Kinetic>::move(std::size_t from, std::size_t to) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::move(std::size_t from, std::size_t to) {
   Part& part = queue().part(from);
   const Entry entry = part.top();
   const Queue_handle handle = queue().put(to, entry, part);
@@ -342,8 +420,8 @@ void Region_run<Kinetic>::move(std::size_t from, std::size_t to) {
 }
 
 // Moves the entries of a part to where they belong between two windows.
-template <class Kinetic>
-void Region_run<Kinetic>::move_home(std::size_t from) {
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::move_home(std::size_t from) {
   Part& part = queue().part(from);
   while (!part.empty()) move(from, kinetic_.queue_policy_.part_of(part.top().edge()));
 }

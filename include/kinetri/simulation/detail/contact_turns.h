@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Contacts in a run by regions (triangulation/detail/regions.h): what Region_run asks of turns.
+//
+// Which pairs are watched. In a window of time these are the pairs of discs with an edge between
+// them, and no others. That is enough as long as no two discs overlap but those that have just
+// touched: else a disc that overlaps two could be between them (docs/MATH.md, section 17). So a
+// window begins where no discs overlap; a contact after which a disc overlaps another one than that
+// which it touched is left to the plain loop; and where a window ends, the pairs that still overlap
+// are noted, as the plain loop does at each contact. Pairs that a response has let pass, and that
+// have parted, are put aside for a window, since the plain loop knows of them up to the next contact
+// of one of the two, which is left to it.
+#ifndef KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
+#define KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/simulation/simulation_2.h"
+#include "kinetri/triangulation/detail/regions.h"
+
+namespace kinetri::detail {
+
+/// The turns of a simulation without radii of its discs. Functions that are given a node's entries
+/// or points may be called by several threads, for different nodes of one level.
+template <class Simulation>
+class Contact_turns {
+ public:
+  static constexpr bool exist = true;
+  using Entry = typename Simulation::Entry;            ///< of the queue of contacts and changes
+  using Queue = decltype(Simulation::queue_);          ///< that queue
+  using Part = typename Queue::Part;                   ///< of the queue
+  using Time = typename Simulation::Time;              ///< of contacts
+  using Change = typename Simulation::Change;          ///< of a point
+  using Points = std::span<const Point_id>;            ///< some points
+  using Entry_kind = typename Simulation::Entry_kind;  ///< of entries
+
+  /// The simulation must outlive this object.
+  explicit Contact_turns(Simulation& simulation) : simulation_(&simulation) {}
+
+  /// A run of the simulation by regions.
+  static Region_run<typename Simulation::Triangulation, Contact_turns> run_of(
+      Simulation& simulation, const Region_options& options) {
+    return Region_run<typename Simulation::Triangulation, Contact_turns>(
+        simulation.triangulation_, options, Contact_turns(simulation));
+  }
+
+  // ---- what they are ----
+
+  /// Whether contacts can be executed in windows: of walls, and of discs that get other velocities
+  /// by a response that may be called at any time, by any thread.
+  static bool can_run(const Simulation& simulation);
+  bool can_run() const { return can_run(*simulation_); }
+  /// Whether this is the simulation itself, which knows its contacts.
+  bool is_observer(const Event_observer* observer) const { return observer == simulation_; }
+  /// Whether discs have contacts.
+  bool has_pairs() const { return simulation_->options_.response != nullptr; }
+
+  // ---- the plain loop ----
+
+  /// Whether something of the queue is due up to a time.
+  bool settle(const Time& until);
+  /// Executes the events of the next time, of the triangulation too. Returns their number.
+  std::size_t run_instant(const Time& until) { return simulation_->step_in_parts(&until); }
+  /// Executes all events up to a time.
+  void run_to(const Time& until, const std::function<bool()>& may_go_on);
+
+  // ---- the queue ----
+
+  Queue& queue() { return simulation_->queue_; }  ///< of all entries
+  /// Distributes the entries, as Divided_scheduler::divide says.
+  template <class In_parallel>
+  void divide(std::size_t count, const In_parallel& in_parallel);
+  /// The part in which an entry belongs between two windows.
+  std::size_t part_of(const Entry& entry) const {
+    return simulation_->queue_policy_.part_of(entry.subject());
+  }
+  /// Whether it is a contact, or else a change.
+  static bool is_contact(const Entry& entry) { return Simulation::is_contact(entry.kind); }
+  /// Whether it is a contact whose certificate is to be checked again.
+  static bool is_recheck(const Entry& entry) { return is_contact(entry) && !entry.is_event; }
+  /// The points of a contact; the second is no_point if it is with a wall.
+  static std::array<Point_id, 2> points(const Entry& entry);
+  /// Of the event of a contact.
+  static Event_kind event_kind(const Entry& entry) {
+    return entry.kind == Entry_kind::wall ? Event_kind::wall : Event_kind::collision;
+  }
+  /// The contact of a pair.
+  static Entry pair(const Edge_ids& pair);
+
+  /// The handle of the entry of a pair; no_event if there is none.
+  Queue_handle handle(const Edge_ids& pair) const {
+    return simulation_->queue_policy_.handle({Entry_kind::collision, pair[0], pair[1]});
+  }
+  /// Calls `function` with the handles of all contacts of a point.
+  template <class Function>
+  void for_each_handle(Point_id id, const Function& function) const;
+  /// The entry has another handle from now on.
+  void set_handle(const Entry& entry, Queue_handle handle) {
+    simulation_->queue_policy_.set_handle(entry.subject(), handle);
+  }
+  /// The entry has come, under this handle.
+  void note(const Entry& entry, Queue_handle handle) { simulation_->note(entry.subject(), handle); }
+  /// The entry has gone.
+  void forget(const Entry& entry) { simulation_->forget(entry); }
+
+  // ---- contacts ----
+
+  /// What a contact at `now` does to its points: their new motions. None where that is for the
+  /// plain loop, which may throw then. Changes nothing.
+  std::vector<Change> changes(const Entry& entry, const Time& now) const;
+  /// The entry of what the given one is about, and its certificate after a time.
+  std::pair<Entry, Certificate> certificate(const Entry& entry, const Time& after,
+                                            Certificate_counters& counters) const;
+  /// Makes the certificates of points that have turned at `now`, in a contact of `points`. Returns
+  /// false where discs overlap that have not just touched.
+  bool certify(const std::array<Point_id, 2>& points, Points turned, const Time& now,
+               Certificate_counters& counters,
+               std::vector<std::pair<Entry, Certificate>>& result) const;
+
+  // ---- windows ----
+
+  /// Whether a window may begin, up to whose beginning nothing happens; makes it ready.
+  bool begin_window(double begin);
+  /// Notes what the plain loop is to know of a contact of the window that has ended.
+  void end_turn(const std::array<Point_id, 2>& points);
+  /// To be called after each window.
+  void end_window();
+  /// Counts contacts, each without another event at its time.
+  void count(std::uint64_t contacts);
+  /// Counts certificates of contacts.
+  void count(const Certificate_counters& counted);
+
+ private:
+  bool may_overlap(Point_id a, Point_id b, const Time& now) const;
+  bool drop_overlaps(const Time& time);
+  void put_passes_back();
+
+  Simulation* simulation_;
+  std::uint32_t scheduled_ = 0;               // changes before the window
+  std::vector<Edge_ids> passes_ = {};         // put aside
+  std::unordered_set<Point_id> passing_ = {};  // their points
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H

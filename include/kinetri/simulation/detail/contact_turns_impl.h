@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Contact_turns.
+#ifndef KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_IMPL_H
+#define KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_IMPL_H
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/simulation/detail/contact_turns.h"
+#include "kinetri/triangulation/detail/plain_loop.h"
+
+namespace kinetri::detail {
+
+template <class Simulation>
+bool Contact_turns<Simulation>::can_run(const Simulation& simulation) {
+  const auto& options = simulation.options_;
+  return !Simulation::has_radii && options.max_contacts_per_instant > 0 &&
+         (!options.response || options.response_is_pure || is_pure(options.response)) &&
+         simulation.overlap_observers_.empty() &&
+         std::ranges::none_of(simulation.observers_, &Event_observer::looks_at_triangulation);
+}
+
+// ---- the plain loop ----
+
+template <class Simulation>
+bool Contact_turns<Simulation>::settle(const Time& until) {
+  simulation_->settle();
+  return !queue().empty() &&
+         queue().is_due(queue().top(), until.interval(), [&]() -> const Time& { return until; });
+}
+
+template <class Simulation>
+void Contact_turns<Simulation>::run_to(const Time& until, const std::function<bool()>& may_go_on) {
+  while (may_go_on == nullptr || may_go_on()) {
+    if (simulation_->step_in_parts(&until) > 0) continue;
+    Plain_loop<typename Simulation::Triangulation>::run_to(simulation_->triangulation_, until);
+    return;
+  }
+}
+
+// ---- the queue ----
+
+template <class Simulation>
+template <class In_parallel>
+void Contact_turns<Simulation>::divide(std::size_t count, const In_parallel& in_parallel) {
+  using Subject = typename Simulation::Subject;
+  constexpr Point_id points_per_block = 2048;
+  struct Block {
+    Point_id first;
+    Point_id last;
+    std::vector<Subject> changes = {};
+  };
+  std::vector<Block> blocks;
+  const Point_id ids = simulation_->triangulation_.next_id();
+  for (Point_id first = 0; first < ids; first += points_per_block) {
+    blocks.push_back({first, std::min(ids, first + points_per_block)});
+  }
+  Block& of_changes = blocks.emplace_back(Block{ids, ids});
+  queue().for_each([&](const Entry& entry) {
+    if (!is_contact(entry)) of_changes.changes.push_back(entry.subject());
+  });
+  const auto for_each_subject = [this](const Block& block, const auto& function) {
+    for (Point_id id = block.first; id < block.last; ++id) {
+      const auto* const contacts = simulation_->find_contacts(id);
+      if (contacts == nullptr) continue;
+      if (contacts->wall_event != no_event) function(Subject{Entry_kind::wall, id, no_point});
+      for (const auto& [other, event] : contacts->partners) {
+        if (id < other) function(Subject{Entry_kind::collision, id, other});
+      }
+    }
+    for (const Subject& change : block.changes) function(change);
+  };
+  queue().divide(count, blocks, for_each_subject, in_parallel);
+}
+
+template <class Simulation>
+std::array<Point_id, 2> Contact_turns<Simulation>::points(const Entry& entry) {
+  return {entry.point_a, entry.kind == Entry_kind::collision ? entry.point_b : no_point};
+}
+
+template <class Simulation>
+auto Contact_turns<Simulation>::pair(const Edge_ids& pair) -> Entry {
+  Entry result;
+  result.kind = Entry_kind::collision;
+  result.point_a = pair[0];
+  result.point_b = pair[1];
+  return result;
+}
+
+template <class Simulation>
+template <class Function>
+void Contact_turns<Simulation>::for_each_handle(Point_id id, const Function& function) const {
+  const auto* const contacts = simulation_->find_contacts(id);
+  if (contacts == nullptr) return;
+  if (contacts->wall_event != no_event) function(contacts->wall_event);
+  for (const auto& partner : contacts->partners) function(partner.event);
+}
+
+// ---- contacts ----
+
+template <class Simulation>
+auto Contact_turns<Simulation>::changes(const Entry& entry, const Time& now) const
+    -> std::vector<Change> {
+  std::vector<Change> result;
+  const auto is_passing = [this](Point_id id) { return passing_.contains(id); };
+  if (std::ranges::any_of(points(entry), is_passing)) return result;
+  try {
+    if (entry.kind == Entry_kind::wall) {
+      result.push_back(simulation_->reflection(entry.point_a, entry.point_b, now));
+    } else {
+      result = simulation_->collision(entry.point_a, entry.point_b, now);
+    }
+  } catch (...) {
+    return {};  // the plain loop throws it again, in its turn
+  }
+  const bool erases =
+      std::ranges::any_of(result, [](const Change& change) { return !change.motion; });
+  return erases ? std::vector<Change>() : result;
+}
+
+template <class Simulation>
+auto Contact_turns<Simulation>::certificate(const Entry& entry, const Time& after,
+                                            Certificate_counters& counters) const
+    -> std::pair<Entry, Certificate> {
+  if (entry.kind == Entry_kind::wall) {
+    return simulation_->first_wall(entry.point_a, after, counters);
+  }
+  std::pair<Entry, Certificate> result = {
+      entry, simulation_->traits_.contact_certificate(simulation_->point(entry.point_a),
+                                                      simulation_->point(entry.point_b),
+                                                      simulation_->diameter_, after)};
+  counters.count(result.second);
+  return result;
+}
+
+template <class Simulation>
+bool Contact_turns<Simulation>::certify(const std::array<Point_id, 2>& points, Points turned,
+                                        const Time& now, Certificate_counters& counters,
+                                        std::vector<std::pair<Entry, Certificate>>& result) const {
+  const auto is_one = [](Points some, Point_id id) {
+    return std::ranges::find(some, id) != some.end();
+  };
+  if (simulation_->options_.box) {
+    for (const Point_id id : turned) result.push_back(simulation_->first_wall(id, now, counters));
+  }
+  if (!has_pairs()) return true;
+  bool may_go_on = true;
+  bool are_neighbors = points[1] == no_point;
+  for (std::size_t k = 0; k < turned.size(); ++k) {
+    const Point_id id = turned[k];
+    simulation_->for_each_neighbor(id, [&](Point_id other) {
+      if (is_one(turned.first(k), other)) return;
+      result.push_back(certificate(pair(edge_ids(id, other)), now, counters));
+      if (is_one(points, other)) {
+        are_neighbors = true;
+      } else if (result.back().second.may_vanish && may_overlap(id, other, now)) {
+        may_go_on = false;
+      }
+    });
+  }
+  for (const Point_id id : points) {
+    if (id == no_point || is_one(turned, id)) continue;
+    simulation_->for_each_neighbor(id, [&](Point_id other) {
+      if (!is_one(points, other) && may_overlap(id, other, now)) may_go_on = false;
+    });
+  }
+  return may_go_on && are_neighbors;
+}
+
+template <class Simulation>
+bool Contact_turns<Simulation>::may_overlap(Point_id a, Point_id b, const Time& now) const {
+  return simulation_->traits_.may_overlap(simulation_->point(a), simulation_->point(b),
+                                          simulation_->diameter_, now);
+}
+
+// ---- windows ----
+
+template <class Simulation>
+bool Contact_turns<Simulation>::begin_window(double begin) {
+  scheduled_ = simulation_->scheduled_;
+  auto& contacts = simulation_->contacts_;
+  contacts.resize(simulation_->triangulation_.next_id());
+  if (!has_pairs()) return true;
+  // Two that have just touched are apart at the next event, if they are not now.
+  const Time first(begin);
+  if (drop_overlaps(std::max(first, simulation_->current_time()))) return true;
+  put_passes_back();
+  return false;
+}
+
+// Forgets the overlaps that are over at a time up to which nothing happens. Returns whether all of
+// them are.
+template <class Simulation>
+bool Contact_turns<Simulation>::drop_overlaps(const Time& time) {
+  const auto& contacts = simulation_->contacts_;
+  for (Point_id id = 0; id < contacts.size(); ++id) {
+    if (contacts[id] == nullptr) continue;
+    const auto overlaps = contacts[id]->overlaps;
+    for (const auto& [other, passes] : overlaps) {
+      if (simulation_->triangulation_.contains(id) &&
+          simulation_->triangulation_.contains(other) && may_overlap(id, other, time)) {
+        return false;
+      }
+      simulation_->end_overlap(id, other);
+      if (!passes) continue;
+      passes_.push_back({id, other});
+      passing_.insert({id, other});
+    }
+  }
+  return true;
+}
+
+template <class Simulation>
+void Contact_turns<Simulation>::put_passes_back() {
+  for (const auto& [a, b] : passes_) {
+    simulation_->start_overlap(a, b);
+    simulation_->mark_passing(a, b, true);
+    simulation_->for_each_pair_beside(a, b, [this](const Edge_ids& pair) {
+      simulation_->watch(pair, simulation_->current_time());
+    });
+  }
+  passes_.clear();
+  passing_.clear();
+}
+
+template <class Simulation>
+void Contact_turns<Simulation>::end_turn(const std::array<Point_id, 2>& points) {
+  const auto [a, b] = points;
+  if (b == no_point || !may_overlap(a, b, simulation_->current_time())) return;
+  simulation_->start_overlap(a, b);
+  simulation_->for_each_pair_beside(a, b, [this](const Edge_ids& beside) {
+    simulation_->watch(beside, simulation_->current_time());
+  });
+}
+
+template <class Simulation>
+void Contact_turns<Simulation>::end_window() {
+  put_passes_back();
+  KINETRI_PRECONDITION(simulation_->scheduled_ == scheduled_,
+                       "an observer that does not look at the triangulation has scheduled a "
+                       "change; let its looks_at_triangulation() return true");
+}
+
+template <class Simulation>
+void Contact_turns<Simulation>::count(std::uint64_t contacts) {
+  simulation_->counters_.instants += contacts;
+  simulation_->counters_.most_at_one_time =
+      std::max<std::uint64_t>(simulation_->counters_.most_at_one_time, contacts > 0 ? 1 : 0);
+}
+
+template <class Simulation>
+void Contact_turns<Simulation>::count(const Certificate_counters& counted) {
+  simulation_->certificate_counters_ += counted;
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_IMPL_H

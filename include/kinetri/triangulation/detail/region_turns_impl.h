@@ -1,0 +1,600 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Region_run: turns, that is changes of motions at contacts.
+#ifndef KINETRI_TRIANGULATION_DETAIL_REGION_TURNS_IMPL_H
+#define KINETRI_TRIANGULATION_DETAIL_REGION_TURNS_IMPL_H
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/triangulation/detail/regions.h"
+
+namespace kinetri::detail {
+
+// ---- the parts of the queue of turns ----
+
+// As gather_due, for turns. A window ends before the first change that is no contact.
+template <class Kinetic, class Turns>
+double Region_run<Kinetic, Turns>::gather_due_turns(Lane& lane, double end) {
+  Turn_part& part = turns_.queue().part(lane.number);
+  const Time last(end);
+  const auto exact = [&]() -> const Time& { return last; };
+  while (!part.empty() && part.is_due(part.top(), {end, end}, exact)) {
+    const Turn_entry entry = part.top();
+    if (turns_.is_recheck(entry)) {
+      part.pop();
+      recheck_turn(lane, entry);
+      continue;
+    }
+    move_turn(lane.number, due_part(lane.number));
+    if (!turns_.is_contact(entry)) return std::min(end, entry.bounds.lower);
+  }
+  return end;
+}
+
+// Has certificates checked again until the first turn that a node may execute is known. Returns
+// whether it is due.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::settle_turns(Lane& lane, const Time& last) {
+  Turn_part& part = *lane.turn_part;
+  const auto exact = [&]() -> const Time& { return last; };
+  while (!part.empty() && part.is_due(part.top(), last.interval(), exact)) {
+    if (!turns_.is_recheck(part.top())) return true;
+    const Turn_entry entry = part.pop();
+    recheck_turn(lane, entry);
+  }
+  return false;
+}
+
+// Whether the first turn of a node is before the first entry of its edges, if that is due.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_turn_first(Lane& lane, bool is_flip_due) {
+  if (!is_flip_due) return true;
+  const Entry& flip = lane.part->top();
+  const Turn_entry& turn = lane.turn_part->top();
+  if (turn.bounds.upper < flip.bounds.lower) return true;
+  if (turn.bounds.lower > flip.bounds.upper) return false;
+  return lane.turn_part->time(turn) < lane.part->time(flip);
+}
+
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::move_turn(std::size_t from, std::size_t to) {
+  auto& turns = turns_.queue();
+  Turn_part& part = turns.part(from);
+  const Turn_entry entry = part.top();
+  const Queue_handle handle = turns.put(to, entry, part);
+  part.pop();
+  turns_.set_handle(entry, handle);
+}
+
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::move_turns_home(std::size_t from) {
+  Turn_part& part = turns_.queue().part(from);
+  while (!part.empty()) move_turn(from, turns_.part_of(part.top()));
+}
+
+// Leaves the first turn of a node to the node above.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::leave_turn(Lane& lane) {
+  ++lane.deferred;
+  stall(lane, lane.turn_part->top());
+  move_turn(lane.is_region() ? lane.number : due_part(lane.number), deferred_part(lane.number));
+}
+
+// Notes that a turn waits for a node above. This saves undoing, and decides nothing.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::stall(Lane& lane, const Turn_entry& entry) {
+  for (const Point_id id : turns_.points(entry)) {
+    if (id == no_point) continue;
+    stalls_[id] = std::min(stalls_[id], entry.bounds.lower);
+    lane.stalled.push_back(id);
+  }
+}
+
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_stalled(Point_id id, const Double_interval& bounds) const {
+  return id < stalls_.size() && stalls_[id] <= bounds.upper;
+}
+
+// Schedules a turn, or when its certificate is checked again.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::put_turn(const Lane& lane, Turn_entry entry, Certificate&& known) {
+  if (known.kind == Certificate::Kind::never_fails) return;
+  entry.bounds = known.bounds;
+  entry.time = Time_pool::none;
+  entry.is_event = known.kind == Certificate::Kind::fails;
+  Removed_entry<Turn_entry> scheduled = {entry, std::move(known.failure)};
+  put_turn_back(lane, scheduled);
+}
+
+// Schedules an entry of a turn; its handles have been forgotten.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::put_turn_back(const Lane& lane,
+                                               Removed_entry<Turn_entry>& removed) {
+  Turn_entry& entry = removed.entry;
+  const std::size_t to = lane.is_region()                     ? lane.number
+                         : entry.bounds.lower <= due_until_ ? due_part(lane.number)
+                                                            : turns_.part_of(entry);
+  auto& part = turns_.queue().part(to);
+  const Queue_handle handle =
+      removed.exact ? part.push(entry, *removed.exact) : part.emplace(entry);
+  turns_.note(entry, turns_.queue().named(to, handle));
+}
+
+// Takes an entry out of the queue.
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::take_turn_entry(Queue_handle handle)
+    -> Removed_entry<Turn_entry> {
+  auto& turns = turns_.queue();
+  const Turn_entry& entry = turns[handle];
+  Removed_entry<Turn_entry> result = {entry};
+  result.entry.time = Time_pool::none;
+  if (entry.time != Time_pool::none) {
+    result.exact = std::make_unique<Time>(turns.part(turns.part_of_handle(handle)).time_of(entry));
+  }
+  turns.erase(handle);
+  turns_.forget(result.entry);
+  return result;
+}
+
+// Takes the entries of points out of the queue.
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::take_turn_entries(Points points)
+    -> std::vector<Removed_entry<Turn_entry>> {
+  std::vector<Queue_handle> handles;
+  std::vector<Removed_entry<Turn_entry>> result;
+  for (const Point_id id : points) {
+    handles.clear();
+    turns_.for_each_handle(id, [&](Queue_handle handle) { handles.push_back(handle); });
+    for (const Queue_handle handle : handles) result.push_back(take_turn_entry(handle));
+  }
+  return result;
+}
+
+// Certifies a contact anew whose entry, which says when, has left its part.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::recheck_turn(Lane& lane, const Turn_entry& entry) {
+  turns_.forget(entry);
+  auto [again, known] =
+      turns_.certificate(entry, Time(entry.bounds.lower), lane.turn_certificates);
+  put_turn(lane, again, std::move(known));
+}
+
+// ---- before a turn ----
+
+// Whether all neighbors of a point are in the node, so that it is not at the hull.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::owns_star(const Lane& lane, Point_id id) const {
+  const std::size_t place = lane.number - kinetic_.division_.first_node(lane.level);
+  const auto owns = [&](Point_id p) {
+    return std::size_t{kinetic_.division_.owner(p)} >> lane.level == place;
+  };
+  if (!owns(id)) return false;
+  bool result = true;
+  for_each_face_at(kinetic_.triangulation_, kinetic_.vertices_[id], [&](Face_handle face, int i) {
+    result = result && owns(face->vertex(Triangulation::ccw(i))->point().id());
+  });
+  return result;
+}
+
+// Whether an entry of a turn waits, in another part than `own`, that is not later.
+template <class Kinetic, class Turns>
+template <class Exact>
+inline bool Region_run<Kinetic, Turns>::waits_before(Queue_handle turn, const Turn_part* own,
+                                                     const Double_interval& bounds,
+                                                     const Exact& exact) {
+  const auto& turns = turns_.queue();
+  if (turn == no_event || turn < turns.named(lanes_.size(), 0)) return false;
+  const Turn_part& part = turns.part(turns.part_of_handle(turn));
+  if (&part == own) return false;
+  const Turn_entry& other = turns[turn];
+  if (other.bounds.lower > bounds.upper) return false;
+  return other.bounds.upper < bounds.lower || part.time_of(other) <= exact();
+}
+
+// Whether a turn that waits is before a flip and near it: of the edge's pair, or else of one of the
+// four points.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_pair_blocked(Lane& lane, const Two_sided_edge& edge,
+                                                 const Entry& entry) {
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
+  for (int k = 0; k < 3; ++k) {
+    if (is_stalled(face->vertex(k)->point().id(), entry.bounds)) return true;
+  }
+  if (is_stalled(neighbor->vertex(j)->point().id(), entry.bounds)) return true;
+  if (!turns_.has_pairs()) return false;
+  const auto exact = [&]() -> const Time& { return lane.part->time(lane.part->top()); };
+  return waits_before(turns_.handle(Kinetic::ids_of(edge.here)), lane.turn_part, entry.bounds,
+                      exact);
+}
+
+// Whether an entry in the surroundings of a turn waits and is not later than the turn, which is the
+// first of the lane's part.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_turn_blocked(Lane& lane, Points points, Moment& moment) {
+  const auto exact = [&]() -> const Time& { return time(moment); };
+  const auto is_blocked = [&](Face_handle face) {
+    return waits_before(face, lane.part, moment.bounds, exact);
+  };
+  bool result = false;
+  for (const Point_id id : points) {
+    for_each_face_at(kinetic_.triangulation_, kinetic_.vertices_[id], [&](Face_handle face, int i) {
+      const Point_id neighbor = face->vertex(Triangulation::ccw(i))->point().id();
+      result = result || is_blocked(face) || is_blocked(face->neighbor(i)) ||
+               (std::ranges::find(points, neighbor) == points.end() &&
+                is_stalled(neighbor, moment.bounds));
+    });
+    turns_.for_each_handle(id, [&](Queue_handle handle) {
+      result = result || waits_before(handle, lane.turn_part, moment.bounds, exact);
+    });
+  }
+  return result;
+}
+
+// Undoes what is later than the moment in the surroundings of points.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::undo_later_around(Lane& lane, Points points, Moment& moment) {
+  const auto find_later = [&] {
+    Stamp later = 0;
+    const auto look_at = [&](Face_handle face) {
+      if (later == 0 && is_later(face->stamp(), moment)) later = face->stamp();
+    };
+    for (const Point_id id : points) {
+      for_each_face_at(kinetic_.triangulation_, kinetic_.vertices_[id],
+                       [&](Face_handle face, int i) {
+                         look_at(face);
+                         look_at(face->neighbor(i));
+                       });
+    }
+    return later;
+  };
+  // Others may be around them then.
+  for (Stamp later = find_later(); later != 0; later = find_later()) undo(lane, later);
+}
+
+// ---- a turn ----
+
+// Executes the first turn of a node, or leaves it to the node above. The root cuts the window where
+// that is for the plain loop; returns false then.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::execute_turn(Lane& lane) {
+  const Turn_entry entry = lane.turn_part->top();
+  const Time& time = lane.turn_part->time(lane.turn_part->top());
+  Moment moment = {{}, time.interval(), time};
+  if (turns_.is_contact(entry) && lane.flips.size() < lane.capacity && turn(lane, entry, moment)) {
+    return true;
+  }
+  if (!is_root(lane)) {
+    leave_turn(lane);
+    return true;
+  }
+  cut_ = *moment.exact;
+  return false;
+}
+
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::turned(const Turn& turn) -> Points {
+  return Points(turn.turned).first(turn.turned[1] == no_point ? 1 : 2);
+}
+
+// Executes a turn, the first one of the node. Returns false, with the triangulation as it was,
+// where a node above is to do it.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Moment& moment) {
+  auto made = std::make_unique<Turn>();
+  made->points = turns_.points(entry);
+  const Points points = Points(made->points).first(made->points[1] == no_point ? 1 : 2);
+  if (!is_root(lane)) {
+    for (const Point_id id : points) {
+      if (!owns_star(lane, id)) return false;
+    }
+    if (is_turn_blocked(lane, points, moment)) return false;
+  }
+  if (!lane.is_region()) undo_later_around(lane, points, moment);
+  const auto changes = turns_.changes(entry, *moment.exact);
+  if (changes.empty() || !set_points(lane, *made, changes, moment)) return false;
+  New_certificates certificates;
+  if (!certify_turn(lane, *made, turned(*made), moment, certificates)) {
+    set_motions(*made, false);
+    return false;
+  }
+  const Points turned_points = turned(*made);
+  record_turn(lane, entry, std::move(made), turned_points, moment, certificates);
+  return true;
+}
+
+// Gives points their new motions, if their triangles stay embedded.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::set_points(const Lane& /*lane*/, Turn& turn,
+                                            std::span<const Change> changes, Moment& moment) {
+  using Instantaneous = typename Kinetic::Instantaneous_traits;
+  std::optional<Instantaneous> instant;
+  const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+    if (!instant) {
+      instant.emplace(kinetic_.traits_.instantaneous_traits({*moment.exact, Time_side::after}));
+    }
+    return instant->orientation_2_object()(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
+  };
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const Point_id id = changes[k].point;
+    const Vertex_handle v = kinetic_.vertices_[id];
+    turn.turned[k] = id;
+    turn.before[k] = v->point();
+    v->set_point(Point_2(*changes[k].motion, id));
+    turn.after[k] = v->point();
+    if (kinetic_.is_embedded_around(v, moment.bounds, is_left_turn)) continue;
+    set_motions(turn, false);
+    return false;
+  }
+  return true;
+}
+
+// Makes the certificates of points that have turned. Returns false if one fails at once, or if
+// discs overlap that have not just touched.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::certify_turn(Lane& lane, const Turn& turn, Points turned,
+                                              Moment& moment, New_certificates& result) {
+  const Time& now = *moment.exact;
+  bool fails_now = false;
+  const auto look_at = [&](const Certificate& known) {
+    fails_now = fails_now || (known.kind == Certificate::Kind::fails &&
+                              known.bounds.lower <= moment.bounds.upper);
+  };
+  const std::vector<Two_sided_edge> edges = edges_around(turned);
+  result.edges.reserve(edges.size());
+  kinetic_.certify(edges, now, Certificate_state::any, kinetic_.traits_, lane.certificates,
+                   [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
+                     look_at(known);
+                     result.edges.emplace_back(edge, kind, std::move(known));
+                   });
+  if (fails_now || !turns_.certify(turn.points, turned, now, lane.turn_certificates, result.turns))
+    return false;
+  for (const auto& [entry, known] : result.turns) look_at(known);
+  return !fails_now;
+}
+
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
+                                             std::unique_ptr<Turn> turn, Points turned,
+                                             Moment& moment, New_certificates& certificates) {
+  const std::size_t index = lane.flips.size();
+  const Stamp number = stamp(lane, index);
+  const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
+  lane.keys.push_back({moment.bounds, std::max(reached, moment.bounds.lower),
+                       static_cast<std::uint32_t>(index), static_cast<std::uint16_t>(lane.number),
+                       turns_.event_kind(entry)});
+  for_each_face_around(turned, [&](Face_handle face) {
+    turn->faces.emplace_back(face, face->stamp());
+    face->set_stamp(number);
+  });
+  // The entries leave the queue first, while the motions that they speak of are there.
+  set_motions(*turn, false);
+  turn->turn_entries = take_turn_entries(turned);  // the executed one is among them
+  for (auto& [edge, kind, known] : certificates.edges) {
+    const Queue_handle handle = edge.here.first->event(edge.here.second);
+    if (handle != no_event) {
+      const Entry& old = queue()[handle];
+      auto& removed = turn->entries.emplace_back(Removed_entry<Entry>{old});
+      removed.entry.time = Time_pool::none;
+      if (old.time != Time_pool::none) {
+        removed.exact =
+            std::make_unique<Time>(queue().part(queue().part_of_handle(handle)).time_of(old));
+      }
+      if (old.kind != Entry_kind::recheck) {
+        ++lane.counters.discarded[static_cast<std::size_t>(Kinetic::event_kind(old.kind))];
+      }
+      queue().erase(handle);
+    }
+  }
+  set_motions(*turn, true);
+  for (auto& [edge, kind, known] : certificates.edges) put(lane, edge, kind, std::move(known));
+  for (auto& [turn_entry, known] : certificates.turns) {
+    put_turn(lane, turn_entry, std::move(known));
+  }
+  for (std::size_t k = 0; k < turned.size(); ++k) {
+    turn->previous[k] = std::exchange(turned_[turned[k]], number);
+  }
+  for (const Point_id id : turn->points) {
+    if (id != no_point) stalls_[id] = std::numeric_limits<double>::infinity();
+  }
+  Flip& f = lane.flips.emplace_back();
+  f.exact = std::make_unique<Exact_times>();
+  f.exact->flip = *moment.exact;
+  f.beside.turn = std::move(turn);
+}
+
+// Calls `function` with each face at the points, which are one or two.
+template <class Kinetic, class Turns>
+template <class Function>
+void Region_run<Kinetic, Turns>::for_each_face_around(Points points,
+                                                      const Function& function) const {
+  const Vertex_handle first = kinetic_.vertices_[points.front()];
+  for_each_face_at(kinetic_.triangulation_, first, [&](Face_handle face) { function(face); });
+  if (points.size() == 1) return;
+  for_each_face_at(kinetic_.triangulation_, kinetic_.vertices_[points.back()],
+                   [&](Face_handle face) {
+                     if (!face->has_vertex(first)) function(face);
+                   });
+}
+
+// The edges of the faces at the points, each once.
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::edges_around(Points points) const
+    -> std::vector<Two_sided_edge> {
+  std::vector<Two_sided_edge> result;
+  result.reserve(32);
+  const Vertex_handle first = kinetic_.vertices_[points.front()];
+  const auto add = [&](Vertex_handle v, const auto& is_known) {
+    for_each_face_at(kinetic_.triangulation_, v, [&](Face_handle face, int at) {
+      for (const int i : {at, Triangulation::cw(at)}) {
+        const Two_sided_edge edge = kinetic_.two_sided(Edge(face, i));
+        if (!is_known(edge)) result.push_back(edge);
+      }
+    });
+  };
+  add(first, [](const Two_sided_edge&) { return false; });
+  if (points.size() == 2) {
+    // Those of a face at the first point have been added.
+    add(kinetic_.vertices_[points.back()], [&](const Two_sided_edge& edge) {
+      return edge.here.first->has_vertex(first) || edge.there.first->has_vertex(first);
+    });
+  }
+  return result;
+}
+
+// Undoes a turn that is the last one of its faces.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Turn& turn) {
+  const Points points = turned(turn);
+  for (const Two_sided_edge& edge : edges_around(points)) {
+    const Queue_handle handle = edge.here.first->event(edge.here.second);
+    if (handle != no_event) queue().erase(handle);
+    kinetic_.set_event(edge, no_event);
+  }
+  take_turn_entries(points);
+  set_motions(turn, false);
+  for (std::size_t k = 0; k < points.size(); ++k) turned_[points[k]] = turn.previous[k];
+  for (const auto& [face, stamp] : turn.faces) face->set_stamp(stamp);
+  for (auto& [entry, exact] : turn.entries) {
+    kinetic_.set_event(kinetic_.two_sided(entry.edge()), put(lane, entry, exact.get()));
+  }
+  for (auto& removed : turn.turn_entries) put_turn_back(lane, removed);
+}
+
+// ---- a flip, and the contacts of its edges ----
+
+// Schedules the contact of the edge that a flip has added, in place of the one removed.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::follow_flip(Lane& lane, Flip& flip, Moment& moment) {
+  if (!turns_.has_pairs()) return;
+  const auto& [right, left, corner, opposite] = flip.corners;
+  if (right != no_point && left != no_point) {
+    const Queue_handle handle = turns_.handle(edge_ids(right, left));
+    if (handle != no_event) {
+      flip.beside.removed =
+          std::make_unique<Removed_entry<Turn_entry>>(take_turn_entry(handle));
+    }
+  }
+  if (corner == no_point || opposite == no_point) return;
+  const Turn_entry pair = turns_.pair(edge_ids(corner, opposite));
+  // A little before the flip, the two do not touch: else they would have been watched.
+  auto [entry, known] =
+      turns_.certificate(pair, Time(moment.bounds.lower), lane.turn_certificates);
+  if (known.may_vanish || (known.kind != Certificate::Kind::never_fails &&
+                           known.bounds.lower <= moment.bounds.upper)) {
+    known = turns_.certificate(pair, time(moment), lane.turn_certificates).second;
+  }
+  put_turn(lane, entry, std::move(known));
+}
+
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::unfollow_flip(Lane& lane, Flip& flip) {
+  if (!turns_.has_pairs()) return;
+  const auto& [right, left, corner, opposite] = flip.corners;
+  if (corner != no_point && opposite != no_point) {
+    const Queue_handle handle = turns_.handle(edge_ids(corner, opposite));
+    if (handle != no_event) take_turn_entry(handle);
+  }
+  if (flip.beside.removed) put_turn_back(lane, *flip.beside.removed);
+}
+
+// ---- motions of other times ----
+
+// A point with the motion that it had at a flip of the window.
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::point_at(Point_id id, Stamp flip) -> const Point_2& {
+  if constexpr (has_turns) {
+    const Point_2* result = nullptr;
+    for (Stamp number = turned_[id]; number != 0;) {
+      const Turn& turn = *this->flip(number).beside.turn;
+      const std::size_t k = turn.turned[0] == id ? 0 : 1;
+      if (number < flip) return result == nullptr ? turn.after[k] : *result;
+      result = &turn.before[k];
+      number = turn.previous[k];
+    }
+    if (result != nullptr) return *result;
+  }
+  return kinetic_.vertices_[id]->point();
+}
+
+// Gives the points of a turn the motions after it, or before it.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::set_motions(const Turn& turn, bool are_after) {
+  const Points points = turned(turn);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    kinetic_.vertices_[points[k]]->set_point(are_after ? turn.after[k] : turn.before[k]);
+  }
+}
+
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::set_motions(const Key& key, bool are_after) {
+  if constexpr (has_turns) set_motions(*flip(key).beside.turn, are_after);
+}
+
+// Gives the points the motions that they had when the window began: observers are told of turns one
+// after the other.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::go_back_in_turns() {
+  for (auto key = order_.rbegin(); has_turns && key != order_.rend(); ++key) {
+    if (is_turn(*key)) set_motions(*key, false);
+  }
+}
+
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::go_through_turns() {
+  for (auto key = order_.begin(); has_turns && key != order_.end(); ++key) {
+    if (is_turn(*key)) set_motions(*key, true);
+  }
+}
+
+// What observers are told of a turn, but for its number and time.
+template <class Kinetic, class Turns>
+Event Region_run<Kinetic, Turns>::turn_event(const Key& key) {
+  Event event;
+  event.kind = key.kind;
+  if constexpr (has_turns) {
+    const auto& [a, b] = flip(key).beside.turn->points;
+    event.point_a = a;
+    if (b != no_point) event.point_b = b;
+  }
+  return event;
+}
+
+// Whether an observer is told of the events of a window: whoever has the turns knows them.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_told(const Event_observer* observer) const {
+  if constexpr (has_turns) return !turns_.is_observer(observer);
+  return true;
+}
+
+// Notes what the turns of a window leave to the plain loop, and forgets the turns.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::settle_turns_of_window() {
+  for (const Key& key : order_) {
+    if (is_turn(key)) turns_.end_turn(flip(key).beside.turn->points);
+  }
+  for (Lane& lane : lanes_) {
+    for (const Flip& f : lane.flips) {
+      if (!f.beside.turn) continue;
+      for (const Point_id id : turned(*f.beside.turn)) turned_[id] = 0;
+    }
+    for (const Point_id id : lane.stalled) stalls_[id] = std::numeric_limits<double>::infinity();
+    lane.stalled.clear();
+    turns_.count(std::exchange(lane.turn_certificates, {}));
+  }
+  turns_.end_window();
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_TRIANGULATION_DETAIL_REGION_TURNS_IMPL_H

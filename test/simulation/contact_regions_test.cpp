@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Contacts and walls in runs by regions, against the plain loop: the same events, with the same
+// numbers and exact times, and the same state.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "kinetri/io/event_log.h"
+#include "kinetri/simulation/detail/contact_turns.h"
+#include "kinetri/simulation/recording.h"
+#include "kinetri/simulation/simulation_2.h"
+#include "support/motions.h"
+#include "support/multiplier.h"
+#include "support/region_runs.h"
+
+namespace kinetri {
+namespace {
+
+using detail::Region_counters;
+using detail::Region_options;
+using test::options_of;
+
+// Points in a square of the given side, some distance apart, with speeds up to `speed`.
+std::vector<Linear_motion_2> gas(std::size_t n, double side, double apart, double speed,
+                                 unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  // One in each cell of a grid.
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n))));
+  const double cell = side / static_cast<double>(columns);
+  std::vector<Linear_motion_2> result;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double x = cell * static_cast<double>(k % columns);
+    const double y = cell * static_cast<double>(k / columns);
+    const double free = cell - apart;
+    result.push_back({{x + apart / 2 + between(0, free), y + apart / 2 + between(0, free)},
+                      {between(-speed, speed), between(-speed, speed)}});
+  }
+  return result;
+}
+
+// Points on a lattice with whole velocities, so that much happens at one time.
+std::vector<Linear_motion_2> on_lattice(std::size_t n, std::size_t columns, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto whole = [&] { return static_cast<double>(random() % 7) - 3; };
+  std::vector<Linear_motion_2> result;
+  for (std::size_t k = 0; k < n; ++k) {
+    result.push_back({{static_cast<double>(2 * (k % columns)), static_cast<double>(2 * (k / columns))},
+                      {whole(), whole()}});
+  }
+  return result;
+}
+
+template <class Traits>
+std::string difference_of_simulations(const Simulation_2<Traits>& one,
+                                      const Simulation_2<Traits>& other) {
+  const std::string found =
+      test::difference_of_states(one.triangulation(), other.triangulation());
+  if (!found.empty()) return found;
+  const auto a = one.snapshot();
+  const auto b = other.snapshot();
+  if (a.in_contact != b.in_contact) return "pairs in contact";
+  if (a.scheduled.size() != b.scheduled.size()) return "scheduled changes";
+  if (a.counters.instants != b.counters.instants) return "instants with contacts alone";
+  if (a.counters.most_at_one_time != b.counters.most_at_one_time) return "contacts at one time";
+  for (Point_id id = 0; id < one.triangulation().next_id(); ++id) {
+    if (!one.options().response || !one.triangulation().contains(id)) continue;
+    if (one.overlapping_discs(id) != other.overlapping_discs(id)) return "overlaps";
+  }
+  return {};
+}
+
+// What differs between the plain loop and a run by regions, both in pieces that end at `times`,
+// with and without observers of the latter. Before each piece change(simulation) is called.
+template <class Traits = Linear_kinetic_traits_2>
+std::string difference_from_loop(
+    const std::vector<typename Traits::Motion>& motions, const Simulation_options& options,
+    const std::vector<Algebraic_number>& times, const Region_options& regions, Region_counters& sum,
+    const std::function<void(Simulation_2<Traits>&)>& change = [](Simulation_2<Traits>&) {}) {
+  using Simulation = Simulation_2<Traits>;
+  // More threads than this machine may have.
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
+  Simulation plain(motions, options);
+  Simulation watched(motions, options);
+  Simulation alone(motions, options);
+  test::Log expected;
+  test::Log log;
+  plain.add_observer(expected);
+  watched.add_observer(log);
+  std::ostringstream expected_text;
+  std::ostringstream text;
+  Event_log_writer expected_writer(expected_text);
+  Event_log_writer writer(text);
+  plain.add_observer(expected_writer);
+  watched.add_observer(writer);
+  const double end = times.back().to_double();
+  Recorder<Traits> expected_recorder(plain.triangulation(), end, 1'000'000);
+  Recorder<Traits> recorder(watched.triangulation(), end, 1'000'000);
+  plain.add_observer(expected_recorder);
+  watched.add_observer(recorder);
+  using Turns = detail::Contact_turns<Simulation>;
+  auto watched_run = Turns::run_of(watched, regions);
+  auto run = Turns::run_of(alone, regions);
+  for (const Algebraic_number& time : times) {
+    for (Simulation* simulation : {&plain, &watched, &alone}) change(*simulation);
+    const std::size_t count = plain.advance_to(time);
+    if (watched_run.advance_to(time) != count) return "another number of events";
+    if (run.advance_to(time) != count) return "another number of events without an observer";
+    std::string problem = test::difference(expected.events, log.events);
+    if (!problem.empty()) return problem;
+    if (expected.befores != log.befores) return "other numbers of events";
+    problem = difference_of_simulations(plain, watched);
+    if (!problem.empty()) return problem;
+    problem = difference_of_simulations(plain, alone);
+    if (!problem.empty()) return problem + " without an observer";
+    const Audit_report report =
+        alone.audit(motions.size() < 200 ? Audit_level::certificates : Audit_level::links);
+    if (!report.failures.empty()) return report.failures.front();
+  }
+  test::add(sum, watched_run.counters());
+  const Recording expected_recording = expected_recorder.recording();
+  const Recording recording = recorder.recording();
+  if (expected_recording.events.size() != recording.events.size()) return "recorded events";
+  if (expected_recording.triangles != recording.triangles) return "recorded triangles";
+  if (expected_recording.motions.size() != recording.motions.size()) return "recorded motions";
+  for (std::size_t k = 0; k < recording.motions.size(); ++k) {
+    if (expected_recording.motions[k].motion != recording.motions[k].motion) {
+      return "recorded motion " + std::to_string(k);
+    }
+  }
+  return expected_text.str() == text.str() ? "" : "texts of the logs";
+}
+
+Simulation_options box_of(double side) {
+  Simulation_options options;
+  options.box = Box_2{0, 0, side, side};
+  return options;
+}
+
+TEST(Contact_regions, reflect_points_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 30 + 17 * (seed % 30);
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    ASSERT_EQ(difference_from_loop(gas(n, side, 0, 20, seed), box_of(side), {0.5, 2.0},
+                                   options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 9)), sum),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 3'000u);
+  EXPECT_GT(sum.by_union, 3'000u);
+  EXPECT_GT(sum.by_rest, 3'000u);
+  EXPECT_GT(sum.undone, 30u);
+}
+
+// Of few and of many discs, of equal and of other masses, with and without a box.
+TEST(Contact_regions, collide_discs_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 30 + 17 * (seed % 30);
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    Simulation_options options;
+    if (seed % 4 != 3) options = box_of(side);
+    options.radius = std::array{1.2, 2.5, 4.0}[seed % 3];
+    options.rim_touches = seed % 4 == 0;
+    options.response = seed % 5 == 4 ? swap_velocities : collide_elastically;
+    if (seed % 3 == 1) {
+      for (std::size_t k = 0; k < n; ++k) {
+        options.masses.push_back(1 + static_cast<double>(k % 3));
+      }
+    }
+    ASSERT_EQ(difference_from_loop(gas(n, side, 2 * options.radius, 10, seed), options, {0.5, 1.5},
+                                   options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 9)), sum),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 3'000u);
+  EXPECT_GT(sum.by_union, 3'000u);
+  EXPECT_GT(sum.by_rest, 3'000u);
+  EXPECT_GT(sum.undone, 100u);
+  EXPECT_GT(sum.deferred, 1'000u);
+}
+
+// Many contacts at one time, and discs that touch several.
+TEST(Contact_regions, collide_discs_on_a_grid_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 5 + seed % 40;
+    Simulation_options options;
+    options.box = Box_2{-1, -1, 20, 20};
+    options.radius = seed % 3 == 0 ? 1 : 0.5;
+    options.response = seed % 2 == 0 ? collide_elastically : swap_velocities;
+    ASSERT_EQ(
+        difference_from_loop(on_lattice(n, 5 + seed % 3, seed), options,
+                             {1.0, Rational(7, 3), 4.0}, options_of(1 + seed % 9, 0.2 + seed % 3),
+                             sum),
+        "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.cuts, 50u);
+  EXPECT_GT(sum.by_rest, 100u);
+}
+
+TEST(Contact_regions, collide_accelerated_discs_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 40 + 13 * (seed % 10);
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    std::vector<Polynomial_motion_2> motions;
+    for (const Linear_motion_2& motion : gas(n, side, 4, 8, seed)) {
+      Polynomial_motion_2 falling;
+      falling.position = motion.position;
+      falling.velocity = motion.velocity;
+      falling.acceleration = {0, seed % 2 == 0 ? -1.0 : 0.25};
+      motions.push_back(falling);
+    }
+    Simulation_options options = box_of(side);
+    if (seed % 3 != 2) {
+      options.radius = 2;
+      options.response = collide_elastically;
+    }
+    ASSERT_EQ(difference_from_loop<Polynomial_kinetic_traits_2>(
+                  motions, options, {0.5, 1.5}, options_of(2 + seed % 7, 0.4), sum),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 500u);
+  EXPECT_GT(sum.by_rest, 500u);
+}
+
+// Discs that overlap, and that come, turn and go while regions are there.
+TEST(Contact_regions, follow_changes_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 60 + 11 * (seed % 20);
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    Simulation_options options = box_of(side);
+    if (seed % 3 != 0) {
+      options.radius = 2;
+      options.response = collide_elastically;
+    }
+    const auto change = [&](Simulation_2<Linear_kinetic_traits_2>& simulation) {
+      std::mt19937_64 random(seed + simulation.triangulation().next_id());
+      const auto number = [&](double least, double greatest) {
+        return std::uniform_real_distribution<double>(least, greatest)(random);
+      };
+      const double now = simulation.current_time().to_double();
+      for (int k = 0; k < 6; ++k) {
+        const Linear_motion_2 motion = {{number(1, side - 1), number(1, side - 1)},
+                                        {number(-5, 5), number(-5, 5)},
+                                        now + 0.5};
+        const auto id = static_cast<Point_id>(random() % n);
+        if (k < 2) simulation.schedule_insert(now + number(0, 1), motion);
+        if (k == 2 && simulation.triangulation().contains(id)) simulation.erase(id);
+        if (k == 3) simulation.schedule_erase(now + number(0, 0.5), id);
+        if (k > 3 && simulation.triangulation().contains(id)) {
+          const Vector_2 velocity = {number(-9, 9), number(-9, 9)};
+          simulation.set_velocities({&id, 1}, {&velocity, 1});
+        }
+      }
+    };
+    ASSERT_EQ(difference_from_loop<Linear_kinetic_traits_2>(
+                  gas(n, side, 3, 6, seed), options, {0.5, 1.0, 2.0},
+                  options_of(1 + seed % 20, 0.2), sum, change),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 500u);
+  EXPECT_GT(sum.by_loop, 500u);
+}
+
+// A response that changes nothing lets discs pass, one that erases them takes them away: contacts
+// for the plain loop.
+TEST(Contact_regions, leave_other_responses_to_the_loop) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const std::size_t n = 50 + 10 * seed;
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    Simulation_options options = box_of(side);
+    options.radius = 1.5;
+    options.response_is_pure = seed % 2 == 0;
+    options.response = seed % 4 < 2 ? log_contact : erase_both;
+    Region_counters counters;
+    ASSERT_EQ(difference_from_loop(gas(n, side, 3, 6, seed), options, {0.5, 1.5},
+                                   options_of(3, 0.2), counters),
+              "")
+        << "seed " << seed;
+    EXPECT_EQ(counters.windows == 0, seed % 2 == 1) << "seed " << seed;
+  }
+}
+
+// A response given by the user, called by several threads.
+TEST(Contact_regions, call_a_response_that_is_said_to_be_pure) {
+  Region_counters sum;
+  Simulation_options options = box_of(100);
+  options.radius = 1.5;
+  options.response = [](const Contact_2& contact) {
+    Contact_response_2 result = collide_elastically(contact);
+    if (result.velocity_a) result.velocity_a->x /= 2;
+    return result;
+  };
+  options.response_is_pure = true;
+  ASSERT_EQ(
+      difference_from_loop(gas(100, 100, 3, 6, 1), options, {1.0, 2.0}, options_of(5, 0.2), sum),
+      "");
+  EXPECT_GT(sum.by_region, 20u);
+}
+
+// An error of a response comes where the plain loop has it.
+TEST(Contact_regions, throw_what_the_loop_throws) {
+  using Simulation = Simulation_2<Linear_kinetic_traits_2>;
+  Simulation_options options = box_of(100);
+  options.radius = 1.5;
+  options.response = [](const Contact_2& contact) {
+    if (contact.time > 1) throw std::runtime_error("late");
+    return collide_elastically(contact);
+  };
+  options.response_is_pure = true;
+  const auto motions = gas(100, 100, 3, 6, 2);
+  Simulation plain(motions, options);
+  Simulation simulation(motions, options);
+  auto run = detail::Contact_turns<Simulation>::run_of(simulation, options_of(5, 0.2));
+  EXPECT_THROW(plain.advance_to(2), std::runtime_error);
+  EXPECT_THROW(run.advance_to(2), std::runtime_error);
+  EXPECT_EQ(plain.current_time(), simulation.current_time());
+  EXPECT_EQ(plain.triangulation().counters().number_of_events(),
+            simulation.triangulation().counters().number_of_events());
+  EXPECT_EQ(plain.triangulation().finite_edge_ids(), simulation.triangulation().finite_edge_ids());
+}
+
+// Single steps, snapshots and queries after a run by regions, and a run that is stopped.
+TEST(Contact_regions, leave_a_usable_simulation) {
+  using Simulation = Simulation_2<Linear_kinetic_traits_2>;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    Simulation_options options = box_of(100);
+    options.radius = 2;
+    options.response = collide_elastically;
+    const auto motions = gas(100, 100, 4, 6, seed);
+    Simulation plain(motions, options);
+    Simulation simulation(motions, options);
+    auto run = detail::Contact_turns<Simulation>::run_of(simulation, options_of(2 + seed, 0.2));
+    int asked = 0;
+    run.advance_to(1, [&] { return ++asked < 4; });
+    while (plain.current_time() < simulation.current_time()) plain.step();
+    ASSERT_EQ(difference_of_simulations(plain, simulation), "");
+    for (int k = 0; k < 20; ++k) ASSERT_EQ(plain.step(), simulation.step());
+    ASSERT_EQ(difference_of_simulations(plain, simulation), "");
+    run.advance_to(2);
+    const auto snapshot = simulation.snapshot();
+    Simulation restored = Simulation::restore(snapshot, collide_elastically);
+    plain.advance_to(3);
+    detail::Contact_turns<Simulation>::run_of(restored, options_of(3 + seed, 0.3)).advance_to(3);
+    ASSERT_EQ(difference_of_simulations(plain, restored), "");
+    EXPECT_TRUE(restored.is_valid(true, 1));
+  }
+}
+
+// An observer that throws: the simulation is what it is after the window.
+TEST(Contact_regions, go_on_after_an_observer_has_thrown) {
+  using Simulation = Simulation_2<Linear_kinetic_traits_2>;
+  struct Thrower : test::Log {
+    void before_event(const Event& event) override {
+      if (event.number == 40) throw std::runtime_error("enough");
+      test::Log::before_event(event);
+    }
+  };
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    Simulation_options options = box_of(100);
+    options.radius = 2;
+    options.response = collide_elastically;
+    const auto motions = gas(100, 100, 4, 9, seed);
+    Simulation plain(motions, options);
+    Simulation simulation(motions, options);
+    Thrower thrower;
+    simulation.add_observer(thrower);
+    auto run = detail::Contact_turns<Simulation>::run_of(simulation, options_of(1 + seed, 0.5));
+    EXPECT_THROW(run.advance_to(2), std::runtime_error);
+    simulation.remove_observer(thrower);
+    run.advance_to(3);
+    plain.advance_to(3);
+    ASSERT_EQ(difference_of_simulations(plain, simulation), "");
+    const Audit_report report = simulation.audit(Audit_level::certificates);
+    EXPECT_TRUE(report.failures.empty());
+  }
+}
+
+}  // namespace
+}  // namespace kinetri
