@@ -36,9 +36,9 @@ class Threads(In_folder):
         self.assertEqual(done.returncode, code, done.stderr)
         return done.stderr
 
-    def results(self, command, threads, more=""):
+    def results(self, command, threads, more, label):
         """({output: content}, statistics) of a run."""
-        name = f"with{threads}"
+        name = f"{label}with{threads}"
         (self.folder / name).mkdir()
         outputs = " ".join(f"--{output} {name}/{output}" for output in (*OUTPUTS, "stats"))
         self.run_program(f"{command} {outputs} {more.format(name)} --threads {threads} --quiet")
@@ -49,10 +49,10 @@ class Threads(In_folder):
                                              if b'"path"' not in line and b"checksum" not in line)
         return written, stats
 
-    def expect_same(self, command, more=""):
+    def expect_same(self, command, more="", label=""):
         """Returns the statistics of one thread and of two."""
-        one, stats_of_one = self.results(command, 1, more)
-        two, stats_of_two = self.results(command, 2, more)
+        one, stats_of_one = self.results(command, 1, more, label)
+        two, stats_of_two = self.results(command, 2, more, label)
         self.assertEqual(one.keys(), two.keys())
         for output, content in one.items():
             self.assertTrue(content == two[output], f"--{output} differs")
@@ -82,6 +82,21 @@ class Threads(In_folder):
     def test_recordings_of_very_many_points_are_the_same(self):
         self.run_program("generate uniform --points 60000 --seed 5 --output p.csv")
         self.expect_regions(self.expect_same("simulate p.csv --until 1.5", "--html {0}/run.html"))
+
+    def test_walls_are_the_same(self):
+        self.run_program("generate uniform --points 60000 --seed 6 --output p.csv")
+        more = "--html {0}/run.html --checkpoint {0}/checkpoint --encounters {0}/encounters --range 0.05 " \
+               "--components {0}/components"
+        self.expect_regions(self.expect_same("simulate p.csv --until 1.5 --box 0,0,100,100", more))
+
+    def test_collisions_are_the_same(self):
+        self.run_program("generate lattice-jitter --points 60000 --speed 5 --seed 3 --output p.csv")
+        for response in ("elastic", "swap"):
+            discs = f"--box=-10,-10,2450,2450 --radius 3 --collisions {response}"
+            with self.subTest(response):
+                self.expect_regions(self.expect_same(
+                    f"simulate p.csv --until 1.5 {discs}",
+                    "--html {0}/run.html --checkpoint {0}/checkpoint", response))
 
     def test_very_many_points_resumed_are_the_same(self):
         self.run_program("generate uniform --points 200000 --side 4500 --speed 5 --seed 5 --output p.csv")

@@ -38,8 +38,8 @@
 
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
-#include "kinetri/events/event.h"
 #include "kinetri/events/divided_scheduler.h"
+#include "kinetri/events/event.h"
 #include "kinetri/events/event_scheduler.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/kinetic/disc_motion_2.h"
@@ -209,9 +209,9 @@ class Simulation_2 : private Event_observer {
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
 
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
-  /// arena if 0. They share the work, contacts included, where set_threads of the triangulation says
-  /// so, there is no overlap observer, and the response, if there is one, is a built-in one that
-  /// gives velocities (swap_velocities, collide_elastically, stop_both) or is said to be pure
+  /// arena if 0. They share the work, contacts included, where set_threads of the triangulation
+  /// says so, there is no overlap observer, and the response, if there is one, is a built-in one
+  /// that gives velocities (swap_velocities, collide_elastically, stop_both) or is said to be pure
   /// (Simulation_options::response_is_pure). The result is the same.
   void set_threads(std::size_t most) {
     threads_ = most;
@@ -528,8 +528,8 @@ class Simulation_2 : private Event_observer {
   std::vector<std::unique_ptr<Contacts>> contacts_;
   std::unordered_map<std::uint32_t, Scheduled_change> scheduled_changes_;  // by their numbers
   std::uint32_t scheduled_ = 0;                                            // changes so far
-  std::size_t scheduled_entries_ = 0;  // of changes, in the queue
-  std::vector<const Observer*> observers_;                       // but for this object
+  std::size_t scheduled_entries_ = 0;       // of changes, in the queue
+  std::vector<const Observer*> observers_;  // but for this object
   std::vector<Overlap_observer*> overlap_observers_;
   std::span<const Point_id> changing_points_;  // of which `change` schedules all contacts anew
   bool is_within_instant_ = false;

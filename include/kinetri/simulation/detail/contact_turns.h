@@ -8,8 +8,8 @@
 // window begins where no discs overlap; a contact after which a disc overlaps another one than that
 // which it touched is left to the plain loop; and where a window ends, the pairs that still overlap
 // are noted, as the plain loop does at each contact. Pairs that a response has let pass, and that
-// have parted, are put aside for a window, since the plain loop knows of them up to the next contact
-// of one of the two, which is left to it.
+// have parted, are put aside for a window, since the plain loop knows of them up to the next
+// contact of one of the two, which is left to it.
 #ifndef KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
 #define KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
 
@@ -52,6 +52,16 @@ class Contact_turns {
         simulation.triangulation_, options, Contact_turns(simulation));
   }
 
+  /// Counts of contacts that were discarded.
+  struct Discarded {
+    std::uint64_t walls = 0;
+    std::uint64_t collisions = 0;
+
+    void count(const Entry& entry) {
+      if (entry.is_event) ++(entry.kind == Entry_kind::wall ? walls : collisions);
+    }
+  };
+
   // ---- what they are ----
 
   /// Whether contacts can be executed in windows: of walls, and of discs that get other velocities
@@ -91,6 +101,10 @@ class Contact_turns {
   /// Of the event of a contact.
   static Event_kind event_kind(const Entry& entry) {
     return entry.kind == Entry_kind::wall ? Event_kind::wall : Event_kind::collision;
+  }
+  /// Whether two entries of contacts are about the same.
+  static bool are_same(const Entry& a, const Entry& b) {
+    return a.kind == b.kind && a.point_a == b.point_a && a.point_b == b.point_b;
   }
   /// The contact of a pair.
   static Entry pair(const Edge_ids& pair);
@@ -137,6 +151,8 @@ class Contact_turns {
   void count(std::uint64_t contacts);
   /// Counts certificates of contacts.
   void count(const Certificate_counters& counted);
+  /// Counts contacts that were discarded.
+  void count(const Discarded& discarded);
 
  private:
   bool may_overlap(Point_id a, Point_id b, const Time& now) const;
@@ -144,8 +160,8 @@ class Contact_turns {
   void put_passes_back();
 
   Simulation* simulation_;
-  std::uint32_t scheduled_ = 0;               // changes before the window
-  std::vector<Edge_ids> passes_ = {};         // put aside
+  std::uint32_t scheduled_ = 0;                // changes before the window
+  std::vector<Edge_ids> passes_ = {};          // put aside
   std::unordered_set<Point_id> passing_ = {};  // their points
 };
 

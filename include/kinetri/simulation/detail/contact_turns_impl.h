@@ -200,8 +200,8 @@ bool Contact_turns<Simulation>::drop_overlaps(const Time& time) {
     if (contacts[id] == nullptr) continue;
     const auto overlaps = contacts[id]->overlaps;
     for (const auto& [other, passes] : overlaps) {
-      if (simulation_->triangulation_.contains(id) &&
-          simulation_->triangulation_.contains(other) && may_overlap(id, other, time)) {
+      if (simulation_->triangulation_.contains(id) && simulation_->triangulation_.contains(other) &&
+          may_overlap(id, other, time)) {
         return false;
       }
       simulation_->end_overlap(id, other);
@@ -254,6 +254,12 @@ void Contact_turns<Simulation>::count(std::uint64_t contacts) {
 template <class Simulation>
 void Contact_turns<Simulation>::count(const Certificate_counters& counted) {
   simulation_->certificate_counters_ += counted;
+}
+
+template <class Simulation>
+void Contact_turns<Simulation>::count(const Discarded& discarded) {
+  simulation_->counters_.discarded_walls += discarded.walls;
+  simulation_->counters_.discarded_collisions += discarded.collisions;
 }
 
 }  // namespace kinetri::detail

@@ -171,8 +171,7 @@ template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::usable(Point_id id, Motion motion, const Time& now) const -> Motion {
   if (!is_finite(motion)) {
     throw Contact_overflow_error(
-        id, "after its contact at t = " + detail::text(now) + " point " +
-                std::to_string(id) +
+        id, "after its contact at t = " + detail::text(now) + " point " + std::to_string(id) +
                 " has a place, velocity or acceleration beyond the range of binary64; expected "
                 "smaller numbers, in other units perhaps");
   }

@@ -38,12 +38,11 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   });
   std::ranges::sort(changes, {}, &Entry::point_b);
   for (const Entry& change : changes) {
-    result.scheduled.push_back(
-        {queue_.time_of(change).detached(),
-         change.kind == Entry_kind::erase    ? Event_kind::erase
-         : change.kind == Entry_kind::insert ? Event_kind::insert
-                                             : Event_kind::trajectory,
-         change.point_a, scheduled_changes_.at(change.point_b).motion});
+    result.scheduled.push_back({queue_.time_of(change).detached(),
+                                change.kind == Entry_kind::erase    ? Event_kind::erase
+                                : change.kind == Entry_kind::insert ? Event_kind::insert
+                                                                    : Event_kind::trajectory,
+                                change.point_a, scheduled_changes_.at(change.point_b).motion});
   }
   return result;
 }

@@ -481,8 +481,7 @@ bool Kinetic_triangulation_2<Traits>::is_embedded_around(Vertex_handle v,
       is_inner = is_inner && number < around.size() && !triangulation_.is_infinite(u);
       if (is_inner) around[number++] = &u->point();
     });
-    if (is_inner &&
-        traits_.is_surrounded(v->point(), std::span(around).first(number), bounds)) {
+    if (is_inner && traits_.is_surrounded(v->point(), std::span(around).first(number), bounds)) {
       return true;
     }
   }

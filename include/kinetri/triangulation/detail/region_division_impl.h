@@ -88,8 +88,13 @@ void Region_run<Kinetic, Turns>::move_to_parts(std::size_t count) {
   const auto in_parallel = [this](auto& elements, const auto& work) {
     this->for_each(elements, work);
   };
-  queue().divide(count, blocks_of(std::span(std::as_const(faces))), for_each_edge, in_parallel);
-  if constexpr (has_turns) turns_.divide(count, in_parallel);
+  // The plain loop may have put one of the two queues into one part: where it has built all anew.
+  if (count > 1 || queue().is_divided()) {
+    queue().divide(count, blocks_of(std::span(std::as_const(faces))), for_each_edge, in_parallel);
+  }
+  if constexpr (has_turns) {
+    if (count > 1 || turns_.queue().is_divided()) turns_.divide(count, in_parallel);
+  }
 }
 
 // Whether all that is to come is in parts.

@@ -16,7 +16,7 @@ namespace kinetri::detail {
 
 template <class Kinetic, class Turns>
 auto Region_run<Kinetic, Turns>::moment_of(const Entry& entry, const Two_sided_edge& edge,
-                                    const Part& part) const -> Moment {
+                                           const Part& part) const -> Moment {
   Moment result{kinetic_.certificate_points(edge), entry.bounds, std::nullopt};
   if (entry.time != Time_pool::none) result.exact = part.time_of(entry);
   return result;
@@ -67,7 +67,8 @@ bool Region_run<Kinetic, Turns>::is_owned(const Lane& lane, const Two_sided_edge
 // first of the lane's part. (Entries of that part come after this one, those of nodes' parts after
 // the window. What waits there was deferred by this node, or is due in a node above.)
 template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge) {
+bool Region_run<Kinetic, Turns>::is_blocked(Lane& lane, const Entry& entry,
+                                            const Two_sided_edge& edge) {
   const auto exact = [&]() -> const Time& { return lane.part->time(lane.part->top()); };
   const auto is_face_blocked = [&](Face_handle face) {
     return waits_before(face, lane.part, entry.bounds, exact);
@@ -112,7 +113,8 @@ inline bool Region_run<Kinetic, Turns>::waits_before(Face_handle face, const Par
 // at the hull some only touch it, and some take a reconstruction; see
 // Kinetic_triangulation_2::execute.
 template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment) {
+bool Region_run<Kinetic, Turns>::is_flip(const Entry& entry, const Two_sided_edge& edge,
+                                         Moment& moment) {
   if (entry.kind != Entry_kind::hull_insert) return true;
   const Time before = kinetic_.current_time();
   kinetic_.set_current_time(time(moment));
@@ -126,7 +128,8 @@ bool Region_run<Kinetic, Turns>::is_flip(const Entry& entry, const Two_sided_edg
 
 // Undoes the flips in the surroundings of an edge that are later than the moment.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::undo_later(Lane& lane, const Two_sided_edge& edge, Moment& moment) {
+void Region_run<Kinetic, Turns>::undo_later(Lane& lane, const Two_sided_edge& edge,
+                                            Moment& moment) {
   for (const Edge& side : {edge.here, edge.there}) {
     const auto& [face, i] = side;
     KINETRI_ASSERT(!is_later(face->stamp(), moment),
@@ -156,7 +159,8 @@ auto Region_run<Kinetic, Turns>::outer_edges(const Two_sided_edge& edge) const -
 // Schedules an entry for a union of regions: in the part that it executes, or where the entry
 // belongs between two windows. `exact` is its time, if that has been made.
 template <class Kinetic, class Turns>
-Queue_handle Region_run<Kinetic, Turns>::put(const Lane& lane, const Entry& entry, const Time* exact) {
+Queue_handle Region_run<Kinetic, Turns>::put(const Lane& lane, const Entry& entry,
+                                             const Time* exact) {
   const std::size_t to = entry.bounds.lower <= due_until_
                              ? due_part(lane.number)
                              : kinetic_.queue_policy_.part_of(entry.edge());
@@ -166,8 +170,9 @@ Queue_handle Region_run<Kinetic, Turns>::put(const Lane& lane, const Entry& entr
 
 // Schedules an edge.
 template <class Kinetic, class Turns>
-KINETRI_ALWAYS_INLINE void Region_run<Kinetic, Turns>::put(const Lane& lane, const Two_sided_edge& edge,
-                                                    Entry_kind kind, Certificate&& known) {
+KINETRI_ALWAYS_INLINE void Region_run<Kinetic, Turns>::put(const Lane& lane,
+                                                           const Two_sided_edge& edge,
+                                                           Entry_kind kind, Certificate&& known) {
   if (known.kind == Certificate::Kind::never_fails) return kinetic_.set_event(edge, no_event);
   if (!lane.is_region()) {
     const Entry entry(edge.here, kind, known);
@@ -191,7 +196,7 @@ inline auto Region_run<Kinetic, Turns>::kept(const Entry& entry) -> Kept_entry {
 // names, nothing depends on.
 template <class Kinetic, class Turns>
 auto Region_run<Kinetic, Turns>::restored(const Kept_entry& kept, const Edge& edge,
-                                   const Double_interval& bounds) -> Entry {
+                                          const Double_interval& bounds) -> Entry {
   Entry result;
   result.bounds = bounds;
   result.index = static_cast<std::uint8_t>(edge.second);
@@ -205,7 +210,7 @@ auto Region_run<Kinetic, Turns>::restored(const Kept_entry& kept, const Edge& ed
 // it.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge,
-                                  Moment& moment) {
+                                         Moment& moment) {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
   const Outer_edges before = outer_edges(edge);
@@ -351,9 +356,9 @@ void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
 
 // Schedules the entry number k of an undone flip again.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::put_back(const Lane& lane, const Flip& f, const Two_sided_edge& edge,
-                                   const Kept_entry& kept, const Double_interval& bounds,
-                                   std::size_t k) {
+void Region_run<Kinetic, Turns>::put_back(const Lane& lane, const Flip& f,
+                                          const Two_sided_edge& edge, const Kept_entry& kept,
+                                          const Double_interval& bounds, std::size_t k) {
   if (!kept.exists) return kinetic_.set_event(edge, no_event);
   const Entry entry = restored(kept, edge.here, bounds);
   const Time* exact = nullptr;

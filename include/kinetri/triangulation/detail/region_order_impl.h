@@ -116,7 +116,8 @@ void Region_run<Kinetic, Turns>::put_in_order() {
 
 // The keys of flips that are not undone and that reach from `least` on, but not `greatest`.
 template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::keys_between(double least, double greatest) const -> std::vector<Key> {
+auto Region_run<Kinetic, Turns>::keys_between(double least, double greatest) const
+    -> std::vector<Key> {
   std::vector<Key> result;
   const auto add = [&](const Lane& lane) {
     auto key = std::ranges::lower_bound(lane.keys, least, {}, &Key::reached);

@@ -121,7 +121,7 @@ template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::put_turn_back(const Lane& lane,
                                                Removed_entry<Turn_entry>& removed) {
   Turn_entry& entry = removed.entry;
-  const std::size_t to = lane.is_region()                     ? lane.number
+  const std::size_t to = lane.is_region()                   ? lane.number
                          : entry.bounds.lower <= due_until_ ? due_part(lane.number)
                                                             : turns_.part_of(entry);
   auto& part = turns_.queue().part(to);
@@ -132,8 +132,7 @@ void Region_run<Kinetic, Turns>::put_turn_back(const Lane& lane,
 
 // Takes an entry out of the queue.
 template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::take_turn_entry(Queue_handle handle)
-    -> Removed_entry<Turn_entry> {
+auto Region_run<Kinetic, Turns>::take_turn_entry(Queue_handle handle) -> Removed_entry<Turn_entry> {
   auto& turns = turns_.queue();
   const Turn_entry& entry = turns[handle];
   Removed_entry<Turn_entry> result = {entry};
@@ -164,8 +163,7 @@ auto Region_run<Kinetic, Turns>::take_turn_entries(Points points)
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::recheck_turn(Lane& lane, const Turn_entry& entry) {
   turns_.forget(entry);
-  auto [again, known] =
-      turns_.certificate(entry, Time(entry.bounds.lower), lane.turn_certificates);
+  auto [again, known] = turns_.certificate(entry, Time(entry.bounds.lower), lane.turn_certificates);
   put_turn(lane, again, std::move(known));
 }
 
@@ -302,7 +300,7 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
   }
   if (!lane.is_region()) undo_later_around(lane, points, moment);
   const auto changes = turns_.changes(entry, *moment.exact);
-  if (changes.empty() || !set_points(lane, *made, changes, moment)) return false;
+  if (changes.empty() || !set_points(*made, changes, moment)) return false;
   New_certificates certificates;
   if (!certify_turn(lane, *made, turned(*made), moment, certificates)) {
     set_motions(*made, false);
@@ -315,8 +313,8 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
 
 // Gives points their new motions, if their triangles stay embedded.
 template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::set_points(const Lane& /*lane*/, Turn& turn,
-                                            std::span<const Change> changes, Moment& moment) {
+bool Region_run<Kinetic, Turns>::set_points(Turn& turn, std::span<const Change> changes,
+                                            Moment& moment) {
   using Instantaneous = typename Kinetic::Instantaneous_traits;
   std::optional<Instantaneous> instant;
   const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
@@ -380,6 +378,9 @@ void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry
   // The entries leave the queue first, while the motions that they speak of are there.
   set_motions(*turn, false);
   turn->turn_entries = take_turn_entries(turned);  // the executed one is among them
+  for (const auto& removed : turn->turn_entries) {
+    if (!turns_.are_same(removed.entry, entry)) lane.discarded_turns.count(removed.entry);
+  }
   for (auto& [edge, kind, known] : certificates.edges) {
     const Queue_handle handle = edge.here.first->event(edge.here.second);
     if (handle != no_event) {
@@ -429,8 +430,7 @@ void Region_run<Kinetic, Turns>::for_each_face_around(Points points,
 
 // The edges of the faces at the points, each once.
 template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::edges_around(Points points) const
-    -> std::vector<Two_sided_edge> {
+auto Region_run<Kinetic, Turns>::edges_around(Points points) const -> std::vector<Two_sided_edge> {
   std::vector<Two_sided_edge> result;
   result.reserve(32);
   const Vertex_handle first = kinetic_.vertices_[points.front()];
@@ -481,17 +481,16 @@ void Region_run<Kinetic, Turns>::follow_flip(Lane& lane, Flip& flip, Moment& mom
   if (right != no_point && left != no_point) {
     const Queue_handle handle = turns_.handle(edge_ids(right, left));
     if (handle != no_event) {
-      flip.beside.removed =
-          std::make_unique<Removed_entry<Turn_entry>>(take_turn_entry(handle));
+      flip.beside.removed = std::make_unique<Removed_entry<Turn_entry>>(take_turn_entry(handle));
+      lane.discarded_turns.count(flip.beside.removed->entry);
     }
   }
   if (corner == no_point || opposite == no_point) return;
   const Turn_entry pair = turns_.pair(edge_ids(corner, opposite));
   // A little before the flip, the two do not touch: else they would have been watched.
-  auto [entry, known] =
-      turns_.certificate(pair, Time(moment.bounds.lower), lane.turn_certificates);
-  if (known.may_vanish || (known.kind != Certificate::Kind::never_fails &&
-                           known.bounds.lower <= moment.bounds.upper)) {
+  auto [entry, known] = turns_.certificate(pair, Time(moment.bounds.lower), lane.turn_certificates);
+  if (known.may_vanish ||
+      (known.kind != Certificate::Kind::never_fails && known.bounds.lower <= moment.bounds.upper)) {
     known = turns_.certificate(pair, time(moment), lane.turn_certificates).second;
   }
   put_turn(lane, entry, std::move(known));
@@ -591,6 +590,7 @@ void Region_run<Kinetic, Turns>::settle_turns_of_window() {
     for (const Point_id id : lane.stalled) stalls_[id] = std::numeric_limits<double>::infinity();
     lane.stalled.clear();
     turns_.count(std::exchange(lane.turn_certificates, {}));
+    turns_.count(std::exchange(lane.discarded_turns, {}));
   }
   turns_.end_window();
 }

@@ -37,9 +37,10 @@
 //   stall    An entry that waits for a node above: deferred, or due in a union. It stays in the
 //            slots of its two faces, where others that are later see it: there is no other mark.
 //   rest     The events that the root executes, by one thread in the order of the queue.
-//   turn     An event that gives one point or two another motion: a contact. A simulation has turns;
-//            their entries are in a queue of its own, in the same parts. See Turns below. The record
-//            of a turn is a Flip too, since it is numbered, ordered and undone as one.
+//   turn     An event that gives one point or two another motion: a contact. A simulation has
+//   turns;
+//            their entries are in a queue of its own, in the same parts. See Turns below. The
+//            record of a turn is a Flip too, since it is numbered, ordered and undone as one.
 //
 // What an event reads and writes. A flip, at the hull too,
 //   reads    the vertices of its surroundings, and their motions;
@@ -49,26 +50,27 @@
 //            entries of the five edges; where there are turns, those of the pairs that are the ends
 //            of the edge before and after; the lane.
 // The faces of a turn, two for a flip, are all those at its points; its surroundings are these and
-// the faces beside them. It writes their slots and stamps, the motions of its points, the entries of
-// the edges of these faces, and the entries of all turns of its points. Two events that have a
+// the faces beside them. It writes their slots and stamps, the motions of its points, the entries
+// of the edges of these faces, and the entries of all turns of its points. Two events that have a
 // motion of one point in common conflict: if one changes it, it writes all faces at the point.
-// An event allocates no face and no vertex. So the order of faces in CGAL's container, which snapshots
-// keep, is that of the window's start, and face() of a vertex changes only with a flip of that
-// face. Flips from either side of an edge are the same. A recheck writes the entry of one edge.
-// Failure times are exact numbers that several threads may ask (algebra/algebraic_number.h); that
-// of an entry is kept in its part, which one thread owns, and is made anew, and not kept, by a
+// An event allocates no face and no vertex. So the order of faces in CGAL's container, which
+// snapshots keep, is that of the window's start, and face() of a vertex changes only with a flip of
+// that face. Flips from either side of an edge are the same. A recheck writes the entry of one
+// edge. Failure times are exact numbers that several threads may ask (algebra/algebraic_number.h);
+// that of an entry is kept in its part, which one thread owns, and is made anew, and not kept, by a
 // thread that looks at an entry of another part.
 //
 // A window goes through the tree level by level: the regions, by several threads, then the unions
 // of two regions, and so on up to the root, which is alone. A node but the root flips an edge if it
-// is finite and all four vertices are in the node, and executes a turn if all neighbors of its points
-// are finite and in the node. Then each face that it writes has two vertices
-// in the node, and each face that it reads too. A face with two vertices in the node is written by
-// no other node of its level, since that would have to own two of the three. So nodes of one level
-// share nothing that one of them writes.
+// is finite and all four vertices are in the node, and executes a turn if all neighbors of its
+// points are finite and in the node. Then each face that it writes has two vertices in the node,
+// and each face that it reads too. A face with two vertices in the node is written by no other node
+// of its level, since that would have to own two of the three. So nodes of one level share nothing
+// that one of them writes.
 //
 // Contract. An entry is executed only if
-//   (1) it is a flip, and the two faces at its edge are those that it was made for; or it is a turn,
+//   (1) it is a flip, and the two faces at its edge are those that it was made for; or it is a
+//   turn,
 //       and the motions of its points are those that it was made for;
 //   (2) no face of its surroundings has been written later in time;
 //   (3) no other entry at an edge of its faces is due before it, and no other entry of a turn that
@@ -91,16 +93,16 @@
 // Done by the root alone: flips with the infinite vertex, that is at the hull; turns at the hull.
 // Never done in a window: coincidences, triangles at the hull that turn flat and are not flipped,
 // reconstructions, hidden points, ties; turns after which the triangles at a point are not embedded
-// or a certificate fails at once; changes that are no turns. Where such an event is next, in the rest, or two flips have
-// the same time, the window is cut: flips at or after that time are undone, those before it are
-// reported, and the plain loop executes that instant. Regions are for points without weights whose
-// places can be rounded (HasRoundedPlace).
+// or a certificate fails at once; changes that are no turns. Where such an event is next, in the
+// rest, or two flips have the same time, the window is cut: flips at or after that time are undone,
+// those before it are reported, and the plain loop executes that instant. Regions are for points
+// without weights whose places can be rounded (HasRoundedPlace).
 //
-// Motions of the past. The exact time of a flip is made when it is needed, mostly when observers are
-// told of it. Then its points may have turned: so the records of turns keep the motions before and
-// after them, by points from the last turn to the first. And observers may read motions of points
-// of which they are told: so points get the motions back that they had when the window began, and
-// turn again, one after the other, while observers are told of the events.
+// Motions of the past. The exact time of a flip is made when it is needed, mostly when observers
+// are told of it. Then its points may have turned: so the records of turns keep the motions before
+// and after them, by points from the last turn to the first. And observers may read motions of
+// points of which they are told: so points get the motions back that they had when the window
+// began, and turn again, one after the other, while observers are told of the events.
 //
 // What is the same as in the plain loop: events, their order and times, faces and all that a
 // snapshot has of them, and of the counters those that count events and instants. Counts of
@@ -136,7 +138,7 @@ namespace kinetri::detail {
 struct Region_options {
   /// How many: the greatest power of two up to this and to 128; by the number of points if 0.
   std::size_t regions = 0;
-  double events_per_vertex = 0.3;  ///< in a window, about
+  double events_per_vertex = 0.3;  ///< in a window, about; a third of it where discs collide
   /// With fewer events to come, as it seems, the plain loop executes them.
   double least_events_per_vertex = 1;
   double events_per_division = 4;  ///< a vertex, after which regions are made anew
@@ -160,7 +162,7 @@ template <class Traits>
 inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_traits_2> ||
                                         std::is_same_v<Traits, Polynomial_kinetic_traits_2>;
 
-/// What a run by regions has done.
+/// What a run by regions has done. Turns are counted as flips.
 struct Region_counters {
   std::uint64_t windows = 0;    ///< of time
   std::uint64_t cuts = 0;       ///< windows that ended early
@@ -179,6 +181,7 @@ struct No_turns {
   static constexpr bool exist = false;
   struct Entry {};
   struct Part {};
+  struct Discarded {};
 };
 
 /// A run of a Kinetic_triangulation_2 by regions. `Turns` is No_turns, or tells of turns.
@@ -215,11 +218,11 @@ class Region_run {
   using Queue = decltype(KineticTriangulation::queue_);
   using Part = typename Queue::Part;
   using Stamp = std::uint32_t;
-  using Motion = typename KineticTriangulation::Motion;
   using Point_2 = typename KineticTriangulation::Point_2;
   using Change = typename KineticTriangulation::Change;
   using Turn_entry = typename Turns::Entry;
   using Turn_part = typename Turns::Part;
+  using Discarded_turns = typename Turns::Discarded;
 
   static constexpr bool has_turns = Turns::exist;
 
@@ -300,13 +303,13 @@ class Region_run {
   };
 
   struct alignas(64) Lane {
-    std::size_t number = 0;         // of the node
-    unsigned level = 0;             // of the node
-    Part* part = nullptr;           // whose entries it executes
-    Queue_handle first_handle = 0;  // of the part, as the queue names it
+    std::size_t number = 0;          // of the node
+    unsigned level = 0;              // of the node
+    Part* part = nullptr;            // whose entries it executes
+    Queue_handle first_handle = 0;   // of the part, as the queue names it
     Turn_part* turn_part = nullptr;  // the same of turns
     std::size_t flips_before = 0;    // in windows before this one, since the division
-    std::size_t capacity = 0;       // how many flips it may have in a window
+    std::size_t capacity = 0;        // how many flips it may have in a window
     std::vector<Flip> flips = {};
     std::vector<Key> keys = {};  // of the flips
     bool has_undone = false;     // whether one of them is undone
@@ -314,6 +317,7 @@ class Region_run {
     Certificate_counters turn_certificates = {};
     Triangulation_counters counters = {};
     std::vector<Point_id> stalled = {};  // points of turns that it has deferred
+    Discarded_turns discarded_turns = {};
     std::uint64_t deferred = 0;
     std::uint64_t undone = 0;
 
@@ -326,6 +330,10 @@ class Region_run {
   using Go_on = std::function<bool()>;
 
   bool can_run() const;
+  bool has_contacts() const {
+    if constexpr (has_turns) return turns_.has_pairs();
+    return false;
+  }
   std::size_t advance(const Time& until, const Go_on& may_go_on);
   bool run_windows(const Time& until, const Go_on& may_go_on);
   std::uint64_t executed(std::uint64_t before) const {
@@ -421,7 +429,7 @@ class Region_run {
   bool is_turn_first(Lane& lane, bool is_flip_due);
   bool execute_turn(Lane& lane);
   bool turn(Lane& lane, const Turn_entry& entry, Moment& moment);
-  bool set_points(const Lane& lane, Turn& turn, std::span<const Change> changes, Moment& moment);
+  bool set_points(Turn& turn, std::span<const Change> changes, Moment& moment);
   bool certify_turn(Lane& lane, const Turn& turn, Points turned, Moment& moment,
                     New_certificates& result);
   void record_turn(Lane& lane, const Turn_entry& entry, std::unique_ptr<Turn> turn, Points turned,
@@ -537,7 +545,6 @@ class Region_run {
   std::vector<double> stalls_;
   Region_counters counters_;
 };
-
 
 }  // namespace kinetri::detail
 

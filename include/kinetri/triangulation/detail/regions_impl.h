@@ -37,7 +37,9 @@ Region_run<Kinetic, Turns>::Region_run(Kinetic& kinetic, const Region_options& o
       turns_(std::move(turns)),
       options_(options),
       regions_(number_of_regions(options, kinetic.number_of_points_)) {
-  if (!queue().is_divided()) division() = {};
+  bool is_in_use = queue().is_divided();
+  if constexpr (has_turns) is_in_use = is_in_use || turns_.queue().is_divided();
+  if (!is_in_use) division() = {};
 }
 
 template <class Kinetic, class Turns>
@@ -80,11 +82,12 @@ std::size_t Region_run<Kinetic, Turns>::advance(const Time& until, const Go_on& 
   return static_cast<std::size_t>(executed(before));
 }
 
-// How many events a window should have.
+// How many events a window should have: fewer where discs collide, since contacts concern more
+// faces than flips, and are more often in each other's way.
 template <class Kinetic, class Turns>
 double Region_run<Kinetic, Turns>::events_in_window() const {
-  return std::max(1.0,
-                  options_.events_per_vertex * static_cast<double>(kinetic_.number_of_points_));
+  const double events = options_.events_per_vertex / (has_contacts() ? 3 : 1);
+  return std::max(1.0, events * static_cast<double>(kinetic_.number_of_points_));
 }
 
 // Whether so much time is left that windows pay.
@@ -397,7 +400,8 @@ void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
 
 // Whether a node that is not the root may flip the edge of the first of its entries now.
 template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::may_execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge) {
+bool Region_run<Kinetic, Turns>::may_execute(Lane& lane, const Entry& entry,
+                                             const Two_sided_edge& edge) {
   return entry.kind == Entry_kind::flip && lane.flips.size() < lane.capacity &&
          is_owned(lane, edge) && !is_blocked(lane, entry, edge);
 }
