@@ -84,10 +84,10 @@ class Threads(In_folder):
         self.expect_regions(self.expect_same("simulate p.csv --until 1.5", "--html {0}/run.html"))
 
     def test_walls_are_the_same(self):
-        self.run_program("generate uniform --points 60000 --seed 6 --output p.csv")
+        self.run_program("generate uniform --points 60000 --side 2450 --seed 6 --output p.csv")
         more = "--html {0}/run.html --checkpoint {0}/checkpoint --encounters {0}/encounters --range 0.05 " \
                "--components {0}/components"
-        self.expect_regions(self.expect_same("simulate p.csv --until 1.5 --box 0,0,100,100", more))
+        self.expect_regions(self.expect_same("simulate p.csv --until 3 --box 0,0,2450,2450", more))
 
     def test_collisions_are_the_same(self):
         self.run_program("generate lattice-jitter --points 60000 --speed 5 --seed 3 --output p.csv")
