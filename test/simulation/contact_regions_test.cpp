@@ -188,6 +188,26 @@ TEST(Contact_regions, collide_discs_as_the_loop_does) {
   EXPECT_GT(sum.deferred, 1'000u);
 }
 
+// Long windows and many small regions: events come too early. Audits in between tell whether
+// undoing has left each contact where it was.
+TEST(Contact_regions, undo_contacts_that_come_too_early) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 15u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 100 + seed % 99;
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    Simulation_options options = box_of(side);
+    options.radius = std::array{1.5, 3.0}[seed % 2];
+    options.response = collide_elastically;
+    std::vector<Algebraic_number> times;
+    for (int k = 1; k <= 12; ++k) times.emplace_back(Rational(k, 10));
+    ASSERT_EQ(difference_from_loop(gas(n, side, 2 * options.radius, 10, seed), options, times,
+                                   options_of(16 + 16 * (seed % 4), 1.5), sum),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.undone, 100u);
+}
+
 // Many contacts at one time, and discs that touch several.
 TEST(Contact_regions, collide_discs_on_a_grid_as_the_loop_does) {
   Region_counters sum;
