@@ -308,7 +308,6 @@ TEST(Contact_regions, follow_changes_as_the_loop_does) {
 // A response that changes nothing lets discs pass, one that erases them takes them away: contacts
 // for the plain loop.
 TEST(Contact_regions, leave_other_responses_to_the_loop) {
-  Region_counters sum;
   for (unsigned seed = 0; seed < 12; ++seed) {
     const std::size_t n = 50 + 10 * seed;
     const double side = 10 * std::sqrt(static_cast<double>(n));
