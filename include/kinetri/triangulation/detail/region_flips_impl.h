@@ -55,12 +55,10 @@ auto Region_run<Kinetic, Turns>::certificate_points(const Key& key) -> Certifica
 template <class Kinetic, class Turns>
 bool Region_run<Kinetic, Turns>::is_owned(const Lane& lane, const Two_sided_edge& edge) const {
   // So the ends of the edge are in the node.
-  const std::size_t place = lane.number - kinetic_.division_.first_node(lane.level);
-  const auto owns = [&](const Edge& side) {
-    const Point_id id = side.first->vertex(side.second)->point().id();
-    return std::size_t{kinetic_.division_.owner(id)} >> lane.level == place;
+  const auto owns_corner = [&](const Edge& side) {
+    return owns(lane, side.first->vertex(side.second)->point().id());
   };
-  return owns(edge.here) && owns(edge.there);
+  return owns_corner(edge.here) && owns_corner(edge.there);
 }
 
 // Whether another entry in the surroundings waits and is not later than this one, which is the

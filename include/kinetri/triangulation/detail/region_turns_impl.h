@@ -172,14 +172,10 @@ void Region_run<Kinetic, Turns>::recheck_turn(Lane& lane, const Turn_entry& entr
 // Whether all neighbors of a point are in the node, so that it is not at the hull.
 template <class Kinetic, class Turns>
 bool Region_run<Kinetic, Turns>::owns_star(const Lane& lane, Point_id id) const {
-  const std::size_t place = lane.number - kinetic_.division_.first_node(lane.level);
-  const auto owns = [&](Point_id p) {
-    return std::size_t{kinetic_.division_.owner(p)} >> lane.level == place;
-  };
-  if (!owns(id)) return false;
+  if (!owns(lane, id)) return false;
   bool result = true;
   for_each_face_at(kinetic_.triangulation_, kinetic_.vertices_[id], [&](Face_handle face, int i) {
-    result = result && owns(face->vertex(Triangulation::ccw(i))->point().id());
+    result = result && owns(lane, face->vertex(Triangulation::ccw(i))->point().id());
   });
   return result;
 }

@@ -391,6 +391,12 @@ class Region_run {
   void settle_window();
   void run_loop_instant(const Time& until);
 
+  // Whether a vertex is in a node.
+  bool owns(const Lane& lane, Point_id id) const {
+    const Region_division& division = kinetic_.division_;
+    return std::size_t{division.owner(id)} >> lane.level ==
+           lane.number - division.first_node(lane.level);
+  }
   bool is_owned(const Lane& lane, const Two_sided_edge& edge) const;
   bool is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
   void recheck(Lane& lane, std::span<const Entry> entries);
