@@ -291,7 +291,7 @@ class MovingPoints(RunAnswers):
         """int: how many threads may work together while time advances; 0, as at first: all that there are.
 
         The results are the same for any number, up to 1024. Several threads share the work where there are
-        some 50 000 points or more without radii or weights of their own, many events are to come, and
+        some 50 000 points or more, of which at most one in 1000 is hidden, many events are to come, and
         `collisions` is None, "elastic", "swap" or "stop". Copies, and objects that are loaded or restored, begin with 0.
         """
         return self._engine.threads()

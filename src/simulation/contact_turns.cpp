@@ -10,9 +10,15 @@ namespace kinetri::detail {
 
 template class Contact_turns<Simulation_2<Linear_kinetic_traits_2>>;
 template class Contact_turns<Simulation_2<Polynomial_kinetic_traits_2>>;
+template class Contact_turns<Simulation_2<Disc_kinetic_traits_2>>;
+template class Contact_turns<Simulation_2<Polynomial_disc_kinetic_traits_2>>;
 template class Region_run<Kinetic_triangulation_2<Linear_kinetic_traits_2>,
                           Contact_turns<Simulation_2<Linear_kinetic_traits_2>>>;
 template class Region_run<Kinetic_triangulation_2<Polynomial_kinetic_traits_2>,
                           Contact_turns<Simulation_2<Polynomial_kinetic_traits_2>>>;
+template class Region_run<Kinetic_triangulation_2<Disc_kinetic_traits_2>,
+                          Contact_turns<Simulation_2<Disc_kinetic_traits_2>>>;
+template class Region_run<Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>,
+                          Contact_turns<Simulation_2<Polynomial_disc_kinetic_traits_2>>>;
 
 }  // namespace kinetri::detail

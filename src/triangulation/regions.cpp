@@ -40,5 +40,15 @@ template Run<Polynomial_kinetic_traits_2>::Region_run(
 template std::size_t Run<Polynomial_kinetic_traits_2>::advance_to(const Algebraic_number&,
                                                                   const std::function<bool()>&);
 template void Run<Polynomial_kinetic_traits_2>::join();
+template Run<Disc_kinetic_traits_2>::Region_run(Kinetic_triangulation_2<Disc_kinetic_traits_2>&,
+                                                const Region_options&, No_turns);
+template std::size_t Run<Disc_kinetic_traits_2>::advance_to(const Algebraic_number&,
+                                                            const std::function<bool()>&);
+template void Run<Disc_kinetic_traits_2>::join();
+template Run<Polynomial_disc_kinetic_traits_2>::Region_run(
+    Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>&, const Region_options&, No_turns);
+template std::size_t Run<Polynomial_disc_kinetic_traits_2>::advance_to(
+    const Algebraic_number&, const std::function<bool()>&);
+template void Run<Polynomial_disc_kinetic_traits_2>::join();
 
 }  // namespace kinetri::detail

@@ -254,6 +254,118 @@ TEST(Contact_regions, collide_accelerated_discs_as_the_loop_does) {
   EXPECT_GT(sum.by_rest, 500u);
 }
 
+// Discs of different radii, some of which grow or shrink, and discs of one radius.
+TEST(Contact_regions, collide_discs_of_any_size_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 30 + 17 * (seed % 30);
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    const double most = std::array{1.2, 2.5, 4.0}[seed % 3];
+    std::mt19937_64 random(seed);
+    std::vector<Disc_motion_2> discs;
+    for (const Linear_motion_2& motion : gas(n, side, 2 * most, 10, seed)) {
+      const double share = static_cast<double>(1 + random() % 100) / 100;
+      const double radius = seed % 7 == 6 ? most : share * most;
+      double growth = 0;
+      if (seed % 4 == 1) growth = 0.1;
+      if (seed % 4 == 2 && random() % 8 == 0) growth = random() % 2 == 0 ? 0.2 : -radius / 4;
+      discs.push_back({motion, radius, growth, 0});
+    }
+    Simulation_options options;
+    if (seed % 4 != 3) options = box_of(side);
+    options.rim_touches = seed % 8 == 0;
+    options.response = seed % 5 == 4 ? swap_velocities : collide_elastically;
+    ASSERT_EQ(
+        difference_from_loop<Disc_kinetic_traits_2>(
+            discs, options, {0.5, 1.5}, options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 9)), sum),
+        "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 3'000u);
+  EXPECT_GT(sum.by_union, 3'000u);
+  EXPECT_GT(sum.by_rest, 3'000u);
+  EXPECT_GT(sum.undone, 100u);
+}
+
+// Few large discs among many small ones. Some are smaller than a rounding, so that a contact may
+// leave their centres in others.
+TEST(Contact_regions, collide_small_discs_with_large_ones_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 40u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 40 + 10 * (seed % 20);
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    std::mt19937_64 random(seed);
+    std::vector<Disc_motion_2> discs;
+    for (const Linear_motion_2& motion : gas(n, side, 6, 10, seed)) {
+      const double radius = random() % 8 == 0 ? 3
+                            : seed % 4 == 0 ? std::ldexp(1.0, -40 - static_cast<int>(random() % 15))
+                            : random() % 4 == 0 ? 1e-3
+                                                : 0.05;
+      discs.push_back({motion, radius, 0, 0});
+    }
+    Simulation_options options = box_of(side);
+    options.response = collide_elastically;
+    for (std::size_t k = 0; k < n && seed % 2 == 1; ++k) {
+      options.masses.push_back(discs[k].radius * discs[k].radius);
+    }
+    ASSERT_EQ(difference_from_loop<Disc_kinetic_traits_2>(
+                  discs, options, {0.5, 1.0, 2.0, 3.0},
+                  options_of(1 + seed * 5 % 32, 0.1 * (1 + seed % 9)), sum),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 3'000u);
+  EXPECT_GT(sum.cuts, 10u);
+}
+
+// Radii, places and velocities are small integers: many contacts at one time.
+TEST(Contact_regions, collide_discs_of_any_size_on_a_grid_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 40u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 5 + seed % 40;
+    std::mt19937_64 random(seed);
+    std::vector<Disc_motion_2> discs;
+    for (const Linear_motion_2& motion : on_lattice(n, 5 + seed % 3, seed)) {
+      const double radius = std::array{0.5, 1.0, 1.5}[random() % (seed % 2 == 0 ? 2 : 3)];
+      discs.push_back({motion, radius, seed % 5 == 0 ? 0.25 : 0.0, 0});
+    }
+    Simulation_options options;
+    options.box = Box_2{-3, -3, 25, 25};
+    options.response = seed % 3 == 0   ? stop_both
+                       : seed % 3 == 1 ? collide_elastically
+                                       : swap_velocities;
+    ASSERT_EQ(
+        difference_from_loop<Disc_kinetic_traits_2>(discs, options, {1.0, Rational(7, 3), 4.0},
+                                                    options_of(1 + seed % 9, 0.2 + seed % 3), sum),
+        "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.cuts, 20u);
+  EXPECT_GT(sum.by_rest, 50u);
+}
+
+// Walls alone: discs overlap, and hide one another.
+TEST(Contact_regions, reflect_discs_that_hide_others_as_the_loop_does) {
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 15u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 50 + 20 * (seed % 12);
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    std::mt19937_64 random(seed);
+    std::vector<Disc_motion_2> discs;
+    for (const Linear_motion_2& motion : gas(n, side, 0, 20, seed)) {
+      const double radius = random() % 8 == 0 ? 12 : 1;
+      discs.push_back({motion, radius, seed % 3 == 0 ? 0.5 : 0.0, 0});
+    }
+    ASSERT_EQ(
+        difference_from_loop<Disc_kinetic_traits_2>(
+            discs, box_of(side), {0.5, 1.5}, options_of(1 + seed % 12, 0.1 * (1 + seed % 5)), sum),
+        "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 500u);
+  EXPECT_GT(sum.by_loop, 500u);
+}
+
 // Discs that overlap, and that come, turn and go while regions are there.
 TEST(Contact_regions, follow_changes_as_the_loop_does) {
   Region_counters sum;

@@ -203,6 +203,26 @@ TEST(Recording, plays_degenerate_instants) {
   expect_plays(run);
 }
 
+// Discs that hide each other on a lattice: no edge comes that is there.
+TEST(Recording, plays_degenerate_instants_of_discs) {
+  std::uint64_t hides = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::vector<Disc_motion_2> discs;
+    const auto size = 4 + static_cast<int>(seed % 40);
+    for (const Linear_motion_2& m : test::grid_motions(5 + seed, size, 3, seed)) {
+      const std::size_t i = discs.size();
+      discs.push_back(
+          {m, static_cast<double>(i * (seed + 3) % 3), static_cast<double>(seed % 3), 0});
+    }
+    Simulation_2<Disc_kinetic_traits_2> simulation(discs, {});
+    const Watched_run run = watch(simulation, 4, 100'000);
+    hides +=
+        simulation.triangulation().counters().events[static_cast<std::size_t>(Event_kind::hide)];
+    ASSERT_NO_FATAL_FAILURE(expect_plays(run)) << "seed " << seed;
+  }
+  EXPECT_GT(hides, 100u);
+}
+
 // Points 2 and 3 meet on the hull at t = 1 and go through each other. Before, 2 is inside the
 // triangle 0 1 3; after, 3 is inside 0 1 2. All six edges stay, and no event is reported.
 const std::vector<Linear_motion_2> passing = {

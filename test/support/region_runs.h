@@ -51,6 +51,7 @@ std::string difference_of_states(const Kinetic_triangulation_2<Traits>& one,
     }
   }
   if (a.vertex_faces != b.vertex_faces) return "faces of vertices";
+  if (a.hidden_points != b.hidden_points) return "hidden points";
   if (a.infinite_vertex_face != b.infinite_vertex_face) return "face of the infinite vertex";
   if (a.counters.events != b.counters.events) return "counts of events";
   if (a.counters.instants != b.counters.instants) return "counts of instants";
@@ -133,6 +134,7 @@ inline Region_options options_of(std::size_t regions, double events_per_vertex) 
   options.regions = regions;
   options.events_per_vertex = events_per_vertex;
   options.least_events_per_vertex = 0;
+  options.points_per_hidden_one = 0;
   options.events_per_division = 1;
   if (regions % 5 == 4) options.most_flips = 3;
   options.threads = regions % 2 == 1 ? 1 + regions % 8 : 1;

@@ -448,6 +448,7 @@ class Simulation_2 : private Event_observer {
   void for_each_pair_over(const Edge_ids& edge, Function function) const;
   bool is_hidden(Point_id id) const;
   bool may_touch(Point_id a, Point_id b, const Traits& traits) const;
+  bool may_touch(Point_id a, Point_id b, const Traits& traits, const Time& time) const;
   void find_all_overlaps();
   bool do_overlap(const Point_2& p, const Point_2& q) const;
   void refuse_overlaps() const;

@@ -213,8 +213,8 @@ class Kinetic_triangulation_2 {
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
 
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
-  /// arena if 0. They share the work where there are some 50 000 points or more with linear or
-  /// polynomial motions without weights, no observer looks at the triangulation
+  /// arena if 0. They share the work where there are some 50 000 points or more, with the traits of
+  /// this library, of which at most one in 1000 is hidden, no observer looks at the triangulation
   /// (Event_observer::looks_at_triangulation), and many events are to come. The result is the same,
   /// event by event and face by face; only counts of certificates, rechecks and the queue, which
   /// tell how it was found, differ. Some 150 bytes a point more are in use from then on. If an
@@ -360,6 +360,17 @@ class Kinetic_triangulation_2 {
   struct Nothing {};
   using Hidden_vertex = std::conditional_t<is_weighted, Vertex_handle, Nothing>;
 
+  /// What an entry is about: an edge or, if `hidden` is not null, a hidden point.
+  struct Subject {
+    Edge edge;
+    [[no_unique_address]] Hidden_vertex hidden = {};
+
+    bool is_hidden() const {
+      if constexpr (is_weighted) return hidden != Vertex_handle();
+      return false;
+    }
+  };
+
   /// An edge and the failure of its certificate; or a hidden point. The exact time is made from the
   /// corners of the edge's two faces, or of the face that hides the point: these must stay what
   /// they were when the entry was made.
@@ -385,11 +396,8 @@ class Kinetic_triangulation_2 {
           face(edge.first) {}
 
     Edge edge() const { return Edge(face, index); }
-    Edge subject() const { return edge(); }
-    bool is_hidden() const {
-      if constexpr (is_weighted) return hidden != Vertex_handle();
-      return false;
-    }
+    Subject subject() const { return {edge(), hidden}; }
+    bool is_hidden() const { return subject().is_hidden(); }
   };
 
   /// What the scheduler asks; see Event_scheduler and Divided_scheduler.
@@ -404,9 +412,9 @@ class Kinetic_triangulation_2 {
       detail::prefetch_around(entry.face);
     }
     void prefetch_first(const Entry& entry) const;
-    std::size_t part_of(const Edge& edge) const;
-    Queue_handle handle(const Edge& edge) const;
-    void set_handle(const Edge& edge, Queue_handle handle) const;
+    std::size_t part_of(const Subject& subject) const;
+    Queue_handle handle(const Subject& subject) const;
+    void set_handle(const Subject& subject, Queue_handle handle) const;
   };
 
   /// An edge as its two faces see it. In dimension 1, where edges have no two sides, `there` is the

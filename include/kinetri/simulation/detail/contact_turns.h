@@ -3,13 +3,18 @@
 // Contacts in a run by regions (triangulation/detail/regions.h): what Region_run asks of turns.
 //
 // Which pairs are watched. In a window of time these are the pairs of discs with an edge between
-// them, and no others. That is enough as long as no two discs overlap but those that have just
-// touched: else a disc that overlaps two could be between them (docs/MATH.md, section 17). So a
-// window begins where no discs overlap; a contact after which a disc overlaps another one than that
-// which it touched is left to the plain loop; and where a window ends, the pairs that still overlap
-// are noted, as the plain loop does at each contact. Pairs that a response has let pass, and that
-// have parted, are put aside for a window, since the plain loop knows of them up to the next
-// contact of one of the two, which is left to it.
+// them, and no others. That is enough as long as no two discs meet but those that have just
+// touched: else a disc that meets two could be between them (docs/MATH.md, section 17). Two discs
+// *meet* if they overlap or, where they have radii of their own, touch. So a window begins where no
+// discs meet; a contact after which a disc meets another one than that which it touched is left to
+// the plain loop; and where a window ends, the pairs that still meet are noted, as the plain loop
+// does at each contact. Pairs that a response has let pass, and that have parted, are put aside for
+// a window, since the plain loop knows of them up to the next contact of one of the two, which is
+// left to it.
+//
+// Discs with radii of their own may be inside of others, and hidden. Here all radii are positive;
+// no disc is hidden; and the centre of a disc that turns is in its own power cell, since it is in
+// no other disc. Two that meet keep their edge: its flip is left to the plain loop.
 #ifndef KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
 #define KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
 
@@ -17,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <unordered_set>
 #include <utility>
@@ -28,7 +34,7 @@
 
 namespace kinetri::detail {
 
-/// The turns of a simulation without radii of its discs. Functions that are given a node's entries
+/// The turns of a simulation. Functions that are given a node's entries
 /// or points may be called by several threads, for different nodes of one level.
 template <class Simulation>
 class Contact_turns {
@@ -72,6 +78,10 @@ class Contact_turns {
   bool is_observer(const Event_observer* observer) const { return observer == simulation_; }
   /// Whether discs have contacts.
   bool has_pairs() const { return simulation_->options_.response != nullptr; }
+  /// Whether discs that meet keep their edge in a window.
+  bool keep_edges() const { return Simulation::has_radii && has_pairs(); }
+  /// Whether two discs meet just after `now`, or true if unsure.
+  bool do_meet(Point_id a, Point_id b, const Time& now) const;
 
   // ---- the plain loop ----
 
@@ -134,7 +144,7 @@ class Contact_turns {
   std::pair<Entry, Certificate> certificate(const Entry& entry, const Time& after,
                                             Certificate_counters& counters) const;
   /// Makes the certificates of points that have turned at `now`, in a contact of `points`. Returns
-  /// false where discs overlap that have not just touched.
+  /// false where discs meet that have not just touched, or may do so unnoticed.
   bool certify(const std::array<Point_id, 2>& points, Points turned, const Time& now,
                Certificate_counters& counters,
                std::vector<std::pair<Entry, Certificate>>& result) const;
@@ -155,7 +165,8 @@ class Contact_turns {
   void count(const Discarded& discarded);
 
  private:
-  bool may_overlap(Point_id a, Point_id b, const Time& now) const;
+  bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
+  bool have_areas();
   bool drop_overlaps(const Time& time);
   void put_passes_back();
 
@@ -163,6 +174,8 @@ class Contact_turns {
   std::uint32_t scheduled_ = 0;                // changes before the window
   std::vector<Edge_ids> passes_ = {};          // put aside
   std::unordered_set<Point_id> passing_ = {};  // their points
+  bool have_areas_ = false;                    // whether all radii are positive
+  std::optional<std::uint64_t> changes_ = {};  // how many there had been when that was so
 };
 
 }  // namespace kinetri::detail

@@ -17,7 +17,7 @@ namespace kinetri::detail {
 template <class Simulation>
 bool Contact_turns<Simulation>::can_run(const Simulation& simulation) {
   const auto& options = simulation.options_;
-  return !Simulation::has_radii && options.max_contacts_per_instant > 0 &&
+  return options.max_contacts_per_instant > 0 &&
          (!options.response || options.response_is_pure || is_pure(options.response)) &&
          simulation.overlap_observers_.empty() &&
          std::ranges::none_of(simulation.observers_, &Event_observer::looks_at_triangulation);
@@ -105,8 +105,12 @@ template <class Simulation>
 auto Contact_turns<Simulation>::changes(const Entry& entry, const Time& now) const
     -> std::vector<Change> {
   std::vector<Change> result;
-  const auto is_passing = [this](Point_id id) { return passing_.contains(id); };
-  if (std::ranges::any_of(points(entry), is_passing)) return result;
+  // A radius that shrinks ends at another time then.
+  const auto is_for_loop = [this](Point_id id) {
+    const auto* const contacts = simulation_->find_contacts(id);
+    return passing_.contains(id) || (contacts != nullptr && contacts->vanish_event != no_event);
+  };
+  if (std::ranges::any_of(points(entry), is_for_loop)) return result;
   try {
     if (entry.kind == Entry_kind::wall) {
       result.push_back(simulation_->reflection(entry.point_a, entry.point_b, now));
@@ -156,24 +160,42 @@ bool Contact_turns<Simulation>::certify(const std::array<Point_id, 2>& points, P
       result.push_back(certificate(pair(edge_ids(id, other)), now, counters));
       if (is_one(points, other)) {
         are_neighbors = true;
-      } else if (result.back().second.may_vanish && may_overlap(id, other, now)) {
+      } else if (result.back().second.may_vanish && do_meet(id, other, now)) {
         may_go_on = false;
       }
     });
+    if constexpr (Simulation::has_radii) {
+      // Discs that have a place of this one in their power cells; see Simulation_2::owners_in.
+      for (const Point_id partner : points) {
+        if (partner == id || partner == no_point) continue;
+        if (is_centre_in(id, partner, now)) may_go_on = false;
+        simulation_->for_each_neighbor(partner, [&](Point_id other) {
+          if (!is_one(points, other) && do_meet(id, other, now)) may_go_on = false;
+        });
+      }
+    }
   }
   for (const Point_id id : points) {
     if (id == no_point || is_one(turned, id)) continue;
     simulation_->for_each_neighbor(id, [&](Point_id other) {
-      if (!is_one(points, other) && may_overlap(id, other, now)) may_go_on = false;
+      if (!is_one(points, other) && do_meet(id, other, now)) may_go_on = false;
     });
   }
   return may_go_on && are_neighbors;
 }
 
 template <class Simulation>
-bool Contact_turns<Simulation>::may_overlap(Point_id a, Point_id b, const Time& now) const {
-  return simulation_->traits_.may_overlap(simulation_->point(a), simulation_->point(b),
-                                          simulation_->diameter_, now);
+bool Contact_turns<Simulation>::do_meet(Point_id a, Point_id b, const Time& now) const {
+  return simulation_->may_touch(a, b, simulation_->traits_, now);
+}
+
+// Whether the centre of a disc is in another one.
+template <class Simulation>
+bool Contact_turns<Simulation>::is_centre_in(Point_id id, Point_id other, const Time& now) const {
+  auto centre = simulation_->point(id).motion();
+  if constexpr (Simulation::has_radii) centre.radius = centre.growth = 0;
+  return simulation_->traits_.do_touch(typename Simulation::Point_2(centre, id),
+                                       simulation_->point(other), simulation_->diameter_, now);
 }
 
 // ---- windows ----
@@ -184,11 +206,36 @@ bool Contact_turns<Simulation>::begin_window(double begin) {
   auto& contacts = simulation_->contacts_;
   contacts.resize(simulation_->triangulation_.next_id());
   if (!has_pairs()) return true;
+  if (Simulation::has_radii &&
+      (simulation_->triangulation_.number_of_hidden_points() > 0 || !have_areas())) {
+    return false;
+  }
   // Two that have just touched are apart at the next event, if they are not now.
   const Time first(begin);
   if (drop_overlaps(std::max(first, simulation_->current_time()))) return true;
   put_passes_back();
   return false;
+}
+
+// Whether all radii are positive, unless for a moment. Only changes that are no contacts make one
+// 0.
+template <class Simulation>
+bool Contact_turns<Simulation>::have_areas() {
+  const auto& triangulation = simulation_->triangulation_;
+  const auto& events = triangulation.counters().events;
+  const std::uint64_t changes = events[static_cast<std::size_t>(Event_kind::insert)] +
+                                events[static_cast<std::size_t>(Event_kind::trajectory)];
+  if (changes_ == changes) return have_areas_;
+  changes_ = changes;
+  have_areas_ = true;
+  if constexpr (Simulation::has_radii) {
+    for (Point_id id = 0; id < triangulation.next_id() && have_areas_; ++id) {
+      if (!triangulation.contains(id)) continue;
+      const auto& disc = triangulation.motion(id);
+      have_areas_ = disc.radius > 0 || disc.growth != 0;
+    }
+  }
+  return have_areas_;
 }
 
 // Forgets the overlaps that are over at a time up to which nothing happens. Returns whether all of
@@ -201,7 +248,7 @@ bool Contact_turns<Simulation>::drop_overlaps(const Time& time) {
     const auto overlaps = contacts[id]->overlaps;
     for (const auto& [other, passes] : overlaps) {
       if (simulation_->triangulation_.contains(id) && simulation_->triangulation_.contains(other) &&
-          may_overlap(id, other, time)) {
+          do_meet(id, other, time)) {
         return false;
       }
       simulation_->end_overlap(id, other);
@@ -229,7 +276,7 @@ void Contact_turns<Simulation>::put_passes_back() {
 template <class Simulation>
 void Contact_turns<Simulation>::end_turn(const std::array<Point_id, 2>& points) {
   const auto [a, b] = points;
-  if (b == no_point || !may_overlap(a, b, simulation_->current_time())) return;
+  if (b == no_point || !do_meet(a, b, simulation_->current_time())) return;
   simulation_->start_overlap(a, b);
   simulation_->for_each_pair_beside(a, b, [this](const Edge_ids& beside) {
     simulation_->watch(beside, simulation_->current_time());

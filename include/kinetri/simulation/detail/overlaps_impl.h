@@ -72,8 +72,15 @@ bool Simulation_2<Traits>::is_hidden(Point_id id) const {
 // Or true if unsure.
 template <ContactKineticTraits_2 Traits>
 bool Simulation_2<Traits>::may_touch(Point_id a, Point_id b, const Traits& traits) const {
-  return traits.may_overlap(point(a), point(b), diameter_, current_time()) ||
-         (has_radii && traits.do_touch(point(a), point(b), diameter_, current_time()));
+  return may_touch(a, b, traits, current_time());
+}
+
+// The same just after a time.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::may_touch(Point_id a, Point_id b, const Traits& traits,
+                                     const Time& time) const {
+  return traits.may_overlap(point(a), point(b), diameter_, time) ||
+         (has_radii && traits.do_touch(point(a), point(b), diameter_, time));
 }
 
 // The points whose discs overlap that of a point just after the present time, and perhaps some

@@ -241,7 +241,9 @@ class Hidden_points {
   ///      / / | \ \              /       \                                                    .
   ///     d ---+--- b            d ------- b        (the edge is any of the three at a)
   ///
-  /// Sets `can_be_flipped` if the quadrilateral is strictly convex just after now.
+  /// Sets `can_be_flipped` if the quadrilateral is strictly convex just after now, and c and d have
+  /// no edge. They may have one while several events of one time are executed, as long as another
+  /// triangle is not yet what it is just after that time.
   Vertex_handle hidden_end(const Two_sided_edge& edge, bool& can_be_flipped) {
     const auto& [face, i] = edge.here;
     const auto& [neighbor, j] = edge.there;
@@ -251,7 +253,8 @@ class Hidden_points {
     const Vertex_handle d = neighbor->vertex(j);
     const auto turn_at_a = turn(d->point(), a->point(), c->point());
     const auto turn_at_b = turn(c->point(), b->point(), d->point());
-    can_be_flipped = turn_at_a == CGAL::LEFT_TURN && turn_at_b == CGAL::LEFT_TURN;
+    can_be_flipped = turn_at_a == CGAL::LEFT_TURN && turn_at_b == CGAL::LEFT_TURN &&
+                     !triangulation_.is_edge(c, d);
     const auto third = [](Face_handle one, Vertex_handle opposite, Face_handle other) {
       return one->neighbor(one->index(opposite)) == other->neighbor(other->index(opposite));
     };

@@ -74,15 +74,21 @@ void Region_run<Kinetic, Turns>::join() {
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::move_to_parts(std::size_t count) {
   const std::vector<Face_handle> faces = kinetic_.faces();
-  const auto for_each_edge = [&](std::span<const Face_handle> block, const auto& function) {
+  using Subject = typename Kinetic::Subject;
+  const auto for_each_subject = [&](std::span<const Face_handle> block, const auto& function) {
     // What is far away in memory is asked for in time.
     for (std::size_t k = 0; k < block.size(); ++k) {
       if (k + 12 < block.size()) prefetch(block[k + 12]);
       if (k + 6 < block.size()) prefetch_around(block[k + 6]);
       block[k]->set_stamp(0);
       kinetic_.for_each_own_edge(block[k], [&](const Edge& edge) {
-        if (edge.first->event(edge.second) != no_event) function(edge);
+        if (edge.first->event(edge.second) != no_event) function(Subject{edge});
       });
+      if constexpr (Kinetic::is_weighted) {
+        for (const Vertex_handle hidden : block[k]->vertex_list()) {
+          if (hidden->event() != no_event) function(Subject{{}, hidden});
+        }
+      }
     }
   };
   const auto in_parallel = [this](auto& elements, const auto& work) {
@@ -90,7 +96,8 @@ void Region_run<Kinetic, Turns>::move_to_parts(std::size_t count) {
   };
   // The plain loop may have put one of the two queues into one part: where it has built all anew.
   if (count > 1 || queue().is_divided()) {
-    queue().divide(count, blocks_of(std::span(std::as_const(faces))), for_each_edge, in_parallel);
+    queue().divide(count, blocks_of(std::span(std::as_const(faces))), for_each_subject,
+                   in_parallel);
   }
   if constexpr (has_turns) {
     if (count > 1 || turns_.queue().is_divided()) turns_.divide(count, in_parallel);

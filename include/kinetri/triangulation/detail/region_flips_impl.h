@@ -107,21 +107,62 @@ inline bool Region_run<Kinetic, Turns>::waits_before(Face_handle face, const Par
   return waits(face->event(0)) || waits(face->event(1)) || waits(face->event(2));
 }
 
-// Whether the plain loop flips the edge of an entry that is no coincidence: of the flat triangles
-// at the hull some only touch it, and some take a reconstruction; see
-// Kinetic_triangulation_2::execute.
+// Whether the plain loop flips the edge of an entry that is no coincidence, and does nothing else:
+// of points with weights some are hidden instead, and of the flat triangles at the hull some only
+// touch it, and some take a reconstruction; see Kinetic_triangulation_2::execute.
 template <class Kinetic, class Turns>
 bool Region_run<Kinetic, Turns>::is_flip(const Entry& entry, const Two_sided_edge& edge,
                                          Moment& moment) {
+  if (hides_points(edge.here.first) || hides_points(edge.there.first)) return false;
+  if constexpr (has_turns) {
+    if (do_ends_meet(edge, moment)) return false;
+  }
+  if (entry.kind == Entry_kind::flip) return is_convex(edge, moment);
   if (entry.kind != Entry_kind::hull_insert) return true;
   const Time before = kinetic_.current_time();
   kinetic_.set_current_time(time(moment));
   const bool result =
       !kinetic_.may_hide_a_turn(edge) &&
       (entry.changes_sign || !kinetic_.is_touch(kinetic_.hull_triangle(edge).first)) &&
-      !kinetic_.are_all_collinear(edge) && kinetic_.can_insert_into_hull(edge);
+      !hides_hull_vertex(edge) && !kinetic_.are_all_collinear(edge) &&
+      kinetic_.can_insert_into_hull(edge);
   kinetic_.set_current_time(before);
   return result;
+}
+
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::hides_points(Face_handle face) {
+  if constexpr (Kinetic::is_weighted) return !face->vertex_list().empty();
+  return false;
+}
+
+// Whether a flat triangle at the hull hides its corner there, at the present time.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::hides_hull_vertex(const Two_sided_edge& edge) const {
+  if constexpr (Kinetic::is_weighted) {
+    return !kinetic_.weights_are_equal_ &&
+           kinetic_.hidden_points().hidden_hull_vertex(edge) != Vertex_handle();
+  }
+  return false;
+}
+
+// Whether the quadrilateral of an edge is certainly strictly convex just before and just after its
+// in-circle certificate fails. Without weights it always is.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::is_convex(const Two_sided_edge& edge, const Moment& moment) const {
+  if constexpr (Kinetic::is_weighted) {
+    if (kinetic_.weights_are_equal_) return true;
+    const auto is_left_turn = [&](const Point_2& p, const Point_2& q, const Point_2& r) {
+      return kinetic_.traits_.certain_turn(p, q, r, moment.bounds) == CGAL::LEFT_TURN;
+    };
+    const auto& [face, i] = edge.here;
+    const Point_2& p = face->vertex(Triangulation::cw(i))->point();
+    const Point_2& q = face->vertex(Triangulation::ccw(i))->point();
+    const Point_2& r = face->vertex(i)->point();
+    const Point_2& s = edge.there.first->vertex(edge.there.second)->point();
+    return is_left_turn(s, p, r) && is_left_turn(r, q, s);
+  }
+  return true;
 }
 
 // Undoes the flips in the surroundings of an edge that are later than the moment.
@@ -161,7 +202,7 @@ Queue_handle Region_run<Kinetic, Turns>::put(const Lane& lane, const Entry& entr
                                              const Time* exact) {
   const std::size_t to = entry.bounds.lower <= due_until_
                              ? due_part(lane.number)
-                             : kinetic_.queue_policy_.part_of(entry.edge());
+                             : kinetic_.queue_policy_.part_of(entry.subject());
   Part& part = queue().part(to);
   return queue().named(to, exact == nullptr ? part.emplace(entry) : part.push(entry, *exact));
 }

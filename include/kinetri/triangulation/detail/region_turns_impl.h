@@ -167,7 +167,7 @@ void Region_run<Kinetic, Turns>::recheck_turn(Lane& lane, const Turn_entry& entr
   put_turn(lane, again, std::move(known));
 }
 
-// ---- before a turn ----
+// ---- before a turn, or a flip ----
 
 // Whether all neighbors of a point are in the node, so that it is not at the hull.
 template <class Kinetic, class Turns>
@@ -193,6 +193,15 @@ inline bool Region_run<Kinetic, Turns>::waits_before(Queue_handle turn, const Tu
   const Turn_entry& other = turns[turn];
   if (other.bounds.lower > bounds.upper) return false;
   return other.bounds.upper < bounds.lower || part.time_of(other) <= exact();
+}
+
+// Whether two discs that have touched in this window still do, and have to keep their edge.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::do_ends_meet(const Two_sided_edge& edge, Moment& moment) {
+  if (!turns_.keep_edges()) return false;
+  const auto [a, b] = Kinetic::ids_of(edge.here);
+  return a != no_point && b != no_point && (turned_[a] != 0 || turned_[b] != 0) &&
+         turns_.do_meet(a, b, time(moment));
 }
 
 // Whether a turn that waits is before a flip and near it: of the edge's pair, or else of one of the
@@ -288,6 +297,9 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
   auto made = std::make_unique<Turn>();
   made->points = turns_.points(entry);
   const Points points = Points(made->points).first(made->points[1] == no_point ? 1 : 2);
+  if (std::ranges::any_of(points, [this](Point_id id) { return kinetic_.is_hidden(id); })) {
+    return false;
+  }
   if (!is_root(lane)) {
     for (const Point_id id : points) {
       if (!owns_star(lane, id)) return false;
@@ -295,6 +307,7 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
     if (is_turn_blocked(lane, points, moment)) return false;
   }
   if (!lane.is_region()) undo_later_around(lane, points, moment);
+  if (do_faces_hide_points(points)) return false;
   const auto changes = turns_.changes(entry, *moment.exact);
   if (changes.empty() || !set_points(*made, changes, moment)) return false;
   New_certificates certificates;
@@ -305,6 +318,24 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
   const Points turned_points = turned(*made);
   record_turn(lane, entry, std::move(made), turned_points, moment, certificates);
   return true;
+}
+
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::do_faces_hide_points(Points points) const {
+  if (kinetic_.number_of_hidden_points() == 0) return false;
+  bool result = false;
+  for_each_face_around(points, [&](Face_handle face) { result = result || hides_points(face); });
+  return result;
+}
+
+// Whether weights that were the same at all times no longer are when a point gets another motion.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::ends_equal_weights(const Point_2& before,
+                                                    const Point_2& after) const {
+  if constexpr (Kinetic::is_weighted) {
+    return kinetic_.weights_are_equal_ && !have_equal_weights(before.motion(), after.motion());
+  }
+  return false;
 }
 
 // Gives points their new motions, if their triangles stay embedded.
@@ -326,7 +357,10 @@ bool Region_run<Kinetic, Turns>::set_points(Turn& turn, std::span<const Change> 
     turn.before[k] = v->point();
     v->set_point(Point_2(*changes[k].motion, id));
     turn.after[k] = v->point();
-    if (kinetic_.is_embedded_around(v, moment.bounds, is_left_turn)) continue;
+    if (!ends_equal_weights(turn.before[k], turn.after[k]) &&
+        kinetic_.is_embedded_around(v, moment.bounds, is_left_turn)) {
+      continue;
+    }
     set_motions(turn, false);
     return false;
   }

@@ -38,8 +38,7 @@
 //            slots of its two faces, where others that are later see it: there is no other mark.
 //   rest     The events that the root executes, by one thread in the order of the queue.
 //   turn     An event that gives one point or two another motion: a contact. A simulation has
-//   turns;
-//            their entries are in a queue of its own, in the same parts. See Turns below. The
+//            turns; their entries are in a queue of its own, in the same parts. See Turns below. The
 //            record of a turn is a Flip too, since it is numbered, ordered and undone as one.
 //
 // What an event reads and writes. A flip, at the hull too,
@@ -70,8 +69,7 @@
 //
 // Contract. An entry is executed only if
 //   (1) it is a flip, and the two faces at its edge are those that it was made for; or it is a
-//   turn,
-//       and the motions of its points are those that it was made for;
+//       turn, and the motions of its points are those that it was made for;
 //   (2) no face of its surroundings has been written later in time;
 //   (3) no other entry at an edge of its faces is due before it, and no other entry of a turn that
 //       it takes out of the queue.
@@ -92,11 +90,13 @@
 //
 // Done by the root alone: flips with the infinite vertex, that is at the hull; turns at the hull.
 // Never done in a window: coincidences, triangles at the hull that turn flat and are not flipped,
-// reconstructions, hidden points, ties; turns after which the triangles at a point are not embedded
-// or a certificate fails at once; changes that are no turns. Where such an event is next, in the
-// rest, or two flips have the same time, the window is cut: flips at or after that time are undone,
-// those before it are reported, and the plain loop executes that instant. Regions are for points
-// without weights whose places can be rounded (HasRoundedPlace).
+// reconstructions, ties; turns after which the triangles at a point are not embedded or a
+// certificate fails at once; changes that are no turns; whatever hides or reveals a point, or
+// changes a triangle that hides one. Where such an event is next, in the rest, or two flips have
+// the same time, the window is cut: flips at or after that time are undone, those before it are
+// reported, and the plain loop executes that instant. Regions are for points whose places can be
+// rounded (HasRoundedPlace), of which few are hidden. The entries of hidden points are in the part
+// of the root.
 //
 // Motions of the past. The exact time of a flip is made when it is needed, mostly when observers
 // are told of it. Then its points may have turned: so the records of turns keep the motions before
@@ -142,6 +142,8 @@ struct Region_options {
   /// With fewer events to come, as it seems, the plain loop executes them.
   double least_events_per_vertex = 1;
   double events_per_division = 4;  ///< a vertex, after which regions are made anew
+  /// Of how many points at most one is hidden. What happens to those is left to the plain loop.
+  double points_per_hidden_one = 1000;
   /// Of a node in a window. It leaves what is more to the node above it; the root cuts the window.
   std::size_t most_flips = std::size_t{1} << 22;
   std::size_t threads = 0;  ///< at most; 0: those of oneTBB's arena; 1: one region after the other
@@ -160,7 +162,9 @@ int arena_size(std::size_t threads);
 /// Whether the library has runs by regions of these traits.
 template <class Traits>
 inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_traits_2> ||
-                                        std::is_same_v<Traits, Polynomial_kinetic_traits_2>;
+                                        std::is_same_v<Traits, Polynomial_kinetic_traits_2> ||
+                                        std::is_same_v<Traits, Disc_kinetic_traits_2> ||
+                                        std::is_same_v<Traits, Polynomial_disc_kinetic_traits_2>;
 
 /// What a run by regions has done. Turns are counted as flips.
 struct Region_counters {
@@ -381,7 +385,11 @@ class Region_run {
   bool settle(const Time& until);
   double next_lower();
   bool is_divided();
-  bool is_coincidence_next();
+  bool is_loop_next();
+  // Whether what an entry says is for the plain loop.
+  static bool is_for_loop(const Entry& entry) {
+    return entry.kind == Entry_kind::coincidence || entry.is_hidden();
+  }
   double gather_due(double end);
   double gather_due(Lane& lane, double end);
   void run_region(Lane& lane, double end);
@@ -405,6 +413,9 @@ class Region_run {
     return is_of_window(stamp) && compare(key(stamp), moment) > 0;
   }
   bool is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment);
+  static bool hides_points(Face_handle face);
+  bool hides_hull_vertex(const Two_sided_edge& edge) const;
+  bool is_convex(const Two_sided_edge& edge, const Moment& moment) const;
   void undo_later(Lane& lane, const Two_sided_edge& edge, Moment& moment);
   Moment moment_of(const Entry& entry, const Two_sided_edge& edge, const Part& part) const;
   KINETRI_ALWAYS_INLINE void put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind,
@@ -446,6 +457,8 @@ class Region_run {
   void move_turns_home(std::size_t from);
   bool owns_star(const Lane& lane, Point_id id) const;
   bool is_turn_blocked(Lane& lane, Points points, Moment& moment);
+  bool do_faces_hide_points(Points points) const;
+  bool ends_equal_weights(const Point_2& before, const Point_2& after) const;
   bool is_stalled(Point_id id, const Double_interval& bounds) const;
   bool is_pair_blocked(Lane& lane, const Two_sided_edge& edge, const Entry& entry);
   template <class Exact>
@@ -467,6 +480,7 @@ class Region_run {
   template <class Function>
   void for_each_face_around(Points points, const Function& function) const;
   std::vector<Two_sided_edge> edges_around(Points points) const;
+  bool do_ends_meet(const Two_sided_edge& edge, Moment& moment);
   const Point_2& point_at(Point_id id, Stamp flip);
   void set_motions(const Turn& turn, bool are_after);
   void set_motions(const Key& key, bool are_after);

@@ -47,8 +47,9 @@ bool Region_run<Kinetic, Turns>::can_run() const {
   if constexpr (has_turns) {
     if (!turns_.can_run()) return false;
   }
-  return HasRoundedPlace<typename Kinetic::Motion> && !Kinetic::is_weighted &&
-         kinetic_.triangulation_.dimension() == 2 &&
+  return HasRoundedPlace<typename Kinetic::Motion> && kinetic_.triangulation_.dimension() == 2 &&
+         static_cast<double>(kinetic_.number_of_hidden_points()) * options_.points_per_hidden_one <=
+             static_cast<double>(kinetic_.number_of_points_) &&
          std::ranges::none_of(kinetic_.observers_, &Event_observer::looks_at_triangulation);
 }
 
@@ -146,7 +147,7 @@ bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may
     if constexpr (has_turns) {
       if (by_loop == 0 && !turns_.begin_window(begin)) leave_more_to_loop();
     }
-    if (by_loop > 0 || is_coincidence_next() || !(end > begin)) {
+    if (by_loop > 0 || is_loop_next() || !(end > begin)) {
       if (by_loop >= many_instants && is_divided()) join();
       run_loop_instant(until);
       if (by_loop > 0) --by_loop;
@@ -211,10 +212,10 @@ double Region_run<Kinetic, Turns>::next_lower() {
   return result;
 }
 
-// Whether points may coincide at that time.
+// Whether points may coincide at that time, or a hidden one may reach its triangle.
 template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_coincidence_next() {
-  return !queue().empty() && queue().top().kind == Entry_kind::coincidence &&
+bool Region_run<Kinetic, Turns>::is_loop_next() {
+  return !queue().empty() && is_for_loop(queue().top()) &&
          queue().top().bounds.lower <= next_lower();
 }
 
@@ -254,7 +255,7 @@ auto Region_run<Kinetic, Turns>::lanes_at(unsigned level) -> std::vector<Lane*> 
 }
 
 // Puts aside what fails in the window at edges between regions. Returns where the window ends:
-// before the first coincidence there.
+// before the first entry there that is for the plain loop.
 template <class Kinetic, class Turns>
 double Region_run<Kinetic, Turns>::gather_due(double end) {
   struct Gathering {
@@ -290,7 +291,7 @@ double Region_run<Kinetic, Turns>::gather_due(Lane& lane, double end) {
       continue;
     }
     move(lane.number, due_part(lane.number));
-    if (entry.kind == Entry_kind::coincidence) {
+    if (is_for_loop(entry)) {
       end = std::min(end, entry.bounds.lower);
       break;
     }
@@ -303,6 +304,13 @@ double Region_run<Kinetic, Turns>::gather_due(Lane& lane, double end) {
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::recheck(Lane& lane, std::span<const Entry> entries) {
   lane.counters.rechecks += entries.size();
+  if constexpr (Kinetic::is_weighted) {
+    // In the part of the root, whose entries are taken one by one.
+    const Entry& first = entries.front();
+    if (first.is_hidden()) {
+      return kinetic_.hidden_points().schedule(first.hidden, Time(first.bounds.lower));
+    }
+  }
   std::array<Two_sided_edge, 2> edges;
   for (std::size_t k = 0; k < entries.size(); ++k) {
     edges[k] = kinetic_.two_sided(entries[k].edge());
@@ -333,11 +341,11 @@ void Region_run<Kinetic, Turns>::run_region(Lane& lane, double end) {
     if (!is_flip_due) break;
     const Entry entry = part.top();
     const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
-    if (!may_execute(lane, entry, edge)) {
+    Moment moment = moment_of(entry, edge, part);
+    if (!may_execute(lane, entry, edge) || !is_flip(entry, edge, moment)) {
       defer(lane, lane.number);
       continue;
     }
-    Moment moment = moment_of(entry, edge, part);
     part.pop();
     execute(lane, entry, edge, moment);
   }
@@ -380,18 +388,22 @@ void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
       defer(lane, from);
       continue;
     }
-    if (entry.kind == Entry_kind::coincidence || lane.flips.size() >= lane.capacity) {
+    if (is_for_loop(entry) || lane.flips.size() >= lane.capacity) {
       cut_ = due.time_of(due.top());
       break;
     }
     Moment moment = moment_of(entry, edge, due);
     undo_later(lane, edge, moment);
     if (!is_flip(entry, edge, moment)) {
+      if (!is_root(lane)) {
+        defer(lane, from);
+        continue;
+      }
       cut_ = time(moment);
       break;
     }
-    KINETRI_ASSERT(kinetic_.queue_policy_.handle(due.top().edge()) ==
-                       kinetic_.queue_policy_.handle(entry.edge()),
+    KINETRI_ASSERT(kinetic_.queue_policy_.handle(due.top().subject()) ==
+                       kinetic_.queue_policy_.handle(entry.subject()),
                    "flips that are undone are later than the event");
     due.pop();
     execute(lane, entry, edge, moment);
@@ -420,14 +432,14 @@ void Region_run<Kinetic, Turns>::move(std::size_t from, std::size_t to) {
   const Entry entry = part.top();
   const Queue_handle handle = queue().put(to, entry, part);
   part.pop();
-  kinetic_.queue_policy_.set_handle(entry.edge(), handle);
+  kinetic_.queue_policy_.set_handle(entry.subject(), handle);
 }
 
 // Moves the entries of a part to where they belong between two windows.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::move_home(std::size_t from) {
   Part& part = queue().part(from);
-  while (!part.empty()) move(from, kinetic_.queue_policy_.part_of(part.top().edge()));
+  while (!part.empty()) move(from, kinetic_.queue_policy_.part_of(part.top().subject()));
 }
 
 }  // namespace kinetri::detail

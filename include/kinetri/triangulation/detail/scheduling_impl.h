@@ -44,23 +44,30 @@ inline void Kinetic_triangulation_2<Traits>::Queue_policy::prefetch_first(
   detail::prefetch_around(entry.face->neighbor(entry.index));
 }
 
-// That of the lowest node that both ends of the edge are in.
+// That of the lowest node that both ends of the edge are in; of the root for a hidden point.
 template <KineticTraits_2 Traits>
-std::size_t Kinetic_triangulation_2<Traits>::Queue_policy::part_of(const Edge& edge) const {
-  const auto& [face, i] = edge;
+std::size_t Kinetic_triangulation_2<Traits>::Queue_policy::part_of(const Subject& subject) const {
+  if (subject.is_hidden()) return triangulation.division_.nodes() - 1;
+  const auto& [face, i] = subject.edge;
   return triangulation.division_.node_of(face->vertex(Triangulation::cw(i))->point().id(),
                                          face->vertex(Triangulation::ccw(i))->point().id());
 }
 
 template <KineticTraits_2 Traits>
-Queue_handle Kinetic_triangulation_2<Traits>::Queue_policy::handle(const Edge& edge) const {
-  return edge.first->event(edge.second);
+Queue_handle Kinetic_triangulation_2<Traits>::Queue_policy::handle(const Subject& subject) const {
+  if constexpr (is_weighted) {
+    if (subject.is_hidden()) return subject.hidden->event();
+  }
+  return subject.edge.first->event(subject.edge.second);
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::Queue_policy::set_handle(const Edge& edge,
+void Kinetic_triangulation_2<Traits>::Queue_policy::set_handle(const Subject& subject,
                                                                Queue_handle handle) const {
-  set_event(triangulation.two_sided(edge), handle);
+  if constexpr (is_weighted) {
+    if (subject.is_hidden()) return subject.hidden->set_event(handle);
+  }
+  set_event(triangulation.two_sided(subject.edge), handle);
 }
 
 template <KineticTraits_2 Traits>
