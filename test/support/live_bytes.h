@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How many bytes a program has allocated and not freed, by operator new and by GMP, which does not
-// use it. Exact, unlike what the C library tells, which counts what it keeps for the next call. To
-// be included in one source file of a program.
+// use it. Exact, unlike what the C library tells, which counts what it keeps for the next call. And
+// an allocation that fails. To be included in one source file of a program.
 #ifndef KINETRI_TEST_SUPPORT_LIVE_BYTES_H
 #define KINETRI_TEST_SUPPORT_LIVE_BYTES_H
 
@@ -11,12 +11,20 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
 namespace kinetri::test {
 
 inline std::atomic<std::size_t> live_byte_count = 0;
+
+/// After so many more allocations by operator new one fails; none if negative.
+inline std::atomic<std::int64_t> allocations_before_failure = -1;
+
+inline void count_allocation() {
+  if (allocations_before_failure >= 0 && allocations_before_failure-- == 0) throw std::bad_alloc();
+}
 
 inline void* counted(void* memory) {
   if (memory == nullptr) throw std::bad_alloc();
@@ -47,6 +55,7 @@ inline std::size_t live_bytes() {
 }  // namespace kinetri::test
 
 void* operator new(std::size_t size) {
+  kinetri::test::count_allocation();
   return kinetri::test::counted(std::malloc(size));
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {

@@ -132,6 +132,7 @@ class Divided_scheduler {
     first_.count_as(before);
   }
 
+  std::size_t number_of_parts() const noexcept { return is_divided() ? parts_.size() : 1; }
   /// A part; the only one has the number 0.
   Part& part(std::size_t number) { return is_divided() ? *parts_[number] : first_; }
   const Part& part(std::size_t number) const { return is_divided() ? *parts_[number] : first_; }

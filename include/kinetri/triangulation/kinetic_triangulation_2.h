@@ -219,7 +219,8 @@ class Kinetic_triangulation_2 {
   /// event by event and face by face; only counts of certificates, rechecks and the queue, which
   /// tell how it was found, differ. Some 150 bytes a point more are in use from then on. If an
   /// observer throws, later events up to the end of a window of time have happened too, and
-  /// observers are not told of them.
+  /// observers are not told of them. If memory is missing for a window, the state is that before
+  /// or after its events, where there is memory to schedule all certificates anew.
   void set_threads(std::size_t most) { threads_ = most; }
 
   /// As step(), but only if the next event is at or before `until`; else nothing happens, and

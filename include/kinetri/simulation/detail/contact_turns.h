@@ -157,6 +157,9 @@ class Contact_turns {
   void end_turn(const std::array<Point_id, 2>& points);
   /// To be called after each window.
   void end_window();
+  /// Finds overlaps and schedules contacts anew, at any time between two events. Keeps the changes
+  /// that are scheduled.
+  void start_anew();
   /// Counts contacts, each without another event at its time.
   void count(std::uint64_t contacts);
   /// Counts certificates of contacts.

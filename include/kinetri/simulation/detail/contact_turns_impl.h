@@ -5,6 +5,7 @@
 #define KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_IMPL_H
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -289,6 +290,37 @@ void Contact_turns<Simulation>::end_window() {
   KINETRI_PRECONDITION(simulation_->scheduled_ == scheduled_,
                        "an observer that does not look at the triangulation has scheduled a "
                        "change; let its looks_at_triangulation() return true");
+}
+
+template <class Simulation>
+void Contact_turns<Simulation>::start_anew() {
+  // By number: one that was being moved to another part may be in both.
+  std::map<Point_id, std::pair<Entry, Time>> changes;
+  for (std::size_t p = 0; p < queue().number_of_parts(); ++p) {
+    const Part& part = queue().part(p);
+    part.for_each([&](const Entry& entry) {
+      if (!Simulation::is_change(entry.kind)) return;
+      changes.try_emplace(entry.point_b, entry, part.time_of(entry));
+    });
+  }
+  queue().clear();
+  for (auto& contacts : simulation_->contacts_) {
+    if (contacts == nullptr) continue;
+    contacts->wall_event = contacts->vanish_event = no_event;
+    contacts->partners.clear();
+  }
+  for (auto& [number, change] : changes) {
+    auto& [entry, time] = change;
+    simulation_->scheduled_changes_.at(number).event = queue().push(entry, std::move(time));
+  }
+  for (const auto& [a, b] : passes_) {
+    simulation_->start_overlap(a, b);
+    simulation_->mark_passing(a, b, true);
+  }
+  passes_.clear();
+  passing_.clear();
+  simulation_->find_all_overlaps();
+  simulation_->schedule_all();
 }
 
 template <class Simulation>

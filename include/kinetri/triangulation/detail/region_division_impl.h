@@ -65,7 +65,7 @@ void Region_run<Kinetic, Turns>::go_on_with_division() {
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::join() {
   const double width = division().window_width;
-  in_arena([this] { move_to_parts(1); });
+  or_go_back([this] { in_arena([this] { move_to_parts(1); }); });
   division() = {};
   division().window_width = width;
 }

@@ -119,15 +119,20 @@ bool Region_run<Kinetic, Turns>::is_flip(const Entry& entry, const Two_sided_edg
   }
   if (entry.kind == Entry_kind::flip) return is_convex(edge, moment);
   if (entry.kind != Entry_kind::hull_insert) return true;
-  const Time before = kinetic_.current_time();
-  kinetic_.set_current_time(time(moment));
-  const bool result =
-      !kinetic_.may_hide_a_turn(edge) &&
-      (entry.changes_sign || !kinetic_.is_touch(kinetic_.hull_triangle(edge).first)) &&
-      !hides_hull_vertex(edge) && !kinetic_.are_all_collinear(edge) &&
-      kinetic_.can_insert_into_hull(edge);
-  kinetic_.set_current_time(before);
-  return result;
+  Time before = kinetic_.current_time();
+  try {
+    kinetic_.set_current_time(time(moment));
+    const bool result =
+        !kinetic_.may_hide_a_turn(edge) &&
+        (entry.changes_sign || !kinetic_.is_touch(kinetic_.hull_triangle(edge).first)) &&
+        !hides_hull_vertex(edge) && !kinetic_.are_all_collinear(edge) &&
+        kinetic_.can_insert_into_hull(edge);
+    kinetic_.set_current_time(std::move(before));
+    return result;
+  } catch (...) {
+    kinetic_.set_current_time(std::move(before));
+    throw;
+  }
 }
 
 template <class Kinetic, class Turns>
@@ -290,6 +295,7 @@ void Region_run<Kinetic, Turns>::execute(Lane& lane, const Entry& entry, const T
     queue().erase(handle);
   }
   f.previous = {face->stamp(), neighbor->stamp()};
+  // Nothing throws from here to the flip: a record that has a key is that of a flip (go_back).
   const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
   lane.keys.push_back({moment.bounds, std::max(reached, moment.bounds.lower),
                        static_cast<std::uint32_t>(index), static_cast<std::uint16_t>(lane.number),
@@ -352,13 +358,12 @@ void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
   const Key& flipped = key(number);
   Flip& f = flip(flipped);
   ++lane.undone;
-  f.is_undone = true;
   lane_of(number).has_undone = true;
   for_each_written_face(f, [&](Face_handle face) {
     KINETRI_ASSERT(face->stamp() == number, "the last flip of its faces");
   });
   if constexpr (has_turns) {
-    if (f.beside.turn) return undo_turn(lane, *f.beside.turn);
+    if (f.beside.turn) return undo_turn(lane, f);
     unfollow_flip(lane, f);
   }
   const auto erase = [&](Face_handle face, int k) {
@@ -369,7 +374,31 @@ void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
   for (int k = 0; k < 3; ++k) erase(f.face, k);
   erase(f.neighbor, j);
   erase(f.neighbor, Triangulation::cw(j));
+  take_back(f);
+  const Two_sided_edge edge = {Edge(f.face, i), Edge(f.neighbor, j)};
+  if (f.exact && f.exact->flip) f.exact->entries.emplace_back(0, *f.exact->flip);
+  put_back(lane, f, edge, f.entries[0], flipped.bounds, 0);
+  const Outer_edges outer = outer_edges(edge);
+  for (std::size_t k = 1; k < 5; ++k) {
+    put_back(lane, f, outer[k - 1], f.entries[k], f.outer_bounds[k - 1], k);
+  }
+}
+
+// Makes faces, motions and stamps what they were just before a flip, or a turn, that is the last
+// one of its faces. Leaves the queue as it is, and takes no memory.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::take_back(Flip& f) {
+  f.is_undone = true;
+  if constexpr (has_turns) {
+    if (f.beside.turn) {
+      set_motions(*f.beside.turn, false);
+      for (const auto& [face, stamp] : f.beside.turn->faces) face->set_stamp(stamp);
+      return;
+    }
+  }
   // The flip in reverse. It has left neighbors around as CGAL's flip has them.
+  const int i = f.i;
+  const int j = f.j;
   const Vertex_handle left = f.neighbor->vertex(Triangulation::ccw(j));
   const Vertex_handle right = f.face->vertex(Triangulation::ccw(i));
   const Edge at_bottom = kinetic_.two_sided(Edge(f.face, i)).there;
@@ -384,13 +413,6 @@ void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
   if (f.right_had_neighbor) right->set_face(f.neighbor);
   f.face->set_stamp(f.previous[0]);
   f.neighbor->set_stamp(f.previous[1]);
-  const Two_sided_edge edge = {Edge(f.face, i), Edge(f.neighbor, j)};
-  if (f.exact && f.exact->flip) f.exact->entries.emplace_back(0, *f.exact->flip);
-  put_back(lane, f, edge, f.entries[0], flipped.bounds, 0);
-  const Outer_edges outer = outer_edges(edge);
-  for (std::size_t k = 1; k < 5; ++k) {
-    put_back(lane, f, outer[k - 1], f.entries[k], f.outer_bounds[k - 1], k);
-  }
 }
 
 // Schedules the entry number k of an undone flip again.

@@ -18,10 +18,10 @@
 
 namespace kinetri::detail {
 
-// Reports the flips of the window in the order of time, but for those from the first time on that
-// two have in common, or from the cut on: these are undone.
+// Puts the flips of the window in the order of time, but for those from the first time on that two
+// have in common, or from the cut on: these are undone.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::settle_window() {
+void Region_run<Kinetic, Turns>::settle_order() {
   put_in_order();
   for (std::size_t k = 1; k < order_.size(); ++k) {
     if (order_[k - 1].bounds.upper < order_[k].bounds.lower) continue;
@@ -36,15 +36,32 @@ void Region_run<Kinetic, Turns>::settle_window() {
     move_home(due_part(lane.number));
     if constexpr (has_turns) move_turns_home(due_part(lane.number));
   }
+}
+
+// Reports the flips of the window, and counts them. Throws what an observer throws, after that.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::close_window() {
   std::exception_ptr thrown;
   try {
     report();
   } catch (...) {
     thrown = std::current_exception();
   }
-  if constexpr (has_turns) settle_turns_of_window();
   done_ = order_.size();
   division().events += static_cast<double>(done_);
+  try {
+    count_and_clear();
+  } catch (...) {
+    start_anew();
+    throw;
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+// Counts what the nodes have done in the window, and forgets their flips.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::count_and_clear() {
+  if constexpr (has_turns) settle_turns_of_window();
   const auto count = [this](Lane& lane) {
     (is_root(lane)      ? counters_.by_rest
      : lane.is_region() ? counters_.by_region
@@ -67,8 +84,6 @@ void Region_run<Kinetic, Turns>::settle_window() {
   };
   std::ranges::for_each(lanes_, count);
   for_each(lanes_, clear);
-  if (thrown) std::rethrow_exception(thrown);
-  if (cut_ && settle(*cut_)) run_loop_instant(*cut_);
 }
 
 // Puts the flips that are not undone in the order of time: slices of the window by lower bounds,
@@ -212,9 +227,9 @@ void Region_run<Kinetic, Turns>::count_from(typename std::vector<Key>::const_ite
   if (next == order_.cend()) return;  // the present time is that of the last one
   for (; next != order_.cend(); ++next) kinetic_.count_event(next->kind);
   const Key& last = order_.back();
-  const Flip& f = flip(last);
+  Flip& f = flip(last);
   if (f.exact && f.exact->flip) {
-    kinetic_.set_current_time(*f.exact->flip);
+    kinetic_.set_current_time(std::move(*f.exact->flip));
   } else {
     kinetic_.pending_time_ = {certificate_points(last), last.bounds};
   }

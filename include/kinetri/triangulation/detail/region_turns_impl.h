@@ -309,15 +309,21 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
   if (!lane.is_region()) undo_later_around(lane, points, moment);
   if (do_faces_hide_points(points)) return false;
   const auto changes = turns_.changes(entry, *moment.exact);
-  if (changes.empty() || !set_points(*made, changes, moment)) return false;
-  New_certificates certificates;
-  if (!certify_turn(lane, *made, turned(*made), moment, certificates)) {
-    set_motions(*made, false);
-    return false;
+  if (changes.empty()) return false;
+  Turn& turn = *made;
+  try {
+    New_certificates certificates;
+    if (set_points(turn, changes, moment) &&
+        certify_turn(lane, turn, turned(turn), moment, certificates)) {
+      record_turn(lane, entry, std::move(made), moment, certificates);
+      return true;
+    }
+  } catch (...) {
+    set_motions(turn, false);
+    throw;
   }
-  const Points turned_points = turned(*made);
-  record_turn(lane, entry, std::move(made), turned_points, moment, certificates);
-  return true;
+  set_motions(turn, false);
+  return false;
 }
 
 template <class Kinetic, class Turns>
@@ -357,12 +363,10 @@ bool Region_run<Kinetic, Turns>::set_points(Turn& turn, std::span<const Change> 
     turn.before[k] = v->point();
     v->set_point(Point_2(*changes[k].motion, id));
     turn.after[k] = v->point();
-    if (!ends_equal_weights(turn.before[k], turn.after[k]) &&
-        kinetic_.is_embedded_around(v, moment.bounds, is_left_turn)) {
-      continue;
+    if (ends_equal_weights(turn.before[k], turn.after[k]) ||
+        !kinetic_.is_embedded_around(v, moment.bounds, is_left_turn)) {
+      return false;
     }
-    set_motions(turn, false);
-    return false;
   }
   return true;
 }
@@ -393,10 +397,16 @@ bool Region_run<Kinetic, Turns>::certify_turn(Lane& lane, const Turn& turn, Poin
 
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
-                                             std::unique_ptr<Turn> turn, Points turned,
-                                             Moment& moment, New_certificates& certificates) {
+                                             std::unique_ptr<Turn> made, Moment& moment,
+                                             New_certificates& certificates) {
   const std::size_t index = lane.flips.size();
   const Stamp number = stamp(lane, index);
+  Flip& f = lane.flips.emplace_back();
+  f.exact = std::make_unique<Exact_times>();
+  f.exact->flip = *moment.exact;
+  f.beside.turn = std::move(made);
+  Turn* const turn = f.beside.turn.get();
+  const Points turned = this->turned(*turn);
   const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
   lane.keys.push_back({moment.bounds, std::max(reached, moment.bounds.lower),
                        static_cast<std::uint32_t>(index), static_cast<std::uint16_t>(lane.number),
@@ -438,10 +448,6 @@ void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry
   for (const Point_id id : turn->points) {
     if (id != no_point) stalls_[id] = std::numeric_limits<double>::infinity();
   }
-  Flip& f = lane.flips.emplace_back();
-  f.exact = std::make_unique<Exact_times>();
-  f.exact->flip = *moment.exact;
-  f.beside.turn = std::move(turn);
 }
 
 // Calls `function` with each face at the points, which are one or two.
@@ -484,7 +490,8 @@ auto Region_run<Kinetic, Turns>::edges_around(Points points) const -> std::vecto
 
 // Undoes a turn that is the last one of its faces.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Turn& turn) {
+void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Flip& flip) {
+  Turn& turn = *flip.beside.turn;
   const Points points = turned(turn);
   for (const Two_sided_edge& edge : edges_around(points)) {
     const Queue_handle handle = edge.here.first->event(edge.here.second);
@@ -492,9 +499,8 @@ void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Turn& turn) {
     kinetic_.set_event(edge, no_event);
   }
   take_turn_entries(points);
-  set_motions(turn, false);
+  take_back(flip);
   for (std::size_t k = 0; k < points.size(); ++k) turned_[points[k]] = turn.previous[k];
-  for (const auto& [face, stamp] : turn.faces) face->set_stamp(stamp);
   for (auto& [entry, exact] : turn.entries) {
     kinetic_.set_event(kinetic_.two_sided(entry.edge()), put(lane, entry, exact.get()));
   }
@@ -559,9 +565,8 @@ auto Region_run<Kinetic, Turns>::point_at(Point_id id, Stamp flip) -> const Poin
 // Gives the points of a turn the motions after it, or before it.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::set_motions(const Turn& turn, bool are_after) {
-  const Points points = turned(turn);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    kinetic_.vertices_[points[k]]->set_point(are_after ? turn.after[k] : turn.before[k]);
+  for (std::size_t k = 0; k < 2 && turn.turned[k] != no_point; ++k) {
+    kinetic_.vertices_[turn.turned[k]]->set_point(are_after ? turn.after[k] : turn.before[k]);
   }
 }
 

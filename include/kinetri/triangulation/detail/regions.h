@@ -38,8 +38,8 @@
 //            slots of its two faces, where others that are later see it: there is no other mark.
 //   rest     The events that the root executes, by one thread in the order of the queue.
 //   turn     An event that gives one point or two another motion: a contact. A simulation has
-//            turns; their entries are in a queue of its own, in the same parts. See Turns below. The
-//            record of a turn is a Flip too, since it is numbered, ordered and undone as one.
+//            turns; their entries are in a queue of its own, in the same parts. See Turns below.
+//            The record of a turn is a Flip too, since it is numbered, ordered and undone as one.
 //
 // What an event reads and writes. A flip, at the hull too,
 //   reads    the vertices of its surroundings, and their motions;
@@ -201,7 +201,8 @@ class Region_run {
   /// As advance_to of the triangulation, with the same result. Observers that look at the
   /// triangulation get the plain loop. If an observer throws, the triangulation is what it is after
   /// all events of a window of time, of which observers have not been told the later ones. If
-  /// memory is missing, it can only be destroyed. Precondition: as there.
+  /// memory is missing in a window, it is what it was before the window, or after its events, if
+  /// there is memory to schedule all anew; else it can only be destroyed. Precondition: as there.
   std::size_t advance_to(const Time& until, const std::function<bool()>& may_go_on = nullptr);
 
   /// Puts the queue into one part again.
@@ -382,6 +383,11 @@ class Region_run {
     }
   }
   bool run_window(double end);
+  double execute_window(double end);
+  template <class Work>
+  void or_go_back(const Work& work);
+  void go_back();
+  void start_anew();
   bool settle(const Time& until);
   double next_lower();
   bool is_divided();
@@ -396,7 +402,9 @@ class Region_run {
   void run_union(Lane& lane, double end);
   bool may_execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
   void defer(Lane& lane, std::size_t from);
-  void settle_window();
+  void settle_order();
+  void close_window();
+  void count_and_clear();
   void run_loop_instant(const Time& until);
 
   // Whether a vertex is in a node.
@@ -425,6 +433,7 @@ class Region_run {
   static Entry restored(const Kept_entry& kept, const Edge& edge, const Double_interval& bounds);
   void undo(Lane& lane, Stamp stamp);
   void undo_last(Lane& lane, Stamp stamp);
+  void take_back(Flip& flip);
   void put_back(const Lane& lane, const Flip& flip, const Two_sided_edge& edge,
                 const Kept_entry& kept, const Double_interval& bounds, std::size_t number);
   void move(std::size_t from, std::size_t to);
@@ -449,8 +458,8 @@ class Region_run {
   bool set_points(Turn& turn, std::span<const Change> changes, Moment& moment);
   bool certify_turn(Lane& lane, const Turn& turn, Points turned, Moment& moment,
                     New_certificates& result);
-  void record_turn(Lane& lane, const Turn_entry& entry, std::unique_ptr<Turn> turn, Points turned,
-                   Moment& moment, New_certificates& certificates);
+  void record_turn(Lane& lane, const Turn_entry& entry, std::unique_ptr<Turn> made, Moment& moment,
+                   New_certificates& certificates);
   void leave_turn(Lane& lane);
   void stall(Lane& lane, const Turn_entry& entry);
   void move_turn(std::size_t from, std::size_t to);
@@ -475,7 +484,7 @@ class Region_run {
   void recheck_turn(Lane& lane, const Turn_entry& entry);
   void follow_flip(Lane& lane, Flip& flip, Moment& moment);
   void unfollow_flip(Lane& lane, Flip& flip);
-  void undo_turn(Lane& lane, Turn& turn);
+  void undo_turn(Lane& lane, Flip& flip);
   static Points turned(const Turn& turn);
   template <class Function>
   void for_each_face_around(Points points, const Function& function) const;

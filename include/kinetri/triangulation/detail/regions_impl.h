@@ -156,7 +156,7 @@ bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may
     }
     if (!is_divided() || division().regions != regions_ ||
         division().events > options_.events_per_division * n || are_stamps_spent()) {
-      divide();
+      or_go_back([this] { divide(); });
     }
     const bool is_whole = run_window(end);
     const auto done = static_cast<double>(done_);
@@ -226,7 +226,20 @@ template <class Kinetic, class Turns>
 bool Region_run<Kinetic, Turns>::run_window(double end) {
   ++counters_.windows;
   cut_.reset();
-  const double asked = end;
+  double reached = end;
+  or_go_back([&] {
+    reached = execute_window(end);
+    settle_order();
+  });
+  close_window();
+  const bool is_whole = !cut_ && reached == end;
+  if (cut_ && settle(*cut_)) run_loop_instant(*cut_);
+  return is_whole;
+}
+
+// Has the nodes execute the events of a window. Returns where it ends.
+template <class Kinetic, class Turns>
+double Region_run<Kinetic, Turns>::execute_window(double end) {
   if constexpr (has_turns) {
     kinetic_.show_current_time();  // made from motions of now
     turned_.resize(kinetic_.vertices_.size(), 0);
@@ -241,8 +254,53 @@ bool Region_run<Kinetic, Turns>::run_window(double end) {
     due_until_ = end;
   }
   due_until_ = -std::numeric_limits<double>::infinity();
-  settle_window();
-  return !cut_ && end == asked;
+  return end;
+}
+
+// Calls work(), part of a window. If that throws, which is for want of memory, the state is that
+// before the window.
+template <class Kinetic, class Turns>
+template <class Work>
+void Region_run<Kinetic, Turns>::or_go_back(const Work& work) {
+  try {
+    work();
+  } catch (...) {
+    go_back();
+    throw;
+  }
+}
+
+// Undoes what has been executed of a window, the last events first: those of nodes of one level do
+// not conflict. Entries of the queues are lost.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::go_back() {
+  const auto go_back_in = [this](Lane& lane) {
+    // The record of an event that has not been executed has no key.
+    for (std::size_t k = std::min(lane.flips.size(), lane.keys.size()); k-- > 0;) {
+      if (!lane.flips[k].is_undone) take_back(lane.flips[k]);
+    }
+  };
+  std::for_each(lanes_.rbegin(), lanes_.rend(), go_back_in);
+  start_anew();
+}
+
+// Forgets the window and the parts, and schedules everything from the present time on.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::start_anew() {
+  for (Lane& lane : lanes_) {
+    Lane cleared;
+    std::swap(lane, cleared);
+  }
+  order_.clear();
+  std::ranges::fill(turned_, 0);
+  std::ranges::fill(stalls_, std::numeric_limits<double>::infinity());
+  due_until_ = -std::numeric_limits<double>::infinity();
+  const double width = division().window_width;
+  division() = {};
+  division().window_width = width;
+  queue().clear();
+  kinetic_.schedule_all();
+  if constexpr (has_turns) turns_.start_anew();
 }
 
 template <class Kinetic, class Turns>
