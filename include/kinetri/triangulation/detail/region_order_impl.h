@@ -86,8 +86,9 @@ void Region_run<Kinetic, Turns>::count_and_clear() {
   for_each(lanes_, clear);
 }
 
-// Puts the flips that are not undone in the order of time: slices of the window by lower bounds,
-// which several threads do, then, since bounds may overlap, one by one.
+// Puts the flips that are not undone in the order of time: several threads do so for slices of the
+// window by lower bounds; since bounds may overlap, the first flips of a slice may then go further
+// to the front.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::put_in_order() {
   order_.clear();
@@ -106,6 +107,7 @@ void Region_run<Kinetic, Turns>::put_in_order() {
     double least;
     double greatest;
     std::vector<Key> keys = {};
+    bool is_in_order = false;
   };
   constexpr std::size_t keys_per_slice = 4096;
   const std::size_t number = size / keys_per_slice + 1;
@@ -120,12 +122,19 @@ void Region_run<Kinetic, Turns>::put_in_order() {
   for_each(slices, [this](Slice& slice) {
     slice.keys = keys_between(slice.least, slice.greatest);
     std::ranges::sort(slice.keys, {}, [](const Key& key) { return key.bounds.lower; });
+    slice.is_in_order = insert_in_order(slice.keys);
   });
   order_.reserve(size);
+  bool are_in_order = true;
   for (const Slice& slice : slices) {
+    const std::size_t first = order_.size();
     order_.insert(order_.end(), slice.keys.begin(), slice.keys.end());
+    are_in_order = are_in_order && slice.is_in_order;
+    // Where one stays, those after it in its slice do.
+    std::size_t k = first;
+    while (are_in_order && k < order_.size() && insert_in_order(order_, k) > 0) ++k;
   }
-  if (insert_in_order()) return;
+  if (are_in_order) return;
   std::ranges::sort(order_, [this](const Key& a, const Key& b) { return compare(a, b) < 0; });
 }
 
@@ -147,18 +156,26 @@ auto Region_run<Kinetic, Turns>::keys_between(double least, double greatest) con
 // Puts each key after those that it does not precede. Gives up, and returns false, where too many
 // are in the way.
 template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::insert_in_order() {
-  std::size_t steps = 8 * order_.size();
-  for (std::size_t k = 1; k < order_.size(); ++k) {
-    if (order_[k - 1].bounds.upper < order_[k].bounds.lower) continue;
-    const Key key = order_[k];
-    std::size_t to = k;
-    for (; to > 0 && compare(key, order_[to - 1]) < 0; --to) order_[to] = order_[to - 1];
-    order_[to] = key;
-    if (k - to > steps) return false;
-    steps -= k - to;
+bool Region_run<Kinetic, Turns>::insert_in_order(std::span<Key> keys) {
+  std::size_t steps = 8 * keys.size();
+  for (std::size_t k = 1; k < keys.size(); ++k) {
+    const std::size_t moved = insert_in_order(keys, k);
+    if (moved > steps) return false;
+    steps -= moved;
   }
   return true;
+}
+
+// Puts a key after those of the keys before it, which are in order, that it does not precede.
+// Returns how many it precedes.
+template <class Kinetic, class Turns>
+inline std::size_t Region_run<Kinetic, Turns>::insert_in_order(std::span<Key> keys, std::size_t k) {
+  if (k == 0 || keys[k - 1].bounds.upper < keys[k].bounds.lower) return 0;
+  const Key key = keys[k];
+  std::size_t to = k;
+  for (; to > 0 && compare(key, keys[to - 1]) < 0; --to) keys[to] = keys[to - 1];
+  keys[to] = key;
+  return k - to;
 }
 
 // Undoes the flips from the cut on.

@@ -511,7 +511,8 @@ class Region_run {
   }
   void put_in_order();
   std::vector<Key> keys_between(double least, double greatest) const;
-  bool insert_in_order();
+  bool insert_in_order(std::span<Key> keys);
+  std::size_t insert_in_order(std::span<Key> keys, std::size_t k);
   void cut_off();
   void report();
   void count_from(typename std::vector<Key>::const_iterator next);
