@@ -32,6 +32,9 @@ namespace kinetri::detail {
 /// | `handle(subject)` | the handle of its entry in the scheduler |
 /// | `set_handle(subject, handle)` | notes that its entry has another handle from now on |
 ///
+/// `Entry::Kept` is what an entry says besides: `entry.kept()`, and Entry(subject, bounds, kept)
+/// without its exact time.
+///
 /// The order of entries is that of one scheduler, whatever their parts are. Several threads may
 /// call const functions at once, and functions of different parts.
 template <class Entry, class Policy>
@@ -51,8 +54,8 @@ class Divided_scheduler {
   /// Precondition: count > 1, or there are several parts. `blocks` are entries that one thread
   /// moves: for_each_subject(block, function) calls function(subject) with what each of them is
   /// about, in the same order each time. in_parallel(vector, work) calls work with each element of
-  /// a vector, by several threads if that helps. O(n). Until it is done, the entries take twice the
-  /// memory.
+  /// a vector, by several threads if that helps. O(n). Until it is done, the entries take half as
+  /// much memory again. If it throws, the scheduler can only be cleared.
   template <class Block, class For_each_subject, class In_parallel>
   void divide(std::size_t count, const std::vector<Block>& blocks,
               const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
@@ -65,27 +68,44 @@ class Divided_scheduler {
     struct Share {
       const Block* block;
       std::vector<Queue_handle> next;         // of each part
-      std::vector<std::uint16_t> parts = {};  // of each subject
+      std::vector<std::uint16_t> parts = {};  // of each entry
+      std::vector<Double_interval> bounds = {};
+      std::vector<typename Entry::Kept> kept = {};
+      std::vector<std::pair<std::size_t, Algebraic_number>> times = {};  // of few: their numbers
     };
     std::vector<Share> shares;
     for (const Block& block : blocks) {
       shares.push_back({&block, std::vector<Queue_handle>(count, 0)});
     }
     in_parallel(shares, [&](Share& share) {
+      std::vector<Queue_handle> handles;
       for_each_subject(*share.block, [&](const auto& subject) {
         const std::size_t part = count == 1 ? 0 : policy_.part_of(subject);
         share.parts.push_back(static_cast<std::uint16_t>(part));
         ++share.next[part];
+        handles.push_back(policy_.handle(subject));
       });
+      share.bounds.reserve(handles.size());
+      share.kept.reserve(handles.size());
+      constexpr std::size_t ahead = 8;
+      for (std::size_t k = 0; k < handles.size(); ++k) {
+        if (k + ahead < handles.size()) prefetch(handles[k + ahead]);
+        const Entry& entry = (*this)[handles[k]];
+        share.bounds.push_back(entry.bounds);
+        share.kept.push_back(entry.kept());
+        if (entry.time == Time_pool::none) continue;
+        share.times.emplace_back(k, part(part_of_handle(handles[k])).time_of(entry));
+      }
     });
+    // The memory of the entries is free again before they are made anew.
+    first_.clear();
+    in_parallel(parts_, [](std::unique_ptr<Part>& part) { part.reset(); });
+    parts_.clear();
     struct Made {
       std::unique_ptr<Part> part;
       Queue_handle size = 0;
     };
     std::vector<Made> made(count);
-    const auto part_made = [&](std::size_t p) -> Part& {
-      return count == 1 ? first_ : *made[p].part;
-    };
     for (std::size_t p = 0; p < count; ++p) {
       if (count > 1) made[p].part = std::make_unique<Part>(policy_);
       for (Share& share : shares) made[p].size += std::exchange(share.next[p], made[p].size);
@@ -94,29 +114,23 @@ class Divided_scheduler {
     const unsigned shift = shift_of(count);
     std::mutex times_are_kept;
     in_parallel(shares, [&](Share& share) {
-      using Subject = decltype(Entry().subject());
-      std::vector<std::pair<Subject, Queue_handle>> subjects;
-      for_each_subject(*share.block, [&](const Subject& subject) {
-        subjects.emplace_back(subject, policy_.handle(subject));
-      });
-      constexpr std::size_t ahead = 8;
-      for (std::size_t k = 0; k < subjects.size(); ++k) {
-        if (k + ahead < subjects.size()) prefetch(subjects[k + ahead].second);
-        const auto& [subject, handle] = subjects[k];
+      std::size_t k = 0;
+      auto time = share.times.begin();
+      for_each_subject(*share.block, [&](const auto& subject) {
         const std::size_t to = share.parts[k];
         const Queue_handle local_handle = share.next[to]++;
-        const Entry& entry = (*this)[handle];
-        std::unique_ptr<Algebraic_number> time;
-        if (entry.time != Time_pool::none) {
-          time = std::make_unique<Algebraic_number>(part(part_of_handle(handle)).time_of(entry));
+        std::unique_ptr<Algebraic_number> exact;
+        if (time != share.times.end() && time->first == k) {
+          exact = std::make_unique<Algebraic_number>(std::move((time++)->second));
         }
-        part_made(to).assign_entry(local_handle, entry, std::move(time), times_are_kept);
+        Part& part = count == 1 ? first_ : *made[to].part;
+        part.assign_entry(local_handle, Entry(subject, share.bounds[k], share.kept[k]),
+                          std::move(exact), times_are_kept);
         policy_.set_handle(subject, named(to, local_handle, shift));
-      }
+        ++k;
+      });
+      Share done = std::move(share);
     });
-    if (count > 1) first_.clear();
-    in_parallel(parts_, [](std::unique_ptr<Part>& part) { part.reset(); });
-    parts_.clear();
     for (Made& m : made) {
       if (count > 1) parts_.push_back(std::move(m.part));
     }

@@ -337,6 +337,22 @@ class Simulation_2 : private Event_observer {
     Point_id point_a = no_point;
     Point_id point_b = no_point;  // of a wall, which of the four; of a change, its number
 
+    /// What an entry says besides its subject and its times. A subject does not name the wall.
+    struct Kept {
+      bool is_event = false;
+      std::uint8_t wall = 0;
+    };
+
+    Entry() = default;
+    /// The entry of a subject, without the exact time.
+    Entry(const Subject& subject, const Double_interval& times, const Kept& kept)
+        : detail::Scheduled{times},
+          kind(subject.kind),
+          is_event(kept.is_event),
+          point_a(subject.point_a),
+          point_b(subject.kind == Entry_kind::wall ? kept.wall : subject.point_b) {}
+
+    Kept kept() const { return {is_event, static_cast<std::uint8_t>(point_b & 3U)}; }
     Subject subject() const { return {kind, point_a, point_b}; }
   };
 

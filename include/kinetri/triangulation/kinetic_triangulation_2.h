@@ -386,6 +386,14 @@ class Kinetic_triangulation_2 {
     /// that it reaches the side of the face that is opposite that vertex.
     static constexpr std::uint8_t plane = 3;
 
+    /// An entry, if it exists, without its subject and its times.
+    struct Kept {
+      std::uint8_t kind : 3 = 0;
+      std::uint8_t index : 2 = 0;  // of a hidden point
+      bool changes_sign : 1 = false;
+      bool exists : 1 = false;
+    };
+
     Entry() = default;
     /// The failure of an edge's certificate, which is of the given kind, or the time to check it
     /// again; without the exact time. Precondition: the certificate may fail.
@@ -396,6 +404,19 @@ class Kinetic_triangulation_2 {
           changes_sign(certificate.failure == nullptr),
           face(edge.first) {}
 
+    /// The entry of a subject, without the exact time.
+    Entry(const Subject& subject, const Double_interval& times, const Kept& kept)
+        : detail::Scheduled{times},
+          index(subject.is_hidden() ? kept.index : static_cast<std::uint8_t>(subject.edge.second)),
+          kind(static_cast<Entry_kind>(kept.kind)),
+          changes_sign(kept.changes_sign),
+          face(subject.edge.first),
+          hidden(subject.hidden) {}
+
+    Kept kept() const {
+      return {static_cast<std::uint8_t>(static_cast<unsigned>(kind) & 7U),
+              static_cast<std::uint8_t>(index & 3U), changes_sign, true};
+    }
     Edge edge() const { return Edge(face, index); }
     Subject subject() const { return {edge(), hidden}; }
     bool is_hidden() const { return subject().is_hidden(); }

@@ -86,7 +86,7 @@ void Region_run<Kinetic, Turns>::move_to_parts(std::size_t count) {
       });
       if constexpr (Kinetic::is_weighted) {
         for (const Vertex_handle hidden : block[k]->vertex_list()) {
-          if (hidden->event() != no_event) function(Subject{{}, hidden});
+          if (hidden->event() != no_event) function(Subject{Edge(block[k], 0), hidden});
         }
       }
     }

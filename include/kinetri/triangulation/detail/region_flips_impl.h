@@ -229,27 +229,6 @@ KINETRI_ALWAYS_INLINE void Region_run<Kinetic, Turns>::put(const Lane& lane,
   kinetic_.set_event(edge, lane.first_handle | handle);
 }
 
-// What undoing needs of an entry.
-template <class Kinetic, class Turns>
-inline auto Region_run<Kinetic, Turns>::kept(const Entry& entry) -> Kept_entry {
-  return {static_cast<std::uint8_t>(static_cast<unsigned>(entry.kind) & 15U), true,
-          entry.changes_sign};
-}
-
-// The entry again, of the edge as it is before the flip. Which of the two sides of the edge it
-// names, nothing depends on.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::restored(const Kept_entry& kept, const Edge& edge,
-                                          const Double_interval& bounds) -> Entry {
-  Entry result;
-  result.bounds = bounds;
-  result.index = static_cast<std::uint8_t>(edge.second);
-  result.kind = static_cast<Entry_kind>(kept.kind);
-  result.changes_sign = kept.changes_sign;
-  result.face = edge.first;
-  return result;
-}
-
 // Flips an edge whose entry has been taken from its part, as flip_edge does, and keeps what undoes
 // it.
 template <class Kinetic, class Turns>
@@ -274,7 +253,7 @@ void Region_run<Kinetic, Turns>::execute(Lane& lane, const Entry& entry, const T
   f.j = static_cast<std::uint8_t>(j & 3);
   f.left_had_face = left->face() == face;
   f.right_had_neighbor = right->face() == neighbor;
-  f.entries[0] = kept(entry);
+  f.entries[0] = entry.kept();
   const auto exact = [&f]() -> Exact_times& {
     if (!f.exact) f.exact = std::make_unique<Exact_times>();
     return *f.exact;
@@ -287,7 +266,7 @@ void Region_run<Kinetic, Turns>::execute(Lane& lane, const Entry& entry, const T
     if (old.time != Time_pool::none) [[unlikely]] {
       exact().entries.emplace_back(k, queue().part(queue().part_of_handle(handle)).time_of(old));
     }
-    f.entries[k] = kept(old);
+    f.entries[k] = old.kept();
     f.outer_bounds[k - 1] = old.bounds;
     if (old.kind != Entry_kind::recheck) {
       ++lane.counters.discarded[static_cast<std::size_t>(Kinetic::event_kind(old.kind))];
@@ -421,7 +400,8 @@ void Region_run<Kinetic, Turns>::put_back(const Lane& lane, const Flip& f,
                                           const Two_sided_edge& edge, const Kept_entry& kept,
                                           const Double_interval& bounds, std::size_t k) {
   if (!kept.exists) return kinetic_.set_event(edge, no_event);
-  const Entry entry = restored(kept, edge.here, bounds);
+  // Which of the two sides of the edge it names, nothing depends on.
+  const Entry entry({edge.here}, bounds, kept);
   const Time* exact = nullptr;
   if (f.exact) {
     for (const auto& [number, made] : f.exact->entries) {

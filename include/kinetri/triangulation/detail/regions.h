@@ -214,6 +214,7 @@ class Region_run {
  private:
   using Entry = typename KineticTriangulation::Entry;
   using Entry_kind = typename KineticTriangulation::Entry_kind;
+  using Kept_entry = typename Entry::Kept;
   using Edge = typename KineticTriangulation::Edge;
   using Two_sided_edge = typename KineticTriangulation::Two_sided_edge;
   using Certificate_points = typename KineticTriangulation::Certificate_points;
@@ -236,13 +237,6 @@ class Region_run {
     Certificate_points points = {};
     Double_interval bounds = {};
     std::optional<Time> exact = std::nullopt;  // made when it is needed
-  };
-
-  /// An entry without its edge and its time.
-  struct Kept_entry {
-    std::uint8_t kind : 4 = 0;
-    bool exists : 1 = false;
-    bool changes_sign : 1 = false;
   };
 
   /// Exact times that had been made: that of a flip, and those of the entries before it.
@@ -429,8 +423,6 @@ class Region_run {
   KINETRI_ALWAYS_INLINE void put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind,
                                  Certificate&& known);
   void execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge, Moment& moment);
-  KINETRI_ALWAYS_INLINE static Kept_entry kept(const Entry& entry);
-  static Entry restored(const Kept_entry& kept, const Edge& edge, const Double_interval& bounds);
   void undo(Lane& lane, Stamp stamp);
   void undo_last(Lane& lane, Stamp stamp);
   void take_back(Flip& flip);
