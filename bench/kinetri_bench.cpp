@@ -86,8 +86,6 @@ int main(int argc, char** argv) {
           .add_option("--area-fraction", setup.area_fraction,
                       "share of the plane that the discs cover (0.3)")
           ->check(CLI::Range(1e-6, most_area_fraction));
-    }
-    if (mode_name == discs_mode) {
       command
           .add_option("--sizes", setup.size_ratio,
                       "greatest radius over the least, of discs at random places (equal discs on a "

@@ -19,14 +19,13 @@ namespace {
 
 using nlohmann::json;
 using Kinetic = Kinetic_delaunay_triangulation_2<>;
-using Simulation = Simulation_2<Linear_kinetic_traits_2>;
 
 detail::Region_run<Kinetic> run_of(Kinetic& kinetic, const detail::Region_options& options) {
   return detail::Region_run<Kinetic>(kinetic, options);
 }
-detail::Region_run<Kinetic, detail::Contact_turns<Simulation>> run_of(
-    Simulation& simulation, const detail::Region_options& options) {
-  return detail::Contact_turns<Simulation>::run_of(simulation, options);
+template <class Traits>
+auto run_of(Simulation_2<Traits>& simulation, const detail::Region_options& options) {
+  return detail::Contact_turns<Simulation_2<Traits>>::run_of(simulation, options);
 }
 
 // One run of what `make` makes by regions.
@@ -88,12 +87,23 @@ json measure_regions(const Setup& setup) {
 }
 
 json measure_contacts(const Setup& setup) {
-  const Bench_discs discs = equal_discs(setup);
   Simulation_options options;
-  options.box = discs.box;
-  options.radius = discs.radii.front();
   options.response = collide_elastically;
-  return measure_runs(setup, [&] { return Simulation(discs.motions, options); });
+  if (!setup.size_ratio) {
+    const Bench_discs discs = equal_discs(setup);
+    options.box = discs.box;
+    options.radius = discs.radii.front();
+    return measure_runs(
+        setup, [&] { return Simulation_2<Linear_kinetic_traits_2>(discs.motions, options); });
+  }
+  const Bench_discs discs = discs_of_different_sizes(setup);
+  options.box = discs.box;
+  std::vector<Disc_motion_2> motions;
+  for (std::size_t i = 0; i < discs.motions.size(); ++i) {
+    options.masses.push_back(discs.radii[i] * discs.radii[i]);
+    motions.push_back({discs.motions[i], discs.radii[i], 0, 0});
+  }
+  return measure_runs(setup, [&] { return Simulation_2<Disc_kinetic_traits_2>(motions, options); });
 }
 
 }  // namespace kinetri::bench

@@ -98,6 +98,24 @@ class Threads(In_folder):
                     f"simulate p.csv --until 1.5 {discs}",
                     "--html {0}/run.html --checkpoint {0}/checkpoint", response))
 
+    def test_discs_of_any_size_are_the_same(self):
+        self.run_program("generate lattice-jitter --points 60000 --speed 5 --seed 4 --output p.csv")
+        comments_and_header, rows = self.rows_of("p.csv")
+        self.write("d.csv", "".join(
+            [comments_and_header.rstrip("\n") + ",radius\n",
+             *(f"{row},{1 + 0.25 * (k * 7 % 9)}\n" for k, row in enumerate(rows))]))
+        box = "--box=-10,-10,2450,2450"
+        more = "--html {0}/run.html --checkpoint {0}/checkpoint"
+        for label, options in (("none", ""), ("elastic", "--collisions elastic"), ("swap", "--collisions swap")):
+            with self.subTest(label):
+                self.expect_regions(self.expect_same(f"simulate d.csv --until 1.5 {box} {options}", more, label))
+
+    def rows_of(self, name):
+        """The comments and the header of a file of points, and its rows."""
+        lines = (self.folder / name).read_text(encoding="utf-8").splitlines()
+        first = next(k for k, line in enumerate(lines) if not line.startswith("#")) + 1
+        return "\n".join(lines[:first]), lines[first:]
+
     def test_very_many_points_resumed_are_the_same(self):
         self.run_program("generate uniform --points 200000 --side 4500 --speed 5 --seed 5 --output p.csv")
         self.run_program("simulate p.csv --until 0.1 --checkpoint c --quiet")
