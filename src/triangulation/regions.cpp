@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <span>
 
 #include "kinetri/triangulation/detail/regions_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
@@ -35,11 +36,15 @@ template Run<Linear_kinetic_traits_2>::Region_run(Kinetic_triangulation_2<Linear
 template std::size_t Run<Linear_kinetic_traits_2>::advance_to(const Algebraic_number&,
                                                               const std::function<bool()>&);
 template void Run<Linear_kinetic_traits_2>::join();
+template void Run<Linear_kinetic_traits_2>::make_turns(
+    std::span<const Kinetic_triangulation_2<Linear_kinetic_traits_2>::Change>);
 template Run<Polynomial_kinetic_traits_2>::Region_run(
     Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&, const Region_options&, No_turns);
 template std::size_t Run<Polynomial_kinetic_traits_2>::advance_to(const Algebraic_number&,
                                                                   const std::function<bool()>&);
 template void Run<Polynomial_kinetic_traits_2>::join();
+template void Run<Polynomial_kinetic_traits_2>::make_turns(
+    std::span<const Kinetic_triangulation_2<Polynomial_kinetic_traits_2>::Change>);
 template Run<Disc_kinetic_traits_2>::Region_run(Kinetic_triangulation_2<Disc_kinetic_traits_2>&,
                                                 const Region_options&, No_turns);
 template std::size_t Run<Disc_kinetic_traits_2>::advance_to(const Algebraic_number&,

@@ -199,12 +199,15 @@ TEST(Regions, leave_a_touch_of_the_hull_to_the_loop) {
 // Runs by regions one after the other, with changes of points and single events between them.
 TEST(Regions, keep_their_division_while_points_change) {
   Region_counters sum;
+  // More threads than this machine may have.
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
   for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
     std::mt19937_64 random(seed);
     const auto motions = test::random_motions(150 + 20 * (seed % 12), 100, 5, seed);
     auto others = test::random_motions(400, 100, 5, seed + 100);
     Kinetic_delaunay plain(motions);
     Kinetic_delaunay kinetic(motions);
+    kinetic.set_threads(seed % 3 == 0 ? 1 : 4);
     for (unsigned round = 1; round <= 8; ++round) {
       const double time = 0.25 * round;
       detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(2 + seed % 4, 0.3));
@@ -233,6 +236,44 @@ TEST(Regions, keep_their_division_while_points_change) {
     }
     plain.reverse();
     kinetic.reverse();
+    ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 1000u);
+}
+
+// Between runs by regions many points turn: each region turns its own.
+TEST(Regions, turn_many_points_at_once) {
+  // More threads than this machine may have.
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 24u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    std::mt19937_64 random(seed);
+    const std::size_t n = 200 + 100 * (seed % 8);
+    const auto motions = test::random_motions(n, 10 * std::sqrt(static_cast<double>(n)), 5, seed);
+    Kinetic_delaunay plain(motions);
+    Kinetic_delaunay kinetic(motions);
+    kinetic.set_threads(seed % 4 == 0 ? 1 : 4);
+    for (unsigned round = 1; round <= 5; ++round) {
+      const double time = 0.25 * round;
+      detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(1 + seed % 6, 0.3));
+      plain.advance_to(time);
+      run.advance_to(time);
+      test::add(sum, run.counters());
+      std::vector<Point_id> ids;
+      std::vector<Linear_motion_2> turned;
+      for (Point_id id = 0; id < n; ++id) {
+        if (random() % (4 + seed % 5) != 0) continue;
+        const Vector_2 velocity = {static_cast<double>(random() % 11) - 5,
+                                   static_cast<double>(random() % 11) - 5};
+        ids.push_back(id);
+        turned.push_back(with_velocity_at(kinetic.motion(id), velocity, time));
+      }
+      plain.set_motions(ids, turned);
+      kinetic.set_motions(ids, turned);
+      ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed << ", t = " << time;
+      ASSERT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "") << "seed " << seed;
+    }
+    ASSERT_EQ(plain.advance_to(3.0), kinetic.advance_to(3.0));
     ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed;
   }
   EXPECT_GT(sum.by_region, 1000u);

@@ -18,6 +18,7 @@
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/detail/point_problems.h"
+#include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
@@ -348,6 +349,14 @@ void Kinetic_triangulation_2<Traits>::make_turns(std::span<const Change> turns) 
     for (const Change& change : turns) set_point(change);
     return schedule_all();
   }
+  if constexpr (detail::has_region_runs<Traits> && !is_weighted) {
+    constexpr std::size_t turns_per_region = 8;  // fewer are made as fast one by one
+    if (queue_.is_divided() && turns.size() >= turns_per_region * division_.regions) {
+      detail::Region_options options;
+      options.threads = threads_;
+      return detail::Region_run<Kinetic_triangulation_2>(*this, options).make_turns(turns);
+    }
+  }
   // Each edge once, also one that is around several of the points.
   std::vector<Two_sided_edge> edges;
   edges.reserve(16 * turns.size());
@@ -367,7 +376,7 @@ void Kinetic_triangulation_2<Traits>::make_turns(std::span<const Change> turns) 
         for (const Vertex_handle h : face->vertex_list()) add(h);
       });
     }
-    unschedule_around(v, edges);
+    unschedule_around(v, edges, counters_);
   }
   for (const Change& change : turns) set_point(change);
   schedule(edges, current_time());

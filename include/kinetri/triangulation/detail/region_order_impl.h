@@ -70,12 +70,7 @@ void Region_run<Kinetic, Turns>::count_and_clear() {
     counters_.undone += std::exchange(lane.undone, 0);
     lane.flips_before += lane.flips.size();
     division().flips[lane.number] = lane.flips_before;
-    kinetic_.certificate_counters_ += std::exchange(lane.certificates, {});
-    kinetic_.counters_.rechecks += lane.counters.rechecks;
-    for (std::size_t k = 0; k < event_kinds; ++k) {
-      kinetic_.counters_.discarded[k] += lane.counters.discarded[k];
-    }
-    lane.counters = {};
+    count_certificates(lane);
   };
   const auto clear = [](Lane& lane) {
     lane.flips.clear();
@@ -84,6 +79,17 @@ void Region_run<Kinetic, Turns>::count_and_clear() {
   };
   std::ranges::for_each(lanes_, count);
   for_each(lanes_, clear);
+}
+
+// Counts the certificates that a node has made, and those discarded.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::count_certificates(Lane& lane) {
+  kinetic_.certificate_counters_ += std::exchange(lane.certificates, {});
+  kinetic_.counters_.rechecks += lane.counters.rechecks;
+  for (std::size_t k = 0; k < event_kinds; ++k) {
+    kinetic_.counters_.discarded[k] += lane.counters.discarded[k];
+  }
+  lane.counters = {};
 }
 
 // Puts the flips that are not undone in the order of time: several threads do so for slices of the

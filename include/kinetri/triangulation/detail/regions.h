@@ -104,6 +104,11 @@
 // points of which they are told: so points get the motions back that they had when the window
 // began, and turn again, one after the other, while observers are told of the events.
 //
+// Errors. Nothing in a window throws but for want of memory, and observers, which are told of a
+// window when it has been executed. If memory is missing before that, faces and motions go back to
+// the start of the window (go_back): the records have what that takes. Entries of the queues are
+// not put back, but all made anew (start_anew); so they are where memory is missing later.
+//
 // What is the same as in the plain loop: events, their order and times, faces and all that a
 // snapshot has of them, and of the counters those that count events and instants. Counts of
 // rechecks, discarded failures, certificates and of the queue tell how a run was made: they differ,
@@ -204,6 +209,10 @@ class Region_run {
   /// memory is missing in a window, it is what it was before the window, or after its events, if
   /// there is memory to schedule all anew; else it can only be destroyed. Precondition: as there.
   std::size_t advance_to(const Time& until, const std::function<bool()>& may_go_on = nullptr);
+
+  /// Gives points other motions at the present time, each region those whose triangles it owns, and
+  /// schedules their edges anew. Precondition: the queue is in parts; the triangles stay embedded.
+  void make_turns(std::span<const typename KineticTriangulation::Change> turns);
 
   /// Puts the queue into one part again.
   void join();
@@ -399,6 +408,7 @@ class Region_run {
   void settle_order();
   void close_window();
   void count_and_clear();
+  void count_certificates(Lane& lane);
   void run_loop_instant(const Time& until);
 
   // Whether a vertex is in a node.

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/region_batches_impl.h"
 #include "kinetri/triangulation/detail/region_division_impl.h"
 #include "kinetri/triangulation/detail/region_flips_impl.h"
 #include "kinetri/triangulation/detail/region_order_impl.h"
