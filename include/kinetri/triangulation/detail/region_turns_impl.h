@@ -395,9 +395,10 @@ bool Region_run<Kinetic, Turns>::certify_turn(Lane& lane, const Turn& turn, Poin
   return !fails_now;
 }
 
+// Takes the turn when it has a record; if something throws before, the caller still has it.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
-                                             std::unique_ptr<Turn> made, Moment& moment,
+                                             std::unique_ptr<Turn>&& made, Moment& moment,
                                              New_certificates& certificates) {
   const std::size_t index = lane.flips.size();
   const Stamp number = stamp(lane, index);

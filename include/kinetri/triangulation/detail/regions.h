@@ -460,8 +460,8 @@ class Region_run {
   bool set_points(Turn& turn, std::span<const Change> changes, Moment& moment);
   bool certify_turn(Lane& lane, const Turn& turn, Points turned, Moment& moment,
                     New_certificates& result);
-  void record_turn(Lane& lane, const Turn_entry& entry, std::unique_ptr<Turn> made, Moment& moment,
-                   New_certificates& certificates);
+  void record_turn(Lane& lane, const Turn_entry& entry, std::unique_ptr<Turn>&& made,
+                   Moment& moment, New_certificates& certificates);
   void leave_turn(Lane& lane);
   void stall(Lane& lane, const Turn_entry& entry);
   void move_turn(std::size_t from, std::size_t to);
