@@ -254,7 +254,12 @@ double Simulation_run::end_of_run() const {
 void Simulation_run::watch_growth() {
   simulation_.visit([&]<class Traits>(const Simulation_2<Traits>& s) {
     if constexpr (HasWeight<typename Traits::Motion>) {
-      if (statistics_.points > 0 && source_.response() == "elastic") {
+      const auto& triangulation = s.triangulation();
+      bool do_grow = false;
+      for (Point_id id = 0; id < triangulation.next_id(); ++id) {
+        do_grow = do_grow || (triangulation.contains(id) && triangulation.motion(id).growth > 0);
+      }
+      if (do_grow && source_.response() == "elastic") {
         jam_watch_.emplace(mean_radius(s, statistics_.until));
       }
     }
