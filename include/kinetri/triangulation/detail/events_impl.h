@@ -407,19 +407,23 @@ void Kinetic_triangulation_2<Traits>::flip_edge(const Two_sided_edge& edge, Even
     queue_.prefetch(there.first->event(there.second));
   }
   ++changes_;
+  std::array<Face_handle, 2> faces = {face, neighbor};
+  if constexpr (is_weighted) {
+    // A hidden point on the new edge is in both faces: which one comes first must not depend on the
+    // side of the edge that its entry names.
+    if (!is_chosen_side(edge.here)) std::swap(faces[0], faces[1]);
+  }
   const auto flip = [&] {
     for (const Two_sided_edge& outer : before) unschedule(outer);
-    const std::vector<Vertex_handle> hidden = take_hidden_at(edge.here);
+    std::vector<Vertex_handle> hidden;
+    if constexpr (is_weighted) hidden = hidden_points().take(faces);
     triangulation_.tds().flip(face, i);
     schedule_after_flip({Edge(face, Triangulation::ccw(i)), Edge(neighbor, Triangulation::ccw(j))},
                         {{{before[0].there, Edge(face, Triangulation::cw(i))},
                           {before[1].there, Edge(face, i)},
                           {before[2].there, Edge(neighbor, Triangulation::cw(j))},
                           {before[3].there, Edge(neighbor, j)}}});
-    if constexpr (is_weighted) {
-      const std::array<Face_handle, 2> faces = {face, neighbor};
-      hidden_points().put(hidden, faces);
-    }
+    if constexpr (is_weighted) hidden_points().put(hidden, faces);
   };
   if (rebuilt_edges_ || !observers_.empty()) {
     const auto [removed, added] = flipped_edges(edge);

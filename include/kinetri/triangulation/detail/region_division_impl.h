@@ -82,7 +82,8 @@ void Region_run<Kinetic, Turns>::move_to_parts(std::size_t count) {
       if (k + 6 < block.size()) prefetch_around(block[k + 6]);
       block[k]->set_stamp(0);
       kinetic_.for_each_own_edge(block[k], [&](const Edge& edge) {
-        if (edge.first->event(edge.second) != no_event) function(Subject{edge});
+        if (edge.first->event(edge.second) == no_event) return;
+        function(Subject{kinetic_.chosen_side(kinetic_.two_sided(edge)).here});
       });
       if constexpr (Kinetic::is_weighted) {
         for (const Vertex_handle hidden : block[k]->vertex_list()) {
