@@ -442,6 +442,10 @@ void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
     }
     if (!is_one_due) break;
     const Entry entry = due.top();
+    if (entry.is_hidden()) {  // in the part of the root alone
+      cut_ = due.time_of(due.top());
+      break;
+    }
     const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
     if (!is_root(lane) && !may_execute(lane, entry, edge)) {
       defer(lane, from);
