@@ -146,6 +146,7 @@ class Divided_scheduler {
     first_.count_as(before);
   }
 
+  /// How many parts there are; at least one.
   std::size_t number_of_parts() const noexcept { return is_divided() ? parts_.size() : 1; }
   /// A part; the only one has the number 0.
   Part& part(std::size_t number) { return is_divided() ? *parts_[number] : first_; }

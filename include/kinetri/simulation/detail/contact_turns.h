@@ -34,8 +34,8 @@
 
 namespace kinetri::detail {
 
-/// The turns of a simulation. Functions that are given a node's entries
-/// or points may be called by several threads, for different nodes of one level.
+/// The turns of a simulation. Functions that are given a node's entries or points may be called by
+/// several threads, for different nodes of one level.
 template <class Simulation>
 class Contact_turns {
  public:
