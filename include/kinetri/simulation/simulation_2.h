@@ -339,8 +339,8 @@ class Simulation_2 : private Event_observer {
 
     /// What an entry says besides its subject and its times. A subject does not name the wall.
     struct Kept {
-      bool is_event = false;
-      std::uint8_t wall = 0;
+      bool is_event = false;  ///< a contact, not a time to check again
+      std::uint8_t wall = 0;  ///< which of the four; 0 for a contact
     };
 
     Entry() = default;

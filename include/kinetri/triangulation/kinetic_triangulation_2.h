@@ -388,10 +388,10 @@ class Kinetic_triangulation_2 {
 
     /// An entry, if it exists, without its subject and its times.
     struct Kept {
-      std::uint8_t kind : 3 = 0;
-      std::uint8_t index : 2 = 0;  // of a hidden point
-      bool changes_sign : 1 = false;
-      bool exists : 1 = false;
+      std::uint8_t kind : 3 = 0;      ///< the `Entry_kind`
+      std::uint8_t index : 2 = 0;     ///< what a hidden point reaches; 0 for an edge
+      bool changes_sign : 1 = false;  ///< as in `Entry`
+      bool exists : 1 = false;        ///< there is such an entry
     };
 
     Entry() = default;
