@@ -29,6 +29,14 @@ int compare_dyadic(const Integer& x, unsigned long e, const Integer& y, unsigned
 }
 
 // The order of numbers in intervals that do not overlap; nothing where they do.
+std::optional<Comparison_result> order_of_disjoint(const Double_interval& x,
+                                                   const Double_interval& y) {
+  if (x.upper < y.lower) return CGAL::SMALLER;
+  if (x.lower > y.upper) return CGAL::LARGER;
+  return std::nullopt;
+}
+
+// The same of open intervals.
 std::optional<Comparison_result> order_of_disjoint(const Isolation& s, const Isolation& t) {
   if (compare_dyadic(s.b, s.e, t.a, t.e) <= 0) return CGAL::SMALLER;
   if (compare_dyadic(s.a, s.e, t.b, t.e) >= 0) return CGAL::LARGER;
@@ -114,10 +122,7 @@ Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b) 
   if (a.bounds_.upper < b.bounds_.lower) return CGAL::SMALLER;
   if (a.bounds_.lower > b.bounds_.upper) return CGAL::LARGER;
   if (a.source_ == b.source_) return CGAL::EQUAL;  // also for two binary64 numbers that overlap
-  const Double_interval x = a.interval();
-  const Double_interval y = b.interval();
-  if (x.upper < y.lower) return CGAL::SMALLER;
-  if (x.lower > y.upper) return CGAL::LARGER;
+  if (const auto order = order_of_disjoint(a.interval(), b.interval())) return *order;
   if (a.is_binary64()) return CGAL::opposite(compare(b, a.binary64_value()));
   if (b.is_binary64()) return compare(a, b.binary64_value());
   return Algebraic_number::compare_exactly(a, b);
@@ -130,6 +135,9 @@ Comparison_result Algebraic_number::compare_exactly(const Algebraic_number& a,
   if (identity != 0 && identity == b.source_->identity_.load(std::memory_order_relaxed)) {
     return CGAL::EQUAL;
   }
+  a.narrow_by_source();
+  b.narrow_by_source();
+  if (const auto order = order_of_disjoint(a.interval(), b.interval())) return *order;
   Access x(*a.source_, a.representation(), std::defer_lock);
   Access y(*b.source_, b.representation(), std::defer_lock);
   std::lock(x, y);

@@ -43,22 +43,27 @@ Double_interval Root_source::Representation::tight_interval() {
   return to_interval(lower);
 }
 
+// Makes the interval of a number whose polynomial has not been made that of its rounding, where its
+// source knows that.
+void Algebraic_number::narrow_by_source() const {
+  const Double_interval present = interval();  // before the representation, as in representation()
+  if (source_->representation_.load(std::memory_order_acquire) != nullptr) return;
+  if (ordinal(present.lower) + 1 == ordinal(present.upper)) return;
+  if (const std::optional<Rounding> rounding = source_->rounded(present)) {
+    source_->narrow(rounding->bounds);
+  }
+}
+
 // The tight interval of a number whose polynomial has not been made, where the signs that its
 // source knows are enough for it. The values there say where to look: within so small an interval
 // they are all but on a line.
 std::optional<Double_interval> Algebraic_number::tighten_by_source() const {
+  narrow_by_source();
   Double_interval present = interval();  // before the representation, as in representation()
   if (source_->representation_.load(std::memory_order_acquire) != nullptr) return std::nullopt;
   std::int64_t below = ordinal(present.lower);
   std::int64_t above = ordinal(present.upper);
   if (below + 1 == above) return present;
-  if (const std::optional<Rounding> rounding = source_->rounded(present)) {
-    source_->narrow(rounding->bounds);
-    present = interval();
-    below = ordinal(present.lower);
-    above = ordinal(present.upper);
-    if (below + 1 == above) return present;
-  }
   double value_below = source_->certain_value_at(present.lower, 0);
   double value_above = source_->certain_value_at(present.upper, 0);
   if (value_below == 0 || value_above == 0) return std::nullopt;

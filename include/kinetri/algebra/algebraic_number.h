@@ -177,8 +177,9 @@ class Algebraic_number {
   bool is_root_of(const Polynomial& p) const;
 
   /// @{
-  /// Exact comparison, a total order of the reals: first by the binary64 intervals, then by
-  /// refinement. Equal roots of different polynomials are recognized by the gcd of the polynomials.
+  /// Exact comparison, a total order of the reals: first by the binary64 intervals, then by those
+  /// of the numbers rounded, where sources know these, then by refinement. Equal roots of different
+  /// polynomials are recognized by the gcd of the polynomials.
   friend Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
   friend Comparison_result compare(const Algebraic_number& a, const Rational& b);
   friend std::strong_ordering operator<=>(const Algebraic_number& a, const Algebraic_number& b);
@@ -206,6 +207,7 @@ class Algebraic_number {
   Access access() const;
   static Comparison_result compare_exactly(const Algebraic_number& a, const Algebraic_number& b);
   Sign sign_beside(const Polynomial& p, Sign side) const;
+  void narrow_by_source() const;
   std::optional<Double_interval> tighten_by_source() const;
 
   // Contains the number; the source may know tighter bounds.
