@@ -498,6 +498,7 @@ class Simulation_2 : private Event_observer {
   std::size_t step_in_parts(const Time* until);
   void join_parts();
   void join_parts_of_contacts();
+  bool may_be_due(const Time& time);
   bool may_run_by_regions() const;
   bool can_run_triangulation() const;
   bool run_triangulation(const Time& until, const std::function<bool()>& may_go_on,

@@ -145,7 +145,13 @@ std::size_t Simulation_2<Traits>::advance_to(const Time& time,
   join_parts_of_contacts();
   std::size_t events = 0;
   while (may_go_on == nullptr || may_go_on()) {
-    if (can_run_triangulation() && !run_triangulation(time, may_go_on, events)) break;
+    if (can_run_triangulation()) {
+      if (!run_triangulation(time, may_go_on, events)) break;
+      if (!may_be_due(time)) {  // a step would put parts together
+        events += triangulation_.advance_to(time);
+        break;
+      }
+    }
     const std::size_t more = step(&time);
     if (more == 0) {
       triangulation_.advance_to(time);
@@ -190,6 +196,15 @@ bool Simulation_2<Traits>::run_triangulation(const Time& until,
                        "an observer that does not look at the triangulation has scheduled a "
                        "change; let its looks_at_triangulation() return true");
   return goes_on;
+}
+
+// Whether an entry of the queue may be at or before a time. Where a radius ends, who steps knows.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::may_be_due(const Time& time) {
+  settle();
+  if (queue_.empty()) return false;
+  return queue_.top().kind == Entry_kind::vanish ||
+         queue_.is_due(queue_.top(), time.interval(), [&]() -> const Time& { return time; });
 }
 
 // Whether a run by regions may execute contacts and be faster.
