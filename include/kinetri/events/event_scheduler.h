@@ -110,6 +110,8 @@ class Event_scheduler {
   void end_assign() { queue_.end_assign(); }
   /// @}
 
+  /// As Indexed_queue says.
+  void expect(double bound) { queue_.expect(bound); }
   /// As Indexed_queue says. Exact times are kept.
   void forget_order() { queue_.forget_order(); }
 

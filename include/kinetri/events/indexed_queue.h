@@ -127,6 +127,11 @@ class Indexed_queue {
     return places_[handle].item;
   }
 
+  /// Says that items with lower bounds up to `bound` will be first soon, and others not: these are
+  /// not put in order before. Changes nothing but the cost of what follows. Linear in the largest
+  /// size so far.
+  void expect(double bound);
+
   /// Prefetches the item of `handle`; does nothing for no_event. Precondition: `handle` is no_event
   /// or a handle that the queue has given out, whose item may have left.
   KINETRI_ALWAYS_INLINE void prefetch(Queue_handle handle) const {
@@ -199,8 +204,9 @@ class Indexed_queue {
   void settle();
   bool has_long_slots() const;
   void open_next_slot();
-  void spread();
-  void choose_slots();
+  void spread(double greatest = std::numeric_limits<double>::infinity());
+  void spread_all(double greatest = std::numeric_limits<double>::infinity());
+  void choose_slots(double greatest);
 
   void insert_into_heap(const Node& node);
   std::size_t least_child(std::size_t first_child) const;

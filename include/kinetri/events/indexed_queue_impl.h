@@ -94,7 +94,7 @@ inline Queue_handle Indexed_queue<Item, Less>::acquire_handle() {
 template <class Item, Bounding_order<Item> Less>
 void Indexed_queue<Item, Less>::add_handle() {
   const std::size_t size = places_.size();
-  if (size == places_.capacity()) places_.reserve(size + size / 4 + 16);
+  if (size == places_.capacity()) places_.reserve(size + size / 8 + 16);
   free_.push_back(static_cast<Queue_handle>(size));
   places_.emplace_back();
 }
@@ -150,13 +150,23 @@ inline bool Indexed_queue<Item, Less>::insert(Queue_handle handle) {
 // least item of all is in the heap.
 template <class Item, Bounding_order<Item> Less>
 void Indexed_queue<Item, Less>::keep_in_order() {
-  if (has_long_slots()) {
-    far_ = size_;
-    for (const Node& node : heap_) places_[node.handle].position = far;
-    heap_.clear();
-    spread();
-  }
+  if (has_long_slots()) spread_all();
   settle();
+}
+
+template <class Item, Bounding_order<Item> Less>
+void Indexed_queue<Item, Less>::expect(double bound) {
+  spread_all(bound);
+  settle();
+}
+
+// Distributes all items over slots chosen for them; those that are in the heap become far first.
+template <class Item, Bounding_order<Item> Less>
+void Indexed_queue<Item, Less>::spread_all(double greatest) {
+  far_ = size_;
+  for (const Node& node : heap_) places_[node.handle].position = far;
+  heap_.clear();
+  spread(greatest);
 }
 
 // Whether the least item of all is first in the heap.
@@ -205,13 +215,14 @@ void Indexed_queue<Item, Less>::open_next_slot() {
   });
 }
 
-// Distributes the far items over slots chosen for them. Costs O(n), and happens when the queue has
-// grown to a multiple, or when the nearer part of the items has been opened.
+// Distributes the far items over slots chosen for them, or for those up to `greatest`. Costs O(n),
+// and happens when the queue has grown to a multiple, or when the nearer part of the items has been
+// opened.
 template <class Item, Bounding_order<Item> Less>
-void Indexed_queue<Item, Less>::spread() {
+void Indexed_queue<Item, Less>::spread(double greatest) {
   calendar_.reset();
   size_at_spread_ = size_;
-  choose_slots();
+  choose_slots(greatest);
   far_ = 0;
   for (Queue_handle handle = 0; handle < places_.size(); ++handle) {
     if (places_[handle].position == far) insert(handle);
@@ -221,7 +232,7 @@ void Indexed_queue<Item, Less>::spread() {
 // Chooses slots for the far items. There are none, and every item goes to the heap, where the items
 // are too few, or too near to one another, or too far apart.
 template <class Item, Bounding_order<Item> Less>
-void Indexed_queue<Item, Less>::choose_slots() {
+void Indexed_queue<Item, Less>::choose_slots(double greatest) {
   if (far_ < detail::Calendar::least_items) return;
   double least = std::numeric_limits<double>::infinity();
   for (const Place& place : places_) {
@@ -234,7 +245,7 @@ void Indexed_queue<Item, Less>::choose_slots() {
     if (places_[h].position == far) sample.push_back(less_.bounds(places_[h].item).lower);
   }
   std::sort(sample.begin(), sample.end());
-  calendar_.choose_slots(least, sample, far_);
+  calendar_.choose_slots(least, sample, far_, greatest);
 }
 
 // --- The heap -----------------------------------------------------------------------------------

@@ -386,12 +386,11 @@ class Kinetic_triangulation_2 {
     /// that it reaches the side of the face that is opposite that vertex.
     static constexpr std::uint8_t plane = 3;
 
-    /// An entry, if it exists, without its subject and its times.
+    /// An entry without its subject and its times.
     struct Kept {
       std::uint8_t kind : 3 = 0;      ///< the `Entry_kind`
-      std::uint8_t index : 2 = 0;     ///< what a hidden point reaches; 0 for an edge
+      std::uint8_t index : 2 = 0;     ///< what a hidden point reaches
       bool changes_sign : 1 = false;  ///< as in `Entry`
-      bool exists : 1 = false;        ///< there is such an entry
     };
 
     Entry() = default;
@@ -415,7 +414,7 @@ class Kinetic_triangulation_2 {
 
     Kept kept() const {
       return {static_cast<std::uint8_t>(static_cast<unsigned>(kind) & 7U),
-              static_cast<std::uint8_t>(index & 3U), changes_sign, true};
+              static_cast<std::uint8_t>(index & 3U), changes_sign};
     }
     Edge edge() const { return Edge(face, index); }
     Subject subject() const { return {edge(), hidden}; }

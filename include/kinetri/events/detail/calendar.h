@@ -56,9 +56,11 @@ class Calendar {
 
   /// Makes slots for `items` items from `least`, their least bound, on, of whose bounds `sample` is
   /// a sorted sample: for the nearest three quarters of them, or for more of them where these have
-  /// one bound. Leaves the calendar without slots where the bounds are too near to one another or
-  /// too far apart. Precondition: reset() was called.
-  void choose_slots(double least, std::span<const double> sample, std::size_t items);
+  /// one bound; for fewer of them if only those up to `greatest` matter. Leaves the calendar
+  /// without slots where the bounds are too near to one another or too far apart. Precondition:
+  /// reset() was called.
+  void choose_slots(double least, std::span<const double> sample, std::size_t items,
+                    double greatest);
 
   /// A cache line of records: a slot is a list of these.
   struct Chunk {
@@ -134,18 +136,23 @@ inline void Calendar::reset() {
   slots_per_unit_ = 0;
 }
 
-inline void Calendar::choose_slots(double least, std::span<const double> sample,
-                                   std::size_t items) {
+inline void Calendar::choose_slots(double least, std::span<const double> sample, std::size_t items,
+                                   double greatest) {
   constexpr std::size_t least_per_slot = 4;
   constexpr std::size_t most_per_slot = 16;
   // Few items in a slot make a small heap, few slots can stay in the processor's cache.
   const std::size_t per_slot = std::clamp(items / 4096, least_per_slot, most_per_slot);
   for (std::size_t rest = sample.size() / 4; rest > 0; rest /= 2) {
-    const std::size_t nearer = sample.size() - rest;
-    if (!(sample[nearer] > least)) continue;
+    std::size_t nearer = sample.size() - rest;
+    double last = sample[nearer];
+    if (!(last > least)) continue;
+    if (greatest > least && greatest < last) {
+      last = greatest;
+      nearer = static_cast<std::size_t>(std::ranges::upper_bound(sample, last) - sample.begin());
+    }
     const double share = static_cast<double>(nearer) / static_cast<double>(sample.size());
     const auto count = static_cast<std::size_t>(share * static_cast<double>(items)) / per_slot + 2;
-    const double slots_per_unit = static_cast<double>(count - 1) / (sample[nearer] - least);
+    const double slots_per_unit = static_cast<double>(count - 1) / (last - least);
     if (!std::isfinite(least) || !std::isnormal(slots_per_unit)) return;
     origin_ = least;
     slots_per_unit_ = slots_per_unit;

@@ -18,6 +18,7 @@
 #ifndef KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
 #define KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -95,7 +96,7 @@ class Contact_turns {
   // ---- the queue ----
 
   Queue& queue() { return simulation_->queue_; }  ///< of all entries
-  /// Distributes the entries, as Divided_scheduler::divide says.
+  /// Distributes the entries, as Divided_scheduler::distribute says.
   template <class In_parallel>
   void divide(std::size_t count, const In_parallel& in_parallel);
   /// The part in which an entry belongs between two windows.
@@ -143,6 +144,11 @@ class Contact_turns {
   /// The entry of what the given one is about, and its certificate after a time.
   std::pair<Entry, Certificate> certificate(const Entry& entry, const Time& after,
                                             Certificate_counters& counters) const;
+  /// Calls put(entry, certificate) with all contacts of points that may have some in a window, one
+  /// or two points, from `now` on: those with walls, and those of their edges.
+  template <class Put>
+  void for_each_contact(Points points, const Time& now, Certificate_counters& counters,
+                        const Put& put) const;
   /// Makes the certificates of points that have turned at `now`, in a contact of `points`. Returns
   /// false where discs meet that have not just touched, or may do so unnoticed.
   bool certify(const std::array<Point_id, 2>& points, Points turned, const Time& now,
@@ -168,6 +174,7 @@ class Contact_turns {
   void count(const Discarded& discarded);
 
  private:
+  static bool is_one(Points some, Point_id id) { return std::ranges::find(some, id) != some.end(); }
   bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
   bool have_areas();
   bool drop_overlaps(const Time& time);

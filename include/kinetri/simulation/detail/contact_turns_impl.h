@@ -74,7 +74,7 @@ void Contact_turns<Simulation>::divide(std::size_t count, const In_parallel& in_
     }
     for (const Subject& change : block.changes) function(change);
   };
-  queue().divide(count, blocks, for_each_subject, in_parallel);
+  queue().distribute(count, blocks, for_each_subject, in_parallel);
 }
 
 template <class Simulation>
@@ -142,31 +142,46 @@ auto Contact_turns<Simulation>::certificate(const Entry& entry, const Time& afte
 }
 
 template <class Simulation>
+template <class Put>
+void Contact_turns<Simulation>::for_each_contact(Points points, const Time& now,
+                                                 Certificate_counters& counters,
+                                                 const Put& put) const {
+  const auto put_both = [&put](std::pair<Entry, Certificate>&& contact) {
+    put(contact.first, std::move(contact.second));
+  };
+  if (simulation_->options_.box) {
+    for (const Point_id id : points) put_both(simulation_->first_wall(id, now, counters));
+  }
+  if (!has_pairs()) return;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Point_id id = points[k];
+    simulation_->for_each_neighbor(id, [&](Point_id other) {
+      if (is_one(points.first(k), other)) return;
+      put_both(certificate(pair(edge_ids(id, other)), now, counters));
+    });
+  }
+}
+
+template <class Simulation>
 bool Contact_turns<Simulation>::certify(const std::array<Point_id, 2>& points, Points turned,
                                         const Time& now, Certificate_counters& counters,
                                         std::vector<std::pair<Entry, Certificate>>& result) const {
-  const auto is_one = [](Points some, Point_id id) {
-    return std::ranges::find(some, id) != some.end();
-  };
-  if (simulation_->options_.box) {
-    for (const Point_id id : turned) result.push_back(simulation_->first_wall(id, now, counters));
-  }
-  if (!has_pairs()) return true;
   bool may_go_on = true;
-  bool are_neighbors = points[1] == no_point;
-  for (std::size_t k = 0; k < turned.size(); ++k) {
-    const Point_id id = turned[k];
-    simulation_->for_each_neighbor(id, [&](Point_id other) {
-      if (is_one(turned.first(k), other)) return;
-      result.push_back(certificate(pair(edge_ids(id, other)), now, counters));
-      if (is_one(points, other)) {
+  bool are_neighbors = points[1] == no_point || !has_pairs();
+  for_each_contact(turned, now, counters, [&](const Entry& entry, Certificate&& known) {
+    if (entry.kind == Entry_kind::collision) {
+      if (is_one(points, entry.point_a) && is_one(points, entry.point_b)) {
         are_neighbors = true;
-      } else if (result.back().second.may_vanish && do_meet(id, other, now)) {
+      } else if (known.may_vanish && do_meet(entry.point_a, entry.point_b, now)) {
         may_go_on = false;
       }
-    });
-    if constexpr (Simulation::has_radii) {
-      // Discs that have a place of this one in their power cells; see Simulation_2::owners_in.
+    }
+    result.emplace_back(entry, std::move(known));
+  });
+  if (!has_pairs()) return true;
+  if constexpr (Simulation::has_radii) {
+    // Discs that have a place of this one in their power cells; see Simulation_2::owners_in.
+    for (const Point_id id : turned) {
       for (const Point_id partner : points) {
         if (partner == id || partner == no_point) continue;
         if (is_centre_in(id, partner, now)) may_go_on = false;

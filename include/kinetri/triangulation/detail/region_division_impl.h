@@ -59,6 +59,12 @@ void Region_run<Kinetic, Turns>::go_on_with_division() {
     const auto nodes = static_cast<double>(regions_ >> lane.level);
     const double share = (lane.is_region() ? 16 : 4) * events_in_window() / std::max(nodes, 1.0);
     lane.capacity = static_cast<std::size_t>(std::min(share + 64, most));
+    if (lane.is_region()) {
+      // Somewhat more than its share of a window.
+      const auto expected = static_cast<std::size_t>(1.2 * share / 16) + 64;
+      lane.flips.reserve(std::min(expected, lane.capacity));
+      lane.keys.reserve(std::min(expected, lane.capacity));
+    }
   }
 }
 
@@ -95,14 +101,10 @@ void Region_run<Kinetic, Turns>::move_to_parts(std::size_t count) {
   const auto in_parallel = [this](auto& elements, const auto& work) {
     this->for_each(elements, work);
   };
-  // The plain loop may have put one of the two queues into one part: where it has built all anew.
-  if (count > 1 || queue().is_divided()) {
-    queue().divide(count, blocks_of(std::span(std::as_const(faces))), for_each_subject,
-                   in_parallel);
-  }
-  if constexpr (has_turns) {
-    if (count > 1 || turns_.queue().is_divided()) turns_.divide(count, in_parallel);
-  }
+  // Of the two queues the plain loop may have put one into one part: where it has built all anew.
+  queue().distribute(count, blocks_of(std::span(std::as_const(faces))), for_each_subject,
+                     in_parallel);
+  if constexpr (has_turns) turns_.divide(count, in_parallel);
 }
 
 // Whether all that is to come is in parts.

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/regions.h"
@@ -32,11 +34,10 @@ auto Region_run<Kinetic, Turns>::time(Moment& moment) const -> const Time& {
 template <class Kinetic, class Turns>
 auto Region_run<Kinetic, Turns>::time(const Key& key) -> const Time& {
   Flip& f = flip(key);
-  if (!f.exact) f.exact = std::make_unique<Exact_times>();
-  if (!f.exact->flip) {
-    f.exact->flip = kinetic_.failure_time(certificate_points(key), key.bounds);
+  if (!f.exact) {
+    f.exact = std::make_unique<Time>(kinetic_.failure_time(certificate_points(key), key.bounds));
   }
-  return *f.exact->flip;
+  return *f.exact;
 }
 
 // What failed when an edge was flipped, as Kinetic_triangulation_2::certificate_points says it.
@@ -200,33 +201,24 @@ auto Region_run<Kinetic, Turns>::outer_edges(const Two_sided_edge& edge) const -
           kinetic_.two_sided(Edge(face, Triangulation::ccw(i)))};
 }
 
-// Schedules an entry for a union of regions: in the part that it executes, or where the entry
-// belongs between two windows. `exact` is its time, if that has been made.
-template <class Kinetic, class Turns>
-Queue_handle Region_run<Kinetic, Turns>::put(const Lane& lane, const Entry& entry,
-                                             const Time* exact) {
-  const std::size_t to = entry.bounds.lower <= due_until_
-                             ? due_part(lane.number)
-                             : kinetic_.queue_policy_.part_of(entry.subject());
-  Part& part = queue().part(to);
-  return queue().named(to, exact == nullptr ? part.emplace(entry) : part.push(entry, *exact));
-}
-
-// Schedules an edge.
+// Schedules an edge: a union of regions does it in the part that it executes, or where the entry
+// belongs between two windows.
 template <class Kinetic, class Turns>
 KINETRI_ALWAYS_INLINE void Region_run<Kinetic, Turns>::put(const Lane& lane,
                                                            const Two_sided_edge& edge,
                                                            Entry_kind kind, Certificate&& known) {
   if (known.kind == Certificate::Kind::never_fails) return kinetic_.set_event(edge, no_event);
-  if (!lane.is_region()) {
-    const Entry entry(edge.here, kind, known);
-    return kinetic_.set_event(edge, put(lane, entry, known.failure.get()));
+  Part* part = lane.part;
+  Queue_handle first_handle = lane.first_handle;
+  if (!lane.is_region() && !(known.bounds.lower <= due_until_)) {
+    const std::size_t home = kinetic_.queue_policy_.part_of({edge.here});
+    part = &queue().part(home);
+    first_handle = queue().named(home, 0);
   }
-  const Queue_handle handle =
-      known.failure == nullptr
-          ? lane.part->emplace(edge.here, kind, known)
-          : lane.part->push(Entry(edge.here, kind, known), std::move(*known.failure));
-  kinetic_.set_event(edge, lane.first_handle | handle);
+  const Queue_handle handle = known.failure == nullptr ? part->emplace(edge.here, kind, known)
+                                                       : part->push(Entry(edge.here, kind, known),
+                                                                    std::move(*known.failure));
+  kinetic_.set_event(edge, first_handle | handle);
 }
 
 // Flips an edge whose entry has been taken from its part, as flip_edge does, and keeps what undoes
@@ -253,26 +245,7 @@ void Region_run<Kinetic, Turns>::execute(Lane& lane, const Entry& entry, const T
   f.j = static_cast<std::uint8_t>(j & 3);
   f.left_had_face = left->face() == face;
   f.right_had_neighbor = right->face() == neighbor;
-  f.entries[0] = entry.kept();
-  const auto exact = [&f]() -> Exact_times& {
-    if (!f.exact) f.exact = std::make_unique<Exact_times>();
-    return *f.exact;
-  };
-  for (std::size_t k = 1; k < 5; ++k) {
-    const Edge& outer = before[k - 1].here;
-    const Queue_handle handle = outer.first->event(outer.second);
-    if (handle == no_event) continue;
-    const Entry& old = queue()[handle];
-    if (old.time != Time_pool::none) [[unlikely]] {
-      exact().entries.emplace_back(k, queue().part(queue().part_of_handle(handle)).time_of(old));
-    }
-    f.entries[k] = old.kept();
-    f.outer_bounds[k - 1] = old.bounds;
-    if (old.kind != Entry_kind::recheck) {
-      ++lane.counters.discarded[static_cast<std::size_t>(Kinetic::event_kind(old.kind))];
-    }
-    queue().erase(handle);
-  }
+  for (const auto& [here, there] : before) discard(lane, here.first->event(here.second));
   f.previous = {face->stamp(), neighbor->stamp()};
   // Nothing throws from here to the flip: a record that has a key is that of a flip (go_back).
   const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
@@ -302,7 +275,17 @@ void Region_run<Kinetic, Turns>::execute(Lane& lane, const Entry& entry, const T
   }
   if constexpr (has_turns) follow_flip(lane, f, moment);
   if (entry.kind != Entry_kind::flip) time(moment);
-  if (moment.exact) exact().flip = std::move(moment.exact);
+  if (moment.exact) f.exact = std::make_unique<Time>(std::move(*moment.exact));
+}
+
+// Takes the entry of an edge out of the queue, if there is one.
+template <class Kinetic, class Turns>
+inline void Region_run<Kinetic, Turns>::discard(Lane& lane, Queue_handle handle) {
+  if (handle == no_event) return;
+  const Entry_kind kind = queue().erase(handle).kind;
+  if (kind != Entry_kind::recheck) {
+    ++lane.counters.discarded[static_cast<std::size_t>(Kinetic::event_kind(kind))];
+  }
 }
 
 // Undoes a flip: first those that were executed after it and conflict with it.
@@ -331,7 +314,7 @@ void Region_run<Kinetic, Turns>::undo(Lane& lane, Stamp number) {
 }
 
 // Undoes a flip that no other one after it conflicts with. Then the surroundings are what they were
-// just before it, and the entries of then are true again.
+// just before it.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
   const Key& flipped = key(number);
@@ -342,8 +325,9 @@ void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
     KINETRI_ASSERT(face->stamp() == number, "the last flip of its faces");
   });
   if constexpr (has_turns) {
-    if (f.beside.turn) return undo_turn(lane, f);
-    unfollow_flip(lane, f);
+    const Time& now = time(flipped);  // made from motions of then
+    if (f.turn) return undo_turn(lane, f, now);
+    unfollow_flip(lane, f, now);
   }
   const auto erase = [&](Face_handle face, int k) {
     if (face->event(k) != no_event) queue().erase(face->event(k));
@@ -355,12 +339,33 @@ void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
   erase(f.neighbor, Triangulation::cw(j));
   take_back(f);
   const Two_sided_edge edge = {Edge(f.face, i), Edge(f.neighbor, j)};
-  if (f.exact && f.exact->flip) f.exact->entries.emplace_back(0, *f.exact->flip);
-  put_back(lane, f, edge, f.entries[0], flipped.bounds, 0);
   const Outer_edges outer = outer_edges(edge);
-  for (std::size_t k = 1; k < 5; ++k) {
-    put_back(lane, f, outer[k - 1], f.entries[k], f.outer_bounds[k - 1], k);
+  certify_again(lane, std::array{edge, outer[0], outer[1], outer[2], outer[3]});
+}
+
+// Schedules edges whose quadrilaterals are there again: what fails first after a quadrilateral was
+// born does so whenever one looks. From a later time on one would not see what fails at that time.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::certify_again(Lane& lane, std::span<const Two_sided_edge> edges) {
+  for (const Two_sided_edge& edge : edges) {
+    kinetic_.certify({&edge, 1}, birth(edge), Certificate_state::any, kinetic_.traits_,
+                     lane.certificates,
+                     [&](const Two_sided_edge& e, Entry_kind kind, Certificate&& known) {
+                       put(lane, e, kind, std::move(known));
+                     });
   }
+}
+
+// When a quadrilateral was born, or the present time, at which the window begins, if that is later.
+template <class Kinetic, class Turns>
+auto Region_run<Kinetic, Turns>::birth(const Two_sided_edge& edge) -> const Time& {
+  const Time* result = &kinetic_.current_time();
+  for (const Face_handle face : {edge.here.first, edge.there.first}) {
+    if (!is_of_window(face->stamp())) continue;
+    const Time& last = time(key(face->stamp()));
+    if (last > *result) result = &last;
+  }
+  return *result;
 }
 
 // Makes faces, motions and stamps what they were just before a flip, or a turn, that is the last
@@ -369,9 +374,9 @@ template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::take_back(Flip& f) {
   f.is_undone = true;
   if constexpr (has_turns) {
-    if (f.beside.turn) {
-      set_motions(*f.beside.turn, false);
-      for (const auto& [face, stamp] : f.beside.turn->faces) face->set_stamp(stamp);
+    if (f.turn) {
+      set_motions(*f.turn, false);
+      for (const auto& [face, stamp] : f.turn->faces) face->set_stamp(stamp);
       return;
     }
   }
@@ -392,23 +397,6 @@ void Region_run<Kinetic, Turns>::take_back(Flip& f) {
   if (f.right_had_neighbor) right->set_face(f.neighbor);
   f.face->set_stamp(f.previous[0]);
   f.neighbor->set_stamp(f.previous[1]);
-}
-
-// Schedules the entry number k of an undone flip again.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::put_back(const Lane& lane, const Flip& f,
-                                          const Two_sided_edge& edge, const Kept_entry& kept,
-                                          const Double_interval& bounds, std::size_t k) {
-  if (!kept.exists) return kinetic_.set_event(edge, no_event);
-  // Which of the two sides of the edge it names, nothing depends on.
-  const Entry entry({edge.here}, bounds, kept);
-  const Time* exact = nullptr;
-  if (f.exact) {
-    for (const auto& [number, made] : f.exact->entries) {
-      if (number == k) exact = &made;
-    }
-  }
-  kinetic_.set_event(edge, put(lane, entry, exact));
 }
 
 }  // namespace kinetri::detail

@@ -8,6 +8,7 @@
 #include <array>
 #include <exception>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -101,20 +102,13 @@ void Region_run<Kinetic, Turns>::put_in_order() {
   std::size_t size = 0;
   double least = std::numeric_limits<double>::infinity();
   double greatest = -least;
-  const auto look_at = [&](const Lane& lane) {
-    if (lane.keys.empty()) return;
+  for (const Lane& lane : lanes_) {
+    if (lane.keys.empty()) continue;
     size += lane.keys.size();
     least = std::min(least, lane.keys.front().reached);
     greatest = std::max(greatest, lane.keys.back().reached);
-  };
-  std::ranges::for_each(lanes_, look_at);
+  }
   if (size == 0) return;
-  struct Slice {
-    double least;
-    double greatest;
-    std::vector<Key> keys = {};
-    bool is_in_order = false;
-  };
   constexpr std::size_t keys_per_slice = 4096;
   const std::size_t number = size / keys_per_slice + 1;
   std::vector<Slice> slices;
@@ -122,41 +116,72 @@ void Region_run<Kinetic, Turns>::put_in_order() {
     const double share = static_cast<double>(k + 1) / static_cast<double>(number);
     const double end = k + 1 == number ? std::numeric_limits<double>::infinity()
                                        : least + share * (greatest - least);
-    slices.push_back({k == 0 ? -end : slices.back().greatest, end});
+    slices.push_back({k == 0 ? least : slices.back().end, end});
   }
-  slices.front().least = -std::numeric_limits<double>::infinity();
-  for_each(slices, [this](Slice& slice) {
-    slice.keys = keys_between(slice.least, slice.greatest);
-    std::ranges::sort(slice.keys, {}, [](const Key& key) { return key.bounds.lower; });
-    slice.is_in_order = insert_in_order(slice.keys);
+  for_each(slices, [this](Slice& slice) { slice.size = count_keys(slice); });
+  std::size_t first = 0;
+  for (Slice& slice : slices) slice.first = std::exchange(first, first + slice.size);
+  order_.resize(first);
+  for_each(slices, [&](Slice& slice) {
+    const std::span<Key> keys = std::span(order_).subspan(slice.first, slice.size);
+    distribute(slice, (greatest - least) / static_cast<double>(number), keys);
+    slice.is_in_order = insert_in_order(keys);
   });
-  order_.reserve(size);
   bool are_in_order = true;
   for (const Slice& slice : slices) {
-    const std::size_t first = order_.size();
-    order_.insert(order_.end(), slice.keys.begin(), slice.keys.end());
     are_in_order = are_in_order && slice.is_in_order;
     // Where one stays, those after it in its slice do.
-    std::size_t k = first;
-    while (are_in_order && k < order_.size() && insert_in_order(order_, k) > 0) ++k;
+    std::size_t k = slice.first;
+    while (are_in_order && k < slice.first + slice.size && insert_in_order(order_, k) > 0) ++k;
   }
   if (are_in_order) return;
   std::ranges::sort(order_, [this](const Key& a, const Key& b) { return compare(a, b) < 0; });
 }
 
-// The keys of flips that are not undone and that reach from `least` on, but not `greatest`.
+// The keys of a lane that reach from the beginning of a slice on, but not its end.
 template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::keys_between(double least, double greatest) const
-    -> std::vector<Key> {
-  std::vector<Key> result;
-  const auto add = [&](const Lane& lane) {
-    auto key = std::ranges::lower_bound(lane.keys, least, {}, &Key::reached);
-    for (; key != lane.keys.end() && key->reached < greatest; ++key) {
-      if (!lane.has_undone || !lane.flips[key->index].is_undone) result.push_back(*key);
+auto Region_run<Kinetic, Turns>::keys_in(const Lane& lane, const Slice& slice)
+    -> std::span<const Key> {
+  const auto first = std::ranges::lower_bound(lane.keys, slice.least, {}, &Key::reached);
+  const auto last = std::ranges::lower_bound(first, lane.keys.end(), slice.end, {}, &Key::reached);
+  return {first, last};
+}
+
+// How many flips of a slice are not undone.
+template <class Kinetic, class Turns>
+std::size_t Region_run<Kinetic, Turns>::count_keys(const Slice& slice) const {
+  std::size_t result = 0;
+  for (const Lane& lane : lanes_) {
+    const std::span<const Key> keys = keys_in(lane, slice);
+    result += keys.size();
+    if (!lane.has_undone) continue;
+    const auto is_undone = [&](const Key& key) { return lane.flips[key.index].is_undone; };
+    result -= static_cast<std::size_t>(std::ranges::count_if(keys, is_undone));
+  }
+  return result;
+}
+
+// Writes the keys of a slice of flips that are not undone to `keys`, nearly in order: through as
+// many buckets, of equal shares of the slice's width.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::distribute(const Slice& slice, double width,
+                                            std::span<Key> keys) const {
+  const auto count = static_cast<double>(keys.size());
+  const auto bucket_of = [&](const Key& key) {
+    const double bucket = (key.reached - slice.least) / width * count;
+    return bucket < count ? static_cast<std::size_t>(bucket) : keys.size();
+  };
+  const auto for_each_key = [&](const auto& function) {
+    for (const Lane& lane : lanes_) {
+      for (const Key& key : keys_in(lane, slice)) {
+        if (!lane.has_undone || !lane.flips[key.index].is_undone) function(key);
+      }
     }
   };
-  std::ranges::for_each(lanes_, add);
-  return result;
+  std::vector<std::size_t> first(keys.size() + 2, 0);  // of each bucket
+  for_each_key([&](const Key& key) { ++first[bucket_of(key) + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  for_each_key([&](const Key& key) { keys[first[bucket_of(key)]++] = key; });
 }
 
 // Puts each key after those that it does not precede. Gives up, and returns false, where too many
@@ -251,8 +276,8 @@ void Region_run<Kinetic, Turns>::count_from(typename std::vector<Key>::const_ite
   for (; next != order_.cend(); ++next) kinetic_.count_event(next->kind);
   const Key& last = order_.back();
   Flip& f = flip(last);
-  if (f.exact && f.exact->flip) {
-    kinetic_.set_current_time(std::move(*f.exact->flip));
+  if (f.exact) {
+    kinetic_.set_current_time(std::move(*f.exact));
   } else {
     kinetic_.pending_time_ = {certificate_points(last), last.bounds};
   }

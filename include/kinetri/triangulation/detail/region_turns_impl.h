@@ -112,51 +112,34 @@ void Region_run<Kinetic, Turns>::put_turn(const Lane& lane, Turn_entry entry, Ce
   entry.bounds = known.bounds;
   entry.time = Time_pool::none;
   entry.is_event = known.kind == Certificate::Kind::fails;
-  Removed_entry<Turn_entry> scheduled = {entry, std::move(known.failure)};
-  put_turn_back(lane, scheduled);
-}
-
-// Schedules an entry of a turn; its handles have been forgotten.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::put_turn_back(const Lane& lane,
-                                               Removed_entry<Turn_entry>& removed) {
-  Turn_entry& entry = removed.entry;
   const std::size_t to = lane.is_region()                   ? lane.number
                          : entry.bounds.lower <= due_until_ ? due_part(lane.number)
                                                             : turns_.part_of(entry);
   auto& part = turns_.queue().part(to);
   const Queue_handle handle =
-      removed.exact ? part.push(entry, *removed.exact) : part.emplace(entry);
+      known.failure ? part.push(entry, std::move(*known.failure)) : part.emplace(entry);
   turns_.note(entry, turns_.queue().named(to, handle));
 }
 
 // Takes an entry out of the queue.
 template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::take_turn_entry(Queue_handle handle) -> Removed_entry<Turn_entry> {
-  auto& turns = turns_.queue();
-  const Turn_entry& entry = turns[handle];
-  Removed_entry<Turn_entry> result = {entry};
-  result.entry.time = Time_pool::none;
-  if (entry.time != Time_pool::none) {
-    result.exact = std::make_unique<Time>(turns.part(turns.part_of_handle(handle)).time_of(entry));
-  }
-  turns.erase(handle);
-  turns_.forget(result.entry);
-  return result;
+auto Region_run<Kinetic, Turns>::take_turn_entry(Queue_handle handle) -> Turn_entry {
+  const Turn_entry entry = turns_.queue().erase(handle);
+  turns_.forget(entry);
+  return entry;
 }
 
-// Takes the entries of points out of the queue.
+// Takes the entries of points out of the queue, and calls `function` with each.
 template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::take_turn_entries(Points points)
-    -> std::vector<Removed_entry<Turn_entry>> {
-  std::vector<Queue_handle> handles;
-  std::vector<Removed_entry<Turn_entry>> result;
+template <class Function>
+void Region_run<Kinetic, Turns>::take_turn_entries(Lane& lane, Points points,
+                                                   const Function& function) {
+  std::vector<Queue_handle>& handles = lane.buffers.handles;
   for (const Point_id id : points) {
     handles.clear();
     turns_.for_each_handle(id, [&](Queue_handle handle) { handles.push_back(handle); });
-    for (const Queue_handle handle : handles) result.push_back(take_turn_entry(handle));
+    for (const Queue_handle handle : handles) function(take_turn_entry(handle));
   }
-  return result;
 }
 
 // Certifies a contact anew whose entry, which says when, has left its part.
@@ -312,10 +295,8 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
   if (changes.empty()) return false;
   Turn& turn = *made;
   try {
-    New_certificates certificates;
-    if (set_points(turn, changes, moment) &&
-        certify_turn(lane, turn, turned(turn), moment, certificates)) {
-      record_turn(lane, entry, std::move(made), moment, certificates);
+    if (set_points(turn, changes, moment) && certify_turn(lane, turn, turned(turn), moment)) {
+      record_turn(lane, entry, std::move(made), moment);
       return true;
     }
   } catch (...) {
@@ -371,76 +352,70 @@ bool Region_run<Kinetic, Turns>::set_points(Turn& turn, std::span<const Change> 
   return true;
 }
 
-// Makes the certificates of points that have turned. Returns false if one fails at once, or if
-// discs overlap that have not just touched.
+// Makes the certificates of points that have turned, in the lane's buffers. Returns false if one
+// fails at once, or if discs overlap that have not just touched.
 template <class Kinetic, class Turns>
 bool Region_run<Kinetic, Turns>::certify_turn(Lane& lane, const Turn& turn, Points turned,
-                                              Moment& moment, New_certificates& result) {
+                                              Moment& moment) {
+  Buffers& made = lane.buffers;
+  made.edge_certificates.clear();
+  made.turn_certificates.clear();
   const Time& now = *moment.exact;
   bool fails_now = false;
   const auto look_at = [&](const Certificate& known) {
     fails_now = fails_now || (known.kind == Certificate::Kind::fails &&
                               known.bounds.lower <= moment.bounds.upper);
   };
-  const std::vector<Two_sided_edge> edges = edges_around(turned);
-  result.edges.reserve(edges.size());
-  kinetic_.certify(edges, now, Certificate_state::any, kinetic_.traits_, lane.certificates,
+  kinetic_.certify(edges_around(lane, turned), now, Certificate_state::any, kinetic_.traits_,
+                   lane.certificates,
                    [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
                      look_at(known);
-                     result.edges.emplace_back(edge, kind, std::move(known));
+                     made.edge_certificates.emplace_back(edge, kind, std::move(known));
                    });
-  if (fails_now || !turns_.certify(turn.points, turned, now, lane.turn_certificates, result.turns))
+  if (fails_now ||
+      !turns_.certify(turn.points, turned, now, lane.turn_certificates, made.turn_certificates)) {
     return false;
-  for (const auto& [entry, known] : result.turns) look_at(known);
+  }
+  for (const auto& [entry, known] : made.turn_certificates) look_at(known);
   return !fails_now;
 }
 
 // Takes the turn when it has a record; if something throws before, the caller still has it.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
-                                             std::unique_ptr<Turn>&& made, Moment& moment,
-                                             New_certificates& certificates) {
+                                             std::unique_ptr<Turn>&& made, Moment& moment) {
   const std::size_t index = lane.flips.size();
   const Stamp number = stamp(lane, index);
   Flip& f = lane.flips.emplace_back();
-  f.exact = std::make_unique<Exact_times>();
-  f.exact->flip = *moment.exact;
-  f.beside.turn = std::move(made);
-  Turn* const turn = f.beside.turn.get();
+  f.exact = std::make_unique<Time>(*moment.exact);
+  f.turn = std::move(made);
+  Turn* const turn = f.turn.get();
   const Points turned = this->turned(*turn);
   const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
   lane.keys.push_back({moment.bounds, std::max(reached, moment.bounds.lower),
                        static_cast<std::uint32_t>(index), static_cast<std::uint16_t>(lane.number),
                        turns_.event_kind(entry)});
+  std::size_t faces = 0;
+  for_each_face_around(turned, [&](Face_handle /*face*/) { ++faces; });
+  turn->faces.reserve(faces);
   for_each_face_around(turned, [&](Face_handle face) {
     turn->faces.emplace_back(face, face->stamp());
     face->set_stamp(number);
   });
-  // The entries leave the queue first, while the motions that they speak of are there.
+  // The entries leave the queue while the motions that they speak of are there: those that stay are
+  // compared.
   set_motions(*turn, false);
-  turn->turn_entries = take_turn_entries(turned);  // the executed one is among them
-  for (const auto& removed : turn->turn_entries) {
-    if (!turns_.are_same(removed.entry, entry)) lane.discarded_turns.count(removed.entry);
-  }
-  for (auto& [edge, kind, known] : certificates.edges) {
-    const Queue_handle handle = edge.here.first->event(edge.here.second);
-    if (handle != no_event) {
-      const Entry& old = queue()[handle];
-      auto& removed = turn->entries.emplace_back(Removed_entry<Entry>{old});
-      removed.entry.time = Time_pool::none;
-      if (old.time != Time_pool::none) {
-        removed.exact =
-            std::make_unique<Time>(queue().part(queue().part_of_handle(handle)).time_of(old));
-      }
-      if (old.kind != Entry_kind::recheck) {
-        ++lane.counters.discarded[static_cast<std::size_t>(Kinetic::event_kind(old.kind))];
-      }
-      queue().erase(handle);
-    }
+  take_turn_entries(lane, turned, [&](const Turn_entry& taken) {
+    if (!turns_.are_same(taken, entry)) lane.discarded_turns.count(taken);
+  });
+  for (const auto& [edge, kind, known] : lane.buffers.edge_certificates) {
+    discard(lane, edge.here.first->event(edge.here.second));
   }
   set_motions(*turn, true);
-  for (auto& [edge, kind, known] : certificates.edges) put(lane, edge, kind, std::move(known));
-  for (auto& [turn_entry, known] : certificates.turns) {
+  for (auto& [edge, kind, known] : lane.buffers.edge_certificates) {
+    put(lane, edge, kind, std::move(known));
+  }
+  for (auto& [turn_entry, known] : lane.buffers.turn_certificates) {
     put_turn(lane, turn_entry, std::move(known));
   }
   for (std::size_t k = 0; k < turned.size(); ++k) {
@@ -465,11 +440,12 @@ void Region_run<Kinetic, Turns>::for_each_face_around(Points points,
                    });
 }
 
-// The edges of the faces at the points, each once.
+// The edges of the faces at the points, each once, in a buffer of the lane.
 template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::edges_around(Points points) const -> std::vector<Two_sided_edge> {
-  std::vector<Two_sided_edge> result;
-  result.reserve(32);
+auto Region_run<Kinetic, Turns>::edges_around(Lane& lane, Points points) const
+    -> std::span<const Two_sided_edge> {
+  std::vector<Two_sided_edge>& result = lane.buffers.edges;
+  result.clear();
   const Vertex_handle first = kinetic_.vertices_[points.front()];
   const auto add = [&](Vertex_handle v, const auto& is_known) {
     for_each_face_at(kinetic_.triangulation_, v, [&](Face_handle face, int at) {
@@ -491,36 +467,34 @@ auto Region_run<Kinetic, Turns>::edges_around(Points points) const -> std::vecto
 
 // Undoes a turn that is the last one of its faces.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Flip& flip) {
-  Turn& turn = *flip.beside.turn;
+void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Flip& flip, const Time& now) {
+  Turn& turn = *flip.turn;
   const Points points = turned(turn);
-  for (const Two_sided_edge& edge : edges_around(points)) {
+  const std::span<const Two_sided_edge> edges = edges_around(lane, points);
+  for (const Two_sided_edge& edge : edges) {
     const Queue_handle handle = edge.here.first->event(edge.here.second);
     if (handle != no_event) queue().erase(handle);
-    kinetic_.set_event(edge, no_event);
   }
-  take_turn_entries(points);
+  take_turn_entries(lane, points, [](const Turn_entry&) {});
   take_back(flip);
   for (std::size_t k = 0; k < points.size(); ++k) turned_[points[k]] = turn.previous[k];
-  for (auto& [entry, exact] : turn.entries) {
-    kinetic_.set_event(kinetic_.two_sided(entry.edge()), put(lane, entry, exact.get()));
-  }
-  for (auto& removed : turn.turn_entries) put_turn_back(lane, removed);
+  certify_again(lane, edges);
+  turns_.for_each_contact(points, now, lane.turn_certificates,
+                          [&](const Turn_entry& entry, Certificate&& known) {
+                            put_turn(lane, entry, std::move(known));
+                          });
 }
 
 // ---- a flip, and the contacts of its edges ----
 
 // Schedules the contact of the edge that a flip has added, in place of the one removed.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::follow_flip(Lane& lane, Flip& flip, Moment& moment) {
+void Region_run<Kinetic, Turns>::follow_flip(Lane& lane, const Flip& flip, Moment& moment) {
   if (!turns_.has_pairs()) return;
   const auto& [right, left, corner, opposite] = flip.corners;
   if (right != no_point && left != no_point) {
     const Queue_handle handle = turns_.handle(edge_ids(right, left));
-    if (handle != no_event) {
-      flip.beside.removed = std::make_unique<Removed_entry<Turn_entry>>(take_turn_entry(handle));
-      lane.discarded_turns.count(flip.beside.removed->entry);
-    }
+    if (handle != no_event) lane.discarded_turns.count(take_turn_entry(handle));
   }
   if (corner == no_point || opposite == no_point) return;
   const Turn_entry pair = turns_.pair(edge_ids(corner, opposite));
@@ -533,15 +507,20 @@ void Region_run<Kinetic, Turns>::follow_flip(Lane& lane, Flip& flip, Moment& mom
   put_turn(lane, entry, std::move(known));
 }
 
+// The other way round, for a flip that is undone, at the time `now`. A contact at that time is seen
+// from that time on.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::unfollow_flip(Lane& lane, Flip& flip) {
+void Region_run<Kinetic, Turns>::unfollow_flip(Lane& lane, const Flip& flip, const Time& now) {
   if (!turns_.has_pairs()) return;
   const auto& [right, left, corner, opposite] = flip.corners;
   if (corner != no_point && opposite != no_point) {
     const Queue_handle handle = turns_.handle(edge_ids(corner, opposite));
     if (handle != no_event) take_turn_entry(handle);
   }
-  if (flip.beside.removed) put_turn_back(lane, *flip.beside.removed);
+  if (right == no_point || left == no_point) return;
+  auto [entry, known] =
+      turns_.certificate(turns_.pair(edge_ids(right, left)), now, lane.turn_certificates);
+  put_turn(lane, entry, std::move(known));
 }
 
 // ---- motions of other times ----
@@ -552,7 +531,7 @@ auto Region_run<Kinetic, Turns>::point_at(Point_id id, Stamp flip) -> const Poin
   if constexpr (has_turns) {
     const Point_2* result = nullptr;
     for (Stamp number = turned_[id]; number != 0;) {
-      const Turn& turn = *this->flip(number).beside.turn;
+      const Turn& turn = *this->flip(number).turn;
       const std::size_t k = turn.turned[0] == id ? 0 : 1;
       if (number < flip) return result == nullptr ? turn.after[k] : *result;
       result = &turn.before[k];
@@ -573,7 +552,7 @@ void Region_run<Kinetic, Turns>::set_motions(const Turn& turn, bool are_after) {
 
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::set_motions(const Key& key, bool are_after) {
-  if constexpr (has_turns) set_motions(*flip(key).beside.turn, are_after);
+  if constexpr (has_turns) set_motions(*flip(key).turn, are_after);
 }
 
 // Gives the points the motions that they had when the window began: observers are told of turns one
@@ -598,7 +577,7 @@ Event Region_run<Kinetic, Turns>::turn_event(const Key& key) {
   Event event;
   event.kind = key.kind;
   if constexpr (has_turns) {
-    const auto& [a, b] = flip(key).beside.turn->points;
+    const auto& [a, b] = flip(key).turn->points;
     event.point_a = a;
     if (b != no_point) event.point_b = b;
   }
@@ -616,12 +595,12 @@ bool Region_run<Kinetic, Turns>::is_told(const Event_observer* observer) const {
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::settle_turns_of_window() {
   for (const Key& key : order_) {
-    if (is_turn(key)) turns_.end_turn(flip(key).beside.turn->points);
+    if (is_turn(key)) turns_.end_turn(flip(key).turn->points);
   }
   for (Lane& lane : lanes_) {
     for (const Flip& f : lane.flips) {
-      if (!f.beside.turn) continue;
-      for (const Point_id id : turned(*f.beside.turn)) turned_[id] = 0;
+      if (!f.turn) continue;
+      for (const Point_id id : turned(*f.turn)) turned_[id] = 0;
     }
     for (const Point_id id : lane.stalled) stalls_[id] = std::numeric_limits<double>::infinity();
     lane.stalled.clear();

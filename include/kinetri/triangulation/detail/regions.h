@@ -26,9 +26,9 @@
 //            windows. The queue stays in parts between two runs: other functions of the
 //            triangulation find it as one queue.
 //   lane     What one thread writes: the flips of a node, and their counts.
-//   record   What is known of a flip in a window (Flip): what is needed to undo it, the entries of
-//            the five edges before it included. Memory of records is most of what a run by regions
-//            takes, and writing them most of what it costs.
+//   record   What is kept of a flip in a window (Flip), to undo it and to report it. There are no
+//            entries of the queue in it: where a flip is undone, which is rare, certificates are
+//            made again.
 //   stamp    At a face, the number of the last flip that changed it; 0 if none did. Numbers grow
 //            with execution among flips that conflict (see below). A number less than those of its
 //            lane in this window is that of a flip before the window, and means nothing.
@@ -84,7 +84,8 @@
 //   - of two flips that conflict the one that was executed first is not later in time;
 //   - the stamp of a face is that of its last flip, of those that have not been undone;
 //   - every entry in a slot is a fact about the quadrilateral at its edge: the first failure after
-//     the quadrilateral came to be, or a time before that;
+//     the quadrilateral was born, or a time before that. It was born by the later one of the last
+//     events at its two faces, or before the window;
 //   - a node never goes back: what it executes, only nodes above it undo, and what the root
 //     executes is never undone, unless the window is cut.
 //
@@ -143,7 +144,7 @@ namespace kinetri::detail {
 struct Region_options {
   /// How many: the greatest power of two up to this and to 128; by the number of points if 0.
   std::size_t regions = 0;
-  double events_per_vertex = 0.3;  ///< in a window, about; a third of it where discs collide
+  double events_per_vertex = 0.5;  ///< in a window, about; a fifth of it where discs collide
   /// With fewer events to come, as it seems, the plain loop executes them.
   double least_events_per_vertex = 1;
   double events_per_division = 4;  ///< a vertex, after which regions are made anew
@@ -224,7 +225,6 @@ class Region_run {
  private:
   using Entry = typename KineticTriangulation::Entry;
   using Entry_kind = typename KineticTriangulation::Entry_kind;
-  using Kept_entry = typename Entry::Kept;
   using Edge = typename KineticTriangulation::Edge;
   using Two_sided_edge = typename KineticTriangulation::Two_sided_edge;
   using Certificate_points = typename KineticTriangulation::Certificate_points;
@@ -249,35 +249,14 @@ class Region_run {
     std::optional<Time> exact = std::nullopt;  // made when it is needed
   };
 
-  /// Exact times that had been made: that of a flip, and those of the entries before it.
-  struct Exact_times {
-    std::optional<Time> flip;
-    std::vector<std::pair<std::size_t, Time>> entries;
-  };
-
-  /// An entry that has left the queue, to be put back.
-  template <class Any_entry>
-  struct Removed_entry {
-    Any_entry entry;
-    std::unique_ptr<Time> exact = nullptr;  // if it had been made
-  };
-
   /// A turn of the window: the rest of its record.
   struct Turn {
     std::array<Point_id, 2> points = {no_point, no_point};  // as the event names them
     std::array<Point_id, 2> turned = {no_point, no_point};
-    std::array<Point_2, 2> before = {};                   // of those turned
-    std::array<Point_2, 2> after = {};                    // of those turned
-    std::array<Stamp, 2> previous = {};                   // their turns before this one
-    std::vector<std::pair<Face_handle, Stamp>> faces;     // written, with their stamps before
-    std::vector<Removed_entry<Entry>> entries;            // of edges
-    std::vector<Removed_entry<Turn_entry>> turn_entries;  // the executed one included
-  };
-
-  /// What the record of a flip has besides, where there are turns.
-  struct Beside {
-    std::unique_ptr<Turn> turn;                          // if it is no flip, but a turn
-    std::unique_ptr<Removed_entry<Turn_entry>> removed;  // that of the removed edge
+    std::array<Point_2, 2> before = {};                // of those turned
+    std::array<Point_2, 2> after = {};                 // of those turned
+    std::array<Stamp, 2> previous = {};                // their turns before this one
+    std::vector<std::pair<Face_handle, Stamp>> faces;  // written, with their stamps before
   };
   struct Nothing {};
 
@@ -290,16 +269,14 @@ class Region_run {
     Face_handle face;
     Face_handle neighbor;
     std::array<Stamp, 2> previous;  // of the two faces
-    /// Of the outer edges in the order of flip_edge, before the flip.
-    std::array<Double_interval, 4> outer_bounds;
-    std::unique_ptr<Exact_times> exact;  // if there are any
-    std::array<Kept_entry, 5> entries;   // of the edge, then of the outer edges
-    std::uint8_t i : 2;                  // the index of the edge in `face`
-    std::uint8_t j : 2;                  // and in `neighbor`
-    bool left_had_face : 1;              // `face` was the one that CGAL keeps at the left end
-    bool right_had_neighbor : 1;         // `neighbor` was the one at the right end
+    std::unique_ptr<Time> exact;    // the time, if it has been made
+    std::uint8_t i : 2;             // the index of the edge in `face`
+    std::uint8_t j : 2;             // and in `neighbor`
+    bool left_had_face : 1;         // `face` was the one that CGAL keeps at the left end
+    bool right_had_neighbor : 1;    // `neighbor` was the one at the right end
     bool is_undone : 1;
-    [[no_unique_address]] std::conditional_t<has_turns, Beside, Nothing> beside;
+    /// If it is no flip, but a turn.
+    [[no_unique_address]] std::conditional_t<has_turns, std::unique_ptr<Turn>, Nothing> turn;
   };
 
   // What the order of flips needs to know of one.
@@ -309,6 +286,14 @@ class Region_run {
     std::uint32_t index;     // in its lane
     std::uint16_t lane;
     Event_kind kind;
+  };
+
+  // Where a turn is made: memory that is used again for each.
+  struct Buffers {
+    std::vector<Two_sided_edge> edges;
+    std::vector<std::tuple<Two_sided_edge, Entry_kind, Certificate>> edge_certificates;
+    std::vector<std::pair<Turn_entry, Certificate>> turn_certificates;
+    std::vector<Queue_handle> handles;
   };
 
   struct alignas(64) Lane {
@@ -325,6 +310,7 @@ class Region_run {
     Certificate_counters certificates = {};
     Certificate_counters turn_certificates = {};
     Triangulation_counters counters = {};
+    [[no_unique_address]] std::conditional_t<has_turns, Buffers, Nothing> buffers = {};
     std::vector<Point_id> stalled = {};  // points of turns that it has deferred
     Discarded_turns discarded_turns = {};
     std::uint64_t deferred = 0;
@@ -421,7 +407,6 @@ class Region_run {
   bool is_owned(const Lane& lane, const Two_sided_edge& edge) const;
   bool is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
   void recheck(Lane& lane, std::span<const Entry> entries);
-  Queue_handle put(const Lane& lane, const Entry& entry, const Time* exact);
   bool is_later(Stamp stamp, Moment& moment) {
     return is_of_window(stamp) && compare(key(stamp), moment) > 0;
   }
@@ -434,22 +419,17 @@ class Region_run {
   KINETRI_ALWAYS_INLINE void put(const Lane& lane, const Two_sided_edge& edge, Entry_kind kind,
                                  Certificate&& known);
   void execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge, Moment& moment);
+  void discard(Lane& lane, Queue_handle handle);
   void undo(Lane& lane, Stamp stamp);
   void undo_last(Lane& lane, Stamp stamp);
   void take_back(Flip& flip);
-  void put_back(const Lane& lane, const Flip& flip, const Two_sided_edge& edge,
-                const Kept_entry& kept, const Double_interval& bounds, std::size_t number);
+  const Time& birth(const Two_sided_edge& edge);
+  void certify_again(Lane& lane, std::span<const Two_sided_edge> edges);
   void move(std::size_t from, std::size_t to);
   void move_home(std::size_t from);
 
   // Turns.
   using Points = std::span<const Point_id>;
-  using Edge_certificate = std::tuple<Two_sided_edge, Entry_kind, Certificate>;
-  using Turn_certificate = std::pair<Turn_entry, Certificate>;
-  struct New_certificates {
-    std::vector<Edge_certificate> edges;
-    std::vector<Turn_certificate> turns;
-  };
   static bool is_turn(const Key& key) {
     return key.kind == Event_kind::wall || key.kind == Event_kind::collision;
   }
@@ -459,10 +439,9 @@ class Region_run {
   bool execute_turn(Lane& lane);
   bool turn(Lane& lane, const Turn_entry& entry, Moment& moment);
   bool set_points(Turn& turn, std::span<const Change> changes, Moment& moment);
-  bool certify_turn(Lane& lane, const Turn& turn, Points turned, Moment& moment,
-                    New_certificates& result);
+  bool certify_turn(Lane& lane, const Turn& turn, Points turned, Moment& moment);
   void record_turn(Lane& lane, const Turn_entry& entry, std::unique_ptr<Turn>&& made,
-                   Moment& moment, New_certificates& certificates);
+                   Moment& moment);
   void leave_turn(Lane& lane);
   void stall(Lane& lane, const Turn_entry& entry);
   void move_turn(std::size_t from, std::size_t to);
@@ -481,17 +460,17 @@ class Region_run {
                     const Exact& exact);
   void undo_later_around(Lane& lane, Points points, Moment& moment);
   void put_turn(const Lane& lane, Turn_entry entry, Certificate&& known);
-  void put_turn_back(const Lane& lane, Removed_entry<Turn_entry>& removed);
-  auto take_turn_entry(Queue_handle handle) -> Removed_entry<Turn_entry>;
-  auto take_turn_entries(Points points) -> std::vector<Removed_entry<Turn_entry>>;
+  Turn_entry take_turn_entry(Queue_handle handle);
+  template <class Function>
+  void take_turn_entries(Lane& lane, Points points, const Function& function);
   void recheck_turn(Lane& lane, const Turn_entry& entry);
-  void follow_flip(Lane& lane, Flip& flip, Moment& moment);
-  void unfollow_flip(Lane& lane, Flip& flip);
-  void undo_turn(Lane& lane, Flip& flip);
+  void follow_flip(Lane& lane, const Flip& flip, Moment& moment);
+  void unfollow_flip(Lane& lane, const Flip& flip, const Time& now);
+  void undo_turn(Lane& lane, Flip& flip, const Time& now);
   static Points turned(const Turn& turn);
   template <class Function>
   void for_each_face_around(Points points, const Function& function) const;
-  std::vector<Two_sided_edge> edges_around(Points points) const;
+  std::span<const Two_sided_edge> edges_around(Lane& lane, Points points) const;
   bool do_ends_meet(const Two_sided_edge& edge, Moment& moment);
   const Point_2& point_at(Point_id id, Stamp flip);
   void set_motions(const Turn& turn, bool are_after);
@@ -504,8 +483,8 @@ class Region_run {
   template <class Function>
   void for_each_written_face(const Flip& flip, const Function& function) const {
     if constexpr (has_turns) {
-      if (flip.beside.turn) {
-        for (const auto& [face, stamp] : flip.beside.turn->faces) function(face);
+      if (flip.turn) {
+        for (const auto& [face, stamp] : flip.turn->faces) function(face);
         return;
       }
     }
@@ -513,7 +492,17 @@ class Region_run {
     function(flip.neighbor);
   }
   void put_in_order();
-  std::vector<Key> keys_between(double least, double greatest) const;
+  // The flips whose keys reach from one time on, but not another one.
+  struct Slice {
+    double least;
+    double end;
+    std::size_t size = 0;   // how many are not undone
+    std::size_t first = 0;  // of these in order_
+    bool is_in_order = false;
+  };
+  static std::span<const Key> keys_in(const Lane& lane, const Slice& slice);
+  std::size_t count_keys(const Slice& slice) const;
+  void distribute(const Slice& slice, double width, std::span<Key> keys) const;
   bool insert_in_order(std::span<Key> keys);
   std::size_t insert_in_order(std::span<Key> keys, std::size_t k);
   void cut_off();

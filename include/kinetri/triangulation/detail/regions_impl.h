@@ -21,11 +21,17 @@
 
 namespace kinetri::detail {
 
-// Fewer where there are few points, of which more are beside another region then; and where there
-// are so many that handles, which name one of at most 5 R - 1 parts, would have no bits left for
-// the entries of all 3 n edges in one part, and of as many that come later.
+// So many that each thread has several, and that what a region has stays near in memory. Fewer
+// where there are few points, of which more are beside another region then; and where there are so
+// many that handles, which name one of at most 5 R - 1 parts, would have no bits left for the
+// entries of all 3 n edges in one part, and of as many that come later.
 inline std::size_t number_of_regions(const Region_options& options, std::size_t points) {
-  const auto by_points = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 15);
+  const std::size_t threads =
+      options.threads > 0 ? options.threads
+                          : static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t enough = std::max(4 * threads, points / 12'500);
+  const auto by_points =
+      std::min(enough, static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 15));
   const int bits = std::max(2, 32 - static_cast<int>(std::bit_width(6 * points)));
   const std::size_t most = std::min<std::size_t>(128, ((std::size_t{1} << bits) + 1) / 5);
   return std::bit_floor(
@@ -88,7 +94,7 @@ std::size_t Region_run<Kinetic, Turns>::advance(const Time& until, const Go_on& 
 // faces than flips, and are more often in each other's way.
 template <class Kinetic, class Turns>
 double Region_run<Kinetic, Turns>::events_in_window() const {
-  const double events = options_.events_per_vertex / (has_contacts() ? 3 : 1);
+  const double events = options_.events_per_vertex / (has_contacts() ? 5 : 1);
   return std::max(1.0, events * static_cast<double>(kinetic_.number_of_points_));
 }
 
@@ -241,8 +247,8 @@ bool Region_run<Kinetic, Turns>::run_window(double end) {
 // Has the nodes execute the events of a window. Returns where it ends.
 template <class Kinetic, class Turns>
 double Region_run<Kinetic, Turns>::execute_window(double end) {
+  kinetic_.show_current_time();  // made from motions of now, by one thread
   if constexpr (has_turns) {
-    kinetic_.show_current_time();  // made from motions of now
     turned_.resize(kinetic_.vertices_.size(), 0);
     stalls_.resize(kinetic_.vertices_.size(), std::numeric_limits<double>::infinity());
   }
@@ -385,6 +391,10 @@ void Region_run<Kinetic, Turns>::recheck(Lane& lane, std::span<const Entry> entr
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::run_region(Lane& lane, double end) {
   Part& part = *lane.part;
+  // Somewhat later than the end, so that what is first then is known too.
+  const double soon = end + division().window_width / 16;
+  part.expect(soon);
+  if constexpr (has_turns) lane.turn_part->expect(soon);
   const Time last(end);
   const auto exact = [&]() -> const Time& { return last; };
   const auto is_due = [&](const Entry& entry) { return part.is_due(entry, {end, end}, exact); };
@@ -457,6 +467,10 @@ void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
     }
     Moment moment = moment_of(entry, edge, due);
     undo_later(lane, edge, moment);
+    // What comes back is later, but may begin with a certificate that is to be checked again
+    // before.
+    const auto handle = [&](const Entry& e) { return kinetic_.queue_policy_.handle(e.subject()); };
+    if (handle(due.top()) != handle(entry)) continue;
     if (!is_flip(entry, edge, moment)) {
       if (!is_root(lane)) {
         defer(lane, from);
@@ -465,9 +479,6 @@ void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
       cut_ = time(moment);
       break;
     }
-    KINETRI_ASSERT(kinetic_.queue_policy_.handle(due.top().subject()) ==
-                       kinetic_.queue_policy_.handle(entry.subject()),
-                   "flips that are undone are later than the event");
     due.pop();
     execute(lane, entry, edge, moment);
   }
