@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -121,6 +125,50 @@ TEST(Algebraic_number, roots_of_one_polynomial_with_overlapping_intervals_are_or
   const auto minus_root_three = [&] { return Algebraic_number(p, -2, Rational(-3, 2)); };
   EXPECT_EQ(compare(minus_root_two(), minus_root_three()), CGAL::LARGER);
   EXPECT_EQ(compare(minus_root_three(), minus_root_two()), CGAL::SMALLER);
+}
+
+// The root of 2^40 t^2 - n between 1 and 3, which knows its rounding, and counts the calls for its
+// polynomial.
+class Counted_square_root : public Root_source {
+ public:
+  Counted_square_root(std::int64_t n, int& polynomials) : n_(n), polynomials_(polynomials) {}
+  Polynomial polynomial() const override {
+    ++polynomials_;
+    return Polynomial{-Integer(n_), 0, Integer(1) << 40};
+  }
+  std::optional<Rounding> rounded(const Double_interval& /*bracket*/) const override {
+    const double square = std::ldexp(static_cast<double>(n_), -40);
+    const double nearest = std::sqrt(square);
+    const double excess = std::fma(nearest, nearest, -square);
+    return Rounding{nearest,
+                    {excess >= 0 ? std::nextafter(nearest, 0) : nearest,
+                     excess <= 0 ? std::nextafter(nearest, 4) : nearest}};
+  }
+
+ private:
+  std::int64_t n_;
+  int& polynomials_;
+};
+
+// Where rounded numbers differ, no polynomial is made; where they do not, nothing is guessed.
+TEST(Algebraic_number, order_of_numbers_that_sources_can_round_takes_no_polynomials) {
+  constexpr std::int64_t two = std::int64_t{2} << 40;
+  int polynomials = 0;
+  const auto root = [&](std::int64_t n) {
+    return Algebraic_number(std::make_shared<Counted_square_root>(n, polynomials), {1, 3});
+  };
+  const Algebraic_number a = root(two);
+  for (const std::int64_t more : {1, 2, 1000, 1 << 30}) {
+    EXPECT_LT(a, root(two + more)) << more;
+    EXPECT_GT(a, root(two - more)) << more;
+  }
+  EXPECT_LT(root(two), root(two + 1));
+  EXPECT_EQ(polynomials, 0);
+  EXPECT_EQ(a, root(two));
+  EXPECT_EQ(root(2 * two), root(2 * two));  // the number 2
+  EXPECT_GT(polynomials, 0);
+  EXPECT_LT(a, root(two + 1));
+  EXPECT_EQ(a, Algebraic_number(Polynomial{-2, 0, 1}, 1, 2));
 }
 
 TEST(Algebraic_number, equal_roots_among_other_common_roots_are_told_from_them) {
