@@ -276,7 +276,9 @@ void Region_run<Kinetic, Turns>::count_from(typename std::vector<Key>::const_ite
   for (; next != order_.cend(); ++next) kinetic_.count_event(next->kind);
   const Key& last = order_.back();
   Flip& f = flip(last);
-  if (f.exact) {
+  // Where points turn, what it was made from may be in a record, which does not stay.
+  if (has_turns || f.exact) {
+    time(last);
     kinetic_.set_current_time(std::move(*f.exact));
   } else {
     kinetic_.pending_time_ = {certificate_points(last), last.bounds};
