@@ -271,7 +271,7 @@ TEST(Motions_at_once, are_as_one_after_the_other) {
     apart.advance_to(now);
     std::vector<Point_id> ids;
     std::vector<Linear_motion_2> turned;
-    for (Point_id id = 0; id < 25; id += round % 2 == 0 ? 1 : 3) {
+    for (Point_id id = 0; id < 25; id += round % 2 == 0 ? 1U : 3U) {
       const double vx = component(random);
       ids.push_back(id);
       turned.push_back(
