@@ -142,7 +142,7 @@ Command simulate_command() {
       "points, "
       "nothing is written.",
       "A run uses all processors that the machine gives, or --threads N of them: at the start, and "
-      "where some 50000 points or more move, and nothing collides. "
+      "where some 50000 points or more move. "
       "The outputs are the same for any N, but for what --stats and --plot tell of how the run was "
       "made.",
       "With --verify, the answer of kinetri-verify is a line on standard output; on standard error "
