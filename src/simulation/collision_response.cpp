@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace kinetri {
@@ -66,11 +67,24 @@ Contact_response_2 erase_both(const Contact_2& /*contact*/) {
   return {std::nullopt, std::nullopt, true, true};
 }
 
-bool detail::is_pure(const Collision_response& response) {
-  using Function = Contact_response_2 (*)(const Contact_2&);
+namespace {
+
+using Function = Contact_response_2 (*)(const Contact_2&);
+
+// Whether a response is one of these.
+bool is_one_of(const Collision_response& response, std::initializer_list<Function> functions) {
   const Function* const function = response.target<Function>();
-  return function != nullptr && (*function == swap_velocities || *function == collide_elastically ||
-                                 *function == stop_both);
+  return function != nullptr && std::ranges::find(functions, *function) != functions.end();
+}
+
+}  // namespace
+
+bool detail::is_pure(const Collision_response& response) {
+  return is_one_of(response, {swap_velocities, collide_elastically, stop_both, erase_both});
+}
+
+bool detail::is_erase_both(const Collision_response& response) {
+  return is_one_of(response, {erase_both});
 }
 
 }  // namespace kinetri

@@ -98,6 +98,15 @@ class Threads(In_folder):
                     f"simulate p.csv --until 1.5 {discs}",
                     "--html {0}/run.html --checkpoint {0}/checkpoint", response))
 
+    def test_discs_that_vanish_are_the_same(self):
+        self.run_program("generate lattice-jitter --points 60000 --speed 5 --seed 5 --output p.csv")
+        discs = "--box=-10,-10,2450,2450 --radius 0.5 --collisions remove"
+        more = "--checkpoint {0}/checkpoint --neighbors {0}/neighbors --nearest {0}/nearest --encounters {0}/encounters " \
+               "--range 1.5"
+        self.expect_regions(self.expect_same(f"simulate p.csv --until 3 {discs}", more))
+        one, two = self.expect_same(f"simulate p.csv --until 0.5 {discs}", "--html {0}/run.html", "recorded")
+        self.assertEqual(one["rechecks"], two["rechecks"])  # a recorder looks at the triangulation
+
     def test_discs_of_any_size_are_the_same(self):
         self.run_program("generate lattice-jitter --points 60000 --speed 5 --seed 4 --output p.csv")
         comments_and_header, rows = self.rows_of("p.csv")

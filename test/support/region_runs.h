@@ -7,6 +7,7 @@
 #include <tbb/global_control.h>
 
 #include <cstdint>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -28,9 +29,22 @@ class Log : public Event_observer {
   bool looks_at_triangulation() const override { return false; }
   void before_event(const Event& event) override { befores.push_back(event.number); }
   void after_event(const Event& event) override { events.push_back(event); }
+  void after_rebuild(const Algebraic_number& time, std::span<const Edge_ids> edges) override {
+    rebuilds.push_back({events.size(), time, {edges.begin(), edges.end()}});
+  }
+
+  /// Edges that were said to be rebuilt.
+  struct Rebuild {
+    std::size_t events;  ///< before
+    Algebraic_number time;
+    std::vector<Edge_ids> edges;
+
+    bool operator==(const Rebuild&) const = default;
+  };
 
   std::vector<std::uint64_t> befores;
   std::vector<Event> events;
+  std::vector<Rebuild> rebuilds;
 };
 
 /// What differs between two states, with all that a snapshot has but counts of how the run was
@@ -112,6 +126,7 @@ std::string difference_from_loop(const std::vector<typename Traits::Motion>& mot
     std::string problem = difference(expected.events, log.events);
     if (!problem.empty()) return problem;
     if (expected.befores != log.befores) return "other numbers of events";
+    if (expected.rebuilds != log.rebuilds) return "other edges rebuilt";
     problem = difference_of_states(plain, watched);
     if (!problem.empty()) return problem;
     problem = difference_of_states(plain, alone);

@@ -111,9 +111,12 @@ inline constexpr std::array<Named_response, 6> named_responses = {
 
 namespace detail {
 
-/// Whether a response is a built-in one that gives the points other velocities, and so depends on
-/// its argument only.
+/// Whether a response is a built-in one that changes the points, and so depends on its argument
+/// only.
 bool is_pure(const Collision_response& response);
+
+/// Whether a response is erase_both.
+bool is_erase_both(const Collision_response& response);
 
 }  // namespace detail
 

@@ -211,8 +211,11 @@ class Simulation_2 : private Event_observer {
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
   /// arena if 0. They share the work, contacts included, where set_threads of the triangulation
   /// says so, there is no overlap observer, and the response, if there is one, is a built-in one
-  /// that gives velocities (swap_velocities, collide_elastically, stop_both) or is said to be pure
-  /// (Simulation_options::response_is_pure). The result is the same.
+  /// that changes the discs (not log_contact) or is said to be pure
+  /// (Simulation_options::response_is_pure). One thread erases discs, those at the hull at more
+  /// cost; where an observer looks at the triangulation after that
+  /// (Event_observer::looks_at_rebuilt_triangulation), as a Recorder does, erase_both uses one
+  /// thread. The result is the same.
   void set_threads(std::size_t most) {
     threads_ = most;
     triangulation_.set_threads(most);

@@ -629,9 +629,11 @@ class Kinetic_triangulation_2 {
                           const Is_left_turn& is_left_turn) const;
   Location locate(const Point_2& point, Face_handle start) const;
   void take_out(Vertex_handle v);
+  std::vector<Two_sided_edge> remove_from_faces(Vertex_handle v, std::vector<Face_handle>& faces);
   void put_in(Vertex_handle v, const Location& location,
               Certificate_state state = Certificate_state::any);
-  void schedule_inside(std::span<const Edge> polygon);
+  std::vector<Two_sided_edge> list_inside(std::span<const Edge> polygon,
+                                          std::vector<Face_handle>& faces);
   void flip_link(Vertex_handle v);
   void replace_in_faces(Vertex_handle old, Vertex_handle replacement);
   void unschedule_face(Face_handle face);

@@ -71,8 +71,8 @@ class Contact_turns {
 
   // ---- what they are ----
 
-  /// Whether contacts can be executed in windows: of walls, and of discs that get other velocities
-  /// by a response that may be called at any time, by any thread.
+  /// Whether contacts can be executed in windows: of walls, and of discs that a response changes
+  /// that may be called at any time, by any thread.
   static bool can_run(const Simulation& simulation);
   bool can_run() const { return can_run(*simulation_); }
   /// Whether this is the simulation itself, which knows its contacts.
@@ -138,8 +138,13 @@ class Contact_turns {
 
   // ---- contacts ----
 
-  /// What a contact at `now` does to its points: their new motions. None where that is for the
-  /// plain loop, which may throw then. Changes nothing.
+  /// Whether a contact certainly erases its points.
+  bool is_erasure(const Entry& entry) const {
+    return entry.kind == Entry_kind::collision && is_erase_both(simulation_->options_.response);
+  }
+  /// What a contact at `now` does to its points: either all changes are new motions, or none is,
+  /// and the points vanish. Nothing where that is for the plain loop, which may throw then. Changes
+  /// nothing.
   std::vector<Change> changes(const Entry& entry, const Time& now) const;
   /// The entry of what the given one is about, and its certificate after a time.
   std::pair<Entry, Certificate> certificate(const Entry& entry, const Time& after,
@@ -176,6 +181,7 @@ class Contact_turns {
  private:
   static bool is_one(Points some, Point_id id) { return std::ranges::find(some, id) != some.end(); }
   bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
+  static bool may_erase(const Simulation& simulation);
   bool have_areas();
   bool drop_overlaps(const Time& time);
   void put_passes_back();

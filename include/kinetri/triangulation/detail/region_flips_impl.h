@@ -120,14 +120,22 @@ bool Region_run<Kinetic, Turns>::is_flip(const Entry& entry, const Two_sided_edg
   }
   if (entry.kind == Entry_kind::flip) return is_convex(edge, moment);
   if (entry.kind != Entry_kind::hull_insert) return true;
+  return at(time(moment), [&] {
+    return !kinetic_.may_hide_a_turn(edge) &&
+           (entry.changes_sign || !kinetic_.is_touch(kinetic_.hull_triangle(edge).first)) &&
+           !hides_hull_vertex(edge) && !kinetic_.are_all_collinear(edge) &&
+           kinetic_.can_insert_into_hull(edge);
+  });
+}
+
+// Calls work() while a time is the present one.
+template <class Kinetic, class Turns>
+template <class Work>
+auto Region_run<Kinetic, Turns>::at(const Time& time, const Work& work) {
   Time before = kinetic_.current_time();
   try {
-    kinetic_.set_current_time(time(moment));
-    const bool result =
-        !kinetic_.may_hide_a_turn(edge) &&
-        (entry.changes_sign || !kinetic_.is_touch(kinetic_.hull_triangle(edge).first)) &&
-        !hides_hull_vertex(edge) && !kinetic_.are_all_collinear(edge) &&
-        kinetic_.can_insert_into_hull(edge);
+    kinetic_.set_current_time(time);
+    const auto result = work();
     kinetic_.set_current_time(std::move(before));
     return result;
   } catch (...) {
@@ -375,6 +383,7 @@ void Region_run<Kinetic, Turns>::take_back(Flip& f) {
   f.is_undone = true;
   if constexpr (has_turns) {
     if (f.turn) {
+      if (f.turn->hole) return close_hole(*f.turn->hole);
       set_motions(*f.turn, false);
       for (const auto& [face, stamp] : f.turn->faces) face->set_stamp(stamp);
       return;

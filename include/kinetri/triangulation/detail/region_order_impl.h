@@ -273,7 +273,12 @@ template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::count_from(typename std::vector<Key>::const_iterator next) {
   kinetic_.is_in_event_ = false;
   if (next == order_.cend()) return;  // the present time is that of the last one
-  for (; next != order_.cend(); ++next) kinetic_.count_event(next->kind);
+  for (; next != order_.cend(); ++next) {
+    count(*next);
+    if constexpr (has_turns) {
+      if (is_turn(*next)) delete_vertices(*flip(*next).turn);
+    }
+  }
   const Key& last = order_.back();
   Flip& f = flip(last);
   // Where points turn, what it was made from may be in a record, which does not stay.
@@ -297,17 +302,31 @@ void Region_run<Kinetic, Turns>::report(const Key& key) {
                                 edge_ids(corners[2], corners[3]));
   }
   kinetic_.set_current_time(time(key));
-  event.number = kinetic_.counters_.number_of_events();
+  const std::uint64_t number = kinetic_.counters_.number_of_events();
+  count(key);
+  tell(event, number, [&] {
+    if (is_turn(key)) go_through(key);
+  });
+  if constexpr (has_turns) {
+    if (is_turn(key)) report_edges(*flip(key).turn, number + 1);
+  }
+  flip(key).exact.reset();
+}
+
+// Shows an event at the present time to the observers, and makes a change in between.
+template <class Kinetic, class Turns>
+template <class Make_change>
+void Region_run<Kinetic, Turns>::tell(Event event, std::uint64_t number,
+                                      const Make_change& make_change) {
+  event.number = number;
   event.time = kinetic_.current_time();
-  kinetic_.count_event(key.kind);
   for (Event_observer* observer : kinetic_.observers_) {
     if (is_told(observer)) observer->before_event(event);
   }
-  if (is_turn(key)) set_motions(key, true);
+  make_change();
   for (Event_observer* observer : kinetic_.observers_) {
     if (is_told(observer)) observer->after_event(event);
   }
-  flip(key).exact.reset();
 }
 
 }  // namespace kinetri::detail

@@ -284,6 +284,7 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
     return false;
   }
   if (!is_root(lane)) {
+    if (turns_.is_erasure(entry)) return false;
     for (const Point_id id : points) {
       if (!owns_star(lane, id)) return false;
     }
@@ -293,6 +294,9 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
   if (do_faces_hide_points(points)) return false;
   const auto changes = turns_.changes(entry, *moment.exact);
   if (changes.empty()) return false;
+  if (!changes.front().motion) {
+    return is_root(lane) && erase(lane, entry, changes, std::move(made), moment);
+  }
   Turn& turn = *made;
   try {
     if (set_points(turn, changes, moment) && certify_turn(lane, turn, turned(turn), moment)) {
@@ -363,8 +367,7 @@ bool Region_run<Kinetic, Turns>::certify_turn(Lane& lane, const Turn& turn, Poin
   const Time& now = *moment.exact;
   bool fails_now = false;
   const auto look_at = [&](const Certificate& known) {
-    fails_now = fails_now || (known.kind == Certificate::Kind::fails &&
-                              known.bounds.lower <= moment.bounds.upper);
+    fails_now = fails_now || fails_at(known, moment);
   };
   kinetic_.certify(edges_around(lane, turned), now, Certificate_state::any, kinetic_.traits_,
                    lane.certificates,
@@ -380,26 +383,46 @@ bool Region_run<Kinetic, Turns>::certify_turn(Lane& lane, const Turn& turn, Poin
   return !fails_now;
 }
 
-// Takes the turn when it has a record; if something throws before, the caller still has it.
+// Makes a record of a turn, and takes it; if something throws before, the caller still has it.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
-                                             std::unique_ptr<Turn>&& made, Moment& moment) {
+auto Region_run<Kinetic, Turns>::add_record(Lane& lane, const Turn_entry& entry,
+                                            std::unique_ptr<Turn>&& made, const Moment& moment)
+    -> Stamp {
   const std::size_t index = lane.flips.size();
-  const Stamp number = stamp(lane, index);
   Flip& f = lane.flips.emplace_back();
   f.exact = std::make_unique<Time>(*moment.exact);
   f.turn = std::move(made);
-  Turn* const turn = f.turn.get();
-  const Points turned = this->turned(*turn);
   const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
   lane.keys.push_back({moment.bounds, std::max(reached, moment.bounds.lower),
                        static_cast<std::uint32_t>(index), static_cast<std::uint16_t>(lane.number),
                        turns_.event_kind(entry)});
+  return stamp(lane, index);
+}
+
+// Notes that points have turned.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::note_turn(Turn& turn, Stamp number) {
+  const Points turned = this->turned(turn);
+  for (std::size_t k = 0; k < turned.size(); ++k) {
+    turn.previous[k] = std::exchange(turned_[turned[k]], number);
+  }
+  for (const Point_id id : turn.points) {
+    if (id != no_point) stalls_[id] = std::numeric_limits<double>::infinity();
+  }
+}
+
+// Executes a turn whose certificates have been made.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
+                                             std::unique_ptr<Turn>&& made, const Moment& moment) {
+  Turn* const turn = made.get();
+  const Points turned = this->turned(*turn);
+  const Stamp number = add_record(lane, entry, std::move(made), moment);
   std::size_t faces = 0;
   for_each_face_around(turned, [&](Face_handle /*face*/) { ++faces; });
   turn->faces.reserve(faces);
   for_each_face_around(turned, [&](Face_handle face) {
-    turn->faces.emplace_back(face, face->stamp());
+    turn->faces.push_back({face, face->stamp()});
     face->set_stamp(number);
   });
   // The entries leave the queue while the motions that they speak of are there: those that stay are
@@ -418,12 +441,7 @@ void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry
   for (auto& [turn_entry, known] : lane.buffers.turn_certificates) {
     put_turn(lane, turn_entry, std::move(known));
   }
-  for (std::size_t k = 0; k < turned.size(); ++k) {
-    turn->previous[k] = std::exchange(turned_[turned[k]], number);
-  }
-  for (const Point_id id : turn->points) {
-    if (id != no_point) stalls_[id] = std::numeric_limits<double>::infinity();
-  }
+  note_turn(*turn, number);
 }
 
 // Calls `function` with each face at the points, which are one or two.
@@ -470,15 +488,18 @@ template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Flip& flip, const Time& now) {
   Turn& turn = *flip.turn;
   const Points points = turned(turn);
-  const std::span<const Two_sided_edge> edges = edges_around(lane, points);
-  for (const Two_sided_edge& edge : edges) {
-    const Queue_handle handle = edge.here.first->event(edge.here.second);
-    if (handle != no_event) queue().erase(handle);
+  if (turn.hole) {
+    leave_hole(turn);
+  } else {
+    for (const Two_sided_edge& edge : edges_around(lane, points)) {
+      const Queue_handle handle = edge.here.first->event(edge.here.second);
+      if (handle != no_event) queue().erase(handle);
+    }
+    take_turn_entries(lane, points, [](const Turn_entry&) {});
   }
-  take_turn_entries(lane, points, [](const Turn_entry&) {});
   take_back(flip);
   for (std::size_t k = 0; k < points.size(); ++k) turned_[points[k]] = turn.previous[k];
-  certify_again(lane, edges);
+  certify_again(lane, edges_around(lane, points));
   turns_.for_each_contact(points, now, lane.turn_certificates,
                           [&](const Turn_entry& entry, Certificate&& known) {
                             put_turn(lane, entry, std::move(known));
@@ -542,32 +563,39 @@ auto Region_run<Kinetic, Turns>::point_at(Point_id id, Stamp flip) -> const Poin
   return kinetic_.vertices_[id]->point();
 }
 
-// Gives the points of a turn the motions after it, or before it.
+// Gives the points of a turn the motions after it, or before it. Those that it erases keep theirs.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::set_motions(const Turn& turn, bool are_after) {
+  if (turn.hole) return;
   for (std::size_t k = 0; k < 2 && turn.turned[k] != no_point; ++k) {
     kinetic_.vertices_[turn.turned[k]]->set_point(are_after ? turn.after[k] : turn.before[k]);
   }
 }
 
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::set_motions(const Key& key, bool are_after) {
-  if constexpr (has_turns) set_motions(*flip(key).turn, are_after);
-}
-
 // Gives the points the motions that they had when the window began: observers are told of turns one
-// after the other.
+// after the other. Precondition: no vertex has been deleted.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::go_back_in_turns() {
-  for (auto key = order_.rbegin(); has_turns && key != order_.rend(); ++key) {
-    if (is_turn(*key)) set_motions(*key, false);
+  if constexpr (has_turns) {
+    for (auto key = order_.rbegin(); key != order_.rend(); ++key) {
+      if (is_turn(*key)) set_motions(*flip(*key).turn, false);
+    }
+  }
+}
+
+// Gives the points of a turn the motions after it, or deletes their vertices.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::go_through(const Key& key) {
+  if constexpr (has_turns) {
+    set_motions(*flip(key).turn, true);
+    delete_vertices(*flip(key).turn);
   }
 }
 
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::go_through_turns() {
   for (auto key = order_.begin(); has_turns && key != order_.end(); ++key) {
-    if (is_turn(*key)) set_motions(*key, true);
+    if (is_turn(*key)) go_through(*key);
   }
 }
 

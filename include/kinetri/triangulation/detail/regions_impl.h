@@ -14,6 +14,7 @@
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/region_batches_impl.h"
 #include "kinetri/triangulation/detail/region_division_impl.h"
+#include "kinetri/triangulation/detail/region_erasures_impl.h"
 #include "kinetri/triangulation/detail/region_flips_impl.h"
 #include "kinetri/triangulation/detail/region_order_impl.h"
 #include "kinetri/triangulation/detail/region_turns_impl.h"

@@ -45,8 +45,7 @@ auto Kinetic_triangulation_2<Traits>::vertex_near(const Point_2& point) const ->
 }
 
 // Takes the vertex out of the triangulation, which stays Delaunay at the instant of its traits. The
-// vertex itself stays, without faces: CGAL removes another one in its place. What it has hidden is
-// hidden by others then, or revealed.
+// vertex itself stays, without faces. What it has hidden is hidden by others then, or revealed.
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::take_out(Vertex_handle v) {
   ++changes_;
@@ -63,29 +62,17 @@ void Kinetic_triangulation_2<Traits>::take_out(Vertex_handle v) {
       hidden.insert(hidden.end(), face->vertex_list().begin(), face->vertex_list().end());
     });
   }
-  std::vector<Edge> link;  // as the faces beyond it see it, which stay
-  detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
-    link.push_back(two_sided(Edge(face, face->index(v))).there);
-  });
   unschedule_around(v);
-  note_edges_at(v, -1);
-  const Vertex_handle stand_in = triangulation_.tds().create_vertex();
-  stand_in->set_point(v->point());
-  replace_in_faces(v, stand_in);
+  std::vector<Face_handle> faces;
+  const std::vector<Two_sided_edge> edges = remove_from_faces(v, faces);
   if constexpr (is_weighted) {
-    if (weights_are_equal_) {
-      triangulation_.as_delaunay([&](auto& delaunay) { delaunay.remove(stand_in); });
-    } else {
-      triangulation_.remove(stand_in);
-    }
     for (const Vertex_handle h : hidden) {
       if (!h->is_hidden()) rebuilt_points_.push_back({h->point().id(), false});
     }
-  } else {
-    triangulation_.remove(stand_in);
   }
-  schedule_inside(link);
+  schedule(edges, current_time());
   if constexpr (is_weighted) {
+    for (const Face_handle face : faces) hidden_points().schedule_in(face);
     // At a vertex, a point may be in any face of the vertex, also beyond the link.
     for (const Vertex_handle h : hidden) {
       if (h->is_hidden() && h->event() == no_event) hidden_points().schedule(h, current_time());
@@ -93,17 +80,50 @@ void Kinetic_triangulation_2<Traits>::take_out(Vertex_handle v) {
   }
 }
 
-// Schedules the edges of a polygon and those inside it, which are new, and the points that the
-// faces inside it hide. An edge that has been found is marked by the handle `listed` until it is
-// scheduled.
+// Takes an inner or a hull vertex out of its faces, and notes the edges that go and come. The
+// vertex stays: CGAL removes another one in its place. Returns the edges around the hole and those
+// in it, which have the handle `listed` until they are scheduled; `faces` gets the faces in it.
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::schedule_inside(std::span<const Edge> polygon) {
+auto Kinetic_triangulation_2<Traits>::remove_from_faces(Vertex_handle v,
+                                                        std::vector<Face_handle>& faces)
+    -> std::vector<Two_sided_edge> {
+  std::vector<Edge> link;  // as the faces beyond it see it, which stay
+  detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
+    link.push_back(two_sided(Edge(face, face->index(v))).there);
+  });
+  note_edges_at(v, -1);
+  const Vertex_handle stand_in = triangulation_.tds().create_vertex();
+  try {
+    stand_in->set_point(v->point());
+    replace_in_faces(v, stand_in);
+    if constexpr (is_weighted) {
+      if (weights_are_equal_) {
+        triangulation_.as_delaunay([&](auto& delaunay) { delaunay.remove(stand_in); });
+      } else {
+        triangulation_.remove(stand_in);
+      }
+    } else {
+      triangulation_.remove(stand_in);
+    }
+  } catch (...) {  // for want of memory: a run by regions knows the faces
+    triangulation_.tds().delete_vertex(stand_in);
+    throw;
+  }
+  return list_inside(link, faces);
+}
+
+// The edges of a polygon and those inside it, which are new and are noted; `faces` gets the faces
+// inside it. An edge that has been found is marked by the handle `listed` until it is scheduled.
+template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::list_inside(std::span<const Edge> polygon,
+                                                  std::vector<Face_handle>& faces)
+    -> std::vector<Two_sided_edge> {
   constexpr Queue_handle listed = no_event - 1;
   std::vector<Face_handle> beyond;
   for (const Edge& edge : polygon) beyond.push_back(edge.first);
   std::ranges::sort(beyond);
   std::vector<Two_sided_edge> edges;
-  std::vector<Face_handle> faces = {two_sided(polygon.front()).there.first};
+  faces = {two_sided(polygon.front()).there.first};
   for (std::size_t next = 0; next < faces.size(); ++next) {
     const Face_handle face = faces[next];
     for (int i = 0; i < 3; ++i) {
@@ -115,10 +135,7 @@ void Kinetic_triangulation_2<Traits>::schedule_inside(std::span<const Edge> poly
       if (!triangulation_.is_infinite(edge.here)) rebuilt_edges_->note(ids_of(edge.here), 1);
     }
   }
-  schedule(edges, current_time());
-  if constexpr (is_weighted) {
-    for (const Face_handle face : faces) hidden_points().schedule_in(face);
-  }
+  return edges;
 }
 
 // Puts a vertex without faces in at its place: it splits the triangle or edge that it is in. Inside
