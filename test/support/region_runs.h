@@ -152,6 +152,7 @@ inline Region_options options_of(std::size_t regions, double events_per_vertex) 
   options.points_per_hidden_one = 0;
   options.events_per_division = 1;
   if (regions % 5 == 4) options.most_flips = 3;
+  if (regions % 3 == 1) options.stamp_bits = 12;
   options.threads = regions % 2 == 1 ? 1 + regions % 8 : 1;
   options.order_of_tasks = regions;
   return options;

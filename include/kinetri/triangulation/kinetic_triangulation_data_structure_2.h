@@ -47,13 +47,20 @@ class alignas(64) Kinetic_face_base_2 : public FaceBase {
   void set_event(int i, Queue_handle event) { events_[static_cast<std::size_t>(i)] = event; }
 
   /// The last flip of the face within a window of a run by regions; 0 if there was none.
-  std::uint32_t stamp() const { return stamp_; }
-  /// Remembers the last flip of the face.
-  void set_stamp(std::uint32_t stamp) { stamp_ = stamp; }
+  std::uint32_t stamp() const {
+    return static_cast<std::uint32_t>(high_stamp_) << 8 | static_cast<std::uint32_t>(low_stamp_);
+  }
+  /// Remembers the last flip of the face. Precondition: stamp < 2^24.
+  void set_stamp(std::uint32_t stamp) {
+    low_stamp_ = static_cast<std::uint8_t>(stamp);
+    high_stamp_ = static_cast<std::uint16_t>(stamp >> 8);
+  }
 
  private:
+  // CGAL's face leaves three bytes of its last word. The order of members uses them.
+  std::uint8_t low_stamp_ = 0;
+  std::uint16_t high_stamp_ = 0;
   std::array<Queue_handle, 3> events_ = {no_event, no_event, no_event};
-  std::uint32_t stamp_ = 0;
 };
 
 /// A vertex that is in one cache line, where the point leaves room for that.

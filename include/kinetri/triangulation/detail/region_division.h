@@ -15,6 +15,44 @@
 
 namespace kinetri::detail {
 
+/// The numbers of flips, which stamps are: each node has some of its own, greater ones than those
+/// of lower levels. One more than a number fits in 24 bits.
+class Flip_numbers {
+ public:
+  /// Of no nodes.
+  Flip_numbers() = default;
+  /// Of the nodes above so many regions, a power of two: together 2^bits, less one. A region gets
+  /// four times as many as its share of the numbers of a higher level. Precondition: 12 <= bits <=
+  /// 24, and at most 128 regions.
+  Flip_numbers(std::size_t regions, unsigned bits) : block_bits_(bits - table_bits) {
+    const auto levels = static_cast<std::size_t>(std::bit_width(std::max<std::size_t>(regions, 2)));
+    for (std::size_t level = 0; level < levels; ++level) {
+      const std::size_t nodes = std::max<std::size_t>(regions >> level, 1);
+      const std::size_t blocks = (std::size_t{1} << table_bits) / (levels + 3) / nodes;
+      for (std::size_t node = 0; node < nodes; ++node) {
+        first_.push_back(static_cast<std::uint32_t>(node_.size() << block_bits_));
+        node_.insert(node_.end(), level == 0 ? 4 * blocks : blocks,
+                     static_cast<std::uint8_t>(first_.size() - 1));
+      }
+    }
+    first_.push_back(static_cast<std::uint32_t>((node_.size() << block_bits_) - 1));
+  }
+
+  /// The first number of a node.
+  std::uint32_t first(std::size_t node) const { return first_[node]; }
+  /// How many numbers a node has.
+  std::size_t size(std::size_t node) const { return first_[node + 1] - first_[node]; }
+  /// The node of a number.
+  std::size_t node(std::uint32_t number) const { return node_[number >> block_bits_]; }
+
+ private:
+  static constexpr unsigned table_bits = 12;
+
+  unsigned block_bits_ = 0;           // of how many numbers a block is
+  std::vector<std::uint32_t> first_;  // by node, and the end
+  std::vector<std::uint8_t> node_;    // by block
+};
+
 /// Which region a vertex belongs to, and how far a run by regions has come. See detail/regions.h.
 ///
 /// Regions are the leaves of a binary tree. Its nodes are numbered level by level: the regions,
@@ -27,8 +65,9 @@ struct Region_division {
 
   std::size_t regions = 0;            ///< how many there are: a power of two, or 0
   std::vector<std::uint16_t> owners;  ///< by point id, the region that owns the vertex
-  /// Of each node: how many flips have been numbered since the division.
+  /// Of each node: how many flips have been numbered since stamps were cleared.
   std::vector<std::size_t> flips;
+  Flip_numbers numbers;     ///< of the nodes
   double events = 0;        ///< of windows since the division
   double window_width = 0;  ///< of the next window
 

@@ -35,6 +35,7 @@ void Region_run<Kinetic, Turns>::divide() {
   division().regions = regions_;
   const std::size_t nodes = division().nodes();
   division().flips.assign(nodes, 0);
+  division().numbers = Flip_numbers(regions_, options_.stamp_bits);
   division().events = 0;
   move_to_parts(3 * nodes - 1 - regions_);
   go_on_with_division();
@@ -45,8 +46,7 @@ template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::go_on_with_division() {
   regions_ = division().regions;
   lanes_.resize(division().nodes());
-  const auto most =
-      static_cast<double>(std::min(options_.most_flips, std::size_t{1} << (index_bits - 2)));
+  const auto most = static_cast<double>(options_.most_flips);
   for (std::size_t node = 0; node < lanes_.size(); ++node) {
     Lane& lane = lanes_[node];
     lane.number = node;
@@ -55,16 +55,40 @@ void Region_run<Kinetic, Turns>::go_on_with_division() {
     lane.part = &queue().part(from);
     lane.first_handle = queue().named(from, 0);
     lane.flips_before = division().flips[node];
+    lane.first_number = division().numbers.first(node);
+    lane.numbers = division().numbers.size(node);
     if constexpr (has_turns) lane.turn_part = &turns_.queue().part(from);
     const auto nodes = static_cast<double>(regions_ >> lane.level);
     const double share = (lane.is_region() ? 16 : 4) * events_in_window() / std::max(nodes, 1.0);
-    lane.capacity = static_cast<std::size_t>(std::min(share + 64, most));
+    lane.most_flips = static_cast<std::size_t>(std::min(share + 64, most));
     if (lane.is_region()) {
       // Somewhat more than its share of a window.
       const auto expected = static_cast<std::size_t>(1.2 * share / 16) + 64;
-      lane.flips.reserve(std::min(expected, lane.capacity));
-      lane.keys.reserve(std::min(expected, lane.capacity));
+      lane.flips.reserve(std::min(expected, lane.most_flips));
+      lane.keys.reserve(std::min(expected, lane.most_flips));
     }
+  }
+}
+
+// Whether the numbers of a node may not be enough for a window.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::are_stamps_spent() const {
+  return std::ranges::any_of(lanes_, [](const Lane& lane) {
+    const std::size_t left = lane.numbers - lane.flips_before;
+    return left < lane.most_flips && left < lane.numbers / 2;
+  });
+}
+
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::clear_stamps() {
+  const std::vector<Face_handle> faces = kinetic_.faces();
+  auto blocks = blocks_of(std::span(std::as_const(faces)));
+  for_each(blocks, [](std::span<const Face_handle> block) {
+    for (const Face_handle face : block) face->set_stamp(0);
+  });
+  for (Lane& lane : lanes_) {
+    lane.flips_before = 0;
+    division().flips[lane.number] = 0;
   }
 }
 

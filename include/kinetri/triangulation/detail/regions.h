@@ -31,7 +31,8 @@
 //            made again.
 //   stamp    At a face, the number of the last flip that changed it; 0 if none did. Numbers grow
 //            with execution among flips that conflict (see below). A number less than those of its
-//            lane in this window is that of a flip before the window, and means nothing.
+//            lane in this window is that of a flip before the window, and means nothing. Where
+//            numbers run out, all stamps are cleared between two windows.
 //   surroundings of a flip: its two faces, and the four faces beside these. Two flips *conflict* if
 //            a face of one is in the surroundings of the other.
 //   stall    An entry that waits for a node above: deferred, or due in a union. It stays in the
@@ -158,6 +159,8 @@ struct Region_options {
   double points_per_hidden_one = 1000;
   /// Of a node in a window. It leaves what is more to the node above it; the root cuts the window.
   std::size_t most_flips = std::size_t{1} << 22;
+  /// Of the numbers of flips: a face has room for 24 (Flip_numbers). Fewer for tests.
+  unsigned stamp_bits = 24;
   std::size_t threads = 0;  ///< at most; 0: those of oneTBB's arena; 1: one region after the other
   /// If not 0, the order in which one thread takes regions and other tasks: another one for each
   /// number. For tests.
@@ -334,8 +337,11 @@ class Region_run {
     Part* part = nullptr;            // whose entries it executes
     Queue_handle first_handle = 0;   // of the part, as the queue names it
     Turn_part* turn_part = nullptr;  // the same of turns
-    std::size_t flips_before = 0;    // in windows before this one, since the division
-    std::size_t capacity = 0;        // how many flips it may have in a window
+    std::uint32_t first_number = 0;  // of its flips
+    std::size_t numbers = 0;         // how many there are for its flips
+    std::size_t flips_before = 0;    // in windows before this one, since stamps were cleared
+    std::size_t most_flips = 0;      // how many it may have in a window, if there are numbers
+    std::size_t capacity = 0;        // how many it may have in this window
     std::vector<Flip> flips = {};
     std::vector<Key> keys = {};  // of the flips
     bool has_undone = false;     // whether one of them is undone
@@ -370,6 +376,7 @@ class Region_run {
   bool measure_width(const Time& until, const Go_on& may_go_on);
   bool is_long_enough(const Time& until);
   bool are_stamps_spent() const;
+  void clear_stamps();
   void divide();
   void go_on_with_division();
   void move_to_parts(std::size_t count);
@@ -575,15 +582,14 @@ class Region_run {
   Queue& queue() { return kinetic_.queue_; }
   Region_division& division() { return kinetic_.division_; }
   Outer_edges outer_edges(const Two_sided_edge& edge) const;
-  static std::size_t index_of(Stamp stamp) {
-    return (stamp - 1) & ((std::size_t{1} << index_bits) - 1);
-  }
-  Lane& lane_of(Stamp stamp) { return lanes_[(stamp - 1) >> index_bits]; }
+  Lane& lane_of(Stamp stamp) { return lanes_[division().numbers.node(stamp - 1)]; }
+  // Of a flip in its lane since stamps were cleared.
+  std::size_t index_of(Stamp stamp) { return stamp - 1 - lane_of(stamp).first_number; }
   bool is_of_window(Stamp stamp) {
     return stamp != 0 && index_of(stamp) >= lane_of(stamp).flips_before;
   }
   static Stamp stamp(const Lane& lane, std::size_t index) {
-    return static_cast<Stamp>(((lane.number << index_bits) | (lane.flips_before + index)) + 1);
+    return static_cast<Stamp>(lane.first_number + lane.flips_before + index + 1);
   }
   // Preconditions: is_of_window(stamp).
   const Key& key(Stamp stamp) {
@@ -609,7 +615,6 @@ class Region_run {
     return order < 0 ? -1 : (order > 0 ? 1 : 0);
   }
 
-  static constexpr unsigned index_bits = 24;          // of a flip in its lane
   static constexpr std::size_t many_instants = 1024;  // for which parts are put together
 
   KineticTriangulation& kinetic_;

@@ -95,8 +95,9 @@ std::size_t Region_run<Kinetic, Turns>::advance(const Time& until, const Go_on& 
 // faces than flips, and are more often in each other's way.
 template <class Kinetic, class Turns>
 double Region_run<Kinetic, Turns>::events_in_window() const {
+  constexpr double most = 1 << 21;  // an eighth of the numbers that stamps have
   const double events = options_.events_per_vertex / (has_contacts() ? 5 : 1);
-  return std::max(1.0, events * static_cast<double>(kinetic_.number_of_points_));
+  return std::clamp(events * static_cast<double>(kinetic_.number_of_points_), 1.0, most);
 }
 
 // Whether so much time is left that windows pay.
@@ -163,9 +164,10 @@ bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may
       continue;
     }
     if (!is_divided() || division().regions != regions_ ||
-        division().events > options_.events_per_division * n || are_stamps_spent()) {
+        division().events > options_.events_per_division * n) {
       or_go_back([this] { divide(); });
     }
+    if (are_stamps_spent()) or_go_back([this] { clear_stamps(); });
     const bool is_whole = run_window(end);
     const auto done = static_cast<double>(done_);
     // Its first event may be later than its bounds say, and so than the window.
@@ -180,15 +182,6 @@ bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may
     }
   }
   return true;
-}
-
-// Whether stamps may soon be too large.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::are_stamps_spent() const {
-  const auto is_spent = [](const Lane& lane) {
-    return lane.flips_before > (std::size_t{1} << (index_bits - 1));
-  };
-  return std::ranges::any_of(lanes_, is_spent);
 }
 
 // Executes the events at one time as the plain loop does.
@@ -252,6 +245,9 @@ double Region_run<Kinetic, Turns>::execute_window(double end) {
   if constexpr (has_turns) {
     turned_.resize(kinetic_.vertices_.size(), 0);
     stalls_.resize(kinetic_.vertices_.size(), std::numeric_limits<double>::infinity());
+  }
+  for (Lane& lane : lanes_) {
+    lane.capacity = std::min(lane.most_flips, lane.numbers - lane.flips_before);
   }
   end = gather_due(end);
   for (unsigned level = 0; level <= lanes_.back().level; ++level) {
