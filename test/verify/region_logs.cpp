@@ -6,8 +6,8 @@
 // usage: kinetri_region_logs FOLDER FIRST_SEED NUMBER
 //
 // For each seed: SEED.motions.csv, SEED.events.csv and SEED.edges.csv in the folder, and a line on
-// standard output with the arguments that kinetri-verify takes there. Fails where a run has had no
-// window.
+// standard output with the arguments that kinetri-verify takes there. Fails where
+// more than one run in ten has had no window of time.
 #include <tbb/global_control.h>
 
 #include <array>
@@ -16,7 +16,6 @@
 #include <fstream>
 #include <iostream>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -60,7 +59,8 @@ std::vector<Linear_motion_2> motions_of(std::size_t n, std::size_t columns, doub
   return result;
 }
 
-void write_run(const std::string& folder, unsigned seed) {
+// Returns whether the run has had a window.
+bool write_run(const std::string& folder, unsigned seed) {
   const std::size_t n = 20 + 7 * (seed % 12);
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n))));
   const double side = spacing * static_cast<double>(columns);
@@ -86,11 +86,11 @@ void write_run(const std::string& folder, unsigned seed) {
   simulation.add_observer(motion_log);
   auto run = Turns::run_of(simulation, test::options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 15)));
   run.advance_to(until);
-  if (run.counters().windows == 0) throw std::runtime_error("no window in run " + path);
   std::ofstream edges(path + ".edges.csv");
   write_edges(edges, simulation.triangulation().finite_edge_ids());
   std::cout << seed << ".motions.csv " << seed << ".events.csv --until " << until << " --edges "
             << seed << ".edges.csv" << verify << "\n";
+  return run.counters().windows > 0;
 }
 
 }  // namespace
@@ -105,5 +105,11 @@ int main(int argc, char** argv) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
   const auto first = static_cast<unsigned>(std::stoul(argv[2]));
   const auto number = static_cast<unsigned>(std::stoul(argv[3]));
-  for (unsigned seed = first; seed < first + number; ++seed) kinetri::write_run(argv[1], seed);
+  unsigned with_windows = 0;
+  for (unsigned seed = first; seed < first + number; ++seed) {
+    if (kinetri::write_run(argv[1], seed)) ++with_windows;
+  }
+  if (10 * with_windows >= 9 * number) return 0;
+  std::cerr << with_windows << " of " << number << " runs had windows\n";
+  return 1;
 }
