@@ -3,163 +3,31 @@
 // Contacts and walls in runs by regions, against the plain loop: the same events, with the same
 // numbers and exact times, and the same state.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "kinetri/simulation/detail/contact_turns.h"
-#include "kinetri/simulation/recording.h"
 #include "kinetri/simulation/simulation_2.h"
-#include "support/motions.h"
+#include "support/contact_region_runs.h"
 #include "support/multiplier.h"
-#include "support/region_runs.h"
 
 namespace kinetri {
 namespace {
 
 using detail::Region_counters;
-using detail::Region_options;
+using test::box_of;
+using test::difference_from_loop;
+using test::difference_of_simulations;
+using test::gas;
+using test::on_lattice;
 using test::options_of;
-
-// Points in a square of the given side, some distance apart, with speeds up to `speed`.
-std::vector<Linear_motion_2> gas(std::size_t n, double side, double apart, double speed,
-                                 unsigned seed) {
-  std::mt19937_64 random(seed);
-  const auto between = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
-  // One in each cell of a grid.
-  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n))));
-  const double cell = side / static_cast<double>(columns);
-  std::vector<Linear_motion_2> result;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double x = cell * static_cast<double>(k % columns);
-    const double y = cell * static_cast<double>(k / columns);
-    const double free = cell - apart;
-    result.push_back({{x + apart / 2 + between(0, free), y + apart / 2 + between(0, free)},
-                      {between(-speed, speed), between(-speed, speed)}});
-  }
-  return result;
-}
-
-// Points on a lattice with whole velocities, so that much happens at one time.
-std::vector<Linear_motion_2> on_lattice(std::size_t n, std::size_t columns, unsigned seed) {
-  std::mt19937_64 random(seed);
-  const auto whole = [&] { return static_cast<double>(random() % 7) - 3; };
-  std::vector<Linear_motion_2> result;
-  for (std::size_t k = 0; k < n; ++k) {
-    result.push_back(
-        {{static_cast<double>(2 * (k % columns)), static_cast<double>(2 * (k / columns))},
-         {whole(), whole()}});
-  }
-  return result;
-}
-
-template <class Traits>
-std::string difference_of_simulations(const Simulation_2<Traits>& one,
-                                      const Simulation_2<Traits>& other) {
-  const std::string found = test::difference_of_states(one.triangulation(), other.triangulation());
-  if (!found.empty()) return found;
-  const auto a = one.snapshot();
-  const auto b = other.snapshot();
-  if (a.in_contact != b.in_contact) return "pairs in contact";
-  if (a.scheduled.size() != b.scheduled.size()) return "scheduled changes";
-  if (a.counters.instants != b.counters.instants) return "instants with contacts alone";
-  if (a.counters.most_at_one_time != b.counters.most_at_one_time) return "contacts at one time";
-  for (Point_id id = 0; id < one.triangulation().next_id(); ++id) {
-    if (!one.options().response || !one.triangulation().contains(id)) continue;
-    if (one.overlapping_discs(id) != other.overlapping_discs(id)) return "overlaps";
-  }
-  return {};
-}
-
-// Of a contact the disc of less mass vanishes.
-Contact_response_2 erase_lighter(const Contact_2& contact) {
-  Contact_response_2 result;
-  (contact.mass_a < contact.mass_b ? result.erases_a : result.erases_b) = true;
-  return result;
-}
-
-bool do_vanish(const Simulation_options& options) {
-  using Function = Contact_response_2 (*)(const Contact_2&);
-  const Function* const response = options.response.target<Function>();
-  return response != nullptr && (*response == erase_both || *response == erase_lighter);
-}
-
-// What differs between the plain loop and a run by regions, both in pieces that end at `times`,
-// with and without observers of the latter. Before each piece change(simulation) is called. A
-// recorder takes part unless discs vanish: it then has the plain loop run.
-template <class Traits = Linear_kinetic_traits_2>
-std::string difference_from_loop(
-    const std::vector<typename Traits::Motion>& motions, const Simulation_options& options,
-    const std::vector<Algebraic_number>& times, const Region_options& regions, Region_counters& sum,
-    const std::function<void(Simulation_2<Traits>&)>& change = [](Simulation_2<Traits>&) {}) {
-  using Simulation = Simulation_2<Traits>;
-  // More threads than this machine may have.
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
-  Simulation plain(motions, options);
-  Simulation watched(motions, options);
-  Simulation alone(motions, options);
-  test::Log expected;
-  test::Log log;
-  plain.add_observer(expected);
-  watched.add_observer(log);
-  const double end = times.back().to_double();
-  Recorder<Traits> expected_recorder(plain.triangulation(), end, 1'000'000);
-  Recorder<Traits> recorder(watched.triangulation(), end, 1'000'000);
-  if (!do_vanish(options)) {
-    plain.add_observer(expected_recorder);
-    watched.add_observer(recorder);
-  }
-  using Turns = detail::Contact_turns<Simulation>;
-  auto watched_run = Turns::run_of(watched, regions);
-  for (const Algebraic_number& time : times) {
-    for (Simulation* simulation : {&plain, &watched, &alone}) change(*simulation);
-    const std::size_t count = plain.advance_to(time);
-    if (watched_run.advance_to(time) != count) return "another number of events";
-    // Each call of advance_to makes a run.
-    if (Turns::run_of(alone, regions).advance_to(time) != count) {
-      return "another number of events without an observer";
-    }
-    std::string problem = test::difference(expected.events, log.events);
-    if (!problem.empty()) return problem;
-    if (expected.befores != log.befores) return "other numbers of events";
-    if (expected.rebuilds != log.rebuilds) return "other edges rebuilt";
-    problem = difference_of_simulations(plain, watched);
-    if (!problem.empty()) return problem;
-    problem = difference_of_simulations(plain, alone);
-    if (!problem.empty()) return problem + " without an observer";
-    const Audit_report report =
-        alone.audit(motions.size() < 200 ? Audit_level::certificates : Audit_level::links);
-    if (!report.failures.empty()) return report.failures.front();
-  }
-  test::add(sum, watched_run.counters());
-  const Recording expected_recording = expected_recorder.recording();
-  const Recording recording = recorder.recording();
-  if (expected_recording.events.size() != recording.events.size()) return "recorded events";
-  if (expected_recording.triangles != recording.triangles) return "recorded triangles";
-  if (expected_recording.motions.size() != recording.motions.size()) return "recorded motions";
-  for (std::size_t k = 0; k < recording.motions.size(); ++k) {
-    if (expected_recording.motions[k].motion != recording.motions[k].motion) {
-      return "recorded motion " + std::to_string(k);
-    }
-  }
-  return {};
-}
-
-Simulation_options box_of(double side) {
-  Simulation_options options;
-  options.box = Box_2{0, 0, side, side};
-  return options;
-}
 
 TEST(Contact_regions, reflect_points_as_the_loop_does) {
   Region_counters sum;
@@ -432,116 +300,6 @@ TEST(Contact_regions, follow_changes_as_the_loop_does) {
   }
   EXPECT_GT(sum.by_region, 500u);
   EXPECT_GT(sum.by_loop, 500u);
-}
-
-// Discs that vanish at a contact: both, or the lighter one. Among them are discs at the hull, and
-// of high degree.
-TEST(Contact_regions, erase_discs_as_the_loop_does) {
-  Region_counters sum;
-  std::size_t erased = 0;
-  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
-    const std::size_t n = 30 + 17 * (seed % 30);
-    const double side = 10 * std::sqrt(static_cast<double>(n));
-    Simulation_options options;
-    if (seed % 4 != 3) options = box_of(side);
-    options.radius = std::array{0.5, 1.2, 2.5}[seed % 3];
-    options.response = seed % 5 < 3 ? erase_both : erase_lighter;
-    options.response_is_pure = true;
-    for (std::size_t k = 0; k < n; ++k) {
-      options.masses.push_back(1 + static_cast<double>(k % 3));
-    }
-    const auto motions = gas(n, side, 2 * options.radius, 10, seed);
-    const auto count = [&](Simulation_2<Linear_kinetic_traits_2>& simulation) {
-      erased += n - simulation.triangulation().number_of_points();
-    };
-    ASSERT_EQ(difference_from_loop<Linear_kinetic_traits_2>(
-                  motions, options, {0.25, 0.5, 1.5},
-                  options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 9)), sum, count),
-              "")
-        << "seed " << seed;
-  }
-  EXPECT_GT(sum.by_region, 3'000u);
-  EXPECT_GT(sum.by_union, 3'000u);
-  EXPECT_GT(sum.by_rest, 3'000u);
-  EXPECT_GT(sum.undone, 100u);
-  EXPECT_GT(sum.windows, 2 * sum.cuts);
-  EXPECT_GT(erased, 1'000u);
-}
-
-// Discs of different radii vanish, and a few more turn than vanish.
-TEST(Contact_regions, erase_discs_of_any_size_as_the_loop_does) {
-  Region_counters sum;
-  for (unsigned seed = 0; seed < 40u * static_cast<unsigned>(test::multiplier()); ++seed) {
-    const std::size_t n = 30 + 17 * (seed % 30);
-    const double side = 10 * std::sqrt(static_cast<double>(n));
-    std::mt19937_64 random(seed);
-    std::vector<Disc_motion_2> discs;
-    for (const Linear_motion_2& motion : gas(n, side, 4, 10, seed)) {
-      const double radius = seed % 4 == 3 ? 2 : static_cast<double>(1 + random() % 100) / 50;
-      discs.push_back({motion, radius, seed % 3 == 1 ? 0.1 : 0.0, 0});
-    }
-    Simulation_options options = box_of(side);
-    options.rim_touches = seed % 2 == 0;
-    options.response = seed % 3 == 0 ? erase_lighter : erase_both;
-    options.response_is_pure = true;
-    ASSERT_EQ(
-        difference_from_loop<Disc_kinetic_traits_2>(
-            discs, options, {0.5, 1.5}, options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 9)), sum),
-        "")
-        << "seed " << seed;
-  }
-  EXPECT_GT(sum.by_region, 2'000u);
-  EXPECT_GT(sum.by_rest, 2'000u);
-}
-
-// A few points of whole places and velocities among others: windows are cut after discs have
-// vanished, so that these come back.
-TEST(Contact_regions, bring_erased_discs_back_where_a_window_is_cut) {
-  Region_counters sum;
-  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
-    const std::size_t n = 60 + seed % 60;
-    const double side = 10 * std::sqrt(static_cast<double>(n));
-    auto motions = gas(n, side, 5, 10, seed);
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k % 3 != seed % 3) continue;
-      auto& [position, velocity, start] = motions[k];
-      position = {std::round(position.x), std::round(position.y)};
-      velocity = {std::round(velocity.x), std::round(velocity.y)};
-    }
-    Simulation_options options = box_of(std::ceil(side));
-    options.radius = 1.5;
-    options.response = seed % 2 == 0 ? erase_both : erase_lighter;
-    options.response_is_pure = true;
-    ASSERT_EQ(difference_from_loop(motions, options, {0.5, 1.0, 2.0},
-                                   options_of(1 + seed % 16, 1 + seed % 3), sum),
-              "")
-        << "seed " << seed;
-  }
-  EXPECT_GT(sum.cuts, 100u);
-  EXPECT_GT(sum.cut_off, 1'000u);
-}
-
-// A recorder looks at the triangulation that is there when a disc has vanished.
-TEST(Contact_regions, record_discs_that_vanish) {
-  using Simulation = Simulation_2<Linear_kinetic_traits_2>;
-  Simulation_options options = box_of(100);
-  options.radius = 1.5;
-  options.response_is_pure = true;
-  for (const auto& response : {erase_both, erase_lighter}) {
-    options.response = response;
-    const auto motions = gas(100, 100, 3, 6, 1);
-    Simulation plain(motions, options);
-    Simulation simulation(motions, options);
-    Recorder<Linear_kinetic_traits_2> expected(plain.triangulation(), 2, 100'000);
-    Recorder<Linear_kinetic_traits_2> recorder(simulation.triangulation(), 2, 100'000);
-    plain.add_observer(expected);
-    simulation.add_observer(recorder);
-    plain.advance_to(2);
-    detail::Contact_turns<Simulation>::run_of(simulation, options_of(5, 0.2)).advance_to(2);
-    EXPECT_LT(plain.triangulation().number_of_points(), 95u);
-    EXPECT_EQ(expected.recording().triangles, recorder.recording().triangles);
-    EXPECT_EQ(difference_of_simulations(plain, simulation), "");
-  }
 }
 
 // A response that changes nothing lets discs pass: contacts for the plain loop.

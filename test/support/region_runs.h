@@ -153,6 +153,7 @@ inline Region_options options_of(std::size_t regions, double events_per_vertex) 
   options.events_per_division = 1;
   if (regions % 5 == 4) options.most_flips = 3;
   if (regions % 3 == 1) options.stamp_bits = 12;
+  if (regions % 3 == 2) options.flips_per_slice = 4;
   options.threads = regions % 2 == 1 ? 1 + regions % 8 : 1;
   options.order_of_tasks = regions;
   return options;

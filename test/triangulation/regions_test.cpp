@@ -60,6 +60,29 @@ TEST(Region_division, has_a_lowest_node_for_two_vertices) {
   }
 }
 
+TEST(Region_division, has_numbers_for_the_flips_of_each_node) {
+  for (std::size_t regions = 1; regions <= 128; regions *= 2) {
+    detail::Region_division division;
+    division.regions = regions;
+    std::vector<double> shares;
+    for (std::size_t k = 0; k < division.nodes(); ++k) shares.push_back(division.share(k));
+    for (const unsigned bits : {12u, 24u}) {
+      const detail::Flip_numbers numbers(shares, bits);
+      std::size_t next = 0;
+      for (std::size_t node = 0; node < division.nodes(); ++node) {
+        EXPECT_EQ(numbers.first(node), next);
+        ASSERT_GT(numbers.size(node), 0u);
+        next += numbers.size(node);
+        EXPECT_EQ(numbers.node(numbers.first(node)), node);
+        EXPECT_EQ(numbers.node(static_cast<std::uint32_t>(next - 1)), node);
+      }
+      // A stamp is a number and one.
+      EXPECT_LT(next, std::size_t{1} << bits);
+      EXPECT_GT(next, std::size_t{7} << (bits - 3));
+    }
+  }
+}
+
 TEST(Regions, run_random_points_as_the_loop_does) {
   Region_counters sum;
   for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {

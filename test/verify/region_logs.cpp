@@ -6,8 +6,8 @@
 // usage: kinetri_region_logs FOLDER FIRST_SEED NUMBER
 //
 // For each seed: SEED.motions.csv, SEED.events.csv and SEED.edges.csv in the folder, and a line on
-// standard output with the arguments that kinetri-verify takes there. Fails where
-// more than one run in ten has had no window of time.
+// standard output with the arguments that kinetri-verify takes there. Fails where more than one run
+// in ten has had no window of time.
 #include <tbb/global_control.h>
 
 #include <array>

@@ -71,8 +71,8 @@ class Contact_turns {
 
   // ---- what they are ----
 
-  /// Whether contacts can be executed in windows: of walls, and of discs that a response changes
-  /// that may be called at any time, by any thread.
+  /// Whether contacts can be executed in windows: of walls, and of discs whose response may be
+  /// called at any time, by any thread, and changes them.
   static bool can_run(const Simulation& simulation);
   bool can_run() const { return can_run(*simulation_); }
   /// Whether this is the simulation itself, which knows its contacts.
@@ -142,9 +142,8 @@ class Contact_turns {
   bool is_erasure(const Entry& entry) const {
     return entry.kind == Entry_kind::collision && is_erase_both(simulation_->options_.response);
   }
-  /// What a contact at `now` does to its points: either all changes are new motions, or none is,
-  /// and the points vanish. Nothing where that is for the plain loop, which may throw then. Changes
-  /// nothing.
+  /// What a contact at `now` does to its points: all changes are new motions, or all are erasures.
+  /// None where that is for the plain loop, which may throw then. Changes nothing.
   std::vector<Change> changes(const Entry& entry, const Time& now) const;
   /// The entry of what the given one is about, and its certificate after a time.
   std::pair<Entry, Certificate> certificate(const Entry& entry, const Time& after,

@@ -300,15 +300,14 @@ void Contact_turns<Simulation>::put_passes_back() {
 
 template <class Simulation>
 void Contact_turns<Simulation>::end_turn(const std::array<Point_id, 2>& points) {
+  bool are_there = true;
   for (const Point_id id : points) {
-    if (id != no_point && !simulation_->triangulation_.contains(id)) {
-      simulation_->contacts_[id].reset();
-    }
+    if (id == no_point || simulation_->triangulation_.contains(id)) continue;
+    simulation_->contacts_[id].reset();
+    are_there = false;
   }
   const auto [a, b] = points;
-  if (b == no_point || !simulation_->triangulation_.contains(a) ||
-      !simulation_->triangulation_.contains(b) || !do_meet(a, b, simulation_->current_time()))
-    return;
+  if (!are_there || b == no_point || !do_meet(a, b, simulation_->current_time())) return;
   simulation_->start_overlap(a, b);
   simulation_->for_each_pair_beside(a, b, [this](const Edge_ids& beside) {
     simulation_->watch(beside, simulation_->current_time());

@@ -9,31 +9,28 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include "kinetri/base/ids.h"
 
 namespace kinetri::detail {
 
-/// The numbers of flips, which stamps are: each node has some of its own, greater ones than those
-/// of lower levels. One more than a number fits in 24 bits.
+/// The numbers of flips, which stamps are: each node has some of its own, greater ones than the
+/// nodes before it.
 class Flip_numbers {
  public:
   /// Of no nodes.
   Flip_numbers() = default;
-  /// Of the nodes above so many regions, a power of two: together 2^bits, less one. A region gets
-  /// four times as many as its share of the numbers of a higher level. Precondition: 12 <= bits <=
-  /// 24, and at most 128 regions.
-  Flip_numbers(std::size_t regions, unsigned bits) : block_bits_(bits - table_bits) {
-    const auto levels = static_cast<std::size_t>(std::bit_width(std::max<std::size_t>(regions, 2)));
-    for (std::size_t level = 0; level < levels; ++level) {
-      const std::size_t nodes = std::max<std::size_t>(regions >> level, 1);
-      const std::size_t blocks = (std::size_t{1} << table_bits) / (levels + 3) / nodes;
-      for (std::size_t node = 0; node < nodes; ++node) {
-        first_.push_back(static_cast<std::uint32_t>(node_.size() << block_bits_));
-        node_.insert(node_.end(), level == 0 ? 4 * blocks : blocks,
-                     static_cast<std::uint8_t>(first_.size() - 1));
-      }
+  /// Of nodes that share 2^bits numbers, less one. Preconditions: at most 256 nodes; each has at
+  /// least 2 in 4096 of the sum of all shares; 12 <= bits <= 24.
+  Flip_numbers(std::span<const double> shares, unsigned bits) : block_bits_(bits - table_bits) {
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    for (const double share : shares) {
+      first_.push_back(static_cast<std::uint32_t>(node_.size() << block_bits_));
+      node_.insert(node_.end(), static_cast<std::size_t>((1 << table_bits) * share / sum),
+                   static_cast<std::uint8_t>(first_.size() - 1));
     }
     first_.push_back(static_cast<std::uint32_t>((node_.size() << block_bits_) - 1));
   }
@@ -87,6 +84,11 @@ struct Region_division {
   std::size_t above(std::size_t node) const {
     const unsigned l = level(node);
     return first_node(l + 1) + (node - first_node(l)) / 2;
+  }
+  /// The share of a node in the events of a window, at most: regions have most of these.
+  double share(std::size_t node) const {
+    const auto nodes = static_cast<double>(std::max<std::size_t>(regions >> level(node), 1));
+    return (level(node) == 0 ? 4 : 1) / nodes;
   }
   /// The lowest node that two vertices are in: the root if one of them is in no region.
   std::size_t node_of(Point_id a, Point_id b) const {

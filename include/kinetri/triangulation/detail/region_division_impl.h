@@ -35,7 +35,9 @@ void Region_run<Kinetic, Turns>::divide() {
   division().regions = regions_;
   const std::size_t nodes = division().nodes();
   division().flips.assign(nodes, 0);
-  division().numbers = Flip_numbers(regions_, options_.stamp_bits);
+  std::vector<double> shares;
+  for (std::size_t node = 0; node < nodes; ++node) shares.push_back(division().share(node));
+  division().numbers = Flip_numbers(shares, options_.stamp_bits);
   division().events = 0;
   move_to_parts(3 * nodes - 1 - regions_);
   go_on_with_division();
@@ -58,8 +60,7 @@ void Region_run<Kinetic, Turns>::go_on_with_division() {
     lane.first_number = division().numbers.first(node);
     lane.numbers = division().numbers.size(node);
     if constexpr (has_turns) lane.turn_part = &turns_.queue().part(from);
-    const auto nodes = static_cast<double>(regions_ >> lane.level);
-    const double share = (lane.is_region() ? 16 : 4) * events_in_window() / std::max(nodes, 1.0);
+    const double share = 4 * division().share(node) * events_in_window();
     lane.most_flips = static_cast<std::size_t>(std::min(share + 64, most));
     if (lane.is_region()) {
       // Somewhat more than its share of a window.

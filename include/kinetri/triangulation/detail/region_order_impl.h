@@ -109,8 +109,7 @@ void Region_run<Kinetic, Turns>::put_in_order() {
     greatest = std::max(greatest, lane.keys.back().reached);
   }
   if (size == 0) return;
-  constexpr std::size_t keys_per_slice = 4096;
-  const std::size_t number = size / keys_per_slice + 1;
+  const std::size_t number = size / options_.flips_per_slice + 1;
   std::vector<Slice> slices;
   for (std::size_t k = 0; k < number; ++k) {
     const double share = static_cast<double>(k + 1) / static_cast<double>(number);

@@ -161,6 +161,7 @@ struct Region_options {
   std::size_t most_flips = std::size_t{1} << 22;
   /// Of the numbers of flips: a face has room for 24 (Flip_numbers). Fewer for tests.
   unsigned stamp_bits = 24;
+  std::size_t flips_per_slice = 4096;  ///< that one thread puts in order. Fewer for tests
   std::size_t threads = 0;  ///< at most; 0: those of oneTBB's arena; 1: one region after the other
   /// If not 0, the order in which one thread takes regions and other tasks: another one for each
   /// number. For tests.
@@ -258,7 +259,7 @@ class Region_run {
     std::optional<Time> exact = std::nullopt;  // made when it is needed
   };
 
-  /// A face that an event has written.
+  // A face that an event has written.
   struct Written_face {
     Face_handle face;
     Stamp stamp;  // before
