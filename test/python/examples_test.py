@@ -20,9 +20,11 @@ def started(name, *arguments, **environment):
 
 
 def output(name, *arguments, **environment):
-    """What an example prints, with nothing to standard error."""
+    """What an example prints, with nothing to standard error but what Dask logs of its cluster: a
+    worker may be heard from while the cluster is being closed."""
     run = started(name, *arguments, **environment)
-    assert (run.returncode, run.stderr) == (0, "")
+    errors = [line for line in run.stderr.splitlines() if " - distributed." not in line]
+    assert (run.returncode, errors) == (0, [])
     return run.stdout
 
 
