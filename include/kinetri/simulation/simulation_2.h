@@ -429,11 +429,16 @@ class Simulation_2 : private Event_observer {
   void unschedule_wall(Point_id id);
   void schedule_pair(const Edge_ids& pair, const Time& after);
   bool schedule_new_pair(const Edge_ids& pair, const Time& after);
+  void push_pair(const Edge_ids& pair, Certificate certificate);
   Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
   void unschedule_pair(const Edge_ids& pair);
   void schedule_contacts(Point_id id, std::span<const Point_id> points);
   void schedule_pairs_beside(Point_id id);
   void schedule_all();
+  void schedule_all_walls();
+  void schedule_all_pairs();
+  template <class Made, class Make>
+  std::vector<Made> make_for_edges(const Make& make) const;
   void unschedule_contacts(Point_id id);
   void discard(Queue_handle handle);
   Entry pop();

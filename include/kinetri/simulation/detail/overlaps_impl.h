@@ -210,7 +210,18 @@ void Simulation_2<Traits>::find_all_overlaps() {
       if (may_touch(a, b, traits_)) start_overlap(a, b);
     });
   } else {
+    // A point that overlaps others overlaps a neighbor.
+    std::vector<bool> has_overlaps(triangulation_.next_id());
+    using Pairs = std::vector<Edge_ids>;
+    const auto blocks =
+        make_for_edges<Pairs>([this](const Edge_ids& edge, const Time& now, Pairs& made) {
+          if (may_touch(edge[0], edge[1], traits_, now)) made.push_back(edge);
+        });
+    for (const Pairs& block : blocks) {
+      for (const auto& [a, b] : block) has_overlaps[a] = has_overlaps[b] = true;
+    }
     for (const Point_id id : present_points()) {
+      if (!has_overlaps[id]) continue;
       for (const Point_id other : overlapping_points(id, traits_)) start_overlap(id, other);
     }
   }

@@ -15,6 +15,7 @@
 #include "kinetri/simulation/detail/disc_numbers.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/detail/plain_loop.h"
 
 namespace kinetri {
@@ -256,16 +257,22 @@ void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after
 // just after `after`.
 template <ContactKineticTraits_2 Traits>
 bool Simulation_2<Traits>::schedule_new_pair(const Edge_ids& pair, const Time& after) {
+  Certificate certificate = pair_certificate(pair, after, traits_);
+  certificate_counters_.count(certificate);
+  const bool may_overlap = certificate.may_vanish;
+  push_pair(pair, std::move(certificate));
+  return may_overlap;
+}
+
+// Puts the contact of the certificate of a pair that has no entry into the queue.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::push_pair(const Edge_ids& pair, Certificate certificate) {
   Entry entry;
   entry.kind = Entry_kind::collision;
   entry.point_a = pair[0];
   entry.point_b = pair[1];
-  Certificate certificate = pair_certificate(pair, after, traits_);
-  certificate_counters_.count(certificate);
-  const bool may_overlap = certificate.may_vanish;
   const Queue_handle event = push(entry, std::move(certificate));
   if (event != no_event) note(entry.subject(), event);
-  return may_overlap;
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -318,22 +325,116 @@ void Simulation_2<Traits>::schedule_pairs_beside(Point_id id) {
   }
 }
 
-// Schedules the contacts of all points of a new simulation.
+// Schedules the contacts of all points: of a new simulation, or after none has been scheduled.
+// Several threads make the certificates.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_all() {
-  const Point_id ids = triangulation_.next_id();
-  for (Point_id id = 0; id < ids; ++id) {
-    if (triangulation_.contains(id)) schedule_single(id, current_time());
+  schedule_all_walls();
+  if constexpr (has_radii) {
+    for (const Point_id id : present_points()) {
+      if (triangulation_.motion(id).growth < 0) schedule_vanishing(id);
+    }
   }
-  if (!options_.response) return;
-  for (const Edge_ids& edge : triangulation_.finite_edge_ids()) watch(edge, current_time());
+  if (options_.response) schedule_all_pairs();
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_all_walls() {
+  if (!options_.box) return;
+  struct Block {
+    std::span<const Point_id> ids;
+    Time after;
+    std::vector<std::pair<Entry, Certificate>> first = {};
+    Certificate_counters counters = {};
+  };
+  const std::vector<Point_id> ids = present_points();
+  std::vector<Block> blocks;
+  for (const auto block : detail::blocks_of(std::span(ids))) {
+    blocks.push_back({block, current_time().detached()});
+  }
+  detail::for_each_in_parallel(blocks, [this](Block& block) {
+    for (const Point_id id : block.ids) {
+      block.first.push_back(first_wall(id, block.after, block.counters));
+    }
+  });
+  for (Block& block : blocks) {
+    certificate_counters_ += block.counters;
+    for (auto& [entry, certificate] : block.first) {
+      contacts_of(entry.point_a).wall_event = push(entry, std::move(certificate));
+    }
+    block = {};
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::schedule_all_pairs() {
+  struct Made {
+    std::vector<std::pair<Edge_ids, Certificate>> contacts;
+    Certificate_counters counters;
+  };
+  auto blocks = make_for_edges<Made>([this](const Edge_ids& edge, const Time& now, Made& made) {
+    Certificate certificate = pair_certificate(edge, now, traits_);
+    made.counters.count(certificate);
+    if (certificate.kind == Certificate::Kind::never_fails) return;
+    made.contacts.emplace_back(edge, std::move(certificate));
+  });
+  for (Made& block : blocks) {
+    certificate_counters_ += block.counters;
+    for (auto& [edge, certificate] : block.contacts) push_pair(edge, std::move(certificate));
+    block = {};
+  }
   // Of each pair only once, however many discs overlap both.
+  const Point_id ids = triangulation_.next_id();
   std::vector<Point_id> last_first(ids, no_point);
   for (Point_id id = 0; id < ids; ++id) {
     for_each_pair_of(id, [&](Point_id other) {
       if (std::exchange(last_first[other], id) != id) watch({id, other}, current_time());
     });
   }
+}
+
+// Calls make(edge, now, made) for each edge, with the ids of its ends and the present time. Several
+// threads do so, each for the edges of some faces, for which it has an object `made`. Returns
+// these, in the order of the faces.
+template <ContactKineticTraits_2 Traits>
+template <class Made, class Make>
+std::vector<Made> Simulation_2<Traits>::make_for_edges(const Make& make) const {
+  const auto& triangulation = triangulation_.triangulation();
+  std::vector<Made> result;
+  if (triangulation.dimension() < 2) {
+    result.emplace_back();
+    for (const Edge_ids& edge : triangulation_.finite_edge_ids()) {
+      make(edge, current_time(), result.back());
+    }
+    return result;
+  }
+  using Face_handle = typename Triangulation::Triangulation::Face_handle;
+  struct Block {
+    std::span<const Face_handle> faces;
+    Time now;
+    Made made = {};
+  };
+  std::vector<Face_handle> faces;
+  faces.reserve(triangulation.tds().faces().size());
+  for (const Face_handle face : triangulation.all_face_handles()) faces.push_back(face);
+  std::vector<Block> blocks;
+  for (const auto block : detail::blocks_of(std::span(std::as_const(faces)))) {
+    blocks.push_back({block, current_time().detached()});
+  }
+  detail::for_each_in_parallel(blocks, [&](Block& block) {
+    for (const Face_handle face : block.faces) {
+      for (int i = 0; i < 3; ++i) {
+        const auto a = face->vertex(triangulation.ccw(i));
+        const auto b = face->vertex(triangulation.cw(i));
+        // An edge has two faces, which see its ends in opposite order.
+        if (triangulation.is_infinite(a) || triangulation.is_infinite(b)) continue;
+        const Edge_ids edge = {a->point().id(), b->point().id()};
+        if (edge[0] < edge[1]) make(edge, block.now, block.made);
+      }
+    }
+  });
+  for (Block& block : blocks) result.push_back(std::move(block.made));
+  return result;
 }
 
 template <ContactKineticTraits_2 Traits>

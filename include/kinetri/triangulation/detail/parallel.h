@@ -6,11 +6,26 @@
 
 #include <tbb/parallel_for_each.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "kinetri/base/compiler.h"
 
 namespace kinetri::detail {
+
+/// Elements in blocks, each for one thread.
+template <class Element>
+std::vector<std::span<const Element>> blocks_of(std::span<const Element> elements,
+                                                std::size_t size = 4096) {
+  std::vector<std::span<const Element>> blocks;
+  for (std::span<const Element> left = elements; !left.empty();) {
+    blocks.push_back(left.first(std::min(size, left.size())));
+    left = left.subspan(blocks.back().size());
+  }
+  return blocks;
+}
 
 /// Calls work(block) for each of the blocks, by as many threads as oneTBB lends; in this one, in
 /// their order, where there is only one block.

@@ -17,18 +17,6 @@
 
 namespace kinetri::detail {
 
-// Elements in blocks, each for one thread.
-template <class Element>
-std::vector<std::span<const Element>> blocks_of(std::span<const Element> elements,
-                                                std::size_t size = 4096) {
-  std::vector<std::span<const Element>> blocks;
-  for (std::span<const Element> left = elements; !left.empty();) {
-    blocks.push_back(left.first(std::min(size, left.size())));
-    left = left.subspan(blocks.back().size());
-  }
-  return blocks;
-}
-
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::divide() {
   choose_owners();
