@@ -421,7 +421,6 @@ class Simulation_2 : private Event_observer {
   // Scheduling.
   Queue_handle push(Entry entry, Certificate certificate);
   void schedule_single(Point_id id, const Time& after);
-  template <HasWeight M = Motion>
   void schedule_vanishing(Point_id id);
   void schedule_wall(Point_id id, const Time& after);
   std::pair<Entry, Certificate> first_wall(Point_id id, const Time& after,

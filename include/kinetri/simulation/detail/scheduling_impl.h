@@ -179,22 +179,22 @@ auto Simulation_2<Traits>::contacts_of(Point_id id) -> Contacts& {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_single(Point_id id, const Time& after) {
   schedule_wall(id, after);
-  if constexpr (has_radii) {
-    if (triangulation_.motion(id).growth < 0) schedule_vanishing(id);
-  }
+  schedule_vanishing(id);
 }
 
-// Precondition: the radius shrinks, and nothing is scheduled yet.
+// Schedules when the radius of a disc is 0, if it shrinks. Precondition: nothing is scheduled yet.
 template <ContactKineticTraits_2 Traits>
-template <HasWeight M>
 void Simulation_2<Traits>::schedule_vanishing(Point_id id) {
-  const Time time = detail::zero_of_radius(triangulation_.motion(id));
-  Entry entry;
-  entry.kind = Entry_kind::vanish;
-  entry.is_event = true;
-  entry.point_a = id;
-  entry.bounds = time.interval();
-  contacts_of(id).vanish_event = queue_.push(entry, time);
+  if constexpr (has_radii) {
+    if (triangulation_.motion(id).growth >= 0) return;
+    const Time time = detail::zero_of_radius(triangulation_.motion(id));
+    Entry entry;
+    entry.kind = Entry_kind::vanish;
+    entry.is_event = true;
+    entry.point_a = id;
+    entry.bounds = time.interval();
+    contacts_of(id).vanish_event = queue_.push(entry, time);
+  }
 }
 
 // Only the first of the walls that the point reaches has an entry.
@@ -325,16 +325,12 @@ void Simulation_2<Traits>::schedule_pairs_beside(Point_id id) {
   }
 }
 
-// Schedules the contacts of all points: of a new simulation, or after none has been scheduled.
-// Several threads make the certificates.
+// Schedules the contacts of all points. Several threads make the certificates. Precondition:
+// nothing is scheduled yet but changes.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_all() {
   schedule_all_walls();
-  if constexpr (has_radii) {
-    for (const Point_id id : present_points()) {
-      if (triangulation_.motion(id).growth < 0) schedule_vanishing(id);
-    }
-  }
+  for (const Point_id id : present_points()) schedule_vanishing(id);
   if (options_.response) schedule_all_pairs();
 }
 

@@ -85,7 +85,8 @@ struct Region_division {
     const unsigned l = level(node);
     return first_node(l + 1) + (node - first_node(l)) / 2;
   }
-  /// The share of a node in the events of a window, at most: regions have most of these.
+  /// For how great a share of the events of a window a node has room, in relation to other nodes:
+  /// each level shares the same among its nodes, but regions four times that, as they have most.
   double share(std::size_t node) const {
     const auto nodes = static_cast<double>(std::max<std::size_t>(regions >> level(node), 1));
     return (level(node) == 0 ? 4 : 1) / nodes;
