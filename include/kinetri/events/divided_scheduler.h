@@ -119,6 +119,11 @@ class Divided_scheduler {
   const Entry& operator[](Queue_handle handle) const {
     return is_divided() ? part(part_of_handle(handle))[local(handle)] : first_[handle];
   }
+  template <class Amend>
+  void amend(Queue_handle handle, const Amend& function) {
+    is_divided() ? part(part_of_handle(handle)).amend(local(handle), function)
+                 : first_.amend(handle, function);
+  }
   KINETRI_ALWAYS_INLINE const Entry& top() const {
     if (is_divided()) [[unlikely]]
       return top_of_parts();

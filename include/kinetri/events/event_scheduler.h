@@ -59,6 +59,11 @@ class Event_scheduler {
   void count_as(const Queue_counters& counters) noexcept { queue_.count_as(counters); }
   bool contains(Queue_handle handle) const noexcept { return queue_.contains(handle); }
   const Entry& operator[](Queue_handle handle) const { return queue_[handle]; }
+  /// As Indexed_queue says.
+  template <class Amend>
+  void amend(Queue_handle handle, const Amend& function) {
+    queue_.amend(handle, function);
+  }
   KINETRI_ALWAYS_INLINE const Entry& top() const { return queue_.top(); }
   KINETRI_ALWAYS_INLINE void prefetch(Queue_handle handle) const { queue_.prefetch(handle); }
   template <class Function>

@@ -127,6 +127,14 @@ class Indexed_queue {
     return places_[handle].item;
   }
 
+  /// Calls function(item) with the item of `handle`, to change what says nothing about its order.
+  /// Precondition: contains(handle).
+  template <class Amend>
+  void amend(Queue_handle handle, const Amend& function) {
+    KINETRI_PRECONDITION(contains(handle), "the handle names no item of the queue");
+    function(places_[handle].item);
+  }
+
   /// Says that items with lower bounds up to `bound` will be first soon, and others not: these are
   /// not put in order before. Changes nothing but the cost of what follows. Linear in the largest
   /// size so far.

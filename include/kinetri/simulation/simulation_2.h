@@ -337,12 +337,14 @@ class Simulation_2 : private Event_observer {
   struct Entry : detail::Scheduled {
     Entry_kind kind = Entry_kind::wall;
     bool is_event = false;
+    bool is_edge = false;  // whether there is an edge between two discs, if they ever touch
     Point_id point_a = no_point;
     Point_id point_b = no_point;  // of a wall, which of the four; of a change, its number
 
     /// What an entry says besides its subject and its times. A subject does not name the wall.
     struct Kept {
       bool is_event = false;  ///< a contact, not a time to check again
+      bool is_edge = false;   ///< as the entry has it
       std::uint8_t wall = 0;  ///< which of the four; 0 for a contact
     };
 
@@ -352,10 +354,11 @@ class Simulation_2 : private Event_observer {
         : detail::Scheduled{times},
           kind(subject.kind),
           is_event(kept.is_event),
+          is_edge(kept.is_edge),
           point_a(subject.point_a),
           point_b(subject.kind == Entry_kind::wall ? kept.wall : subject.point_b) {}
 
-    Kept kept() const { return {is_event, static_cast<std::uint8_t>(point_b & 3U)}; }
+    Kept kept() const { return {is_event, is_edge, static_cast<std::uint8_t>(point_b & 3U)}; }
     Subject subject() const { return {kind, point_a, point_b}; }
   };
 
@@ -396,6 +399,7 @@ class Simulation_2 : private Event_observer {
   struct Overlap {
     Point_id id;
     bool passes;  // a response has let the two pass: they have no contact until they have separated
+    bool is_edge;  // whether there is an edge between the two, if they do overlap now
   };
 
   /// The entries of a point in the queue, and its overlaps. Of each pair both points have a record.
@@ -426,9 +430,9 @@ class Simulation_2 : private Event_observer {
   std::pair<Entry, Certificate> first_wall(Point_id id, const Time& after,
                                            Certificate_counters& counters) const;
   void unschedule_wall(Point_id id);
-  void schedule_pair(const Edge_ids& pair, const Time& after);
-  bool schedule_new_pair(const Edge_ids& pair, const Time& after);
-  void push_pair(const Edge_ids& pair, Certificate certificate);
+  void schedule_pair(const Edge_ids& pair, bool is_edge, const Time& after);
+  bool schedule_new_pair(const Edge_ids& pair, bool is_edge, const Time& after);
+  void push_pair(const Edge_ids& pair, bool is_edge, Certificate certificate);
   Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
   void unschedule_pair(const Edge_ids& pair);
   void schedule_contacts(Point_id id, std::span<const Point_id> points);
@@ -457,14 +461,15 @@ class Simulation_2 : private Event_observer {
   // Overlaps, and the pairs that are watched because of them.
   const std::vector<Overlap>& overlaps(Point_id id) const;
   const Overlap* find_overlap(const Edge_ids& pair) const;
+  Queue_handle find_pair(const Edge_ids& pair) const;
   std::vector<Point_id> overlapping_points(Point_id id, const Traits& traits) const;
-  bool is_edge(Point_id a, Point_id b) const;
+  bool is_edge(const Edge_ids& pair) const;
   bool is_watched(const Edge_ids& pair) const;
   bool is_overlapped(const Edge_ids& pair) const;
-  void watch(const Edge_ids& pair, const Time& after);
+  void watch(const Edge_ids& pair, bool is_edge, const Time& after);
   void unwatch(const Edge_ids& pair);
   template <class Function>
-  void for_each_pair_beside(Point_id a, Point_id b, Function function) const;
+  void for_each_pair_beside(Point_id a, Point_id b, bool is_edge, Function function) const;
   template <class Function>
   void for_each_pair_of(Point_id first, Function function) const;
   template <class Function>
@@ -478,10 +483,12 @@ class Simulation_2 : private Event_observer {
   void refuse_overlaps_of(const Point_2& p) const;
   void refuse(std::vector<Edge_ids> pairs) const;
   void drop_overlaps(Point_id id);
-  void start_overlap(Point_id a, Point_id b);
+  void start_overlap(Point_id a, Point_id b, bool is_edge);
+  template <class Amend>
+  void amend_overlap(const Edge_ids& pair, const Amend& amend);
   void end_overlap(Point_id a, Point_id b);
   void mark_passing(Point_id a, Point_id b, bool passes);
-  void let_pass(Point_id a, Point_id b);
+  void let_pass(Point_id a, Point_id b, bool is_edge);
   void end_passes(Point_id id);
   bool is_passing(Point_id a, Point_id b);
   void update_overlaps(std::span<const Point_id> points);
@@ -519,7 +526,7 @@ class Simulation_2 : private Event_observer {
   using Change = typename Triangulation::Change;
   void hit_wall(Point_id id, std::size_t wall);
   Change reflection(Point_id id, std::size_t wall, const Time& now) const;
-  void collide(Point_id a, Point_id b);
+  void collide(Point_id a, Point_id b, bool is_edge);
   std::vector<Change> collision(Point_id a, Point_id b, const Time& now) const;
   void schedule(const Time& time, Entry_kind kind, Point_id id,
                 const std::optional<Motion>& motion);
@@ -539,6 +546,8 @@ class Simulation_2 : private Event_observer {
   Motion usable(Point_id id, Motion motion, const Time& now) const;
   bool looks_at_triangulation() const override { return false; }  // a run by regions tells it
   void after_event(const Event& event) override;
+  void leave_edge(const Edge_ids& edge);
+  void follow_edge(const Edge_ids& edge, const Time& after);
 
   Traits traits_;
   Simulation_options options_;

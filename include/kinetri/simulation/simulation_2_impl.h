@@ -281,7 +281,7 @@ void Simulation_2<Traits>::recheck(const Entry& entry) {
   if (entry.kind == Entry_kind::wall) {
     schedule_wall(entry.point_a, Time(entry.bounds.lower));
   } else if (entry.kind == Entry_kind::collision) {
-    schedule_pair({entry.point_a, entry.point_b}, Time(entry.bounds.lower));
+    schedule_pair({entry.point_a, entry.point_b}, entry.is_edge, Time(entry.bounds.lower));
   } else {
     take_scheduled_motion(entry);
   }
@@ -338,7 +338,7 @@ void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postpone
       if (entry.kind == Entry_kind::wall) {
         hit_wall(entry.point_a, entry.point_b);
       } else {
-        collide(entry.point_a, entry.point_b);
+        collide(entry.point_a, entry.point_b, entry.is_edge);
       }
     }
   };

@@ -55,6 +55,10 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
     for (const auto& [b, event] : contacts(a).partners) {
       if (b < a) continue;
       ++entries;
+      const Entry& contact = queue_[event];
+      if (contact.is_edge != is_edge({a, b}) && (contact.is_edge || contact.is_event)) {
+        fail("the contact of " + pair_name(a, b) + " says wrongly whether there is an edge");
+      }
       if (!is_watched({a, b})) {
         fail(pair_name(a, b) +
              " have a contact but neither an edge nor a third disc that overlaps");
@@ -79,10 +83,9 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   };
   // At the start, contacts of the present time may be still to come.
   const auto is_contact_due = [&](const Edge_ids& pair) {
-    const auto& partners = contacts(pair[0]).partners;
-    const auto partner = std::ranges::find(partners, pair[1], &Partner::id);
-    return partner != partners.end() && queue_[partner->event].is_event &&
-           queue_.time_of(queue_[partner->event]) == current_time();
+    const Queue_handle event = find_pair(pair);
+    return event != no_event && queue_[event].is_event &&
+           queue_.time_of(queue_[event]) == current_time();
   };
   const Traits exact = traits_.exact();
   for (Point_id id = 0; options_.box && id < triangulation_.next_id(); ++id) {
@@ -107,6 +110,8 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
     const Overlap* const overlap = find_overlap({a, b});
     if (overlap == nullptr) {
       fail(pair_name(a, b) + " overlap, of which the simulation does not know");
+    } else if (overlap->is_edge != is_edge({a, b})) {
+      fail("the overlap of " + pair_name(a, b) + " says wrongly whether there is an edge");
     } else if (!overlap->passes && !is_contact_due({a, b}) &&
                exact.do_approach(point(a), point(b), current_time())) {
       fail(pair_name(a, b) + " overlap and approach each other");
@@ -120,10 +125,8 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   std::ranges::sort(watched);
   watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
   for (const auto& [a, b] : watched) {
-    const auto& partners = contacts(a).partners;
-    const auto partner = std::ranges::find(partners, b, &Partner::id);
     const Certificate certificate = pair_certificate({a, b}, current_time(), exact);
-    compare(pair_name(a, b), partner == partners.end() ? no_event : partner->event,
+    compare(pair_name(a, b), find_pair({a, b}),
             certificate.failure ? std::optional(*certificate.failure) : std::nullopt);
   }
   return report;

@@ -96,6 +96,7 @@ auto Contact_turns<Simulation>::pair(const Edge_ids& pair) -> Entry {
   result.kind = Entry_kind::collision;
   result.point_a = pair[0];
   result.point_b = pair[1];
+  result.is_edge = true;
   return result;
 }
 
@@ -271,7 +272,7 @@ bool Contact_turns<Simulation>::drop_overlaps(const Time& time) {
   for (Point_id id = 0; id < contacts.size(); ++id) {
     if (contacts[id] == nullptr) continue;
     const auto overlaps = contacts[id]->overlaps;
-    for (const auto& [other, passes] : overlaps) {
+    for (const auto& [other, passes, is_edge] : overlaps) {
       if (simulation_->triangulation_.contains(id) && simulation_->triangulation_.contains(other) &&
           do_meet(id, other, time)) {
         return false;
@@ -288,10 +289,11 @@ bool Contact_turns<Simulation>::drop_overlaps(const Time& time) {
 template <class Simulation>
 void Contact_turns<Simulation>::put_passes_back() {
   for (const auto& [a, b] : passes_) {
-    simulation_->start_overlap(a, b);
+    const bool is_edge = simulation_->is_edge({a, b});
+    simulation_->start_overlap(a, b, is_edge);
     simulation_->mark_passing(a, b, true);
-    simulation_->for_each_pair_beside(a, b, [this](const Edge_ids& pair) {
-      simulation_->watch(pair, simulation_->current_time());
+    simulation_->for_each_pair_beside(a, b, is_edge, [this](const Edge_ids& pair) {
+      simulation_->watch(pair, false, simulation_->current_time());
     });
   }
   passes_.clear();
@@ -308,9 +310,10 @@ void Contact_turns<Simulation>::end_turn(const std::array<Point_id, 2>& points) 
   }
   const auto [a, b] = points;
   if (!are_there || b == no_point || !do_meet(a, b, simulation_->current_time())) return;
-  simulation_->start_overlap(a, b);
-  simulation_->for_each_pair_beside(a, b, [this](const Edge_ids& beside) {
-    simulation_->watch(beside, simulation_->current_time());
+  const bool is_edge = simulation_->is_edge({a, b});
+  simulation_->start_overlap(a, b, is_edge);
+  simulation_->for_each_pair_beside(a, b, is_edge, [this](const Edge_ids& beside) {
+    simulation_->watch(beside, false, simulation_->current_time());
   });
 }
 
@@ -344,7 +347,7 @@ void Contact_turns<Simulation>::start_anew() {
     simulation_->scheduled_changes_.at(number).event = queue().push(entry, std::move(time));
   }
   for (const auto& [a, b] : passes_) {
-    simulation_->start_overlap(a, b);
+    simulation_->start_overlap(a, b, simulation_->is_edge({a, b}));
     simulation_->mark_passing(a, b, true);
   }
   passes_.clear();

@@ -49,13 +49,13 @@ auto Simulation_2<Traits>::reflection(Point_id id, std::size_t wall, const Time&
 }
 
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::collide(Point_id a, Point_id b) {
+void Simulation_2<Traits>::collide(Point_id a, Point_id b, bool is_edge) {
   if (find_overlap({a, b}) != nullptr) mark_passing(a, b, false);  // they had separated
   const std::vector<Change> changes = collision(a, b, current_time());
   if (changes.empty()) {
-    let_pass(a, b);
+    let_pass(a, b, is_edge);
     triangulation_.apply(Event_kind::collision, a, b, {});
-    return schedule_pair({a, b}, current_time());
+    return schedule_pair({a, b}, is_edge, current_time());
   }
   const std::array<Point_id, 2> points = {a, b};
   change(points, [&] { triangulation_.apply(Event_kind::collision, a, b, changes); });
@@ -205,22 +205,41 @@ void Simulation_2<Traits>::refuse_press(Point_id id, const std::string& who,
 // schedules their contacts.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::after_event(const Event& event) {
-  if (event.removed) {
-    const Edge_ids& edge = *event.removed;
-    if (!is_overlapped(edge)) unschedule_pair(edge);
-    if (!has_radii && find_overlap(edge) != nullptr) {
-      for_each_pair_over(edge, [this](const Edge_ids& pair) { unwatch(pair); });
+  if (event.removed) leave_edge(*event.removed);
+  if (event.added) follow_edge(*event.added, event.time);
+}
+
+// An edge has gone.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::leave_edge(const Edge_ids& edge) {
+  const bool do_overlap = find_overlap(edge) != nullptr;
+  if (do_overlap) amend_overlap(edge, [](Overlap& overlap) { overlap.is_edge = false; });
+  if (const Queue_handle event = find_pair(edge); event != no_event) {
+    if (is_overlapped(edge)) {
+      queue_.amend(event, [](Entry& entry) { entry.is_edge = false; });
+    } else {
+      unschedule_pair(edge);
     }
   }
-  if (!event.added) return;
-  const auto watch_now = [&](const Edge_ids& pair) {
+  if (do_overlap && !has_radii) {
+    for_each_pair_over(edge, [this](const Edge_ids& pair) { unwatch(pair); });
+  }
+}
+
+// An edge has come, at the time `after`.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::follow_edge(const Edge_ids& edge, const Time& after) {
+  const auto watch_now = [&](const Edge_ids& pair, bool is_edge) {
     const bool is_scheduled_later = std::ranges::any_of(
         pair, [&](Point_id id) { return std::ranges::binary_search(changing_points_, id); });
-    if (!is_scheduled_later) watch(pair, event.time);
+    if (!is_scheduled_later) watch(pair, is_edge, after);
   };
-  watch_now(*event.added);
-  if (!has_radii && find_overlap(*event.added) != nullptr)
-    for_each_pair_over(*event.added, watch_now);
+  watch_now(edge, true);
+  if (find_overlap(edge) == nullptr) return;
+  amend_overlap(edge, [](Overlap& overlap) { overlap.is_edge = true; });
+  if (!has_radii) {
+    for_each_pair_over(edge, [&](const Edge_ids& pair) { watch_now(pair, false); });
+  }
 }
 
 }  // namespace kinetri

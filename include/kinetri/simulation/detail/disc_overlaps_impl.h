@@ -48,7 +48,9 @@ void Simulation_2<Traits>::find_new_overlaps(std::span<const Point_id> points) {
   detail::sort_and_remove_duplicates(candidates);
   std::erase_if(candidates, [&](Point_id id) { return !triangulation_.contains(id); });
   const auto examine = [&](Point_id a, Point_id b) {
-    if (find_overlap({a, b}) == nullptr && may_touch(a, b, traits_)) start_overlap(a, b);
+    if (find_overlap({a, b}) == nullptr && may_touch(a, b, traits_)) {
+      start_overlap(a, b, is_edge({a, b}));
+    }
   };
   constexpr std::size_t few = 8;
   if (points.size() <= few) {

@@ -102,18 +102,30 @@ std::vector<Point_id> Simulation_2<Traits>::overlapping_points(Point_id id,
   return result;
 }
 
-// Whether both points are there, with an edge.
+// Whether the triangulation has both points, with an edge. Entries and overlaps know that too,
+// where it matters: they need no triangulation, and tell it faster. An edge of which nothing is
+// known has no entry because its discs never touch.
 template <ContactKineticTraits_2 Traits>
-bool Simulation_2<Traits>::is_edge(Point_id a, Point_id b) const {
-  if (!triangulation_.contains(a) || !triangulation_.contains(b)) return false;
+bool Simulation_2<Traits>::is_edge(const Edge_ids& pair) const {
+  if (!triangulation_.contains(pair[0]) || !triangulation_.contains(pair[1])) return false;
   bool result = false;
-  for_each_neighbor(a, [&](Point_id other) { result = result || other == b; });
+  for_each_neighbor(pair[0], [&](Point_id other) { result = result || other == pair[1]; });
   return result;
 }
 
+// The handle of the entry of a pair; no_event if there is none.
+template <ContactKineticTraits_2 Traits>
+Queue_handle Simulation_2<Traits>::find_pair(const Edge_ids& pair) const {
+  const Contacts* const contacts = find_contacts(pair[0]);
+  if (contacts == nullptr) return no_event;
+  const auto partner = std::ranges::find(contacts->partners, pair[1], &Partner::id);
+  return partner == contacts->partners.end() ? no_event : partner->event;
+}
+
+// Whether there still is a reason to watch a pair that has an entry.
 template <ContactKineticTraits_2 Traits>
 bool Simulation_2<Traits>::is_watched(const Edge_ids& pair) const {
-  return is_edge(pair[0], pair[1]) || is_overlapped(pair);
+  return queue_[find_pair(pair)].is_edge || is_overlapped(pair);
 }
 
 // Whether the pair is watched because of a disc that overlaps both; or, of discs that have radii of
@@ -130,31 +142,34 @@ bool Simulation_2<Traits>::is_overlapped(const Edge_ids& pair) const {
     });
   }
   return std::ranges::any_of(overlaps(pair[0]), [&](const Overlap& overlap) {
-    return find_overlap({overlap.id, pair[1]}) != nullptr && is_edge(overlap.id, pair[1]);
+    const Overlap* const beside = find_overlap({overlap.id, pair[1]});
+    return beside != nullptr && beside->is_edge;
   });
 }
 
-// Schedules the contact of a pair that has none.
+// Schedules the contact of a pair that has none, as an edge has come or as a disc overlaps both.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::watch(const Edge_ids& pair, const Time& after) {
-  const Contacts* const contacts = find_contacts(pair[0]);
-  if (contacts != nullptr &&
-      std::ranges::find(contacts->partners, pair[1], &Partner::id) != contacts->partners.end()) {
-    return;
+void Simulation_2<Traits>::watch(const Edge_ids& pair, bool is_edge, const Time& after) {
+  const Queue_handle event = find_pair(pair);
+  if (event == no_event) {
+    schedule_pair(pair, is_edge, after);
+  } else if (is_edge) {
+    queue_.amend(event, [](Entry& entry) { entry.is_edge = true; });
   }
-  schedule_pair(pair, after);
 }
 
 // To be called when a reason to watch the pair has gone.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unwatch(const Edge_ids& pair) {
-  if (!is_watched(pair)) unschedule_pair(pair);
+  if (find_pair(pair) != no_event && !is_watched(pair)) unschedule_pair(pair);
 }
 
-// Calls `function` with the pairs that are watched because the discs of a and b overlap.
+// Calls `function` with the pairs that are watched because the discs of a and b overlap. `is_edge`
+// says whether there is an edge between them.
 template <ContactKineticTraits_2 Traits>
 template <class Function>
-void Simulation_2<Traits>::for_each_pair_beside(Point_id a, Point_id b, Function function) const {
+void Simulation_2<Traits>::for_each_pair_beside(Point_id a, Point_id b, bool is_edge,
+                                                Function function) const {
   if constexpr (has_radii) function(edge_ids(a, b));
   // Mostly the two overlap no others.
   const auto has_others = [&](Point_id p, Point_id w) {
@@ -163,14 +178,14 @@ void Simulation_2<Traits>::for_each_pair_beside(Point_id a, Point_id b, Function
   if (!has_others(a, b) && !has_others(b, a)) return;
   const auto as_first = [&](Point_id p, Point_id w) {
     for (const Overlap& overlap : overlaps(w)) {
-      if (has_radii ? p != overlap.id : p < overlap.id && is_edge(w, overlap.id)) {
+      if (has_radii ? p != overlap.id : p < overlap.id && overlap.is_edge) {
         function(edge_ids(p, overlap.id));
       }
     }
   };
   as_first(a, b);
   as_first(b, a);
-  if (!has_radii && is_edge(a, b)) for_each_pair_over({a, b}, function);
+  if (!has_radii && is_edge) for_each_pair_over({a, b}, function);
 }
 
 // Calls `function` with the greater point of each pair that is watched because of a disc that
@@ -181,7 +196,7 @@ void Simulation_2<Traits>::for_each_pair_of(Point_id first, Function function) c
   for (const Overlap& between : overlaps(first)) {
     if (has_radii && first < between.id) function(between.id);
     for (const Overlap& overlap : overlaps(between.id)) {
-      if (first < overlap.id && (has_radii || is_edge(between.id, overlap.id))) {
+      if (first < overlap.id && (has_radii || overlap.is_edge)) {
         function(overlap.id);
       }
     }
@@ -207,7 +222,7 @@ void Simulation_2<Traits>::find_all_overlaps() {
   if (!options_.response && !options_.refuses_overlaps) return;
   if constexpr (has_radii) {
     for_each_close_pair(present_points(), [&](Point_id a, Point_id b) {
-      if (may_touch(a, b, traits_)) start_overlap(a, b);
+      if (may_touch(a, b, traits_)) start_overlap(a, b, is_edge({a, b}));
     });
   } else {
     // A point that overlaps others overlaps a neighbor.
@@ -222,7 +237,9 @@ void Simulation_2<Traits>::find_all_overlaps() {
     }
     for (const Point_id id : present_points()) {
       if (!has_overlaps[id]) continue;
-      for (const Point_id other : overlapping_points(id, traits_)) start_overlap(id, other);
+      for (const Point_id other : overlapping_points(id, traits_)) {
+        start_overlap(id, other, is_edge({id, other}));
+      }
     }
   }
 }
@@ -248,8 +265,10 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::refuse_overlaps() const {
   std::vector<Edge_ids> pairs;
   for (const Point_id id : present_points()) {
-    for (const auto& [other, passes] : overlaps(id)) {
-      if (id < other && do_overlap(point(id), point(other))) pairs.push_back({id, other});
+    for (const Overlap& overlap : overlaps(id)) {
+      if (id < overlap.id && do_overlap(point(id), point(overlap.id))) {
+        pairs.push_back({id, overlap.id});
+      }
     }
   }
   refuse(std::move(pairs));
@@ -279,43 +298,56 @@ void Simulation_2<Traits>::refuse(std::vector<Edge_ids> pairs) const {
   throw Overlapping_discs_error(std::move(pairs), message);
 }
 
-// Does nothing for a pair that has a record.
+// Makes a record of a pair that overlaps, if there is none. `is_edge` is false too where that is
+// not known because the two do not overlap.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::start_overlap(Point_id a, Point_id b) {
-  if (find_overlap({a, b}) != nullptr) return;
-  contacts_of(a).overlaps.push_back({b, false});
-  contacts_of(b).overlaps.push_back({a, false});
+void Simulation_2<Traits>::start_overlap(Point_id a, Point_id b, bool is_edge) {
+  if (find_overlap({a, b}) == nullptr) {
+    contacts_of(a).overlaps.push_back({b, false, is_edge});
+    contacts_of(b).overlaps.push_back({a, false, is_edge});
+  } else if (is_edge) {
+    amend_overlap({a, b}, [](Overlap& overlap) { overlap.is_edge = true; });
+  }
 }
 
-// The points need not be there any more.
+// Calls `amend` with both records of a pair that overlaps.
+template <ContactKineticTraits_2 Traits>
+template <class Amend>
+void Simulation_2<Traits>::amend_overlap(const Edge_ids& pair, const Amend& amend) {
+  amend(*std::ranges::find(contacts_of(pair[0]).overlaps, pair[1], &Overlap::id));
+  amend(*std::ranges::find(contacts_of(pair[1]).overlaps, pair[0], &Overlap::id));
+}
+
+// Forgets a pair that has a record. The points need not be there any more.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::end_overlap(Point_id a, Point_id b) {
+  const bool is_edge = find_overlap({a, b})->is_edge;
   const auto forget = [this](Point_id id, Point_id other) {
     std::erase_if(contacts_of(id).overlaps,
                   [&](const Overlap& overlap) { return overlap.id == other; });
   };
   forget(a, b);
   forget(b, a);
-  for_each_pair_beside(a, b, [this](const Edge_ids& pair) { unwatch(pair); });
+  for_each_pair_beside(a, b, is_edge, [this](const Edge_ids& pair) { unwatch(pair); });
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::mark_passing(Point_id a, Point_id b, bool passes) {
-  std::ranges::find(contacts_of(a).overlaps, b, &Overlap::id)->passes = passes;
-  std::ranges::find(contacts_of(b).overlaps, a, &Overlap::id)->passes = passes;
+  amend_overlap({a, b}, [&](Overlap& overlap) { overlap.passes = passes; });
 }
 
 // Two discs in contact that overlap from now on, and have no contact until they have separated.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::let_pass(Point_id a, Point_id b) {
+void Simulation_2<Traits>::let_pass(Point_id a, Point_id b, bool is_edge) {
   for (const Point_id id : {a, b}) {
     end_passes(id);
     drop_overlaps(id);
     if constexpr (!has_radii) find_new_overlaps_of(id);
   }
-  start_overlap(a, b);
+  start_overlap(a, b, is_edge);
   mark_passing(a, b, true);
-  for_each_pair_beside(a, b, [this](const Edge_ids& pair) { watch(pair, current_time()); });
+  for_each_pair_beside(a, b, is_edge,
+                       [this](const Edge_ids& pair) { watch(pair, false, current_time()); });
 }
 
 // Ends the passes of a point that are over, because the discs have separated: to be called before
@@ -324,8 +356,8 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::end_passes(Point_id id) {
   if (std::ranges::none_of(overlaps(id), &Overlap::passes)) return;
   const std::vector<Overlap> known = overlaps(id);
-  for (const auto& [other, passes] : known) {
-    if (passes && !is_passing(id, other)) end_overlap(id, other);
+  for (const Overlap& overlap : known) {
+    if (overlap.passes && !is_passing(id, overlap.id)) end_overlap(id, overlap.id);
   }
 }
 
@@ -337,10 +369,9 @@ bool Simulation_2<Traits>::is_passing(Point_id a, Point_id b) {
       !traits_.do_touch(point(a), point(b), diameter_, current_time())) {
     return false;
   }
-  const auto& partners = contacts_of(a).partners;
-  const auto partner = std::ranges::find(partners, b, &Partner::id);
-  return partner == partners.end() || !queue_[partner->event].is_event ||
-         queue_.time(queue_[partner->event]) > current_time();
+  const Queue_handle event = find_pair({a, b});
+  return event == no_event || !queue_[event].is_event ||
+         queue_.time(queue_[event]) > current_time();
 }
 
 // Brings the overlaps of points that have got other motions, come or gone up to date, where those
@@ -360,7 +391,7 @@ void Simulation_2<Traits>::update_overlaps(std::span<const Point_id> points) {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::drop_overlaps(Point_id id) {
   for (std::size_t i = 0; i < overlaps(id).size();) {
-    const auto [other, passes] = overlaps(id)[i];
+    const auto [other, passes, is_edge] = overlaps(id)[i];
     if (passes || (triangulation_.contains(id) && triangulation_.contains(other) &&
                    may_touch(id, other, traits_))) {
       ++i;
@@ -372,7 +403,8 @@ void Simulation_2<Traits>::drop_overlaps(Point_id id) {
 
 // The overlaps of a point that are not at its edges are among those of the discs that it overlaps:
 // all points of a path of edges from p to q, within the closed disc with diameter pq, overlap one
-// another.
+// another. If the discs of p and q do overlap from now on, and there is an edge between them, the
+// pair has an entry that says so: its contact is now.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::find_new_overlaps_of(Point_id id) {
   for (std::size_t i = 0; i < overlaps(id).size(); ++i) {
@@ -381,7 +413,8 @@ void Simulation_2<Traits>::find_new_overlaps_of(Point_id id) {
       const Point_id other = overlaps(between)[k].id;
       if (other != id && find_overlap({id, other}) == nullptr && triangulation_.contains(other) &&
           may_touch(id, other, traits_)) {
-        start_overlap(id, other);
+        const Queue_handle event = find_pair({id, other});
+        start_overlap(id, other, event != no_event && queue_[event].is_edge);
       }
     }
   }

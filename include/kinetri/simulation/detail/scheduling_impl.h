@@ -70,8 +70,7 @@ Queue_handle Simulation_2<Traits>::Queue_policy::handle(const Subject& subject) 
   if (contacts == nullptr) return no_event;
   if (subject.kind == Entry_kind::wall) return contacts->wall_event;
   if (subject.kind == Entry_kind::vanish) return contacts->vanish_event;
-  const auto partner = std::ranges::find(contacts->partners, subject.point_b, &Partner::id);
-  return partner == contacts->partners.end() ? no_event : partner->event;
+  return simulation.find_pair({subject.point_a, subject.point_b});
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -247,30 +246,32 @@ void Simulation_2<Traits>::unschedule_wall(Point_id id) {
 
 // Schedules the next contact of a pair anew.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, const Time& after) {
+void Simulation_2<Traits>::schedule_pair(const Edge_ids& pair, bool is_edge, const Time& after) {
   if (!options_.response) return;
   unschedule_pair(pair);
-  schedule_new_pair(pair, after);
+  schedule_new_pair(pair, is_edge, after);
 }
 
 // Schedules the next contact of a pair that has no entry. Returns whether the discs may overlap
 // just after `after`.
 template <ContactKineticTraits_2 Traits>
-bool Simulation_2<Traits>::schedule_new_pair(const Edge_ids& pair, const Time& after) {
+bool Simulation_2<Traits>::schedule_new_pair(const Edge_ids& pair, bool is_edge,
+                                             const Time& after) {
   Certificate certificate = pair_certificate(pair, after, traits_);
   certificate_counters_.count(certificate);
   const bool may_overlap = certificate.may_vanish;
-  push_pair(pair, std::move(certificate));
+  push_pair(pair, is_edge, std::move(certificate));
   return may_overlap;
 }
 
 // Puts the contact of the certificate of a pair that has no entry into the queue.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::push_pair(const Edge_ids& pair, Certificate certificate) {
+void Simulation_2<Traits>::push_pair(const Edge_ids& pair, bool is_edge, Certificate certificate) {
   Entry entry;
   entry.kind = Entry_kind::collision;
   entry.point_a = pair[0];
   entry.point_b = pair[1];
+  entry.is_edge = is_edge;
   const Queue_handle event = push(entry, std::move(certificate));
   if (event != no_event) note(entry.subject(), event);
 }
@@ -311,8 +312,8 @@ void Simulation_2<Traits>::schedule_contacts(Point_id id, std::span<const Point_
   if (!options_.response) return;
   for_each_neighbor(id, [&](Point_id other) {
     const bool is_done = other < id && std::ranges::binary_search(points, other);
-    if (is_done || !schedule_new_pair(edge_ids(id, other), current_time())) return;
-    if (may_touch(id, other, traits_)) start_overlap(id, other);
+    if (is_done || !schedule_new_pair(edge_ids(id, other), true, current_time())) return;
+    if (may_touch(id, other, traits_)) start_overlap(id, other, true);
   });
 }
 
@@ -320,8 +321,8 @@ void Simulation_2<Traits>::schedule_contacts(Point_id id, std::span<const Point_
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_pairs_beside(Point_id id) {
   for (const Overlap& overlap : overlaps(id)) {
-    for_each_pair_beside(id, overlap.id,
-                         [this](const Edge_ids& pair) { watch(pair, current_time()); });
+    for_each_pair_beside(id, overlap.id, overlap.is_edge,
+                         [this](const Edge_ids& pair) { watch(pair, false, current_time()); });
   }
 }
 
@@ -376,7 +377,7 @@ void Simulation_2<Traits>::schedule_all_pairs() {
   });
   for (Made& block : blocks) {
     certificate_counters_ += block.counters;
-    for (auto& [edge, certificate] : block.contacts) push_pair(edge, std::move(certificate));
+    for (auto& [edge, certificate] : block.contacts) push_pair(edge, true, std::move(certificate));
     block = {};
   }
   // Of each pair only once, however many discs overlap both.
@@ -384,7 +385,7 @@ void Simulation_2<Traits>::schedule_all_pairs() {
   std::vector<Point_id> last_first(ids, no_point);
   for (Point_id id = 0; id < ids; ++id) {
     for_each_pair_of(id, [&](Point_id other) {
-      if (std::exchange(last_first[other], id) != id) watch({id, other}, current_time());
+      if (std::exchange(last_first[other], id) != id) watch({id, other}, false, current_time());
     });
   }
 }

@@ -27,8 +27,8 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   result.counters = counters_;
   result.certificates = certificate_counters_;
   for (Point_id a = 0; a < contacts_.size(); ++a) {
-    for (const auto& [b, passes] : overlaps(a)) {
-      if (passes && a < b) result.in_contact.push_back({a, b});
+    for (const Overlap& overlap : overlaps(a)) {
+      if (overlap.passes && a < overlap.id) result.in_contact.push_back({a, overlap.id});
     }
   }
   std::ranges::sort(result.in_contact);
@@ -85,7 +85,7 @@ void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
                            std::to_string(b) +
                            " in contact; expected two points that are there, once, and a response");
     }
-    start_overlap(a, b);
+    start_overlap(a, b, is_edge({a, b}));
     mark_passing(a, b, true);
   }
   for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
