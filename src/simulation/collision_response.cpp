@@ -87,4 +87,8 @@ bool detail::is_erase_both(const Collision_response& response) {
   return is_one_of(response, {erase_both});
 }
 
+bool detail::is_log_contact(const Collision_response& response) {
+  return is_one_of(response, {log_contact});
+}
+
 }  // namespace kinetri

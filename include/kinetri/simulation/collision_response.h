@@ -118,6 +118,9 @@ bool is_pure(const Collision_response& response);
 /// Whether a response is erase_both.
 bool is_erase_both(const Collision_response& response);
 
+/// Whether a response is log_contact.
+bool is_log_contact(const Collision_response& response);
+
 }  // namespace detail
 
 }  // namespace kinetri

@@ -435,14 +435,19 @@ class Simulation_2 : private Event_observer {
   void push_pair(const Edge_ids& pair, bool is_edge, Certificate certificate);
   Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
   void unschedule_pair(const Edge_ids& pair);
-  void schedule_contacts(Point_id id, std::span<const Point_id> points);
+  template <class Neighbors>
+  void schedule_pairs(std::span<const Point_id> points, const Neighbors& for_each_neighbor_of);
+  template <class Neighbors>
+  void schedule_edges(Point_id id, std::span<const Point_id> points,
+                      const Neighbors& for_each_neighbor_of);
   void schedule_pairs_beside(Point_id id);
   void schedule_all();
   void schedule_all_walls();
   void schedule_all_pairs();
   template <class Made, class Make>
   std::vector<Made> make_for_edges(const Make& make) const;
-  void unschedule_contacts(Point_id id);
+  void unschedule_single(Point_id id);
+  void unschedule_pairs(Point_id id);
   void discard(Queue_handle handle);
   Entry pop();
   void forget(const Entry& entry);
@@ -489,6 +494,7 @@ class Simulation_2 : private Event_observer {
   void end_overlap(Point_id a, Point_id b);
   void mark_passing(Point_id a, Point_id b, bool passes);
   void let_pass(Point_id a, Point_id b, bool is_edge);
+  void end_pass(const Edge_ids& pair);
   void end_passes(Point_id id);
   bool is_passing(Point_id a, Point_id b);
   void update_overlaps(std::span<const Point_id> points);
@@ -527,6 +533,9 @@ class Simulation_2 : private Event_observer {
   void hit_wall(Point_id id, std::size_t wall);
   Change reflection(Point_id id, std::size_t wall, const Time& now) const;
   void collide(Point_id a, Point_id b, bool is_edge);
+  template <class Report>
+  void pass(const Edge_ids& pair, bool is_edge, const Report& report);
+  bool do_discs_pass() const { return detail::is_log_contact(options_.response); }
   std::vector<Change> collision(Point_id a, Point_id b, const Time& now) const;
   void schedule(const Time& time, Entry_kind kind, Point_id id,
                 const std::optional<Motion>& motion);

@@ -12,6 +12,10 @@
 // a window, since the plain loop knows of them up to the next contact of one of the two, which is
 // left to it.
 //
+// Discs that pass through each other (log_contact) overlap for long, and so more pairs are watched.
+// But their contacts change no motion: the simulation executes them by itself when a window has
+// been executed, as it follows its other events (Passes in triangulation/detail/regions.h).
+//
 // Discs with radii of their own may be inside of others, and hidden. Here all radii are positive;
 // no disc is hidden; and the centre of a disc that turns is in its own power cell, since it is in
 // no other disc. Two that meet keep their edge: its flip is left to the plain loop.
@@ -77,8 +81,10 @@ class Contact_turns {
   bool can_run() const { return can_run(*simulation_); }
   /// Whether this is the simulation itself, which knows its contacts.
   bool is_observer(const Event_observer* observer) const { return observer == simulation_; }
-  /// Whether discs have contacts.
-  bool has_pairs() const { return simulation_->options_.response != nullptr; }
+  /// Whether discs pass through each other.
+  bool do_discs_pass() const { return simulation_->do_discs_pass(); }
+  /// Whether discs have contacts that change them.
+  bool has_pairs() const { return simulation_->options_.response && !do_discs_pass(); }
   /// Whether discs that meet keep their edge in a window.
   bool keep_edges() const { return Simulation::has_radii && has_pairs(); }
   /// Whether two discs meet just after `now`, or true if unsure.
@@ -124,7 +130,7 @@ class Contact_turns {
   Queue_handle handle(const Edge_ids& pair) const {
     return simulation_->queue_policy_.handle({Entry_kind::collision, pair[0], pair[1]});
   }
-  /// Calls `function` with the handles of all contacts of a point.
+  /// Calls `function` with the handles of all contacts of a point that change it.
   template <class Function>
   void for_each_handle(Point_id id, const Function& function) const;
   /// The entry has another handle from now on.
@@ -159,6 +165,43 @@ class Contact_turns {
                Certificate_counters& counters,
                std::vector<std::pair<Entry, Certificate>>& result) const;
 
+  // ---- discs that pass through each other ----
+
+  /// Starts to load what a point's pairs are kept in: in three steps, some time apart.
+  void prefetch(Point_id id, int step) const {
+    const auto& contacts = simulation_->contacts_;
+    if (step == 0) return prefetch_address(&contacts[id]);
+    const auto* const known = contacts[id].get();
+    if (step == 1 || known == nullptr) return prefetch_address(known);
+    prefetch_address(known->partners.data());
+    prefetch_address(known->overlaps.data());
+  }
+  /// Checks the certificate of a pair again, whose entry has left the queue.
+  void recheck(const Entry& pass) { simulation_->recheck(pass); }
+  /// Throws if there are more contacts at one time than are allowed.
+  void check_limit(const Entry& pass, std::uint64_t contacts) const {
+    simulation_->check_limit(pass, contacts);
+  }
+  /// Counts a contact, one of some at its time, and that time if nothing else happens then.
+  void count_pass(std::uint64_t contacts_now, bool is_alone);
+  /// Two discs are in contact at the present time; their entry has left the queue. report() tells
+  /// of it.
+  template <class Report>
+  void pass(const Entry& entry, const Report& report);
+  /// A point with these neighbors gets another motion at the present time, by change().
+  template <class Make_change>
+  void turn(Point_id id, Points neighbors, const Make_change& change);
+  /// The certificate of the contact of two points after a time.
+  Certificate certificate(const typename Simulation::Point_2& p,
+                          const typename Simulation::Point_2& q, const Time& after) const {
+    return simulation_->traits_.contact_certificate(p, q, simulation_->diameter_, after);
+  }
+  /// Follows the edges of an event that is within `bounds` and at exact(). `known` is the
+  /// certificate of the edge that it adds, from the lower bound on.
+  template <class Exact>
+  void follow_edges(const Event& event, Certificate&& known, const Double_interval& bounds,
+                    const Exact& exact);
+
   // ---- windows ----
 
   /// Whether a window may begin, up to whose beginning nothing happens; makes it ready.
@@ -181,6 +224,7 @@ class Contact_turns {
   static bool is_one(Points some, Point_id id) { return std::ranges::find(some, id) != some.end(); }
   bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
   static bool may_erase(const Simulation& simulation);
+  static bool may_pass(const Simulation& simulation);
   bool have_areas();
   bool drop_overlaps(const Time& time);
   void put_passes_back();

@@ -50,15 +50,21 @@ auto Simulation_2<Traits>::reflection(Point_id id, std::size_t wall, const Time&
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::collide(Point_id a, Point_id b, bool is_edge) {
-  if (find_overlap({a, b}) != nullptr) mark_passing(a, b, false);  // they had separated
+  end_pass({a, b});
   const std::vector<Change> changes = collision(a, b, current_time());
-  if (changes.empty()) {
-    let_pass(a, b, is_edge);
-    triangulation_.apply(Event_kind::collision, a, b, {});
-    return schedule_pair({a, b}, is_edge, current_time());
-  }
+  const auto apply = [&] { triangulation_.apply(Event_kind::collision, a, b, changes); };
+  if (changes.empty()) return pass({a, b}, is_edge, apply);
   const std::array<Point_id, 2> points = {a, b};
-  change(points, [&] { triangulation_.apply(Event_kind::collision, a, b, changes); });
+  change(points, apply);
+}
+
+// Two discs in contact keep their motions. `report` tells of their contact.
+template <ContactKineticTraits_2 Traits>
+template <class Report>
+void Simulation_2<Traits>::pass(const Edge_ids& pair, bool is_edge, const Report& report) {
+  let_pass(pair[0], pair[1], is_edge);
+  report();
+  schedule_pair(pair, is_edge, current_time());
 }
 
 // What the response does to two discs at the time `now`, at which they touch. Changes nothing.
@@ -137,22 +143,16 @@ template <class Make_changes>
 void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes make_changes) {
   for (const Point_id id : points) {
     end_passes(id);
-    unschedule_contacts(id);
+    unschedule_single(id);
+    unschedule_pairs(id);
   }
   const auto schedule_anew = [&] {
     changing_points_ = {};
-    for (const Point_id id : points) end_passes(id);
     for (const Point_id id : points) {
-      if (triangulation_.contains(id)) schedule_contacts(id, points);
+      if (triangulation_.contains(id)) schedule_single(id, current_time());
     }
-    update_overlaps(points);
-    for (const Point_id id : points) {
-      if (triangulation_.contains(id)) {
-        schedule_pairs_beside(id);
-      } else if (id < contacts_.size()) {
-        contacts_[id].reset();
-      }
-    }
+    schedule_pairs(points,
+                   [this](Point_id id, const auto& function) { for_each_neighbor(id, function); });
     for (Overlap_observer* const observer : overlap_observers_) observer->after_change(points);
   };
   changing_points_ = points;

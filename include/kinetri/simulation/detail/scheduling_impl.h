@@ -49,12 +49,14 @@ bool Simulation_2<Traits>::Queue_policy::is_recheck(const Entry& entry) const {
 }
 
 // The same node of the regions that the triangulation's queue has for an edge of the two points.
+// But contacts that change nothing are no node's.
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::Queue_policy::part_of(const Subject& subject) const {
   const detail::Region_division& division =
       detail::Plain_loop<Triangulation>::division(simulation.triangulation_);
   if (subject.kind == Entry_kind::wall) return division.node_of(subject.point_a, subject.point_a);
   if (subject.kind == Entry_kind::collision) {
+    if (simulation.do_discs_pass()) return division.parts_of_nodes();
     return division.node_of(subject.point_a, subject.point_b);
   }
   return division.nodes() - 1;
@@ -303,14 +305,35 @@ void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) con
                             [&](auto neighbor) { function(neighbor->point().id()); });
 }
 
-// Schedules what a point may touch, and notes which discs of neighbors overlap its own: it has come
-// or got another motion, and has no entries. It is one of `points`, which are sorted, of which
-// those of smaller ids have been done.
+// Schedules the pairs of points that have got other motions, come or gone, and have no entries of
+// pairs; they are sorted. for_each_neighbor_of(id, function) calls `function` with the neighbors
+// that a point has now.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::schedule_contacts(Point_id id, std::span<const Point_id> points) {
-  schedule_single(id, current_time());
+template <class Neighbors>
+void Simulation_2<Traits>::schedule_pairs(std::span<const Point_id> points,
+                                          const Neighbors& for_each_neighbor_of) {
+  for (const Point_id id : points) end_passes(id);
+  for (const Point_id id : points) {
+    if (triangulation_.contains(id)) schedule_edges(id, points, for_each_neighbor_of);
+  }
+  update_overlaps(points);
+  for (const Point_id id : points) {
+    if (triangulation_.contains(id)) {
+      schedule_pairs_beside(id);
+    } else if (id < contacts_.size()) {
+      contacts_[id].reset();
+    }
+  }
+}
+
+// Schedules what a point may touch, and notes which discs of neighbors overlap its own. It is one
+// of `points`, of which those of smaller ids have been done.
+template <ContactKineticTraits_2 Traits>
+template <class Neighbors>
+void Simulation_2<Traits>::schedule_edges(Point_id id, std::span<const Point_id> points,
+                                          const Neighbors& for_each_neighbor_of) {
   if (!options_.response) return;
-  for_each_neighbor(id, [&](Point_id other) {
+  for_each_neighbor_of(id, [&](Point_id other) {
     const bool is_done = other < id && std::ranges::binary_search(points, other);
     if (is_done || !schedule_new_pair(edge_ids(id, other), true, current_time())) return;
     if (may_touch(id, other, traits_)) start_overlap(id, other, true);
@@ -435,7 +458,7 @@ std::vector<Made> Simulation_2<Traits>::make_for_edges(const Make& make) const {
 }
 
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::unschedule_contacts(Point_id id) {
+void Simulation_2<Traits>::unschedule_single(Point_id id) {
   unschedule_wall(id);
   Contacts* const contacts = find_contacts(id);
   if (contacts == nullptr) return;
@@ -443,6 +466,12 @@ void Simulation_2<Traits>::unschedule_contacts(Point_id id) {
       event != no_event) {
     discard(event);
   }
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::unschedule_pairs(Point_id id) {
+  Contacts* const contacts = find_contacts(id);
+  if (contacts == nullptr) return;
   for (const auto& [other, event] : contacts->partners) {
     forget_partner(other, id);
     discard(event);

@@ -227,9 +227,8 @@ void Region_run<Kinetic, Turns>::delete_vertices(const Turn& turn) {
 // Tells observers of the edges that a turn has changed, as each change of points does: an erasure
 // has some, which are events too, the first of this number.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::report_edges(const Turn& turn, std::uint64_t number) {
-  std::vector<Edge_changes::Change> edges;
-  if (turn.hole) edges = turn.hole->edges;
+void Region_run<Kinetic, Turns>::report_edges(std::span<const Edge_changes::Change> edges,
+                                              std::uint64_t number) {
   for (const int change : {-1, 1}) {
     for (const auto& [edge, net] : edges) {
       if (net != change) continue;

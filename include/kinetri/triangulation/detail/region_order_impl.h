@@ -39,12 +39,13 @@ void Region_run<Kinetic, Turns>::settle_order() {
   }
 }
 
-// Reports the flips of the window, and counts them. Throws what an observer throws, after that.
+// Reports the flips of the window, which ends at `end` unless it is cut, and counts them. Throws
+// what an observer throws, after that.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::close_window() {
+void Region_run<Kinetic, Turns>::close_window(double end) {
   std::exception_ptr thrown;
   try {
-    report();
+    do_discs_pass() ? report_with_passes(end) : report();
   } catch (...) {
     thrown = std::current_exception();
   }
@@ -229,11 +230,16 @@ void Region_run<Kinetic, Turns>::cut_off() {
   counters_.cut_off += std::exchange(root_lane.undone, undone) - undone;
 }
 
-// Counts the flips of the window and shows them to the observers. If an observer throws, the window
-// has been executed and counted all the same.
+// Whether there are observers to tell.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::report() {
-  if (order_.empty()) return;
+bool Region_run<Kinetic, Turns>::are_events_told() const {
+  return std::ranges::any_of(kinetic_.observers_,
+                             [this](const Event_observer* o) { return is_told(o); });
+}
+
+// Counts what the flips of the window have in common, and its turns.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::count_window() {
   kinetic_.counters_.flat_hulls +=
       static_cast<std::uint64_t>(std::ranges::count(order_, Event_kind::hull_insert, &Key::kind));
   const auto flips = static_cast<std::uint64_t>(
@@ -242,12 +248,17 @@ void Region_run<Kinetic, Turns>::report() {
   kinetic_.counters_.largest_instant =
       std::max<std::uint64_t>(kinetic_.counters_.largest_instant, flips > 0 ? 1 : 0);
   if constexpr (has_turns) turns_.count(order_.size() - flips);
+}
+
+// Counts the flips of the window and shows them to the observers. If an observer throws, the window
+// has been executed and counted all the same.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::report() {
+  if (order_.empty()) return;
+  count_window();
   // Observers get exact times. Several threads make those of some events, which are then reported.
-  constexpr std::ptrdiff_t events_at_once = 16'384;
-  constexpr std::size_t events_of_thread = 1024;
   auto next = order_.cbegin();
-  const bool is_watched = std::ranges::any_of(
-      kinetic_.observers_, [this](const Event_observer* o) { return is_told(o); });
+  const bool is_watched = are_events_told();
   if (is_watched) go_back_in_turns();
   kinetic_.is_in_event_ = true;
   try {
@@ -257,7 +268,11 @@ void Region_run<Kinetic, Turns>::report() {
       for_each(blocks, [this](std::span<const Key> block) {
         for (const Key& key : block) time(key);
       });
-      while (next != end) report(*next++);
+      while (next != end) {
+        const Key& key = *next++;
+        report(key);
+        flip(key).exact.reset();
+      }
     }
   } catch (...) {
     go_through_turns();
@@ -307,9 +322,11 @@ void Region_run<Kinetic, Turns>::report(const Key& key) {
     if (is_turn(key)) go_through(key);
   });
   if constexpr (has_turns) {
-    if (is_turn(key)) report_edges(*flip(key).turn, number + 1);
+    if (!is_turn(key)) return;
+    const Hole* const hole = flip(key).turn->hole.get();
+    report_edges(hole == nullptr ? std::span<const Edge_changes::Change>() : hole->edges,
+                 number + 1);
   }
-  flip(key).exact.reset();
 }
 
 // Shows an event at the present time to the observers, and makes a change in between.

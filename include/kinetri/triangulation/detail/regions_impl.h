@@ -17,6 +17,7 @@
 #include "kinetri/triangulation/detail/region_erasures_impl.h"
 #include "kinetri/triangulation/detail/region_flips_impl.h"
 #include "kinetri/triangulation/detail/region_order_impl.h"
+#include "kinetri/triangulation/detail/region_passes_impl.h"
 #include "kinetri/triangulation/detail/region_turns_impl.h"
 #include "kinetri/triangulation/detail/regions.h"
 
@@ -232,7 +233,7 @@ bool Region_run<Kinetic, Turns>::run_window(double end) {
     reached = execute_window(end);
     settle_order();
   });
-  close_window();
+  close_window(reached);
   const bool is_whole = !cut_ && reached == end;
   if (cut_ && settle(*cut_)) run_loop_instant(*cut_);
   return is_whole;
