@@ -43,7 +43,7 @@ const std::map<std::string, Mode> modes = {
     {"encounters", {measure_encounters, "all pairs in range of each other, against the run alone"}},
     {"regions", {measure_regions, "one run by the plain loop and by regions"}},
     {contacts_mode,
-     {measure_contacts, "one run of colliding discs by the plain loop and by regions", 4}},
+     {measure_contacts, "one run of discs in contact by the plain loop and by regions", 4}},
     {"steps", {measure_steps, "turns and looks at each step, against a rebuild at each step"}},
     {"answers",
      {measure_answers, "Voronoi cells, areas, nearest neighbors, positions, the closest pair"}},
@@ -91,6 +91,10 @@ int main(int argc, char** argv) {
                       "greatest radius over the least, of discs at random places (equal discs on a "
                       "jittered lattice)")
           ->check(CLI::Range(1.0, 1000.0));
+    }
+    if (mode_name == contacts_mode) {
+      command.add_flag("--pass", setup.do_discs_pass,
+                       "let discs pass through each other, without a box (they collide, in a box)");
     }
     if (!are_discs) {
       command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Discs that pass through each other in runs by regions, against the plain loop: the same events,
-// with the same numbers and exact times, and the same state.
+// Discs that pass through each other: what is known of them after each step; and runs by regions
+// against the plain loop: the same events, with the same numbers and exact times, and the same
+// state.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinetri/simulation/detail/contact_turns.h"
@@ -28,6 +31,34 @@ using test::difference_of_simulations;
 using test::gas;
 using test::on_lattice;
 using test::options_of;
+
+// ---- by the plain loop ----
+
+// Many events at one time: a step executes all of them, those of discs whose edge comes at that
+// time too, if nothing was in the queue before; and discs that only touch are no reason to watch
+// others.
+TEST(Passing_discs, on_a_grid_are_known_after_each_step) {
+  for (const auto& [seed, end] :
+       {std::pair(65u, Rational(1, 2)), {178u, Rational(2, 5)}, {163u, Rational(2)}}) {
+    Simulation_options options;
+    if (seed % 3 != 1) options.box = Box_2{-1, -1, 20, 20};
+    options.radius = seed % 3 == 1 ? 1 : 2.5;
+    options.response = log_contact;
+    Simulation_2<Linear_kinetic_traits_2> simulation(on_lattice(5 + seed % 40, 5 + seed % 3, seed),
+                                                     options);
+    const Algebraic_number until(end);
+    std::optional<Algebraic_number> last;
+    while (simulation.step(until) > 0) {
+      ASSERT_TRUE(!last || *last < simulation.current_time()) << "seed " << seed;
+      last = simulation.current_time();
+      ASSERT_EQ(simulation.audit(Audit_level::certificates).failures, std::vector<std::string>())
+          << "seed " << seed << " at t = " << simulation.current_time();
+    }
+    ASSERT_EQ(last, until) << "seed " << seed;
+  }
+}
+
+// ---- by regions ----
 
 // Discs that are apart at first, and discs of which each overlaps many.
 TEST(Passing_regions, let_discs_pass_as_the_loop_does) {

@@ -475,8 +475,8 @@ class Simulation_2 : private Event_observer {
   void unwatch(const Edge_ids& pair);
   template <class Function>
   void for_each_pair_beside(Point_id a, Point_id b, bool is_edge, Function function) const;
-  template <class Function>
-  void for_each_pair_of(Point_id first, Function function) const;
+  template <class Counts, class Function>
+  void for_each_pair_of(Point_id first, const Counts& counts, Function function) const;
   template <class Function>
   void for_each_pair_over(const Edge_ids& edge, Function function) const;
   bool is_hidden(Point_id id) const;

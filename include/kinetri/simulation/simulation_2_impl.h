@@ -248,7 +248,10 @@ template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::step_in_parts(const Time* until) {
   using Loop = detail::Plain_loop<Triangulation>;
   settle();
-  if (queue_.empty()) return Loop::step(triangulation_, until);
+  if (queue_.empty()) {  // it need not be after a flip
+    const std::size_t events = Loop::step(triangulation_, until);
+    return events > 0 ? events + execute_due_entries() : 0;
+  }
   const Time first = queue_.time(queue_.top());
   // A radius may become 0, but not less.
   const bool is_end = queue_.top().kind == Entry_kind::vanish;

@@ -119,8 +119,10 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   });
   if (level < Audit_level::certificates) return report;
   std::vector<Edge_ids> watched = triangulation_.finite_edge_ids();
+  // Records may be of discs that have parted, or that only touch.
+  const auto overlap_now = [&](Point_id a, Point_id b) { return may_touch(a, b, exact); };
   for (Point_id a = 0; a < triangulation_.next_id(); ++a) {
-    for_each_pair_of(a, [&](Point_id b) { watched.push_back({a, b}); });
+    for_each_pair_of(a, overlap_now, [&](Point_id b) { watched.push_back({a, b}); });
   }
   std::ranges::sort(watched);
   watched.erase(std::unique(watched.begin(), watched.end()), watched.end());

@@ -189,14 +189,17 @@ void Simulation_2<Traits>::for_each_pair_beside(Point_id a, Point_id b, bool is_
 }
 
 // Calls `function` with the greater point of each pair that is watched because of a disc that
-// overlaps both, and of which `first` is the smaller one; perhaps more than once.
+// overlaps both, and of which `first` is the smaller one; perhaps more than once. counts(a, b) says
+// whether a record of an overlap counts.
 template <ContactKineticTraits_2 Traits>
-template <class Function>
-void Simulation_2<Traits>::for_each_pair_of(Point_id first, Function function) const {
+template <class Counts, class Function>
+void Simulation_2<Traits>::for_each_pair_of(Point_id first, const Counts& counts,
+                                            Function function) const {
   for (const Overlap& between : overlaps(first)) {
+    if (!counts(first, between.id)) continue;
     if (has_radii && first < between.id) function(between.id);
     for (const Overlap& overlap : overlaps(between.id)) {
-      if (first < overlap.id && (has_radii || overlap.is_edge)) {
+      if (first < overlap.id && (has_radii || overlap.is_edge) && counts(between.id, overlap.id)) {
         function(overlap.id);
       }
     }

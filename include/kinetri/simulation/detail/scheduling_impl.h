@@ -406,8 +406,9 @@ void Simulation_2<Traits>::schedule_all_pairs() {
   // Of each pair only once, however many discs overlap both.
   const Point_id ids = triangulation_.next_id();
   std::vector<Point_id> last_first(ids, no_point);
+  const auto count_all = [](Point_id /*a*/, Point_id /*b*/) { return true; };
   for (Point_id id = 0; id < ids; ++id) {
-    for_each_pair_of(id, [&](Point_id other) {
+    for_each_pair_of(id, count_all, [&](Point_id other) {
       if (std::exchange(last_first[other], id) != id) watch({id, other}, false, current_time());
     });
   }
