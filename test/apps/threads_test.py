@@ -91,7 +91,7 @@ class Threads(In_folder):
 
     def test_collisions_are_the_same(self):
         self.run_program("generate lattice-jitter --points 60000 --speed 5 --seed 3 --output p.csv")
-        for response in ("elastic", "swap"):
+        for response in ("elastic", "swap", "log"):
             discs = f"--box=-10,-10,2450,2450 --radius 3 --collisions {response}"
             with self.subTest(response):
                 self.expect_regions(self.expect_same(
@@ -115,9 +115,10 @@ class Threads(In_folder):
              *(f"{row},{1 + 0.25 * (k * 7 % 9)}\n" for k, row in enumerate(rows))]))
         box = "--box=-10,-10,2450,2450"
         more = "--html {0}/run.html --checkpoint {0}/checkpoint"
-        for label, options in (("none", ""), ("elastic", "--collisions elastic"), ("swap", "--collisions swap")):
+        for label, options in (("none", box), ("elastic", box + " --collisions elastic"),
+                               ("swap", box + " --collisions swap"), ("log", "--collisions log")):
             with self.subTest(label):
-                self.expect_regions(self.expect_same(f"simulate d.csv --until 1.5 {box} {options}", more, label))
+                self.expect_regions(self.expect_same(f"simulate d.csv --until 1.5 {options}", more, label))
 
     def rows_of(self, name):
         """The comments and the header of a file of points, and its rows."""

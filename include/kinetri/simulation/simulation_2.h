@@ -210,12 +210,18 @@ class Simulation_2 : private Event_observer {
 
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
   /// arena if 0. They share the work, contacts included, where set_threads of the triangulation
-  /// says so, there is no overlap observer, and the response, if there is one, is a built-in one
-  /// that changes the discs (not log_contact) or is said to be pure
-  /// (Simulation_options::response_is_pure). One thread erases discs, those at the hull at more
-  /// cost; where an observer looks at the triangulation after that
-  /// (Event_observer::looks_at_rebuilt_triangulation), as a Recorder does, erase_both uses one
-  /// thread. The result is the same.
+  /// says so and there is no overlap observer. One thread
+  ///
+  /// - erases discs, those at the hull at more cost; with erase_both it does everything where an
+  ///   observer looks at the triangulation after that
+  ///   (Event_observer::looks_at_rebuilt_triangulation), as a Recorder does;
+  /// - executes the contacts of log_contact; with discs of their own radii in a box, everything;
+  /// - calls a response of the user, in the order of contacts, unless that is said to be pure
+  ///   (Simulation_options::response_is_pure): this pays where such contacts are few;
+  /// - does everything while discs overlap that collide.
+  ///
+  /// The result is the same. An error that an observer throws, or Endless_contacts_error of
+  /// log_contact, then leaves the simulation as it is some events later.
   void set_threads(std::size_t most) {
     threads_ = most;
     triangulation_.set_threads(most);
@@ -494,7 +500,6 @@ class Simulation_2 : private Event_observer {
   void end_overlap(Point_id a, Point_id b);
   void mark_passing(Point_id a, Point_id b, bool passes);
   void let_pass(Point_id a, Point_id b, bool is_edge);
-  void end_pass(const Edge_ids& pair);
   void end_passes(Point_id id);
   bool is_passing(Point_id a, Point_id b);
   void update_overlaps(std::span<const Point_id> points);

@@ -54,7 +54,8 @@ class Contact_turns {
   using Entry_kind = typename Simulation::Entry_kind;  ///< of entries
 
   /// The simulation must outlive this object.
-  explicit Contact_turns(Simulation& simulation) : simulation_(&simulation) {}
+  explicit Contact_turns(Simulation& simulation)
+      : simulation_(&simulation), do_discs_pass_(simulation.do_discs_pass()) {}
 
   /// A run of the simulation by regions.
   static Region_run<typename Simulation::Triangulation, Contact_turns> run_of(
@@ -75,16 +76,16 @@ class Contact_turns {
 
   // ---- what they are ----
 
-  /// Whether contacts can be executed in windows: of walls, and of discs whose response may be
-  /// called at any time, by any thread, and changes them.
+  /// Whether contacts can be executed in windows. Those of discs whose response may not be called
+  /// at any time, by any thread, are left to the plain loop, and end them.
   static bool can_run(const Simulation& simulation);
   bool can_run() const { return can_run(*simulation_); }
   /// Whether this is the simulation itself, which knows its contacts.
   bool is_observer(const Event_observer* observer) const { return observer == simulation_; }
   /// Whether discs pass through each other.
-  bool do_discs_pass() const { return simulation_->do_discs_pass(); }
+  bool do_discs_pass() const { return do_discs_pass_; }
   /// Whether discs have contacts that change them.
-  bool has_pairs() const { return simulation_->options_.response && !do_discs_pass(); }
+  bool has_pairs() const { return simulation_->options_.response && !do_discs_pass_; }
   /// Whether discs that meet keep their edge in a window.
   bool keep_edges() const { return Simulation::has_radii && has_pairs(); }
   /// Whether two discs meet just after `now`, or true if unsure.
@@ -224,12 +225,14 @@ class Contact_turns {
   static bool is_one(Points some, Point_id id) { return std::ranges::find(some, id) != some.end(); }
   bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
   static bool may_erase(const Simulation& simulation);
-  static bool may_pass(const Simulation& simulation);
+  static bool can_pass(const Simulation& simulation);
+  bool may_call_response() const;
   bool have_areas();
   bool drop_overlaps(const Time& time);
   void put_passes_back();
 
   Simulation* simulation_;
+  bool do_discs_pass_;
   std::uint32_t scheduled_ = 0;                // changes before the window
   std::vector<Edge_ids> passes_ = {};          // put aside
   std::unordered_set<Point_id> passing_ = {};  // their points

@@ -50,7 +50,7 @@ auto Simulation_2<Traits>::reflection(Point_id id, std::size_t wall, const Time&
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::collide(Point_id a, Point_id b, bool is_edge) {
-  end_pass({a, b});
+  if (find_overlap({a, b}) != nullptr) mark_passing(a, b, false);  // they had separated
   const std::vector<Change> changes = collision(a, b, current_time());
   const auto apply = [&] { triangulation_.apply(Event_kind::collision, a, b, changes); };
   if (changes.empty()) return pass({a, b}, is_edge, apply);

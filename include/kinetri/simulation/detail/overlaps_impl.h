@@ -353,12 +353,6 @@ void Simulation_2<Traits>::let_pass(Point_id a, Point_id b, bool is_edge) {
                        [this](const Edge_ids& pair) { watch(pair, false, current_time()); });
 }
 
-// Two discs come into contact: they have separated since a response has let them pass.
-template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::end_pass(const Edge_ids& pair) {
-  if (find_overlap(pair) != nullptr) mark_passing(pair[0], pair[1], false);
-}
-
 // Ends the passes of a point that are over, because the discs have separated: to be called before
 // the point gets another motion, with which it may come into contact again.
 template <ContactKineticTraits_2 Traits>
