@@ -291,9 +291,9 @@ class MovingPoints(RunAnswers):
         """int: how many threads may work together while time advances; 0, as at first: all that there are.
 
         The results are the same for any number, up to 1024. Several threads share the work where there are
-        some 50 000 points or more, of which at most one in 1000 is hidden, and many events are to come. Where
-        `collisions` is "log" or a function, one thread executes the contacts of discs, which pays for a
-        function where contacts are few. Copies, and objects that are loaded or restored, begin with 0.
+        some 50 000 points or more, of which at most one in 1000 is hidden, many events are to come, and
+        `collisions` is no function. Where it is "log", one thread executes the contacts of discs. Copies, and
+        objects that are loaded or restored, begin with 0.
         """
         return self._engine.threads()
 

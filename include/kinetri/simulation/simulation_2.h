@@ -210,14 +210,13 @@ class Simulation_2 : private Event_observer {
 
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
   /// arena if 0. They share the work, contacts included, where set_threads of the triangulation
-  /// says so and there is no overlap observer. One thread
+  /// says so, there is no overlap observer, and a response of the user is said to be pure
+  /// (Simulation_options::response_is_pure). One thread
   ///
   /// - erases discs, those at the hull at more cost; with erase_both it does everything where an
   ///   observer looks at the triangulation after that
   ///   (Event_observer::looks_at_rebuilt_triangulation), as a Recorder does;
   /// - executes the contacts of log_contact; with discs of their own radii in a box, everything;
-  /// - calls a response of the user, in the order of contacts, unless that is said to be pure
-  ///   (Simulation_options::response_is_pure): this pays where such contacts are few;
   /// - does everything while discs overlap that collide.
   ///
   /// The result is the same. An error that an observer throws, or Endless_contacts_error of

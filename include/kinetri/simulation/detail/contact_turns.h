@@ -76,8 +76,8 @@ class Contact_turns {
 
   // ---- what they are ----
 
-  /// Whether contacts can be executed in windows. Those of discs whose response may not be called
-  /// at any time, by any thread, are left to the plain loop, and end them.
+  /// Whether contacts can be executed in windows: of walls, and of discs whose response may be
+  /// called at any time, by any thread, or changes nothing.
   static bool can_run(const Simulation& simulation);
   bool can_run() const { return can_run(*simulation_); }
   /// Whether this is the simulation itself, which knows its contacts.
@@ -225,8 +225,7 @@ class Contact_turns {
   static bool is_one(Points some, Point_id id) { return std::ranges::find(some, id) != some.end(); }
   bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
   static bool may_erase(const Simulation& simulation);
-  static bool can_pass(const Simulation& simulation);
-  bool may_call_response() const;
+  static bool may_pass(const Simulation& simulation);
   bool have_areas();
   bool drop_overlaps(const Time& time);
   void put_passes_back();

@@ -19,22 +19,18 @@ template <class Simulation>
 bool Contact_turns<Simulation>::can_run(const Simulation& simulation) {
   const auto& options = simulation.options_;
   return options.max_contacts_per_instant > 0 &&
-         (!simulation.do_discs_pass() || can_pass(simulation)) &&
+         (!options.response || options.response_is_pure || is_pure(options.response) ||
+          may_pass(simulation)) &&
          simulation.overlap_observers_.empty() &&
          std::ranges::none_of(simulation.observers_, &Event_observer::looks_at_triangulation) &&
          (!is_erase_both(options.response) || may_erase(simulation));
 }
 
-// Of discs that pass through each other: whether the triangulation is not needed to know which of
-// them overlap. Where they have radii of their own, that is so as long as none turns.
+// Whether discs pass through each other, and which of them overlap is known without the
+// triangulation: where discs have radii of their own, that is so as long as none turns.
 template <class Simulation>
-bool Contact_turns<Simulation>::can_pass(const Simulation& simulation) {
-  return !Simulation::has_radii || !simulation.options_.box;
-}
-
-template <class Simulation>
-bool Contact_turns<Simulation>::may_call_response() const {
-  return simulation_->options_.response_is_pure || is_pure(simulation_->options_.response);
+bool Contact_turns<Simulation>::may_pass(const Simulation& simulation) {
+  return simulation.do_discs_pass() && (!Simulation::has_radii || !simulation.options_.box);
 }
 
 // Whether no observer looks at the triangulation that is there when points have been erased.
@@ -134,7 +130,6 @@ auto Contact_turns<Simulation>::changes(const Entry& entry, const Time& now) con
     return passing_.contains(id) || (contacts != nullptr && contacts->vanish_event != no_event);
   };
   if (std::ranges::any_of(points(entry), is_for_loop)) return result;
-  if (entry.kind == Entry_kind::collision && !may_call_response()) return result;
   try {
     if (entry.kind == Entry_kind::wall) {
       result.push_back(simulation_->reflection(entry.point_a, entry.point_b, now));
