@@ -145,7 +145,7 @@ bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may
   }
   double& width = division().window_width;
   std::size_t by_loop = 0;    // instants that the loop executes before the next window
-  std::size_t next_loop = 1;  // how many if a window is cut early; more until one is long enough
+  std::size_t next_loop = 1;  // how many if a window is in vain
   const auto leave_more_to_loop = [&] {
     by_loop = next_loop;
     next_loop = std::min<std::size_t>(2 * next_loop, kinetic_.number_of_points_);
@@ -176,10 +176,10 @@ bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may
     // The last window before `until` is a short one, and says nothing.
     if ((is_whole && end < last) || done > target) {
       width *= std::clamp(target / std::max(done, 1.0), 0.25, 4.0);
-      if (done >= target / 2) next_loop = 1;
+      next_loop = 1;
     } else if (cut_) {
       width *= 0.5;
-      if (done < target / 2) leave_more_to_loop();
+      if (done < target / 8) leave_more_to_loop();
     }
   }
   return true;
