@@ -122,6 +122,7 @@
 // window when it has been executed. If memory is missing before that, faces and motions go back to
 // the start of the window (go_back): the records have what that takes. Entries of the queues are
 // not put back, but all made anew (start_anew); so they are where memory is missing later.
+// Where it is missing while passes are executed, the simulation can only be destroyed.
 //
 // What is the same as in the plain loop: events, their order and times, faces and all that a
 // snapshot has of them, and of the counters those that count events and instants. Counts of
