@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/triangulation/detail/regions.h"
 
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <random>
 #include <span>
+#include <vector>
 
+#include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/detail/regions_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 
@@ -16,16 +19,20 @@ namespace kinetri::detail {
 bool may_pay_by_regions(std::size_t points, std::size_t threads) {
   constexpr std::size_t least_points = 50'000;
   constexpr std::size_t most_points = 100'000'000;  // so that handles of a part have enough bits
-  if (points < least_points || points > most_points || threads == 1) return false;
-  const bool has_arena = threads > 1 || tbb::this_task_arena::max_concurrency() > 1;
-  return has_arena &&
-         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
+  return points >= least_points && points <= most_points && usable_threads(threads) > 1;
 }
 
-int arena_size(std::size_t threads) {
-  const std::size_t allowed =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return static_cast<int>(std::min(threads, allowed));
+void call_for_each_index(const Region_options& options, std::size_t count,
+                         const std::function<void(std::size_t)>& work) {
+  if (options.threads != 1) return for_each_index_in_parallel(count, work);
+  if (options.order_of_tasks == 0) {
+    for (std::size_t k = 0; k < count; ++k) work(k);
+    return;
+  }
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::shuffle(order, std::mt19937_64(options.order_of_tasks));
+  std::ranges::for_each(order, work);
 }
 
 // Of turns, which are not there, nothing is compiled.

@@ -23,6 +23,7 @@ namespace {
 
 using detail::Region_counters;
 using test::box_of;
+using test::change_some_points;
 using test::difference_from_loop;
 using test::difference_of_simulations;
 using test::gas;
@@ -264,29 +265,15 @@ TEST(Contact_regions, follow_changes_as_the_loop_does) {
     }
     const auto change = [&](Simulation_2<Linear_kinetic_traits_2>& simulation) {
       std::mt19937_64 random(seed + simulation.triangulation().next_id());
-      const auto number = [&](double least, double greatest) {
-        return std::uniform_real_distribution<double>(least, greatest)(random);
-      };
-      const double now = simulation.current_time().to_double();
-      for (int k = 0; k < 6; ++k) {
-        const Linear_motion_2 motion = {
-            {number(1, side - 1), number(1, side - 1)}, {number(-5, 5), number(-5, 5)}, now + 0.5};
-        const auto id = static_cast<Point_id>(random() % n);
-        if (k < 2) simulation.schedule_insert(now + number(0, 1), motion);
-        if (k == 2 && simulation.triangulation().contains(id)) simulation.erase(id);
-        if (k == 3) simulation.schedule_erase(now + number(0, 0.5), id);
-        if (k > 3 && simulation.triangulation().contains(id)) {
-          const Vector_2 velocity = {number(-9, 9), number(-9, 9)};
-          simulation.set_velocities({&id, 1}, {&velocity, 1});
-        }
-      }
-      if (seed % 4 == 1 && now > 0) {  // the triangulation schedules all anew
+      change_some_points(simulation, side, random);
+      if (seed % 4 == 1 && simulation.current_time() > 0) {  // the triangulation schedules all anew
         std::vector<Point_id> ids;
         std::vector<Vector_2> velocities;
+        std::uniform_real_distribution<double> speed(-5, 5);
         for (Point_id id = 0; id < n; ++id) {
           if (!simulation.triangulation().contains(id)) continue;
           ids.push_back(id);
-          velocities.push_back({number(-5, 5), number(-5, 5)});
+          velocities.push_back({speed(random), speed(random)});
         }
         simulation.set_velocities(ids, velocities);
         if (seed % 8 == 1) simulation.step();

@@ -26,6 +26,7 @@ namespace {
 
 using detail::Region_counters;
 using test::box_of;
+using test::change_some_points;
 using test::difference_from_loop;
 using test::difference_of_simulations;
 using test::gas;
@@ -193,21 +194,7 @@ TEST(Passing_regions, follow_changes_as_the_loop_does) {
     options.response = log_contact;
     const auto change = [&](Simulation_2<Linear_kinetic_traits_2>& simulation) {
       std::mt19937_64 random(seed + simulation.triangulation().next_id());
-      const auto number = [&](double least, double greatest) {
-        return std::uniform_real_distribution<double>(least, greatest)(random);
-      };
-      const double now = simulation.current_time().to_double();
-      for (int k = 0; k < 6; ++k) {
-        const Linear_motion_2 motion = {
-            {number(1, side - 1), number(1, side - 1)}, {number(-5, 5), number(-5, 5)}, now + 0.5};
-        const auto id = static_cast<Point_id>(random() % n);
-        if (k < 2) simulation.schedule_insert(now + number(0, 1), motion);
-        if (k == 2) simulation.schedule_erase(now + number(0, 0.5), id);
-        if (k > 2 && simulation.triangulation().contains(id)) {
-          const Vector_2 velocity = {number(-9, 9), number(-9, 9)};
-          simulation.set_velocities({&id, 1}, {&velocity, 1});
-        }
-      }
+      change_some_points(simulation, side, random);
     };
     ASSERT_EQ(difference_from_loop<Linear_kinetic_traits_2>(
                   gas(n, side, 0, 6, seed), options, {0.5, 1.0, 2.0},

@@ -146,6 +146,29 @@ std::string difference_from_loop(
   return {};
 }
 
+/// Points that come, turn and go in a square of the given side, now or within a unit of time.
+inline void change_some_points(Simulation_2<Linear_kinetic_traits_2>& simulation, double side,
+                               std::mt19937_64& random) {
+  const auto number = [&](double least, double greatest) {
+    return std::uniform_real_distribution<double>(least, greatest)(random);
+  };
+  const double now = simulation.current_time().to_double();
+  const Point_id next_id = simulation.triangulation().next_id();
+  for (int k = 0; k < 6; ++k) {
+    const Linear_motion_2 motion = {
+        {number(1, side - 1), number(1, side - 1)}, {number(-5, 5), number(-5, 5)}, now + 0.5};
+    const auto id = static_cast<Point_id>(random() % next_id);
+    const bool is_there = simulation.triangulation().contains(id);
+    if (k < 2) simulation.schedule_insert(now + number(0, 1), motion);
+    if (k == 2 && is_there) simulation.erase(id);
+    if (k == 3) simulation.schedule_erase(now + number(0, 0.5), id);
+    if (k > 3 && is_there) {
+      const Vector_2 velocity = {number(-9, 9), number(-9, 9)};
+      simulation.set_velocities({&id, 1}, {&velocity, 1});
+    }
+  }
+}
+
 inline Simulation_options box_of(double side) {
   Simulation_options options;
   options.box = Box_2{0, 0, side, side};

@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Work that several threads do.
+// Work that several threads do. Only parallel.cpp includes oneTBB: its templates, instantiated for
+// each piece of work, would take longer to compile than the work.
 #ifndef KINETRI_TRIANGULATION_DETAIL_PARALLEL_H
 #define KINETRI_TRIANGULATION_DETAIL_PARALLEL_H
 
-#include <tbb/parallel_for_each.h>
-
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
-#include "kinetri/base/compiler.h"
+#include "kinetri/base/cxx20.h"
 
 namespace kinetri::detail {
+
+/// How many of so many threads (0: those of oneTBB's arena) oneTBB lends here.
+std::size_t usable_threads(std::size_t threads);
+
+/// Calls work() where no more than so many threads (0: those of oneTBB's arena) help.
+void call_with_threads(std::size_t threads, const std::function<void()>& work);
+
+/// Calls work(k) for each k below the count, by as many threads as oneTBB lends; in this one where
+/// the count is 1. What work throws is thrown once no thread works any more.
+void for_each_index_in_parallel(std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// Elements in blocks, each for one thread.
 template <class Element>
@@ -27,23 +37,10 @@ std::vector<std::span<const Element>> blocks_of(std::span<const Element> element
   return blocks;
 }
 
-/// Calls work(block) for each of the blocks, by as many threads as oneTBB lends; in this one, in
-/// their order, where there is only one block.
+/// The same with work(block) for each of the blocks.
 template <class Block, class Work>
 void for_each_in_parallel(std::vector<Block>& blocks, const Work& work) {
-  if (blocks.size() == 1) return work(blocks.front());
-  // ThreadSanitizer does not see into oneTBB's library, where work begins after what came before
-  // the call, and what comes after the call begins after the work. The tag is global because a task
-  // may read nothing of this thread, the function below included, before it has been told so.
-  static char begun, done;
-  const auto work_in_order = [&work](Block& block) {
-    annotate_happens_after(&begun);
-    work(block);
-    annotate_happens_before(&done);
-  };
-  annotate_happens_before(&begun);
-  tbb::parallel_for_each(blocks, work_in_order);
-  annotate_happens_after(&done);
+  for_each_index_in_parallel(blocks.size(), [&](std::size_t k) { work(blocks[k]); });
 }
 
 }  // namespace kinetri::detail

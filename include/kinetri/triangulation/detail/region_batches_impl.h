@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/detail/regions.h"
 
 namespace kinetri::detail {
@@ -44,7 +45,7 @@ void Region_run<Kinetic, Turns>::make_turns(std::span<const Change> turns) {
   const auto set_points = [this](const Share& share) {
     for (const Change* turn : share.turns) kinetic_.set_point(*turn);
   };
-  in_arena([&] {
+  call_with_threads(options_.threads, [&] {
     for_each(shares, [&](Share& share) {
       const auto others = std::stable_partition(
           share.turns.begin(), share.turns.end(),

@@ -12,6 +12,7 @@
 
 #include "kinetri/kinetic/rounded_places.h"
 #include "kinetri/triangulation/detail/kd_cells.h"
+#include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/detail/prefetch.h"
 #include "kinetri/triangulation/detail/regions.h"
 
@@ -84,7 +85,7 @@ void Region_run<Kinetic, Turns>::clear_stamps() {
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::join() {
   const double width = division().window_width;
-  or_go_back([this] { in_arena([this] { move_to_parts(1); }); });
+  or_go_back([this] { call_with_threads(options_.threads, [this] { move_to_parts(1); }); });
   division() = {};
   division().window_width = width;
 }

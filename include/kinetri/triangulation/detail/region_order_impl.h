@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/detail/region_division_impl.h"
 #include "kinetri/triangulation/detail/regions.h"
 

@@ -131,8 +131,6 @@
 #ifndef KINETRI_TRIANGULATION_DETAIL_REGIONS_H
 #define KINETRI_TRIANGULATION_DETAIL_REGIONS_H
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -141,9 +139,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
-#include <random>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -151,7 +147,6 @@
 #include <vector>
 
 #include "kinetri/triangulation/detail/edge_changes.h"
-#include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {
@@ -181,8 +176,10 @@ struct Region_options {
 /// threads (0: those of oneTBB's arena) of those that oneTBB has here.
 bool may_pay_by_regions(std::size_t points, std::size_t threads);
 
-/// How large an arena of oneTBB may be for so many threads: no larger than oneTBB allows.
-int arena_size(std::size_t threads);
+/// Calls work(k) for each k below the count, as the options say: in parallel, or one after the
+/// other.
+void call_for_each_index(const Region_options& options, std::size_t count,
+                         const std::function<void(std::size_t)>& work);
 
 /// Whether the library has runs by regions of these traits.
 template <class Traits>
@@ -405,26 +402,10 @@ class Region_run {
   // Those of the level, in their order.
   std::vector<Lane*> lanes_at(unsigned level);
 
-  // Calls work() where no more threads help than the options allow.
-  template <class Work>
-  auto in_arena(const Work& work) const {
-    if (options_.threads < 2) return work();
-    tbb::task_arena arena(arena_size(options_.threads));
-    return arena.execute(work);
-  }
   // Calls work(element) for each element of a vector.
   template <class Vector, class Work>
   void for_each(Vector& elements, const Work& work) const {
-    if (options_.threads == 1) {
-      if (options_.order_of_tasks == 0)
-        return static_cast<void>(std::ranges::for_each(elements, work));
-      std::vector<std::size_t> order(elements.size());
-      std::iota(order.begin(), order.end(), std::size_t{0});
-      std::ranges::shuffle(order, std::mt19937_64(options_.order_of_tasks));
-      for (const std::size_t k : order) work(elements[k]);
-    } else {
-      for_each_in_parallel(elements, work);
-    }
+    call_for_each_index(options_, elements.size(), [&](std::size_t k) { work(elements[k]); });
   }
   bool run_window(double end);
   double execute_window(double end);

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "kinetri/base/check.h"
+#include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/detail/region_batches_impl.h"
 #include "kinetri/triangulation/detail/region_division_impl.h"
 #include "kinetri/triangulation/detail/region_erasures_impl.h"
@@ -28,9 +29,7 @@ namespace kinetri::detail {
 // many that handles, which name one of at most 5 R - 1 parts, would have no bits left for the
 // entries of all 3 n edges in one part, and of as many that come later.
 inline std::size_t number_of_regions(const Region_options& options, std::size_t points) {
-  const std::size_t threads =
-      options.threads > 0 ? options.threads
-                          : static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t threads = usable_threads(options.threads);
   const std::size_t enough = std::max(4 * threads, points / 12'500);
   const auto by_points =
       std::min(enough, static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 15));
@@ -64,7 +63,9 @@ bool Region_run<Kinetic, Turns>::can_run() const {
 
 template <class Kinetic, class Turns>
 std::size_t Region_run<Kinetic, Turns>::advance_to(const Time& until, const Go_on& may_go_on) {
-  return in_arena([&] { return advance(until, may_go_on); });
+  std::size_t events = 0;
+  call_with_threads(options_.threads, [&] { events = advance(until, may_go_on); });
+  return events;
 }
 
 template <class Kinetic, class Turns>
