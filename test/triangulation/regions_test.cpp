@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "support/motions.h"
+#include "support/multiplier.h"
 #include "support/region_runs.h"
 
 namespace kinetri {
@@ -202,6 +203,29 @@ TEST(Regions, put_times_in_order_that_bounds_do_not_tell_apart) {
         << "seed " << seed;
   }
   EXPECT_GT(sum.by_region, 80u);
+}
+
+// So fast that bounds of times are wider than slices of a window: flips of one slice belong among
+// those of another.
+TEST(Regions, put_times_in_order_across_slices) {
+  constexpr double fast = std::uint64_t{1} << 38;
+  Region_counters sum;
+  for (unsigned seed = 0; seed < 4u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    std::mt19937_64 random(seed);
+    const auto whole = [&](int least, int greatest) {
+      return static_cast<double>(std::uniform_int_distribution<int>(least, greatest)(random));
+    };
+    std::vector<Linear_motion_2> motions;
+    for (int k = 0; k < 60; ++k) {  // in a square at t = 1
+      const Vector_2 velocity = {whole(-127, 127) * fast, whole(-127, 127) * fast};
+      motions.push_back({{whole(0, 4095) - velocity.x, whole(0, 4095) - velocity.y}, velocity});
+    }
+    ASSERT_EQ(difference_from_loop(motions, {1 - std::ldexp(1, -39), 1 + std::ldexp(1, -39), 2},
+                                   options_of(2 + 3 * (seed % 4), 4), sum),
+              "")
+        << "seed " << seed;
+  }
+  EXPECT_GT(sum.by_region, 300u);
 }
 
 // A point that reaches the side of the hull at t = 1 and turns back: an instant without an event.
