@@ -30,7 +30,7 @@ void for_each_index_in_parallel(std::size_t count, const std::function<void(std:
   if (count == 1) return work(0);
   // ThreadSanitizer does not see into oneTBB's library, where work begins after what came before
   // the call, and what comes after the call begins after the work. The tag is global because a task
-  // may read nothing of this thread, the function below included, before it has been told so.
+  // may read nothing of this thread, the reference to `work` included, before it has been told so.
   static char begun, done;
   annotate_happens_before(&begun);
   tbb::parallel_for(std::size_t{0}, count, [&work](std::size_t k) {

@@ -37,7 +37,7 @@ std::vector<std::span<const Element>> blocks_of(std::span<const Element> element
   return blocks;
 }
 
-/// The same with work(block) for each of the blocks.
+/// Calls work(block) for each of the blocks, in the same way.
 template <class Block, class Work>
 void for_each_in_parallel(std::vector<Block>& blocks, const Work& work) {
   for_each_index_in_parallel(blocks.size(), [&](std::size_t k) { work(blocks[k]); });
