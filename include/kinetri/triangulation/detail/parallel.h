@@ -18,7 +18,8 @@ namespace kinetri::detail {
 /// How many of so many threads (0: those of oneTBB's arena) oneTBB lends here.
 std::size_t usable_threads(std::size_t threads);
 
-/// Calls work() where no more than so many threads (0: those of oneTBB's arena) help.
+/// Calls work(). Two threads or more: no more than so many help in it. 0 and 1: those of oneTBB's
+/// arena may help, as they may in the caller.
 void call_with_threads(std::size_t threads, const std::function<void()>& work);
 
 /// Calls work(k) for each k below the count, by as many threads as oneTBB lends; in this one where
