@@ -54,7 +54,8 @@ struct Change {
 };
 
 struct Row {
-  std::size_t number = 0;  // in the column `event`
+  std::size_t number = 0;              // in the column `event`
+  std::optional<std::size_t> instant;  // in the column `instant`, if there is one
   std::string kind;
   double time = 0;
   Dyadic lo, hi;
@@ -74,8 +75,8 @@ struct Options {
   std::map<std::size_t, double> box;  // sides that there are: 0 left, 1 lower, 2 right, 3 upper
   bool has_rim = false;
   bool has_contacts = false;
-  bool is_log = false;   // whether discs pass through each other
-  bool may_pass = true;  // or may do so after a collision
+  bool may_collide = true;
+  bool may_pass = true;  // whether discs may pass through each other after a collision
   std::size_t threads = 1;
 };
 
@@ -137,10 +138,13 @@ class Table {
     return false;
   }
 
-  void expect_header(const std::string& expected) const {
+  // The columns have to be these, and may end with one more.
+  void expect_header(const std::string& expected, const std::string& optional = "") const {
     std::string header;
     for (const std::string& name : header_) header += (header.empty() ? "" : ",") + name;
-    if (header != expected) fail("the header is not " + expected);
+    if (header == expected || (!optional.empty() && header == expected + ',' + optional)) return;
+    fail("the header is not " + expected +
+         (optional.empty() ? "" : ", with or without " + optional + " at its end"));
   }
 
   bool has(std::string_view name) const {
@@ -240,7 +244,9 @@ inline std::vector<Change> read_motions(const std::string& path, std::vector<Row
 inline void read_events(const std::string& path, std::vector<Row>& rows) {
   Table table(path);
   table.expect_header(
-      "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b");
+      "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b",
+      "instant");
+  const bool has_instants = table.has("instant");
   static const std::map<std::string, std::array<std::size_t, 3>> kinds = {
       {"flip", {1, 1, 0}},    {"hull_insert", {1, 0, 0}}, {"hull_remove", {0, 1, 0}},
       {"hide", {0, 0, 1}},    {"reveal", {0, 0, 1}},      {"insert", {0, 0, 1}},
@@ -276,6 +282,13 @@ inline void read_events(const std::string& path, std::vector<Row>& rows) {
       refute("it has its smaller point last");
     const auto number = rows.front().number + rows.size() - 1;
     if (row.number != number) refute("its number is not " + std::to_string(number));
+    if (has_instants) {
+      row.instant = table.index("instant");
+      const Row* before = rows.size() > 1 ? &rows[rows.size() - 2] : nullptr;
+      if (row.instant != number && (before == nullptr || row.instant != before->instant)) {
+        refute("its instant is neither its own number nor that of the row before");
+      }
+    }
     const Dyadic time = dyadic(row.time);
     const Dyadic width = row.hi + Dyadic{-row.lo.m, row.lo.e};
     const Dyadic wide = {width.m << 48, width.e};

@@ -186,7 +186,7 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
       given.contains("--collisions") ? given["--collisions"] : std::string();
   if (!responses.contains(response)) fail_usage("--collisions is '" + response + "'");
   options.has_rim = given.contains("--rim");
-  options.is_log = response == "log";
+  options.may_collide = response != "none";
   options.may_pass = response != "stop" && response != "remove";
   options.has_contacts = !response.empty() && response != "none";
 
@@ -214,7 +214,6 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   for (const verify::Row& row : rows) {
     if (row.kind == "collision" && !given.contains("--collisions")) {  // it is to be inferred
       options.has_contacts = true;
-      options.is_log |= row.changes.empty();
     }
   }
   std::vector<verify::Edge> final_edges;

@@ -46,8 +46,8 @@ def to_dataframe(events: Events) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        The columns of the program's event log: kind, time, time_lo, time_hi, removed_a, removed_b,
-        added_a, added_b, point_a, point_b. Ids are of the type UInt32, with <NA> where there is none.
+        The columns of the program's event log but event and instant: kind, time, time_lo, time_hi,
+        removed_a, removed_b, added_a, added_b, point_a, point_b. Ids are of the type UInt32, with <NA> where there is none.
 
     Examples
     --------

@@ -30,13 +30,15 @@ std::string time_fields(const Algebraic_number& time) {
 }
 
 Event_log_writer::Event_log_writer(std::ostream& out) : out_(out) {
-  out_ << "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n";
+  out_ << "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,"
+          "instant\n";
 }
 
 void Event_log_writer::after_event(const Event& event) {
   if (!time_ || *time_ != event.time) {
     time_ = event.time;
     time_text_ = time_fields(event.time);
+    instant_ = event.number;
   }
   std::string line;
   append(line, event.number, ',', name(event.kind), ',', time_text_);
@@ -44,7 +46,7 @@ void Event_log_writer::after_event(const Event& event) {
   append_edge(line, event.added);
   append_point(line, event.point_a);
   append_point(line, event.point_b);
-  line += '\n';
+  append(line, ',', instant_, '\n');
   out_ << line;
 }
 

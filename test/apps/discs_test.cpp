@@ -23,7 +23,8 @@ using test::count;
 using test::Outcome;
 
 constexpr const char* header =
-    "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n";
+    "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,"
+    "instant\n";
 
 class Discs : public test::Program_test {
  protected:

@@ -48,8 +48,9 @@ TEST_F(Simulate, writes_events_edges_and_statistics) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(read("events.csv"),
-            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n"
-            "0,flip,1,1,1,0,3,1,2,,\n");
+            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,"
+            "instant\n"
+            "0,flip,1,1,1,0,3,1,2,,,0\n");
   EXPECT_EQ(read("initial.csv"), "a,b\n0,1\n0,2\n0,3\n1,3\n2,3\n");
   EXPECT_EQ(read("edges.csv"), "a,b\n0,1\n0,2\n1,2\n1,3\n2,3\n");
   const auto stats = nlohmann::json::parse(read("stats.json"));
@@ -180,9 +181,10 @@ TEST_F(Simulate, logs_walls_and_collisions) {
                            "--events", "-", "--stats", "stats.json", "--audit", "events"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
-            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n"
-            "0,collision,3,3,3,,,,,0,1\n"
-            "1,wall,7,7,7,,,,,1,\n");
+            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,"
+            "instant\n"
+            "0,collision,3,3,3,,,,,0,1,0\n"
+            "1,wall,7,7,7,,,,,1,,1\n");
   const auto stats = nlohmann::json::parse(read("stats.json"));
   EXPECT_EQ(stats["events"]["collision"], 1);
   EXPECT_EQ(stats["events"]["wall"], 1);
@@ -198,9 +200,10 @@ TEST_F(Simulate, follows_points_that_accelerate) {
                {"--until", "7", "--box", "0,0,4,4", "--events", "-", "--audit", "events"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
-            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n"
-            "0,wall,2,2,2,,,,,0,\n"
-            "1,wall,6,6,6,,,,,0,\n");
+            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,"
+            "instant\n"
+            "0,wall,2,2,2,,,,,0,,0\n"
+            "1,wall,6,6,6,,,,,0,,1\n");
   const Outcome balls =
       simulate(test::falling_balls,
                {"--until", "5", "--box", "0,0,9,9", "--collisions", "elastic", "--radius", "0.5",
@@ -219,7 +222,7 @@ TEST_F(Simulate, takes_the_radius_of_all_discs_from_an_option) {
       "x,y,vx,vy\n0,0,1,0\n5,0,0,0\n",
       {"--until", "9", "--collisions", "log", "--radius", "0.5", "--events", "-", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("0,collision,4,4,4,,,,,0,1\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("0,collision,4,4,4,,,,,0,1,0\n"), std::string::npos) << outcome.out;
 }
 
 TEST_F(Simulate, ignores_unequal_radii_where_nothing_touches) {

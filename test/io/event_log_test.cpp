@@ -18,7 +18,8 @@ namespace {
 using Log_event = Event;
 
 constexpr const char* header =
-    "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b\n";
+    "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,"
+    "instant\n";
 
 std::string log_of(const std::vector<Log_event>& events) {
   std::ostringstream out;
@@ -78,12 +79,12 @@ TEST(Event_log, writes_the_fields_of_each_kind) {
            .added = Edge_ids{0, 9}},
       }),
       std::string(header) +
-          "0,flip,0.5,0.5,0.5,1,12,0,4294967294,,\n"
-          "1,hull_insert,0.5,0.5,0.5,2,3,,,,\n"
-          "2,hull_remove,0.5,0.5,0.5,,,4,5,,\n"
-          "3,wall,0.5,0.5,0.5,,,,,6,\n"
-          "4,collision,0.5,0.5,0.5,,,,,7,8\n"
-          "18446744073709551615,rebuild,0.5,0.5,0.5,,,0,9,,\n");
+          "0,flip,0.5,0.5,0.5,1,12,0,4294967294,,,0\n"
+          "1,hull_insert,0.5,0.5,0.5,2,3,,,,,0\n"
+          "2,hull_remove,0.5,0.5,0.5,,,4,5,,,0\n"
+          "3,wall,0.5,0.5,0.5,,,,,6,,0\n"
+          "4,collision,0.5,0.5,0.5,,,,,7,8,0\n"
+          "18446744073709551615,rebuild,0.5,0.5,0.5,,,0,9,,,0\n");
 }
 
 TEST(Event_log, times_that_are_no_binary_numbers_lie_strictly_between_two) {
@@ -132,11 +133,33 @@ TEST(Event_log, each_instant_prints_its_own_time) {
                                   {.number = 3, .time = two_as_root},
                                   {.number = 4, .time = 3.0}});
   EXPECT_EQ(log, std::string(header) +
-                     "0,flip,1,1,1,,,,,,\n"
-                     "1,flip,1,1,1,,,,,,\n"
-                     "2,flip,2,2,2,,,,,,\n"
-                     "3,flip,2,2,2,,,,,,\n"
-                     "4,flip,3,3,3,,,,,,\n");
+                     "0,flip,1,1,1,,,,,,,0\n"
+                     "1,flip,1,1,1,,,,,,,0\n"
+                     "2,flip,2,2,2,,,,,,,2\n"
+                     "3,flip,2,2,2,,,,,,,2\n"
+                     "4,flip,3,3,3,,,,,,,4\n");
+}
+
+// sqrt(2) and a number 2^-199 or less above it, which have one binary64 interval.
+TEST(Event_log, instants_tell_apart_times_of_one_interval) {
+  const Algebraic_number root = square_root(2);
+  root.refine_to(Rational(1, Integer(1) << 200));
+  const Rational above = root.isolating_interval().upper + Rational(1, Integer(1) << 200);
+  const std::string log = log_of({{.number = 5, .time = root},
+                                  {.number = 6, .time = square_root(2)},
+                                  {.number = 7, .time = Algebraic_number(above)},
+                                  {.number = 8, .time = Algebraic_number(above)}});
+  std::istringstream in(log);
+  std::string line;
+  std::getline(in, line);
+  std::vector<std::string> instants;
+  std::vector<std::string> times;
+  while (std::getline(in, line)) {
+    instants.push_back(fields(line).back());
+    times.push_back(fields(line)[3] + ' ' + fields(line)[4]);
+  }
+  EXPECT_EQ(instants, (std::vector<std::string>{"5", "5", "7", "7"}));
+  EXPECT_EQ(times, std::vector<std::string>(4, times.front()));
 }
 
 // The bytes depend on the value, not on the work done on it.

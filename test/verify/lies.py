@@ -2,8 +2,9 @@
 """Lies about a run: each changes its files, and returns the row at which that is to be noticed (-1
 is the start, the number of rows is the end), or None if there is nothing that it could change."""
 import math
+from fractions import Fraction
 
-PLAIN, BOX, RIM, WEIGHTS, TRACKS = {}, {}, {}, {}, {}
+PLAIN, BOX, RIM, WEIGHTS, TRACKS, LOG, NONE = {}, {}, {}, {}, {}, {}, {}
 
 
 def lie(*tables):
@@ -27,6 +28,11 @@ def interval(row):
 def is_later(run, i):
     """Whether row i is after the row before it, for certain."""
     return i > 0 and interval(run.rows[i])[0] > interval(run.rows[i - 1])[1]
+
+
+def is_alone(run, i):
+    """Whether the row is the only one of its instant."""
+    return all(row[11] != run.rows[i][11] for k, row in enumerate(run.rows) if k != i)
 
 
 def kinds(*names):
@@ -159,6 +165,13 @@ def no_time(row, _):
     row[2] = repr(math.nextafter(float(row[4]), math.inf))
 
 
+def time_at_the_other_end(row, _):
+    if row[3] == row[4]:
+        return False
+    row[2] = row[4] if row[2] == row[3] else row[3]
+    return True
+
+
 def turned_around(row, _):
     if row[3] == row[4]:
         return False
@@ -195,6 +208,12 @@ def kind(name):
     return change
 
 
+def another_kind(row, generator):
+    """Another one with the same columns, and whatever else there is."""
+    row[1] = generator.choice(sorted({"flip", "hull_insert", "hull_remove", "hide", "reveal", "insert", "erase",
+                                      "trajectory", "collision"} - {row[1]}))
+
+
 EDGES = kinds("flip", "hull_insert", "hull_remove", "rebuild")
 FLIPS = kinds("flip", "hull_insert", "hull_remove")
 edit("an_interval_an_ulp_late", FLIPS, lambda r, g: beyond(r, 1), PLAIN)
@@ -204,10 +223,16 @@ edit("a_time_moved_back", EDGES, lambda r, g: ulps(r, -(2 ** g.randint(4, 12))),
 edit("an_interval_too_wide", lambda r: True, widen, PLAIN, BOX)
 edit("a_time_outside_its_interval", lambda r: True, no_time, PLAIN, BOX)
 edit("an_interval_turned_around", lambda r: True, turned_around, PLAIN)
+edit("a_time_at_the_other_end", lambda r: True, time_at_the_other_end, PLAIN, BOX, WEIGHTS)
+edit("another_kind", lambda r: r[1] != "rebuild", another_kind, PLAIN, BOX, WEIGHTS, TRACKS)
+edit("a_time_moved_on_at_a_contact", kinds("wall", "collision"), lambda r, g: ulps(r, 2 ** g.randint(4, 12)), BOX)
+edit("a_time_moved_back_at_a_contact", kinds("wall", "collision"), lambda r, g: ulps(r, -(2 ** g.randint(4, 12))), BOX)
 edit("ends_of_an_edge_exchanged", EDGES, ends_exchanged, PLAIN)
 edit("a_row_backward", FLIPS, backward, PLAIN)
 edit("another_edge_removed", kinds("flip", "hull_insert"), other_end(5), PLAIN)
 edit("another_edge_added", kinds("flip", "hull_remove"), other_end(7), PLAIN)
+edit("another_edge_removed_by_a_rebuild", lambda r: r[1] == "rebuild" and r[5], other_end(5), PLAIN, WEIGHTS)
+edit("another_edge_added_by_a_rebuild", lambda r: r[1] == "rebuild" and r[7], other_end(7), PLAIN, WEIGHTS)
 edit("a_flip_called_hull_insert", kinds("flip"), kind("hull_insert"), PLAIN)
 edit("a_flip_called_rebuild", kinds("flip"), kind("rebuild"), PLAIN)
 edit("a_hull_insert_called_flip", kinds("hull_insert"), kind("flip"), PLAIN)
@@ -215,6 +240,53 @@ edit("a_hull_insert_called_hull_remove", kinds("hull_insert"), kind("hull_remove
 edit("an_edge_without_an_end", EDGES, lambda r, g: r.__setitem__(slice(5, 9), [""] * 4), PLAIN)
 edit("a_wall_called_collision", kinds("wall"), kind("collision"), BOX)
 edit("a_wall_called_trajectory", kinds("wall"), kind("trajectory"), BOX)
+
+
+@lie(PLAIN, BOX, WEIGHTS)
+def an_instant_divided(run, generator):
+    """Rows of one exact time are said to be of two."""
+    i = generator.choice([i for i, row in enumerate(run.rows) if i and row[11] == run.rows[i - 1][11]] or [None])
+    if i is None:
+        return None
+    whole = run.rows[i][11]
+    for row in run.rows[i:]:
+        if row[11] == whole:
+            row[11] = "later"
+    return i
+
+
+@lie(PLAIN, BOX, WEIGHTS)
+def two_instants_joined(run, generator):
+    i = generator.choice([i for i, row in enumerate(run.rows) if i and row[11] != run.rows[i - 1][11]] or [None])
+    if i is None:
+        return None
+    second = run.rows[i][11]
+    for row in run.rows[i:]:
+        if row[11] == second:
+            row[11] = run.rows[i - 1][11]
+    return i
+
+
+def called_rebuild(which):
+    def function(run, generator):
+        """Where nothing else happens."""
+        found = [i for i, row in enumerate(run.rows) if row[1] == which and is_alone(run, i)]
+        if not found or isinstance(run.points[0][0], int) or len(run.points) < 5:
+            return None
+        i = generator.choice(found)
+        row = run.rows[i]
+        row[1] = "rebuild"
+        if which == "flip":
+            run.rows.insert(i + 1, row[:5] + ["", ""] + row[7:])
+            row[7:9] = ["", ""]
+        return i
+
+    function.__name__ = f"a_{which}_alone_called_rebuild"
+    lie(PLAIN)(function)
+
+
+for flipped in ("flip", "hull_insert", "hull_remove"):
+    called_rebuild(flipped)
 
 
 @lie(PLAIN)
@@ -398,6 +470,58 @@ def the_contact_of_another_point(run, generator):
     return i
 
 
+def motion_of(run, point, number):
+    """Its motion from a row on."""
+    return [m for m in run.motions if m[1] == point and (not m[0] or int(m[0]) <= number)][-1]
+
+
+def gap(a, b, t):
+    """The squared distance of discs in straight motion, less the square of the sum of their radii."""
+    def at(motion, i, k):
+        return Fraction(float(motion[i])) + Fraction(float(motion[k])) * (t - Fraction(float(motion[12])))
+
+    x, y = (at(a, i, i + 2) - at(b, i, i + 2) for i in (2, 3))
+    return x * x + y * y - (at(a, 10, 11) + at(b, 10, 11)) ** 2
+
+
+@lie(LOG)
+def a_contact_moved_to_a_later_row(run, generator):
+    """The discs overlap and approach then."""
+    found = []
+    for i, row in enumerate(run.rows):
+        if row[1] != "collision":
+            continue
+        for k in range(i + 1, len(run.rows)):
+            t = Fraction(float(run.rows[k][3]))
+            a, b = (motion_of(run, point, k) for point in row[9:11])
+            if a[0] or b[0] or not gap(a, b, t + Fraction(1, 2**20)) < gap(a, b, t) < 0:
+                break
+            if is_later(run, k):
+                found.append((i, k))
+    if not found:
+        return None
+    i, k = generator.choice(found)
+    row = run.rows.pop(i)
+    run.rows.insert(k, row[:2] + run.rows[k - 1][2:5] + row[5:11] + [run.rows[k - 1][11]])
+    return i
+
+
+@lie(LOG)
+def a_contact_left_out(run, generator):
+    return remove(run, chosen(run, generator, kinds("collision")))
+
+
+@lie(NONE)
+def a_collision_that_is_none(run, generator):
+    """Discs pass through each other, in a run that does not look for contacts: at a row of that time."""
+    i = chosen(run, generator)
+    if i is None:
+        return None
+    pair = sorted(generator.sample(range(len(run.points)), 2))
+    run.rows.insert(i + 1, ["", "collision", *run.rows[i][2:5], "", "", "", "", *map(str, pair), run.rows[i][11]])
+    return i + 1
+
+
 # ---- points that hide, come and go ----
 
 
@@ -413,6 +537,17 @@ def a_reveal_left_out(run, generator):
 
 edit("a_hide_called_reveal", kinds("hide"), kind("reveal"), WEIGHTS)
 edit("a_reveal_called_hide", kinds("reveal"), kind("hide"), WEIGHTS)
+
+
+def another_point(row, generator):
+    row[9] = str(generator.choice(sorted(set(range(6)) - {int(row[9])})))
+
+
+edit("another_point_hidden", kinds("hide"), another_point, WEIGHTS)
+edit("another_point_revealed", kinds("reveal"), another_point, WEIGHTS)
+edit("another_point_inserted", kinds("insert"), another_point, TRACKS)
+edit("another_point_erased", kinds("erase"), another_point, TRACKS)
+edit("another_point_turns", kinds("trajectory"), another_point, TRACKS)
 
 
 @lie(TRACKS)

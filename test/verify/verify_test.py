@@ -22,6 +22,8 @@ import second_checker
 
 KINDS = ("grid", "line", "meet", "mirror", "random")
 HEADER = "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b"
+COLUMNS = HEADER.split(",")
+INSTANT = ",instant"  # the last column of the log, which may be absent
 MOTIONS = "event,id,x,y,vx,vy,ax,ay,jx,jy,radius,growth,epoch"
 
 
@@ -108,11 +110,16 @@ class Case:
         return outputs and Run(points, *outputs, start, until)
 
     def write(self, run):
-        """The files of the run, whose rows are numbered anew."""
+        """The files of the run, whose rows are numbered anew, and so are its instants: rows in order
+        that have the same text in the last column are of one."""
+        log, first, has_instants = [], 0, any(len(row) > len(COLUMNS) for row in run.rows)
         for number, row in enumerate(run.rows):
             row[0] = str(number)
+            if number == 0 or row[11:] != run.rows[number - 1][11:]:
+                first = number
+            log.append(row[:11] + [str(first)] * has_instants)
         for file, header, rows in (
-            (self.events, HEADER, run.rows),
+            (self.events, HEADER + INSTANT * has_instants, log),
             (self.motions, MOTIONS, run.motions),
             (self.initial, "a,b", run.initial),
             (self.final, "a,b", run.final),
@@ -188,12 +195,36 @@ def check_true(case, seeds):
                     expected = f"verified: {len(points)} points, {len(run.rows)} events, "
                     assert text.startswith(expected), text
                     counts[kind] += 1
+                if kind == "random":  # no two exact times are that near
+                    for row in run.rows:
+                        del row[len(COLUMNS):]
+                    code, text, _ = case.verify(run, both)
+                    assert code == 0, f"{kind} {seed} {options} {both} without instants: {text}"
     for kind in KINDS:
         assert counts[kind] > 2 * seeds, counts
     for seed in range(seeds):
         run = tracks(case, random.Random(seed))
         code, text, _ = case.verify(run, points=case.motions)
         assert code == 0, f"tracks {seed}: {text}"
+
+
+# Several points leave the hull at one time, t = 1.
+LEAVING = [(0, 0, -1, -1), (0, 0, -1, 0), (2, 0, -1, 0), (2, 2, 0, 0), (-2, 1, 0, -1)]
+
+
+def check_instants(case):
+    """Several events of one exact time: discs of a wave meet, at times that are no binary64 numbers."""
+    run = case.simulate(LEAVING, 4)
+    kinds = [row[1] for row in run.rows if row[2] == "1"]
+    assert kinds.count("hull_remove") == 2, run.rows
+    code, text, _ = case.verify(run)
+    assert code == 0, text
+    for columns, rows in ((3, 4), (5, 5), (8, 3), (30, 30)):
+        for radius in ("0.3", "0.5", "0.7", "1", "2", "4"):
+            command = [case.kinetri, "wave", "--columns", str(columns), "--rows", str(rows), "--radius", radius]
+            result = subprocess.run([*command, "--quiet", "--verify"], capture_output=True, text=True, check=False)
+            assert result.returncode == 0, f"{command}: {result.stdout}{result.stderr}"
+            assert result.stdout.startswith(f"verified: {columns * rows} points, "), result.stdout
 
 
 def tracks(case, generator):
@@ -258,9 +289,13 @@ def check_lies(case, seeds):
         points = [p + (0, 0.02 * (i % 3)) for i, p in enumerate(make_points("random", generator, 9))]
         run = case.simulate(points, 5, 0, rim)
         tell(case, lies.RIM, counts, run, generator, rim)
+        run = case.simulate(make_points("random", generator, 12), 6, 0, ["--radius", "0.3", "--collisions", "log"])
+        if run:
+            tell(case, lies.LOG, counts, run, generator, ["--collisions", "log"])
         points = [p + (generator.choice((0, 1, 2)), 0.5) for p in make_points("random", generator, 12)]
         run = case.simulate(points, 5, 0, ["--regular"])
         tell(case, lies.WEIGHTS, counts, run, generator)
+        tell(case, lies.NONE, counts, run, generator, ["--collisions", "none"])
         run = tracks(case, generator)
         tell(case, lies.TRACKS, counts, run, generator, points=case.motions)
     print(f"{'lie':40} {'told':>5} {'refuted':>8} {'right row':>10}")
@@ -375,6 +410,7 @@ def main():
     case = Case(kinetri, verify, folder)
     if what == "true":
         check_true(case, 8)
+        check_instants(case)
     elif what == "lies":
         check_lies(case, 8)
         check_false_logs(case)

@@ -124,7 +124,7 @@ Exit_code Verification::run(const Any_simulation& simulation, const Run_source& 
     add("--box", xmin, ',', ymin, ',', xmax, ',', ymax);
     if (options.rim_touches) add("--rim");
   });
-  if (source.response() != "none") add("--collisions", source.response());
+  add("--collisions", source.response());
   const auto status = run_child(
       program_, arguments,
       {STDIN_FILENO, answer == Stream::output ? STDOUT_FILENO : STDERR_FILENO, STDERR_FILENO});

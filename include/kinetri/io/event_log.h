@@ -6,6 +6,7 @@
 #ifndef KINETRI_IO_EVENT_LOG_H
 #define KINETRI_IO_EVENT_LOG_H
 
+#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -22,10 +23,11 @@ std::string time_fields(const Algebraic_number& time);
 
 /// An observer that writes each event, once it has happened, as one line:
 ///
-///   event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b
+///   event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,instant
 ///
-/// `time`, `time_lo` and `time_hi` are the time_fields. Fields that the kind of event does not use
-/// are empty.
+/// `time`, `time_lo` and `time_hi` are the time_fields. `instant` is the number of the first event
+/// at the same exact time, of those that this object has written: it tells apart the times that
+/// have the same three fields. Fields that the kind of event does not use are empty.
 ///
 /// Errors are those of the stream. Cost: the times are rounded once for each instant.
 class Event_log_writer : public Event_observer {
@@ -42,6 +44,7 @@ class Event_log_writer : public Event_observer {
   std::ostream& out_;
   std::optional<Algebraic_number> time_;  // of the last event
   std::string time_text_;                 // its three fields
+  std::uint64_t instant_ = 0;             // the number of the first event at that time
 };
 
 }  // namespace kinetri

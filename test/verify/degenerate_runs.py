@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Verifies degenerate runs of every kind that the program writes: whole coordinates and velocities on
+small grids, so that many events have one time, or times that differ by less than the log prints.
+
+usage: degenerate_runs.py KINETRI FOLDER [FIRST_SEED]
+
+100 runs, or as many times more as the environment variable KINETRI_TEST_MULTIPLIER says. None may be
+refuted. A seed gives one run, whatever the number of runs.
+"""
+import collections
+import os
+import pathlib
+import random
+import subprocess
+import sys
+
+RUNS = 100
+RESPONSES = ("log", "swap", "elastic", "stop", "remove")
+
+
+def points(generator, most=12, extent=3, speed=2, columns=()):
+    """Rows of a file of points, each with another motion. A column has the choices for its numbers."""
+    number = generator.randint(3, most)
+    found = {}
+    for _ in range(4 * number):
+        if len(found) < number:
+            place = tuple(generator.randint(-extent, extent) for _ in range(2))
+            motion = place + tuple(generator.randint(-speed, speed) for _ in range(2))
+            found[motion] = motion + tuple(generator.choice(choices) for _, choices in columns)
+    names = ["x", "y", "vx", "vy", *(name for name, _ in columns)]
+    return "\n".join([",".join(names), *(",".join(map(str, row)) for row in found.values())]) + "\n"
+
+
+def lattice(generator, columns=()):
+    """Points that are apart at the start: on places of a grid, each of which has one point at most."""
+    size = generator.randint(2, 4)
+    places = [(3 * x, 3 * y) for x in range(size) for y in range(size)]
+    rows = [
+        place + (generator.randint(-2, 2), generator.randint(-2, 2))
+        + tuple(generator.choice(choices) for _, choices in columns)
+        for place in generator.sample(places, generator.randint(2, len(places)))
+    ]
+    names = ["x", "y", "vx", "vy", *(name for name, _ in columns)]
+    return "\n".join([",".join(names), *(",".join(map(str, row)) for row in rows)]) + "\n"
+
+
+def plain(generator):
+    return points(generator), f"simulate FILE --until {generator.randint(2, 6)}"
+
+
+def oblique(generator):
+    """Velocities with halves, so that times are often the same and no binary64 numbers."""
+    columns = [(name, (0, 0, 1, -1)) for name in ("ax", "ay")]
+    return points(generator, most=7, columns=columns), f"simulate FILE --until {generator.randint(1, 3)}"
+
+
+def in_box(generator):
+    return points(generator), f"simulate FILE --until {generator.randint(2, 8)} --box=-4,-4,4,4"
+
+
+def regular(generator):
+    columns = [("radius", (0, 0, 1, 2, 0.5))]
+    if generator.random() < 0.5:
+        columns.append(("growth", (0, 0, 1, 0.5)))
+    return points(generator, columns=columns), f"simulate FILE --until {generator.randint(2, 5)} --regular"
+
+
+def walls(generator):
+    side = generator.choice((4, 5, 6))
+    bounds = f"--box={-side},{-side},{9 + side},{9 + side}"
+    return generator.choice((bounds, bounds + " --rim", ""))
+
+
+def discs(generator):
+    """Discs of one size, whose contacts have one time."""
+    radius = generator.choice((0.25, 0.5, 1))
+    response = generator.choice(RESPONSES)
+    return lattice(generator), (f"simulate FILE --until {generator.randint(2, 8)} --radius {radius} "
+                                f"--collisions {response} {walls(generator)}")
+
+
+def sizes(generator):
+    """Discs of several sizes."""
+    columns = [("radius", (0.25, 0.5, 1, 1.25))]
+    response = generator.choice(RESPONSES)
+    return lattice(generator, columns), (f"simulate FILE --until {generator.randint(2, 6)} --collisions {response} "
+                                         f"{walls(generator)}")
+
+
+def growing(generator):
+    columns = [("radius", (0, 0.25, 0.5)), ("growth", (0, 0.125, 0.0625))]
+    response = generator.choice(RESPONSES)
+    return lattice(generator, columns), (f"simulate FILE --until {generator.randint(1, 4)} --collisions {response} "
+                                         f"{walls(generator)}")
+
+
+def wave(generator):
+    radius = generator.choice(("0.3", "0.5", "1", "2", "4"))
+    return "", (f"wave --columns {generator.randint(1, 8)} --rows {generator.randint(1, 6)} --radius {radius} "
+                f"--until {generator.randint(4, 20)}")
+
+
+def tracks(generator):
+    rows = ["t,id,x,y"]
+    for thing in range(generator.randint(3, 9)):
+        first, x, y = generator.randint(0, 5), generator.randint(0, 9), generator.randint(0, 9)
+        for step in range(generator.randint(2, 6)):
+            rows.append(f"{first + step},{thing},{x},{y}")
+            x, y = x + generator.randint(-2, 2), y + generator.randint(-2, 2)
+    more = generator.choice(("", "", "--collisions log --radius 0.5"))
+    return "\n".join(rows) + "\n", f"tracks FILE {more}"
+
+
+KINDS = (plain, oblique, in_box, regular, discs, sizes, growing, wave, tracks)
+
+
+def main():
+    kinetri, folder = sys.argv[1:3]
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 0
+    runs = RUNS * int(os.environ.get("KINETRI_TEST_MULTIPLIER", "1"))
+    verified, refused, events = collections.Counter(), collections.Counter(), 0
+    faults = []
+    while verified.total() + len(faults) < runs and refused.total() < runs:
+        kind = KINDS[seed % len(KINDS)]
+        text, command = kind(random.Random(seed))
+        file = folder / f"{seed}.csv"
+        file.write_text(text, encoding="utf-8")
+        command = [kinetri, *command.replace("FILE", str(file)).split(), "--quiet", "--verify"]
+        command += ["--max-events", "20000"]
+        result = subprocess.run(command, capture_output=True, text=True, check=False, timeout=600)
+        answer = result.stdout + result.stderr
+        if answer.startswith("verified"):
+            verified[kind.__name__] += 1
+            events += int(answer.split(" points, ")[1].split(" ")[0])
+        elif result.returncode == 2:  # discs that overlap at the start, or what is not supported
+            refused[kind.__name__] += 1
+        else:
+            faults.append(f"seed {seed}: {' '.join(command)}\n{answer[:400]}")
+            print(faults[-1], flush=True)
+        if result.returncode in (0, 2):
+            file.unlink()
+        seed += 1
+        if verified.total() % 1000 == 0:
+            print(f"{verified.total()} runs verified, up to seed {seed}", flush=True)
+    print(f"{verified.total()} runs verified, {events} events; by kind: {dict(verified)}; refused: {dict(refused)}")
+    assert not faults, f"{len(faults)} runs were not verified"
+    assert len(verified) == len(KINDS) and events > 10 * runs, (verified, events)
+
+
+if __name__ == "__main__":
+    main()
