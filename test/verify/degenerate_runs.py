@@ -49,8 +49,7 @@ def plain(generator):
     return points(generator), f"simulate FILE --until {generator.randint(2, 6)}"
 
 
-def oblique(generator):
-    """Velocities with halves, so that times are often the same and no binary64 numbers."""
+def accelerated(generator):
     columns = [(name, (0, 0, 1, -1)) for name in ("ax", "ay")]
     return points(generator, most=7, columns=columns), f"simulate FILE --until {generator.randint(1, 3)}"
 
@@ -67,6 +66,7 @@ def regular(generator):
 
 
 def walls(generator):
+    """No box, or one around a lattice, at least as wide as the discs at its bounds."""
     side = generator.choice((4, 5, 6))
     bounds = f"--box={-side},{-side},{9 + side},{9 + side}"
     return generator.choice((bounds, bounds + " --rim", ""))
@@ -89,6 +89,7 @@ def sizes(generator):
 
 
 def growing(generator):
+    """Discs that grow, some of them from points."""
     columns = [("radius", (0, 0.25, 0.5)), ("growth", (0, 0.125, 0.0625))]
     response = generator.choice(RESPONSES)
     return lattice(generator, columns), (f"simulate FILE --until {generator.randint(1, 4)} --collisions {response} "
@@ -105,14 +106,14 @@ def tracks(generator):
     rows = ["t,id,x,y"]
     for thing in range(generator.randint(3, 9)):
         first, x, y = generator.randint(0, 5), generator.randint(0, 9), generator.randint(0, 9)
-        for step in range(generator.randint(2, 6)):
+        for _ in range(generator.randint(2, 6)):
             rows.append(f"{first + step},{thing},{x},{y}")
             x, y = x + generator.randint(-2, 2), y + generator.randint(-2, 2)
     more = generator.choice(("", "", "--collisions log --radius 0.5"))
     return "\n".join(rows) + "\n", f"tracks FILE {more}"
 
 
-KINDS = (plain, oblique, in_box, regular, discs, sizes, growing, wave, tracks)
+KINDS = (plain, accelerated, in_box, regular, discs, sizes, growing, wave, tracks)
 
 
 def main():

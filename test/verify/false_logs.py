@@ -34,6 +34,7 @@ APART = [
     motion(0, -0.5, 0.0, -1.0, radius=0.5, event=0, epoch=1.5),
     motion(1, 0.5, 0.0, 1.0, radius=0.5, event=0, epoch=1.5),
 ]
+NEAR = [motion(0, 0.0, 0.0, 1.0, radius=2.0), motion(1, 1.0, 0.0, radius=2.0), motion(2, 0.0, 2.0, vy=-1.0, radius=2.0)]
 RESTING = motion(2, -4.0, 0.0, radius=0.5)
 ASIDE = motion(2, -4.0, 0.125, radius=0.125)
 TURN = row("trajectory", 1.75, points="2-")
@@ -78,6 +79,11 @@ LOGS = (
         DISCS, edges("0-1"), 1.875, ("--collisions", "log")),
     Log("a disc touches itself", "row 1", [HIT, row("collision", 1.5, points="0-0")], DISCS, edges("0-1"),
         1.875, ("--collisions", "log")),
+    Log("discs that overlap and approach", "", [row("collision", 0.0, points=pair) for pair in ("0-1", "0-2", "1-2")],
+        NEAR, SIDES, 0.25),
+    Log("a false collision in a log of --regular", "row 0", [row("collision", 0.0, points="0-1")], NEAR, SIDES, 0.25),
+    Log("a collision in a run without any", "row 0", [row("collision", 0.0, points="0-1")], NEAR, SIDES, 0.25,
+        ("--collisions", "none")),
     Log("three points at rest", "", [], TRIANGLE, SIDES, 1.0),
     Log("a vertex is hidden", "row 0", [row("hide", 0.5, points="1-")], TRIANGLE, SIDES, 1.0),
     Log("two points leave, before all would be on a line", "", [*LEAVING, *SIDES_GO],
