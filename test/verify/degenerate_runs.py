@@ -106,7 +106,7 @@ def tracks(generator):
     rows = ["t,id,x,y"]
     for thing in range(generator.randint(3, 9)):
         first, x, y = generator.randint(0, 5), generator.randint(0, 9), generator.randint(0, 9)
-        for _ in range(generator.randint(2, 6)):
+        for step in range(generator.randint(2, 6)):
             rows.append(f"{first + step},{thing},{x},{y}")
             x, y = x + generator.randint(-2, 2), y + generator.randint(-2, 2)
     more = generator.choice(("", "", "--collisions log --radius 0.5"))
