@@ -29,6 +29,8 @@ struct Mode {
 
 const std::string discs_mode = "discs";
 const std::string contacts_mode = "contacts";
+const std::string lines_mode = "lines";
+const std::string threads_mode = "threads";
 
 const std::map<std::string, Mode> modes = {
     {"events",
@@ -41,6 +43,8 @@ const std::map<std::string, Mode> modes = {
      {measure_certificates, "certificates of contacts and distances, with filters and without"}},
     {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
     {"encounters", {measure_encounters, "all pairs in range of each other, against the run alone"}},
+    {lines_mode, {measure_lines, "starts of points on a line, on a circle, on a lattice"}},
+    {threads_mode, {measure_threads, "runs with all threads beside runs with one", 5}},
     {"regions", {measure_regions, "one run by the plain loop and by regions"}},
     {contacts_mode,
      {measure_contacts, "one run of discs in contact by the plain loop and by regions", 4}},
@@ -100,16 +104,22 @@ int main(int argc, char** argv) {
       command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")
           ->transform(CLI::CheckedTransformer(scenarios()));
     }
-    command.add_option("--points", setup.options.points, "number of points (1000)")
-        ->check(CLI::Range(3, 100'000'000));
+    const std::string usual_points = mode_name == lines_mode     ? "262144"
+                                     : mode_name == threads_mode ? "52900"
+                                                                 : "1000";
+    const CLI::Option* points =
+        command
+            .add_option("--points", setup.options.points, "number of points (" + usual_points + ")")
+            ->check(CLI::Range(3, 100'000'000));
     const CLI::Option* until =
         command
             .add_option("--until", setup.until,
                         "time to advance to (" + std::to_string(std::lround(m.until)) + ")")
             ->check(CLI::PositiveNumber);
     command.add_option("--seed", setup.options.seed, "seed of the random numbers (1)");
-    command.callback([&, until, chosen = mode_name, usual = m.until] {
+    command.callback([&, until, points, usual_points, chosen = mode_name, usual = m.until] {
       mode = chosen;
+      if (points->count() == 0) setup.options.points = std::stoul(usual_points);
       if (until->count() == 0) setup.until = usual;
       if (mode == discs_mode || mode == contacts_mode) {
         setup.scenario = Scenario::lattice_jitter;

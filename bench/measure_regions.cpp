@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "bench_discs.h"
@@ -35,6 +36,7 @@ json run_by_regions(const Setup& setup, const Make& make, std::size_t threads) {
   detail::Region_options options;
   options.threads = threads;
   options.least_events_per_vertex = 0;
+  options.most_waste = std::numeric_limits<double>::infinity();
   auto run = run_of(kinetic, options);
   const Stopwatch watch;
   run.advance_to(setup.until);

@@ -117,6 +117,14 @@ nlohmann::json measure_regions(const Setup& setup);
 /// The same with equal discs in a box, which collide.
 nlohmann::json measure_contacts(const Setup& setup);
 
+/// Runs of points and of discs, uniform, of a lattice, in rows, in clusters, of equal velocities:
+/// wall time and time of the processor with the threads that there are, over those with one thread.
+nlohmann::json measure_threads(const Setup& setup);
+
+/// Nanoseconds a point of the start of points on a line, on two lines, on a circle, on a lattice,
+/// for 4096 points, 16 384 and so on, up to those of the setup.
+nlohmann::json measure_lines(const Setup& setup);
+
 /// Seconds of a construction, of one change of the velocities of 1000 points, and of a run that
 /// keeps a row for each event.
 nlohmann::json measure_arrays(const Setup& setup);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "kinetri/kinetic/rounded_places.h"
+#include "kinetri/triangulation/detail/insertion_order.h"
 #include "kinetri/triangulation/detail/parallel.h"
 
 namespace kinetri::detail {
@@ -26,6 +27,13 @@ using Regular = CGAL::Regular_triangulation_2<
                 CGAL::Triangulation_vertex_base_with_info_2<
                     Point_id, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>,
                 CGAL::Regular_triangulation_face_base_2<Kernel, Face_base>>>;
+
+using Numbered = std::pair<Kernel::Point_2, Point_id>;
+
+// Numbers a vertex like the point that has it.
+constexpr auto set_number = [](auto vertex, const auto& numbered) {
+  vertex->info() = numbered.second;
+};
 
 // The faces of the triangulation, and the order of its vertices.
 template <class Triangulation>
@@ -57,7 +65,12 @@ Static_delaunay static_regular(const Static_points& points) {
         static_cast<Point_id>(i));
   }
   Regular triangulation;
-  triangulation.insert(weighted.begin(), weighted.end());
+  const auto point_of = [](const auto& numbered) -> const Kernel::Point_2& {
+    return numbered.first.point();
+  };
+  if (sort_for_insertion(weighted, Kernel(), point_of)) return {};
+  insert_in_order(
+      triangulation, weighted, [](const auto& numbered) { return numbered.first; }, set_number);
   if (triangulation.dimension() < 2 ||
       triangulation.number_of_vertices() + triangulation.number_of_hidden_vertices() !=
           weighted.size()) {
@@ -81,14 +94,16 @@ Static_delaunay static_delaunay(const Static_points& points) {
         static_delaunay_by_cells(points.places, points.places.size() / points_per_cell);
     if (!by_cells.faces.empty()) return by_cells;
   }
-  std::vector<std::pair<Kernel::Point_2, Point_id>> numbered;
+  std::vector<Numbered> numbered;
   numbered.reserve(points.places.size());
   for (const Vector_2& place : points.places) {
     numbered.emplace_back(Kernel::Point_2(place.x, place.y),
                           static_cast<Point_id>(numbered.size()));
   }
+  const auto point_of = [](const Numbered& point) -> const Kernel::Point_2& { return point.first; };
+  if (sort_for_insertion(numbered, Kernel(), point_of)) return {};
   Delaunay triangulation;
-  triangulation.insert(numbered.begin(), numbered.end());
+  insert_in_order(triangulation, numbered, point_of, set_number);
   if (triangulation.number_of_vertices() != numbered.size() || triangulation.dimension() < 2) {
     return {};
   }

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/triangulation/detail/insertion_order.h"
 #include "kinetri/triangulation/detail/kd_cells.h"
 #include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/detail/static_delaunay.h"
@@ -51,12 +52,16 @@ Face as_plain(Face_handle face) {
 // Inserts the places with these numbers. Of equal places one has a vertex.
 void insert(std::span<const Vector_2> places, std::span<const Point_id> numbers,
             Triangulation& triangulation) {
-  std::vector<std::pair<Kernel::Point_2, Point_id>> numbered;
+  using Numbered = std::pair<Kernel::Point_2, Point_id>;
+  std::vector<Numbered> numbered;
   numbered.reserve(numbers.size());
   for (const Point_id id : numbers) {
     numbered.emplace_back(Kernel::Point_2(places[id].x, places[id].y), id);
   }
-  triangulation.insert(numbered.begin(), numbered.end());
+  const auto place_of = [](const Numbered& n) -> const Kernel::Point_2& { return n.first; };
+  sort_for_insertion(numbered, Kernel(), place_of);
+  insert_in_order(triangulation, numbered, place_of,
+                  [](Vertex_handle v, const Numbered& n) { v->info() = n.second; });
   triangulation.infinite_vertex()->info() = no_point;
 }
 

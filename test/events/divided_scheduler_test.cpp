@@ -124,6 +124,22 @@ class Divided : public testing::TestWithParam<std::uint64_t> {
     }
   }
 
+  // Some entries go, and some that went come back, to be at another time.
+  void change(std::size_t number) {
+    for (std::size_t k = 0; k < number; ++k) {
+      const std::size_t subject = random_() % policy_.times.size();
+      Queue_handle& handle = policy_.handles[subject];
+      if (handle != no_event) {
+        ASSERT_EQ(scheduler_.erase(handle).number, subject);
+        handle = no_event;
+        continue;
+      }
+      const double time = policy_.times[subject] = static_cast<double>(random_() % 200);
+      const Entry entry(subject, {time - 3, time + 2}, {static_cast<int>(3 * subject)});
+      handle = subject % 3 == 0 ? scheduler_.push(entry, time) : scheduler_.emplace(entry);
+    }
+  }
+
   std::mt19937_64 random_;
   Policy policy_;
   Divided_scheduler<Entry, Policy> scheduler_;
@@ -151,6 +167,40 @@ TEST_P(Divided, entries_keep_their_exact_times) {
     distribute(parts, 50);
     ASSERT_NO_FATAL_FAILURE(expect_times()) << parts << " parts";
   }
+}
+
+// The part of the first entry is known from pop() on; it follows all changes.
+TEST_P(Divided, entries_that_come_and_go_leave_the_order_right) {
+  for (const std::size_t parts : {2u, 7u, 37u, 1u, 64u}) {
+    ASSERT_NO_FATAL_FAILURE(distribute(parts, 100));
+    for (int round = 0; round < 30; ++round) {
+      ASSERT_NO_FATAL_FAILURE(pop(3)) << parts << " parts, seed " << GetParam();
+      ASSERT_NO_FATAL_FAILURE(change(20));
+      ASSERT_TRUE(scheduler_.is_valid()) << parts << " parts, seed " << GetParam();
+    }
+  }
+}
+
+// Parts that are changed by themselves, as regions do.
+TEST_P(Divided, parts_that_change_by_themselves_are_found_again) {
+  distribute(20, 100);
+  for (int round = 0; round < 10; ++round) {
+    ASSERT_NO_FATAL_FAILURE(pop(5)) << "seed " << GetParam();
+    scheduler_.forget_first();
+    for (std::size_t p = 0; p < 20; ++p) {
+      if (scheduler_.part(p).empty()) continue;
+      policy_.handles[scheduler_.part(p).pop().number] = no_event;
+    }
+    ASSERT_TRUE(scheduler_.is_valid());
+  }
+}
+
+// Of entries at one time the exact times are made once, not for each pop.
+TEST_P(Divided, first_entries_keep_their_exact_times) {
+  distribute(32, 100);
+  const std::size_t before = policy_.times_made;
+  ASSERT_NO_FATAL_FAILURE(pop(policy_.times.size()));
+  EXPECT_LE(policy_.times_made - before, policy_.times.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Divided, testing::Range<std::uint64_t>(1, 9));

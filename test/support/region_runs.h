@@ -7,6 +7,7 @@
 #include <tbb/global_control.h>
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <sstream>
 #include <string>
@@ -149,6 +150,7 @@ inline Region_options options_of(std::size_t regions, double events_per_vertex) 
   options.regions = regions;
   options.events_per_vertex = events_per_vertex;
   options.least_events_per_vertex = 0;
+  options.most_waste = std::numeric_limits<double>::infinity();
   options.points_per_hidden_one = 0;
   options.events_per_division = 1;
   if (regions % 5 == 4) options.most_flips = 3;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <concepts>
+#include <limits>
 #include <memory>
 #include <string>
 #include <thread>
@@ -129,6 +130,7 @@ TEST(Threads, run_by_regions_as_the_loop_does) {
     detail::Region_options options;
     options.regions = 6 + 5 * seed;
     options.least_events_per_vertex = 0;
+    options.most_waste = std::numeric_limits<double>::infinity();
     options.threads = 4;
     detail::Region_run<Kinetic> run(kinetic, options);
     for (const double time : {0.5, 2.0}) {

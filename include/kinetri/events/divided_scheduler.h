@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,7 +37,12 @@ namespace kinetri::detail {
 /// without its exact time.
 ///
 /// The order of entries is that of one scheduler, whatever their parts are. Several threads may
-/// call const functions at once, and functions of different parts.
+/// call const functions at once, and functions of different parts; between forget_first() and the
+/// next settle() or pop() they may also call `erase` and `emplace` for entries of different parts.
+///
+/// The part that has the first entry is found by a tournament of all parts, which settle() and
+/// pop() begin and which later changes follow: so an operation costs O(log parts) comparisons more
+/// than in one part.
 template <class Entry, class Policy>
 class Divided_scheduler {
  public:
@@ -72,6 +78,10 @@ class Divided_scheduler {
   Part& part(std::size_t number) { return is_divided() ? *parts_[number] : first_; }
   const Part& part(std::size_t number) const { return is_divided() ? *parts_[number] : first_; }
 
+  /// To be called before the functions of parts change them: what is known of which part comes
+  /// first is forgotten. O(1).
+  void forget_first() noexcept { winners_.clear(); }
+
   /// The part that holds the entry of a handle.
   std::size_t part_of_handle(Queue_handle handle) const {
     return static_cast<std::size_t>(std::uint64_t{handle} >> shift_);
@@ -93,8 +103,9 @@ class Divided_scheduler {
   // ---- the same as Event_scheduler ----
 
   bool empty() const noexcept {
-    return is_divided() ? std::ranges::all_of(parts_, [](const auto& p) { return p->empty(); })
-                        : first_.empty();
+    if (!is_divided()) return first_.empty();
+    if (is_first_known()) return parts_[winners_[1]]->empty();
+    return std::ranges::all_of(parts_, [](const auto& p) { return p->empty(); });
   }
   std::size_t size() const noexcept {
     std::size_t result = first_.size();
@@ -139,8 +150,13 @@ class Divided_scheduler {
     for (const auto& part : parts_) part->for_each(function);
   }
   bool is_valid() const {
+    const auto is_right = [this](std::size_t match) {
+      return winners_[match] == winner(match, made);
+    };
+    const auto matches = std::views::iota(std::size_t{1}, std::max<std::size_t>(parts_.size(), 1));
     return first_.is_valid() &&
-           std::ranges::all_of(parts_, [](const auto& part) { return part->is_valid(); });
+           std::ranges::all_of(parts_, [](const auto& part) { return part->is_valid(); }) &&
+           (!is_first_known() || std::ranges::all_of(matches, is_right));
   }
 
   template <class... Parts>
@@ -152,7 +168,9 @@ class Divided_scheduler {
   Queue_handle push(Entry entry, Algebraic_number time) {
     if (!is_divided()) return first_.push(std::move(entry), std::move(time));
     const std::size_t to = policy_.part_of(entry.subject());
-    return named(to, part(to).push(std::move(entry), std::move(time)));
+    const Queue_handle result = named(to, part(to).push(std::move(entry), std::move(time)));
+    follow(to);
+    return result;
   }
   /// Leaves one part.
   template <class Fill>
@@ -175,6 +193,7 @@ class Divided_scheduler {
     cleared.discarded += size();
     first_.clear();
     parts_.clear();
+    forget_first();
     shift_ = shift_of(1);
     first_.count_as(cleared);
   }
@@ -200,6 +219,7 @@ class Divided_scheduler {
   void divide(std::size_t count, const std::vector<Block>& blocks,
               const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
     const Queue_counters before = counters();
+    forget_first();
     if (is_divided()) {
       in_parallel(parts_, [](const std::unique_ptr<Part>& part) { part->forget_order(); });
     } else {
@@ -303,6 +323,7 @@ class Divided_scheduler {
       Entry entry = {};
       std::unique_ptr<Algebraic_number> exact = nullptr;
     };
+    forget_first();
     struct Share {
       std::size_t number;  // of a block or a part
       std::vector<Moved> moved = {};
@@ -355,10 +376,12 @@ class Divided_scheduler {
   // What is done where there are several parts: not inlined, so that one part costs no more.
   template <class Is_due, class Recheck>
   bool settle_parts(const Is_due& is_due, const Recheck& recheck) {
+    find_first();
     while (!empty() && is_due(top())) {
       if (!policy_.is_recheck(top())) return true;
       const Entry entry = pop();
       recheck(std::span<const Entry>(&entry, 1));
+      find_first();  // what has been rechecked may have changed anything
     }
     return false;
   }
@@ -374,20 +397,72 @@ class Divided_scheduler {
 
   Queue_handle emplace_in_parts(const Entry& entry) {
     const std::size_t to = policy_.part_of(entry.subject());
-    return named(to, part(to).emplace(entry));
+    const Queue_handle result = named(to, part(to).emplace(entry));
+    follow(to);
+    return result;
   }
   const Entry& top_of_parts() const { return part(first_part()).top(); }
-  Entry pop_of_parts() { return part(first_part()).pop(); }
+  Entry pop_of_parts() {
+    find_first();
+    const std::size_t from = winners_[1];
+    Entry result = part(from).pop();
+    follow(from);
+    return result;
+  }
   Entry erase_from_parts(Queue_handle handle) {
-    return part(part_of_handle(handle)).erase(local(handle));
+    const std::size_t from = part_of_handle(handle);
+    Entry result = part(from).erase(local(handle));
+    follow(from);
+    return result;
+  }
+
+  // The tournament of p parts: match k, 1 <= k < p, is between the winners of 2 k and 2 k + 1, of
+  // which those from p on are the parts themselves. A part without entries loses.
+  bool is_first_known() const { return !winners_.empty(); }
+
+  std::size_t player(std::size_t k) const {
+    return k < parts_.size() ? winners_[k] : k - parts_.size();
+  }
+  // `time_in(part, entry)` is the exact time of an entry of the part.
+  template <class Time_in>
+  std::size_t winner(std::size_t match, const Time_in& time_in) const {
+    const std::size_t p = player(2 * match);
+    const std::size_t q = player(2 * match + 1);
+    if (parts_[q]->empty()) return p;
+    return parts_[p]->empty() || precedes(*parts_[q], *parts_[p], time_in) ? q : p;
+  }
+
+  void find_first() {
+    if (is_first_known()) return;
+    winners_.resize(parts_.size());
+    for (std::size_t match = parts_.size(); --match > 0;) set_winner(match);
+  }
+
+  // A part has changed.
+  void follow(std::size_t changed) {
+    if (!is_first_known()) return;
+    for (std::size_t match = (parts_.size() + changed) / 2; match > 0; match /= 2) {
+      const std::size_t before = winners_[match];
+      set_winner(match);
+      // Nothing that it has changed goes further.
+      if (winners_[match] == before && before != changed) return;
+    }
+  }
+
+  void set_winner(std::size_t match) {
+    const auto kept = [](Part& part, const Entry& entry) -> const Algebraic_number& {
+      return part.time(entry);
+    };
+    winners_[match] = static_cast<std::uint16_t>(winner(match, kept));
   }
 
   // The part that has the first entry. Precondition: not empty.
   std::size_t first_part() const {
+    if (is_first_known()) return winners_[1];
     std::size_t first = 0;
     for (std::size_t p = 1; p < parts_.size(); ++p) {
       if (part(p).empty()) continue;
-      if (part(first).empty() || precedes(part(p), part(first))) first = p;
+      if (part(first).empty() || precedes(*parts_[p], *parts_[first], made)) first = p;
     }
     return first;
   }
@@ -400,19 +475,24 @@ class Divided_scheduler {
     return is_divided() ? part(part_of_handle(policy_.handle(entry.subject()))) : first_;
   }
 
+  // An exact time that is not kept, so that several threads may ask for it.
+  static Algebraic_number made(const Part& part, const Entry& entry) { return part.time_of(entry); }
+
   // The first entries of two parts.
-  bool precedes(const Part& p, const Part& q) const {
+  template <class Time_in>
+  bool precedes(Part& p, Part& q, const Time_in& time_in) const {
     const Entry& a = p.top();
     const Entry& b = q.top();
     if (a.bounds.upper < b.bounds.lower) return true;
     if (b.bounds.upper < a.bounds.lower) return false;
-    const auto order = p.time_of(a) <=> q.time_of(b);
+    const auto order = time_in(p, a) <=> time_in(q, b);
     return order != 0 ? order < 0 : policy_.precedes(a, b);
   }
 
   const Policy& policy_;
   Part first_;                                // the only one, mostly; else empty
   std::vector<std::unique_ptr<Part>> parts_;  // if there are several
+  std::vector<std::uint16_t> winners_;        // of the matches; empty if not known
   unsigned shift_ = 32;                       // handles have so many bits in their part
 };
 

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "kinetri/triangulation/detail/hidden_points.h"
+#include "kinetri/triangulation/detail/insertion_order.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
@@ -434,7 +435,10 @@ void Auditor<KineticTriangulation>::check_reference() {
     for (const Vertex_handle v : audited_.vertices_) {
       if (v != Vertex_handle()) points.emplace_back(place(v), v->point().id());
     }
-    reference.insert(points.begin(), points.end());
+    const auto place_of = [](const auto& point) -> const Place& { return point.first; };
+    detail::sort_for_insertion(points, reference.geom_traits(), place_of);
+    detail::insert_in_order(reference, points, place_of,
+                            [](auto vertex, const auto& point) { vertex->info() = point.second; });
   }
 
   if (!has_same_vertices(reference)) return;  // each is right if its edges and hidden points are

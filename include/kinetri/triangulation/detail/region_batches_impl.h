@@ -27,6 +27,7 @@ void Region_run<Kinetic, Turns>::make_turns(std::span<const Change> turns) {
     Time now = {};  // a copy of its own
   };
   go_on_with_division();
+  forget_first();
   std::vector<Share> shares(regions_);
   for (std::size_t region = 0; region < regions_; ++region) {
     shares[region].lane = &lanes_[region];

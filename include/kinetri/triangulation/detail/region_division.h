@@ -11,9 +11,11 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kinetri/base/ids.h"
+#include "kinetri/triangulation/detail/region_effort.h"
 
 namespace kinetri::detail {
 
@@ -67,6 +69,22 @@ struct Region_division {
   Flip_numbers numbers;     ///< of the nodes
   double events = 0;        ///< of windows since the division
   double window_width = 0;  ///< of the next window
+
+  bool runs_windows = false;      ///< whether windows are next, or else the loop
+  double loop_begin = 0;          ///< since when the loop has run, if it has not run windows
+  std::uint64_t loop_events = 0;  ///< of the loop since then
+  Region_effort effort;           ///< whether windows pay
+
+  /// Forgets the regions, but not what is known of the run.
+  void clear() {
+    Region_division cleared;
+    cleared.window_width = window_width;
+    cleared.runs_windows = runs_windows;
+    cleared.loop_begin = loop_begin;
+    cleared.loop_events = loop_events;
+    cleared.effort = effort;
+    *this = std::move(cleared);
+  }
 
   /// The region that owns a vertex. The infinite vertex has the id no_point.
   std::uint16_t owner(Point_id id) const { return id < owners.size() ? owners[id] : no_region; }

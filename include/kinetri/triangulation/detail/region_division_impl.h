@@ -84,10 +84,8 @@ void Region_run<Kinetic, Turns>::clear_stamps() {
 
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::join() {
-  const double width = division().window_width;
   or_go_back([this] { call_with_threads(options_.threads, [this] { move_to_parts(1); }); });
-  division() = {};
-  division().window_width = width;
+  division().clear();
 }
 
 // Distributes the entries over parts, and clears the stamps.

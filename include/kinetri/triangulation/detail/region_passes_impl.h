@@ -24,6 +24,9 @@ template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::report_with_passes(double end) {
   if constexpr (has_turns) {
     count_window();
+    // The loop follows edges too, while it executes a flip.
+    constexpr double cost_of_following = 0.5;
+    work_.serial += cost_of_following * static_cast<double>(order_.size());
     Walk walk;
     walk.is_told = are_events_told();
     go_back_in_turns();
@@ -115,6 +118,8 @@ void Region_run<Kinetic, Turns>::execute_passes(Walk& walk, const Is_due& is_due
       turns_.recheck(pass);
     } else {
       execute_pass(walk, pass, std::move(now));
+      work_.reported += 1;
+      work_.serial += 1;
     }
   }
 }

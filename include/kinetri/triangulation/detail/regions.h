@@ -147,6 +147,7 @@
 #include <vector>
 
 #include "kinetri/triangulation/detail/edge_changes.h"
+#include "kinetri/triangulation/detail/region_effort.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {
@@ -159,6 +160,8 @@ struct Region_options {
   /// With fewer events to come, as it seems, the plain loop executes them.
   double least_events_per_vertex = 1;
   double events_per_division = 4;  ///< a vertex, after which regions are made anew
+  /// The share of all events that windows may cost more than the plain loop; see Region_effort.
+  double most_waste = 1.0 / 16;
   /// Of how many points at most one is hidden. What happens to those is left to the plain loop.
   double points_per_hidden_one = 1000;
   /// Of a node in a window. It leaves what is more to the node above it; the root cuts the window.
@@ -381,12 +384,19 @@ class Region_run {
   }
   std::size_t advance(const Time& until, const Go_on& may_go_on);
   bool run_windows(const Time& until, const Go_on& may_go_on);
+  bool is_window_next(double begin, double last);
+  bool may_windows_pay(double begin, double last);
+  bool begin_window(double begin);
+  void adapt_width(bool is_whole, bool is_full);
+  void leave_more_to_loop();
+  bool run_loop(const Time& until, const Go_on& may_go_on);
+  double cost_of_division() const;
+  double cost_of_window() const;
+  Window_work work_of_nodes() const;
   std::uint64_t executed(std::uint64_t before) const {
     return kinetic_.counters_.number_of_events() - before;
   }
   double events_in_window() const;
-  bool measure_width(const Time& until, const Go_on& may_go_on);
-  bool is_long_enough(const Time& until);
   bool are_stamps_spent() const;
   void clear_stamps();
   void divide();
@@ -431,7 +441,12 @@ class Region_run {
   void close_window(double end);
   void count_and_clear();
   void count_certificates(Lane& lane);
-  void run_loop_instant(const Time& until);
+  std::size_t run_loop_instant(const Time& until);
+  // To be called before several threads change parts of the queues.
+  void forget_first() {
+    queue().forget_first();
+    if constexpr (has_turns) turns_.queue().forget_first();
+  }
 
   // Whether a vertex is in a node.
   bool owns(const Lane& lane, Point_id id) const {
@@ -635,7 +650,8 @@ class Region_run {
     return order < 0 ? -1 : (order > 0 ? 1 : 0);
   }
 
-  static constexpr std::size_t many_instants = 1024;  // for which parts are put together
+  // The first window after the loop has so much of the events of one.
+  static constexpr double first_share = 0.125;
   // For which several threads make what is then reported; and for one thread of these.
   static constexpr std::ptrdiff_t events_at_once = 16'384;
   static constexpr std::size_t events_of_thread = 1024;
@@ -644,13 +660,18 @@ class Region_run {
   [[no_unique_address]] Turns turns_;
   Region_options options_;
   std::size_t regions_;
+  std::size_t threads_;
   std::vector<Lane> lanes_;  // of the nodes
   std::vector<Key> order_;   // of the flips of a window
   std::optional<Time> cut_;  // where the window ends early
   // Entries whose bounds begin at or before this are put where the node that executes now takes its
   // entries from; minus infinity where none does, and while regions do.
   double due_until_ = -std::numeric_limits<double>::infinity();
-  std::size_t done_ = 0;  // flips that the last window reported
+  std::uint64_t windows_before_ = 0;  // in other calls
+  std::size_t done_ = 0;              // flips that the last window reported
+  Window_work work_ = {};             // of the last window
+  std::size_t by_loop_ = 0;           // instants that the loop executes before the next window
+  std::size_t next_loop_ = 1;         // how many if a window executes little
   // Of each point, where there are turns: the last turn of the window, or 0, and a time up to which
   // no turn of it waits for a node above.
   std::vector<Stamp> turned_;

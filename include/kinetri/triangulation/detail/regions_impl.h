@@ -44,10 +44,11 @@ Region_run<Kinetic, Turns>::Region_run(Kinetic& kinetic, const Region_options& o
     : kinetic_(kinetic),
       turns_(std::move(turns)),
       options_(options),
-      regions_(number_of_regions(options, kinetic.number_of_points_)) {
+      regions_(number_of_regions(options, kinetic.number_of_points_)),
+      threads_(usable_threads(options.threads)) {
   bool is_in_use = queue().is_divided();
   if constexpr (has_turns) is_in_use = is_in_use || turns_.queue().is_divided();
-  if (!is_in_use) division() = {};
+  if (!is_in_use) division().clear();
 }
 
 template <class Kinetic, class Turns>
@@ -73,8 +74,7 @@ std::size_t Region_run<Kinetic, Turns>::advance(const Time& until, const Go_on& 
   const std::uint64_t before = kinetic_.counters_.number_of_events();
   bool goes_on = true;
   try {
-    goes_on = measure_width(until, may_go_on) &&
-              (!is_long_enough(until) || run_windows(until, may_go_on));
+    goes_on = run_windows(until, may_go_on);
   } catch (...) {
     kinetic_.show_current_time();
     throw;
@@ -102,98 +102,168 @@ double Region_run<Kinetic, Turns>::events_in_window() const {
   return std::clamp(events * static_cast<double>(kinetic_.number_of_points_), 1.0, most);
 }
 
-// Whether so much time is left that windows pay.
+// What a division of the queue costs, and to put it together again, in events; and a window,
+// besides its events. Measured (bench/README.md).
 template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_long_enough(const Time& until) {
-  const double left = until.interval().lower - kinetic_.current_time().interval().upper;
-  return division().window_width > 0 && left >= division().window_width / 16;
+double Region_run<Kinetic, Turns>::cost_of_division() const {
+  return 0.25 * static_cast<double>(kinetic_.number_of_points_);
+}
+template <class Kinetic, class Turns>
+double Region_run<Kinetic, Turns>::cost_of_window() const {
+  return static_cast<double>(kinetic_.number_of_points_) / (has_turns ? 128 : 256);
 }
 
-// Has the loop execute some events, which tells how fast they come, and so how long a window should
-// be; it is 0 if windows would not pay. Unless that is known from the last run. Returns whether the
-// run may go on.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::measure_width(const Time& until, const Go_on& may_go_on) {
-  if (queue().is_divided() && division().window_width > 0) return true;
-  const std::uint64_t before = kinetic_.counters_.number_of_events();
-  const auto n = static_cast<double>(kinetic_.number_of_points_);
-  const auto begun = static_cast<std::uint64_t>(std::min(events_in_window(), 0.02 * n)) + 1;
-  division().window_width = 0;
-  if (!can_run() || !settle(until)) return true;
-  const double begin = next_lower();
-  double now = begin;
-  while (can_run() && settle(until) && (executed(before) < begun || !(now > begin))) {
-    if (may_go_on != nullptr && !may_go_on()) return false;
-    now = next_lower();
-    run_loop_instant(until);
-  }
-  const auto events = static_cast<double>(executed(before));
-  const double left = until.interval().lower - now;
-  if (left * events > options_.least_events_per_vertex * n * (now - begin)) {
-    division().window_width = (now - begin) * events_in_window() / events;
-  }
-  return true;
-}
-
+// Executes the events up to `until`, by windows where these pay, as long as there can be windows.
 // Returns whether the run may go on.
 template <class Kinetic, class Turns>
 bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may_go_on) {
   const double last = until.interval().lower;
-  const double target = events_in_window();
-  const auto n = static_cast<double>(kinetic_.number_of_points_);
+  Region_effort& effort = division().effort;
+  windows_before_ = counters_.windows;
+  effort.open(options_.most_waste, cost_of_division() + first_share * events_in_window());
   if (is_divided() && (options_.regions == 0 || division().regions == regions_)) {
     go_on_with_division();
   }
-  double& width = division().window_width;
-  std::size_t by_loop = 0;    // instants that the loop executes before the next window
-  std::size_t next_loop = 1;  // how many if a window is in vain
-  const auto leave_more_to_loop = [&] {
-    by_loop = next_loop;
-    next_loop = std::min<std::size_t>(2 * next_loop, kinetic_.number_of_points_);
-  };
   while (can_run() && settle(until)) {
     if (may_go_on != nullptr && !may_go_on()) return false;
     const double begin = next_lower();
-    const double end = std::min(begin + width, last);
-    if constexpr (has_turns) {
-      if (by_loop == 0 && !turns_.begin_window(begin)) leave_more_to_loop();
-    }
-    if (by_loop > 0 || is_loop_next() || !(end > begin)) {
-      if (by_loop >= many_instants && is_divided()) join();
-      run_loop_instant(until);
-      if (by_loop > 0) --by_loop;
-      if (!(end > begin)) width = std::max(2 * width, std::numeric_limits<double>::min());
-      continue;
-    }
-    if (!is_divided() || division().regions != regions_ ||
-        division().events > options_.events_per_division * n) {
-      or_go_back([this] { divide(); });
-    }
-    if (are_stamps_spent()) or_go_back([this] { clear_stamps(); });
-    const bool is_whole = run_window(end);
-    const auto done = static_cast<double>(done_);
-    // Its first event may be later than its bounds say, and so than the window.
-    if (!cut_ && done_ == 0) by_loop = 1;
-    // The last window before `until` is a short one, and says nothing.
-    if ((is_whole && end < last) || done > target) {
-      width *= std::clamp(target / std::max(done, 1.0), 0.25, 4.0);
-      next_loop = 1;
-    } else if (cut_) {
-      width *= 0.5;
-      if (done < target / 8) leave_more_to_loop();
+    if (is_window_next(begin, last)) {
+      if (!begin_window(begin)) continue;
+      const double end = std::min(begin + division().window_width, last);
+      const bool is_whole = run_window(end);
+      effort.add_window(work_);
+      adapt_width(is_whole, end < last);
+    } else {
+      const std::uint64_t before = kinetic_.counters_.number_of_events();
+      if (!run_loop(until, may_go_on)) return false;
+      // A radius that ends at `until` itself is no event before the next call.
+      if (has_turns && executed(before) == 0) return true;
     }
   }
   return true;
 }
 
-// Executes the events at one time as the plain loop does.
+// Whether the next events are for a window, from `begin` on. Those of a short call are not.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::run_loop_instant(const Time& until) {
-  if constexpr (has_turns) {
-    counters_.by_loop += turns_.run_instant(until);
-  } else {
-    counters_.by_loop += kinetic_.run_instant();
+bool Region_run<Kinetic, Turns>::is_window_next(double begin, double last) {
+  Region_division& known = division();
+  if (by_loop_ > 0) return false;
+  if (known.runs_windows && !known.effort.has(is_divided() ? 0 : cost_of_division())) {
+    known.runs_windows = false;
+    known.loop_begin = begin;
+    known.loop_events = 0;
   }
+  if (!known.runs_windows && !may_windows_pay(begin, last)) return false;
+  double& width = known.window_width;
+  if (counters_.windows == windows_before_ && last - begin < width / 16) return false;
+  if (!(begin + width > begin)) width = std::max(2 * width, std::numeric_limits<double>::min());
+  return std::min(begin + width, last) > begin && !is_loop_next();
+}
+
+// Whether windows may pay from `begin` on, by the last events that the loop has executed: enough of
+// them to know how long a window should be, each alone at its time; and so many are to come. Then
+// it sets how long the first window is: a short one.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::may_windows_pay(double begin, double last) {
+  Region_division& known = division();
+  const auto n = static_cast<double>(kinetic_.number_of_points_);
+  const auto enough = static_cast<std::uint64_t>(std::min(events_in_window(), 0.02 * n)) + 1;
+  const double time = begin - known.loop_begin;
+  if (known.loop_events == 0 || !(time >= 0)) {
+    known.loop_begin = begin;
+    known.loop_events = 0;
+    return false;
+  }
+  if (known.loop_events < enough || !(time > 0)) return false;
+  const auto events = static_cast<double>(known.loop_events);
+  const bool are_many = (last - begin) * events > options_.least_events_per_vertex * n * time;
+  const bool are_alone = known.effort.is_unlimited() || known.effort.alone() >= enough;
+  const double cost = (is_divided() ? 0 : cost_of_division()) + first_share * events_in_window();
+  if (!are_many || !are_alone || !known.effort.has(cost)) {
+    if (known.loop_events >= 4 * enough) known.loop_events = 0;  // how fast they come may change
+    return false;
+  }
+  const double share = known.effort.is_unlimited() ? 1 : first_share;
+  known.window_width = time * share * events_in_window() / events;
+  known.runs_windows = true;
+  return true;
+}
+
+// Makes all ready for a window. Returns whether there can be one.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::begin_window([[maybe_unused]] double begin) {
+  if constexpr (has_turns) {
+    if (!turns_.begin_window(begin)) {
+      division().effort.spend(cost_of_window());
+      leave_more_to_loop();
+      return false;
+    }
+  }
+  const double most =
+      options_.events_per_division * static_cast<double>(kinetic_.number_of_points_);
+  if (!is_divided() || division().regions != regions_ || division().events > most) {
+    or_go_back([this] { divide(); });
+    division().effort.spend(cost_of_division());
+  }
+  if (are_stamps_spent()) or_go_back([this] { clear_stamps(); });
+  return true;
+}
+
+// Chooses how long the next window is, after one that reached its end or was cut.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::adapt_width(bool is_whole, bool is_full) {
+  const double target = events_in_window();
+  const auto done = static_cast<double>(done_);
+  double& width = division().window_width;
+  // Its first event may be later than its bounds say, and so than the window.
+  if (!cut_ && done_ == 0) by_loop_ = 1;
+  // The last window before `until` is a short one, and says nothing.
+  if ((is_whole && is_full) || done > target) {
+    width *= std::clamp(target / std::max(done, 1.0), 0.25, 4.0);
+    next_loop_ = 1;
+  } else if (cut_) {
+    width *= 0.5;
+    if (done < target / 8) leave_more_to_loop();
+  }
+}
+
+// Leaves twice as many instants to the loop as the last time.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::leave_more_to_loop() {
+  by_loop_ = next_loop_;
+  next_loop_ = std::min<std::size_t>(2 * next_loop_, kinetic_.number_of_points_);
+}
+
+// Has the loop execute the events of the next times: of several, so that what is asked between them
+// takes little. Returns whether the run may go on.
+template <class Kinetic, class Turns>
+bool Region_run<Kinetic, Turns>::run_loop(const Time& until, const Go_on& may_go_on) {
+  constexpr std::size_t many = 16;
+  std::size_t left = std::min(many, kinetic_.number_of_points_ / 1024 + 1);
+  if (by_loop_ > 0 || is_loop_next()) left = std::clamp<std::size_t>(by_loop_, 1, left);
+  by_loop_ -= std::min(by_loop_, left);
+  while (run_loop_instant(until) > 0 && --left > 0) {
+    if (may_go_on != nullptr && !may_go_on()) return false;
+    if constexpr (!has_turns) {
+      if (!can_run() || !settle(until)) break;
+    }
+  }
+  return true;
+}
+
+// Executes the events at one time as the plain loop does. Returns their number.
+template <class Kinetic, class Turns>
+std::size_t Region_run<Kinetic, Turns>::run_loop_instant(const Time& until) {
+  std::size_t events = 0;
+  if constexpr (has_turns) {
+    events = turns_.run_instant(until);
+  } else {
+    events = kinetic_.run_instant();
+  }
+  counters_.by_loop += events;
+  division().loop_events += events;
+  division().effort.add_loop(events);
+  return events;
 }
 
 // Whether something happens up to a time.
@@ -230,20 +300,46 @@ bool Region_run<Kinetic, Turns>::run_window(double end) {
   ++counters_.windows;
   cut_.reset();
   double reached = end;
+  const std::uint64_t cut_off_before = counters_.cut_off;
   or_go_back([&] {
     reached = execute_window(end);
     settle_order();
   });
+  work_ = work_of_nodes();
+  work_.undone += static_cast<double>(counters_.cut_off - cut_off_before);
   close_window(reached);
   const bool is_whole = !cut_ && reached == end;
   if (cut_ && settle(*cut_)) run_loop_instant(*cut_);
   return is_whole;
 }
 
+// What the nodes have done in the window.
+template <class Kinetic, class Turns>
+Window_work Region_run<Kinetic, Turns>::work_of_nodes() const {
+  Window_work work;
+  work.reported = static_cast<double>(order_.size());
+  work.serial = cost_of_window();
+  for (unsigned level = 0; level <= lanes_.back().level; ++level) {
+    double most = 0;
+    double sum = 0;
+    for (const Lane& lane : lanes_) {
+      if (lane.level != level) continue;
+      const auto executed = static_cast<double>(lane.flips.size());
+      most = std::max(most, executed);
+      sum += executed;
+      work.undone += static_cast<double>(lane.undone);
+    }
+    work.executed += sum;
+    work.in_turn += std::max(most, sum / static_cast<double>(threads_));
+  }
+  return work;
+}
+
 // Has the nodes execute the events of a window. Returns where it ends.
 template <class Kinetic, class Turns>
 double Region_run<Kinetic, Turns>::execute_window(double end) {
   kinetic_.show_current_time();  // made from motions of now, by one thread
+  forget_first();
   if constexpr (has_turns) {
     turned_.resize(kinetic_.vertices_.size(), 0);
     stalls_.resize(kinetic_.vertices_.size(), std::numeric_limits<double>::infinity());
@@ -301,9 +397,7 @@ void Region_run<Kinetic, Turns>::start_anew() {
   std::ranges::fill(turned_, 0);
   std::ranges::fill(stalls_, std::numeric_limits<double>::infinity());
   due_until_ = -std::numeric_limits<double>::infinity();
-  const double width = division().window_width;
-  division() = {};
-  division().window_width = width;
+  division().clear();
   queue().clear();
   kinetic_.schedule_all();
   if constexpr (has_turns) turns_.start_anew();

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/triangulation/detail/insertion_order.h"
 #include "kinetri/triangulation/detail/static_delaunay.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
@@ -55,18 +57,20 @@ auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, con
   if constexpr (is_weighted) {
     if (!have_equal_weights(points)) return build_regular(points, traits);
   }
-  const auto insert_all = [points](auto& triangulation) {
-    triangulation.insert(points.begin(), points.end());
-    if (triangulation.number_of_vertices() == points.size()) return;
+  const auto insert_all = [&](auto& triangulation) {
+    std::vector<Point_2> in_order(points.begin(), points.end());
+    detail::sort_for_insertion(in_order, traits);
     // CGAL keeps one vertex for points in one place. Points in one place just after a time are in
     // one place at all times.
-    for (const Point_2& point : points) {
-      const Point_id kept = triangulation.nearest_vertex(point)->point().id();
-      if (kept != point.id()) {
-        throw Coincident_trajectories_error(std::min(kept, point.id()), std::max(kept, point.id()));
-      }
-    }
-    KINETRI_ASSERT(false, "every point has a vertex");
+    Edge_ids coincident = {no_point, no_point};  // of all such pairs, that of the least second id
+    const auto note = [&coincident](Vertex_handle v, const Point_2& point) {
+      const Point_id kept = v->point().id();
+      if (kept != point.id() && point.id() < coincident[1]) coincident = {kept, point.id()};
+    };
+    detail::insert_in_order(triangulation, in_order, std::identity(), note);
+    const auto [a, b] = coincident;
+    if (b != no_point) throw Coincident_trajectories_error(std::min(a, b), std::max(a, b));
+    KINETRI_ASSERT(triangulation.number_of_vertices() == points.size(), "every point has a vertex");
   };
   if constexpr (is_weighted) {
     result.as_delaunay(insert_all);
@@ -84,7 +88,9 @@ auto Kinetic_triangulation_2<Traits>::build_regular(std::span<const Point_2> poi
     -> Triangulation {
   Triangulation result(traits);
   if constexpr (is_weighted) {
-    result.insert(points.begin(), points.end());
+    std::vector<Point_2> sorted(points.begin(), points.end());
+    detail::sort_for_insertion(sorted, traits);
+    detail::insert_in_order(result, sorted, std::identity(), [](Vertex_handle, const Point_2&) {});
     // Those that are in one place just after a time are so at all times, and so are next to one
     // another in this order. Those in the place of a vertex are there when two are alike.
     std::vector<const Point_2*> in_order;

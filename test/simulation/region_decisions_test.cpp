@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where windows do not pay, a run by regions stays with the sequential loop: counted in events that
+// it executes and undoes. The result is the same in any case.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "kinetri/simulation/detail/contact_turns.h"
+#include "kinetri/simulation/scenarios.h"
+#include "kinetri/simulation/simulation_2.h"
+#include "support/contact_region_runs.h"
+
+namespace kinetri {
+namespace {
+
+using detail::Region_counters;
+using Simulation = Simulation_2<Linear_kinetic_traits_2>;
+
+// With the decisions of the library, but for fewer points.
+detail::Region_options usual_options() {
+  detail::Region_options options;
+  options.regions = 8;
+  options.threads = 4;
+  return options;
+}
+
+struct Run {
+  std::string problem;  ///< what differs from the loop
+  std::uint64_t events = 0;
+  Region_counters counters;
+
+  /// Events that were executed and undone, by whatever cause.
+  std::uint64_t undone() const { return counters.undone + counters.cut_off; }
+  std::uint64_t by_windows() const {
+    return counters.by_region + counters.by_union + counters.by_rest - undone();
+  }
+};
+
+Run run_to(double until, const std::vector<Linear_motion_2>& motions,
+           const Simulation_options& options, const detail::Region_options& regions) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
+  Simulation plain(motions, options);
+  Simulation by_regions(motions, options);
+  test::Log expected;
+  test::Log log;
+  plain.add_observer(expected);
+  by_regions.add_observer(log);
+  auto run = detail::Contact_turns<Simulation>::run_of(by_regions, regions);
+  Run result;
+  result.events = plain.advance_to(until);
+  if (run.advance_to(until) != result.events) result.problem = "another number of events";
+  if (result.problem.empty()) result.problem = test::difference(expected.events, log.events);
+  if (result.problem.empty()) result.problem = test::difference_of_simulations(plain, by_regions);
+  result.counters = run.counters();
+  return result;
+}
+
+std::vector<Linear_motion_2> scenario(Scenario which, std::size_t points) {
+  Scenario_options options;
+  options.points = points;
+  options.seed = 3;
+  return make_scenario(which, options);
+}
+
+Simulation_options discs_in_box(double side, double radius,
+                                Contact_response_2 (*response)(const Contact_2&)) {
+  Simulation_options options;
+  options.box = Box_2{-5, -5, side, side};
+  options.radius = radius;
+  options.response = response;
+  return options;
+}
+
+// An account begins with a quarter of an event for each point and an eighth of a window, and gets a
+// sixteenth of all events.
+double most_undone(const Run& run, std::size_t points) {
+  return static_cast<double>(run.events) / 16 + 0.4 * static_cast<double>(points);
+}
+
+// On a lattice with whole velocities nearly every time has several events.
+TEST(Region_decisions, leave_discs_on_a_lattice_to_the_loop) {
+  constexpr std::size_t n = 900;
+  for (const auto response : {collide_elastically, swap_velocities}) {
+    const auto options = discs_in_box(295, 2, response);
+    const auto motions = scenario(Scenario::lattice, n);
+    const Run run = run_to(4, motions, options, usual_options());
+    EXPECT_EQ(run.problem, "");
+    EXPECT_GT(run.events, 5 * n);
+    EXPECT_LT(static_cast<double>(run.undone()), most_undone(run, n));
+    // Without the decisions they are executed again and again.
+    detail::Region_options always = usual_options();
+    always.most_waste = std::numeric_limits<double>::infinity();
+    const Run other = run_to(4, motions, options, always);
+    EXPECT_EQ(other.problem, "");
+    EXPECT_GT(static_cast<double>(other.undone()), 2 * most_undone(run, n));
+  }
+}
+
+TEST(Region_decisions, leave_contacts_that_erase_on_a_lattice_to_the_loop) {
+  constexpr std::size_t n = 900;
+  const Run run =
+      run_to(4, scenario(Scenario::lattice, n), discs_in_box(295, 1, erase_both), usual_options());
+  EXPECT_EQ(run.problem, "");
+  EXPECT_LT(static_cast<double>(run.undone()), most_undone(run, n));
+}
+
+// Where each event is alone, nearly all are executed in windows.
+TEST(Region_decisions, take_windows_for_discs_that_move_at_random) {
+  constexpr std::size_t n = 900;
+  const Run run = run_to(6, test::gas(n, 300, 4, 5, 1), discs_in_box(305, 2, collide_elastically),
+                         usual_options());
+  EXPECT_EQ(run.problem, "");
+  EXPECT_GT(run.by_windows(), run.events * 3 / 4);
+  EXPECT_GT(run.counters.windows, 10u);
+}
+
+// Half of the time much happens at one time, half of it nothing does.
+TEST(Region_decisions, return_to_windows_when_ties_end) {
+  constexpr std::size_t n = 900;
+  std::vector<Linear_motion_2> motions = scenario(Scenario::lattice, n);
+  const auto random = test::gas(n, 300, 4, 5, 1);
+  // Away to where the others are at random until the end.
+  const Run run = [&] {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
+    Simulation simulation(motions, discs_in_box(305, 2, collide_elastically));
+    auto by_regions = detail::Contact_turns<Simulation>::run_of(simulation, usual_options());
+    Run result;
+    by_regions.advance_to(1);
+    const std::uint64_t before = by_regions.counters().windows;
+    std::vector<Point_id> ids;
+    std::vector<Vector_2> velocities;
+    for (Point_id id = 0; id < n; ++id) {
+      ids.push_back(id);
+      velocities.push_back(random[id].velocity);
+    }
+    simulation.set_velocities(ids, velocities);
+    result.events = by_regions.advance_to(12);
+    result.counters = by_regions.counters();
+    result.counters.windows -= before;
+    return result;
+  }();
+  EXPECT_GT(run.counters.windows, 10u);
+  EXPECT_GT(run.by_windows(), run.events / 2);
+}
+
+}  // namespace
+}  // namespace kinetri
