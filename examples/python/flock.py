@@ -61,14 +61,13 @@ def groups(flock):
 def main():
     positions, velocities = kinetri.scenario("constant-speed", 200, seed=4, side=60, speed=5)
     flock = kinetri.KineticDelaunay(positions - 30, velocities)
-    birds = flock.ids
     print("seconds  events  order  groups  nearest")
     events = 0
     for step in range(121):
         if step % 20 == 0:
             nearest = flock.nearest_neighbors().distances.min()
             print(f"{step * STEP:7.0f} {events:7d} {order(flock):6.2f} {groups(flock):7d} {nearest:8.2f}")
-        flock.set_velocities(birds, steer(flock))
+        flock.set_velocities(steer(flock))
         events += flock.advance_to((step + 1) * STEP)
     print("audit passed:", bool(flock.audit()))
 

@@ -28,6 +28,7 @@ from ._moving import (AuditReport, KineticDelaunay, KineticRegular, Location, Mo
 from ._page import Page
 from ._response import Response, respond
 from ._snapshot import Snapshot
+from ._types import ResponseName
 from .errors import (CoincidentTrajectoriesError, ContactError, ContactOverflowError, EndlessContactsError,
                      Error, HistoryWarning, InputError, InternalError, NegativeRadiusError, OutputError,
                      OutsideBoxError, OverlappingDiscsError, PackingError, PreconditionError,
@@ -43,7 +44,7 @@ __all__ = [
     "EndlessContactsError", "Error", "Event", "HistoryWarning", "InputError", "InternalError",
     "KineticDelaunay", "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors",
     "NegativeRadiusError", "OutputError", "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page",
-    "PreconditionError", "Response", "Simulation", "Snapshot", "SnapshotError", "Time", "Tracks",
+    "PreconditionError", "Response", "ResponseName", "Simulation", "Snapshot", "SnapshotError", "Time", "Tracks",
     "VoronoiCell", "Watch", "WorkerError", "__version__", "event_dtype", "event_kinds", "packing", "parameter_list",
     "read_points", "respond", "result_table", "run_in_pieces", "scenario", "sweep", "to_dataframe",
 ]

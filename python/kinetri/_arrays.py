@@ -114,12 +114,44 @@ def check_not_negative(name: str, values: Floats | None) -> None:
         raise PreconditionError(f"{name}[{i}] is {values[i]}; expected at least 0")
 
 
-def id_array(name: str, value: ArrayLike) -> Ids:
-    """Ids as uint32, of shape (n,). A single id is an array of one."""
+def rows_by_id(name: str, value: ArrayLike, is_there: npt.NDArray[np.bool_]) -> Floats:
+    """The rows, of two numbers each, of the points that are there, from one row for each id.
+
+    A row without a point must be NaN. Two numbers are the row of all points.
+    """
+    size = len(is_there)
+    array = _as_array(name, value, f"real numbers of shape ({size}, 2)")
+    if not is_there.all() and array.shape == (size, 2) and array.dtype.kind in "iuf":
+        has_number = ~is_there[:, None] & ~np.isnan(array)
+        if np.any(has_number):
+            i = int(np.argwhere(has_number)[0, 0])
+            raise PreconditionError(
+                f"{name}[{_first(has_number)}] is {array[has_number][0]}, and there is no point {i}; expected "
+                "NaN in the rows of ids without a point, or ids beside the rows")
+        array = np.where(is_there[:, None], array, 0)
+    return rows(name, array, size, copies=size)[is_there]
+
+
+def id_slice(name: str, value: slice, next_id: int) -> npt.NDArray[np.intp]:
+    """The ids less than `next_id` in the slice."""
+    try:
+        return np.arange(next_id)[value]
+    except (TypeError, ValueError) as error:
+        raise PreconditionError(f"{name} is {value!r}; expected a slice of ids: {error}") from None
+
+
+def id_array(name: str, value: ArrayLike, next_id: int | None = None) -> Ids:
+    """Ids as uint32, of shape (n,). A single id is an array of one; with `next_id`, a mask may tell them."""
     if (isinstance(value, np.ndarray) and value.dtype == np.uint32 and value.ndim == 1 and value.size > 0
             and value.max() < NO_POINT):
         return np.ascontiguousarray(value)
     array = np.atleast_1d(_as_array(name, value, "ids: integers of shape (n,)"))
+    if array.dtype == np.bool_ and next_id is not None:
+        if array.shape != (next_id,):
+            raise PreconditionError(
+                f"{name} is a mask of shape {_shape_text(array.shape)}; expected one bool for each id: shape "
+                f"({next_id},)")
+        return np.flatnonzero(array).astype(np.uint32)
     if array.size == 0:
         array = array.astype(np.uint32)
     if array.dtype.kind not in "iu" or array.ndim != 1:
@@ -136,6 +168,8 @@ def id_array(name: str, value: ArrayLike) -> Ids:
 def one_id(name: str, value: Any) -> int:
     """An id as an int."""
     try:
+        if isinstance(value, bool):
+            raise TypeError
         result = operator.index(value)
     except TypeError:
         raise PreconditionError(f"{name} is {value!r}; expected the id of a point: an integer") from None

@@ -2,11 +2,12 @@
 """The classes of moving points. Each holds an engine of `_kinetri` and checks what it is given."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from types import EllipsisType
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, overload
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _arrays, _kinetri
 from ._answers import RunAnswers, cell_limits
@@ -16,9 +17,9 @@ from ._page import Page
 from ._progress import progress_bar
 from ._response import engine_response
 from ._snapshot import Snapshot
-from ._types import ArrayLike, Box, Collisions, Events, Floats, Ids, Path, Progress, TimeLike
+from ._types import ArrayLike, Box, Collisions, Events, Floats, Ids, IdsLike, Path, Progress, TimeLike
 from .errors import PreconditionError, SnapshotError
-from .events import take
+from .events import table_of, take
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -49,14 +50,15 @@ class VoronoiCell(NamedTuple):
 
 
 class NearestNeighbors(NamedTuple):
-    """The nearest neighbor of each point.
+    """The nearest neighbor of each point, or the k nearest.
 
     Attributes
     ----------
-    ids : array of uint32, shape (n,)
+    ids : array of uint32, shape (n,) or (n, k)
         By id: the nearest neighbor, exactly; of equally near ones the smallest id; `NO_POINT` if there is
-        none.
-    distances : array of float64, shape (n,)
+        none. With k, the k nearest in the exact order of their distances, and equally near ones in the
+        order of their ids.
+    distances : array of float64, shape (n,) or (n, k)
         The distance of the rounded positions; NaN where there is no neighbor.
     """
 
@@ -197,7 +199,7 @@ class MovingPoints(RunAnswers):
     @property
     def ids(self) -> Ids:
         """array of uint32: the ids of the points that are there, ascending."""
-        return np.flatnonzero(~np.isnan(self.radii())).astype(np.uint32)
+        return np.flatnonzero(self._is_there()).astype(np.uint32)
 
     def positions(self) -> Floats:
         """The positions now.
@@ -343,13 +345,16 @@ class MovingPoints(RunAnswers):
         """
         return self._engine.step(until, None)
 
-    def record(self, until: TimeLike, *, progress: Progress = False) -> Events:
+    def record(self, until: TimeLike, *, kinds: str | Iterable[str] | None = None,
+               progress: Progress = False) -> Events:
         """Goes to a time and gives the events on the way.
 
         Parameters
         ----------
         until : time
             As in `advance_to`.
+        kinds : str or iterable of str, optional
+            Only events of these kinds are kept; by default all. Each is one of `event_kinds`.
         progress : bool or callable
             As in `advance_to`.
 
@@ -359,6 +364,11 @@ class MovingPoints(RunAnswers):
             With the fields kind, time, time_lo, time_hi, removed, added, points. An exception on the way
             has those before it as its attribute `events`.
 
+        Raises
+        ------
+        PreconditionError
+            If a kind is unknown, or the time is in the past. Nothing has happened then.
+
         Examples
         --------
         >>> import kinetri
@@ -367,7 +377,7 @@ class MovingPoints(RunAnswers):
         >>> events["kind"], events["time"], events["removed"], events["added"]
         (array(['flip'], dtype='<U12'), array([2.5]), array([[0, 1]], dtype=uint32), array([[2, 3]], dtype=uint32))
         """
-        table = _kinetri.EventTable()
+        table = table_of(kinds)
         try:
             self._advance(until, table, progress)
         except BaseException as error:
@@ -430,18 +440,39 @@ class MovingPoints(RunAnswers):
             kept["weight"] = [m["weight"] for m in motions]
         return kept
 
-    def set_velocities(self, ids: ArrayLike, velocities: ArrayLike) -> None:
+    def _ids(self, ids: IdsLike) -> Ids:
+        """The ids of the points that a caller has named."""
+        if not isinstance(ids, slice):
+            return _arrays.id_array("ids", ids, self.next_id)
+        chosen = _arrays.id_slice("ids", ids, self.next_id)
+        there: Ids = chosen[self._is_there()[chosen]].astype(np.uint32)
+        return there
+
+    def _is_there(self) -> npt.NDArray[np.bool_]:
+        """By id, whether there is a point."""
+        return ~np.isnan(self.radii())
+
+    @overload
+    def set_velocities(self, velocities: ArrayLike, /) -> None: ...
+    @overload
+    def set_velocities(self, *, velocities: ArrayLike) -> None: ...
+    @overload
+    def set_velocities(self, ids: IdsLike, velocities: ArrayLike) -> None: ...
+    def set_velocities(self, *arguments: Any, **named: Any) -> None:
         """Gives points other velocities from now on, all at once.
 
-        Each point goes on from its place at `float(self.time)`, rounded to float64, with its
-        acceleration there and its radius.
+        With the arguments ``(velocities)`` it is about all points, with ``(ids, velocities)`` about some;
+        they may be named. Each point goes on from its place at `float(self.time)`, rounded to float64, with
+        its acceleration there and its radius.
 
         Parameters
         ----------
-        ids : int or array of ids, shape (n,)
-            The points, each named once.
+        ids : int, array of ids of shape (n,), slice, or array of bool, optional
+            The points, each named once; by default all. A slice is one of all ids, from 0 to `next_id`,
+            and is about the points of these that are there. An array of bool has one for each id.
         velocities : array_like of float, shape (n, 2) or (2,)
-            Two numbers for each point; (2,) is the velocity of all.
+            Two numbers for each point, in the order of `ids`; (2,) is the velocity of all. Without `ids`,
+            two numbers for each id: NaN where there is no point, as `velocities()` has it.
 
         Raises
         ------
@@ -449,17 +480,36 @@ class MovingPoints(RunAnswers):
             If there is no such point, one is named twice, or a shape is another one.
         CoincidentTrajectoriesError
             If two points would be at one place at all times. Nothing has changed then.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9]], [[1, 2], [0, 1], [1, 1]])
+        >>> kd.set_velocities(-0.5 * kd.velocities())
+        >>> kd.set_velocities(slice(1, None), [0, 2])
+        >>> kd.velocities().tolist()
+        [[-0.5, -1.0], [0.0, 2.0], [0.0, 2.0]]
         """
-        ids = _arrays.id_array("ids", ids)
+        names = ("velocities",) if len(arguments) + len(named) == 1 else ("ids", "velocities")
+        given = {**dict(zip(names, arguments)), **named}
+        if set(given) != set(names) or len(arguments) + len(named) != len(names):
+            raise TypeError("set_velocities() takes velocities, or ids and velocities")
+        velocities = given["velocities"]
         if velocities is None:
             raise PreconditionError("velocities is None; expected two numbers for each point")
-        self._engine.set_velocities(
-            ids, _arrays.rows("velocities", velocities, len(ids), copies=len(ids)))
+        if "ids" in given:
+            ids = self._ids(given["ids"])
+            rows = _arrays.rows("velocities", velocities, len(ids), copies=len(ids))
+        else:
+            is_there = self._is_there()
+            ids = np.flatnonzero(is_there).astype(np.uint32)
+            rows = _arrays.rows_by_id("velocities", velocities, is_there)
+        self._engine.set_velocities(ids, rows)
 
-    def _set_motions(self, ids: ArrayLike, positions: ArrayLike, velocities: ArrayLike,
+    def _set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike,
                      acceleration: ArrayLike | None, jerk: ArrayLike | None,
                      **sizes: ArrayLike | None) -> None:
-        ids = _arrays.id_array("ids", ids)
+        ids = self._ids(ids)
         sizes = {"radius": None, "growth": None, "weight": None, **sizes}
         positions, velocities, acceleration, jerk = _vectors(
             positions, velocities, acceleration, jerk, len(ids))
@@ -480,20 +530,20 @@ class MovingPoints(RunAnswers):
         first = self._engine.insert(motions, masses)
         return np.arange(first, first + size, dtype=np.uint32)
 
-    def erase(self, ids: ArrayLike) -> None:
+    def erase(self, ids: IdsLike) -> None:
         """Erases points, now.
 
         Parameters
         ----------
-        ids : int or array of ids, shape (n,)
-            The points, each named once.
+        ids : int, array of ids of shape (n,), slice, or array of bool
+            The points, each named once, as in `set_velocities`.
 
         Raises
         ------
         PreconditionError
             If there is no such point, or one is named twice. Nothing has changed then.
         """
-        self._engine.erase(_arrays.id_array("ids", ids))
+        self._engine.erase(self._ids(ids))
 
     # ---- answers ----
 
@@ -626,13 +676,19 @@ class MovingPoints(RunAnswers):
         result[ids] = areas
         return result
 
-    def nearest_neighbors(self) -> NearestNeighbors:
-        """The nearest neighbor of each point.
+    def nearest_neighbors(self, k: int | None = None) -> NearestNeighbors:
+        """The nearest neighbor of each point, or the k nearest in the exact order of their distances.
+
+        Parameters
+        ----------
+        k : int, optional
+            How many for each point, at least 1; with k = 1 the arrays have one column.
 
         Returns
         -------
         NearestNeighbors
-            `ids` and `distances`, by id.
+            `ids` and `distances`, by id: of shape (n,), with k of shape (n, k). A row ends with `NO_POINT`
+            and NaN where there are fewer than k other points; it has nothing else where there is no point.
 
         Raises
         ------
@@ -646,12 +702,18 @@ class MovingPoints(RunAnswers):
         >>> ids, distances = kd.nearest_neighbors()
         >>> ids.tolist(), distances.tolist()
         ([1, 0, 1], [3.0, 3.0, 4.0])
+        >>> kd.nearest_neighbors(k=2).ids.tolist()
+        [[1, 2], [0, 2], [1, 0]]
         """
-        ids = self._engine.nearest_neighbors()
-        distances = np.full(len(ids), np.nan)
-        there = np.flatnonzero(ids != NO_POINT)
+        if k is not None:
+            k = _arrays.count("k", k)
+            if not 1 <= k <= NO_POINT:
+                raise PreconditionError(f"k is {k}; expected a whole number from 1 to {NO_POINT}")
+        ids = self._engine.nearest_neighbors(k)
+        distances = np.full(ids.shape, np.nan)
+        there = ids != NO_POINT
         places = self.positions()
-        difference = places[ids[there]] - places[there]
+        difference = places[ids[there]] - places[np.nonzero(there)[0]]
         distances[there] = np.hypot(difference[:, 0], difference[:, 1])
         return NearestNeighbors(ids, distances)
 
@@ -929,14 +991,14 @@ class KineticDelaunay(MovingPoints):
         """
         return self._engine.reverse()
 
-    def set_motions(self, ids: ArrayLike, positions: ArrayLike, velocities: ArrayLike, *,
+    def set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike, *,
                     acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None) -> None:
         """Gives points other motions from now on, all at once. They may jump.
 
         Parameters
         ----------
-        ids : int or array of ids, shape (n,)
-            The points, each named once.
+        ids : int, array of ids of shape (n,), slice, or array of bool
+            The points, each named once, as in `set_velocities`.
         positions : array_like of float, shape (n, 2)
             Where they are at `float(self.time)`. Of one point, here and below, (2,) will do.
         velocities : array_like of float, shape (n, 2)
@@ -1023,7 +1085,7 @@ class KineticRegular(KineticDelaunay):
         """
         return self._engine.hidden_points()
 
-    def set_motions(self, ids: ArrayLike, positions: ArrayLike, velocities: ArrayLike, *,
+    def set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike, *,
                     acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
                     radius: ArrayLike | None = None, growth: ArrayLike | None = None,
                     weight: ArrayLike | None = None) -> None:
@@ -1168,7 +1230,7 @@ class Simulation(MovingPoints):
         velocities = self.velocities()
         return float(0.5 * np.nansum(self.masses() * np.einsum("ij,ij->i", velocities, velocities)))
 
-    def set_motions(self, ids: ArrayLike, positions: ArrayLike, velocities: ArrayLike, *,
+    def set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike, *,
                     acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
                     radius: ArrayLike | None = None, growth: ArrayLike | None = None) -> None:
         """Gives points other motions from now on, all at once. They may jump.
@@ -1219,17 +1281,17 @@ class Simulation(MovingPoints):
                 "response, without which overlaps are not followed")
         return self._answer(self.watch("closest", number=number), until, progress)
 
-    def set_masses(self, ids: ArrayLike, masses: ArrayLike) -> None:
+    def set_masses(self, ids: IdsLike, masses: ArrayLike) -> None:
         """Gives points other masses from now on.
 
         Parameters
         ----------
-        ids : int or array of ids, shape (n,)
-            The points.
+        ids : int, array of ids of shape (n,), slice, or array of bool
+            The points, as in `set_velocities`.
         masses : float or array_like of float, shape (n,)
             Greater than 0.
         """
-        ids = _arrays.id_array("ids", ids)
+        ids = self._ids(ids)
         self._engine.set_masses(ids, _arrays.column("masses", masses, len(ids)))
 
     def insert(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _kinetri
 from ._arrays import float_array
-from ._types import ArrayLike
+from ._types import ArrayLike, ResponseName
 from .errors import PreconditionError
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class Response:
     stops_b: bool = False
 
 
-def respond(name: str, contact: Contact) -> Response:
+def respond(name: ResponseName, contact: Contact) -> Response:
     """What a built-in response does with a contact.
 
     For responses that treat some contacts in a way of their own, and leave the others.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Literal, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 ArrayLike = npt.ArrayLike
 Floats = npt.NDArray[np.float64]
 Ids = npt.NDArray[np.uint32]
+#: Points: ids, a slice of the ids, or a mask with one bool for each id.
+IdsLike = Union[npt.ArrayLike, slice]
 #: Rows of `event_dtype`.
 Events = npt.NDArray[np.void]
 Vector = Union[Sequence[float], Floats]
@@ -27,6 +29,8 @@ Path = Union[str, "os.PathLike[str]"]
 TimeLike = Union[float, Fraction, "np.integer[Any]", "np.floating[Any]", "Time"]
 #: Whether a bar is shown, or a function of the present time.
 Progress = Union[bool, Callable[[float], object]]
+#: The built-in responses of discs that touch.
+ResponseName = Literal["log", "swap", "elastic", "stop", "remove"]
 #: What discs do when they touch.
 Collisions = Union[
-    str, Callable[["Contact"], Union["Response", tuple["ArrayLike | None", "ArrayLike | None"], None]], None]
+    ResponseName, Literal["none"], Callable[["Contact"], Union["Response", tuple["ArrayLike | None", "ArrayLike | None"], None]], None]

@@ -92,12 +92,12 @@ class NegativeRadiusError(Error, ValueError):
 
 
 class OutsideBoxError(Error, ValueError):
-    """A point is outside of the box.
+    """A point is outside of the box. The message names it.
 
     Attributes
     ----------
     id : int
-        The point.
+        The point: the id that it has, or would have got.
     """
 
     id: int

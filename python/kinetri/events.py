@@ -2,6 +2,7 @@
 """Events as structured arrays, and as tables of pandas."""
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from . import _kinetri
 from ._arrays import NO_POINT
 from ._types import Events
+from .errors import PreconditionError
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -28,6 +30,21 @@ event_kinds = _kinetri.event_kinds
 #: points : two uint32
 #:     The points concerned: the second, or both, may be `NO_POINT`.
 event_dtype: np.dtype[np.void] = np.dtype(_kinetri.event_fields)
+
+
+def table_of(kinds: str | Iterable[str] | None) -> _kinetri.EventTable:
+    """A table that keeps the events of these kinds; all without `kinds`."""
+    if kinds is None:
+        return _kinetri.EventTable([True] * len(event_kinds))
+    expected = "one or more of " + ", ".join(map(repr, event_kinds))
+    try:
+        named = [kinds] if isinstance(kinds, str) else list(kinds)
+    except TypeError:
+        raise PreconditionError(f"kinds is {kinds!r}; expected {expected}") from None
+    for kind in named:
+        if kind not in event_kinds:
+            raise PreconditionError(f"kinds has {kind!r}, which is not a kind of event; expected {expected}")
+    return _kinetri.EventTable([kind in named for kind in event_kinds])
 
 
 def take(table: _kinetri.EventTable) -> Events:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -298,13 +298,15 @@ class Tracks(TrackAnswers):
                                         stays=stays)
 
     def record(self, *, start: float | None = None, until: float | None = None,
-               progress: Progress = False) -> Events:
+               kinds: str | Iterable[str] | None = None, progress: Progress = False) -> Events:
         """The events of the whole time.
 
         Parameters
         ----------
         start, until : float, optional
             As in `simulation`.
+        kinds : str or iterable of str, optional
+            As in `Simulation.record`.
         progress : bool or callable
             As in `Simulation.advance_to`.
 
@@ -314,7 +316,7 @@ class Tracks(TrackAnswers):
             The points are stays; see `TracksSimulation.label`.
         """
         simulation = self.simulation(start=start, until=until)
-        return simulation.record(simulation.end, progress=progress)
+        return simulation.record(simulation.end, kinds=kinds, progress=progress)
 
     def dates(self, times: ArrayLike) -> npt.NDArray[np.datetime64]:
         """Times as dates.

@@ -465,9 +465,11 @@ void bind_answers(py::class_<Moving, std::shared_ptr<Moving>>& type) {
       .def("relative_neighbor_edges",
            answer([](Engine& e) { return e.relative_neighbor_edges(); }, array_of_edges))
       .def("nearest_neighbors",
-           [](Moving& moving) {
-             return array_of<Point_id>(
-                 moving.with_engine([](Engine& e) { return e.nearest_neighbors(); }));
+           [](Moving& moving, std::optional<std::size_t> k) {
+             return array_of<Point_id>(moving.with_engine([&](Engine& e) {
+               return k ? e.nearest_neighbors(*k) : e.nearest_neighbors();
+             }),
+                                       k.value_or(0));
            })
       .def("closest_pair",
            [](Moving& moving) {

@@ -97,7 +97,7 @@ void bind_events(py::module_& module) {
 
   py::class_<Event_observer>(module, "Observer");
   py::class_<Event_table, Event_observer>(module, "EventTable")
-      .def(py::init<>())
+      .def(py::init<const Event_table::Kinds&>())
       .def("take", [](Event_table& table, const py::dtype& dtype) {
         auto rows = std::make_unique<std::vector<Event_row>>(table.take());
         const py::capsule owner(

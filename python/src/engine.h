@@ -132,6 +132,8 @@ class Engine {
   virtual std::vector<Edge_ids> gabriel_edges() const = 0;
   virtual std::vector<Edge_ids> relative_neighbor_edges() const = 0;
   virtual std::vector<Point_id> nearest_neighbors() const = 0;
+  /// k ids for each point.
+  virtual std::vector<Point_id> nearest_neighbors(std::size_t k) const = 0;
   virtual std::optional<Edge_ids> closest_pair() const = 0;
   /// By id, NaN where there is no point: places (x, y, x, y, ...), velocities, radii.
   virtual std::vector<double> positions() const = 0;

@@ -198,6 +198,10 @@ class Engine_of final : public Engine {
     if constexpr (HasNearestNeighbors<Traits>) return queries().nearest_neighbors();
     refuse_distances();
   }
+  std::vector<Point_id> nearest_neighbors(std::size_t k) const override {
+    if constexpr (HasNearestNeighbors<Traits>) return queries().nearest_neighbors(k);
+    refuse_distances();
+  }
   std::optional<Edge_ids> closest_pair() const override {
     if constexpr (HasNearestNeighbors<Traits>) return queries().closest_pair();
     refuse_distances();

@@ -2,6 +2,7 @@
 #include "event_table.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string_view>
 #include <tuple>
 
@@ -17,6 +18,7 @@ Kind_text row_text(Event_kind kind) {
 }
 
 void Event_table::after_event(const Event& event) {
+  if (!kinds_[static_cast<std::size_t>(event.kind)]) return;
   Event_row row;
   row.kind = row_text(event.kind);
   if (time_ && *time_ == event.time) {

@@ -36,10 +36,14 @@ static_assert(sizeof(Event_row) ==
 /// The kind's name as a row has it.
 Kind_text row_text(Event_kind kind);
 
-/// Keeps the events as rows. Simultaneous events have the same time, which is rounded once. It
-/// needs nothing but the events.
+/// Keeps the events of some kinds as rows. Simultaneous events have the same time, which is rounded
+/// once. It needs nothing but the events.
 class Event_table : public Event_observer {
  public:
+  using Kinds = std::array<bool, event_kinds>;  ///< by Event_kind, whether its events are kept
+
+  explicit Event_table(const Kinds& kinds) : kinds_(kinds) {}
+
   bool looks_at_triangulation() const override { return false; }
   void after_event(const Event& event) override;
 
@@ -47,6 +51,7 @@ class Event_table : public Event_observer {
   std::vector<Event_row> take() { return std::exchange(rows_, {}); }
 
  private:
+  Kinds kinds_;
   std::vector<Event_row> rows_;
   std::optional<Algebraic_number> time_;  // of the last row
 };

@@ -119,7 +119,8 @@ exactly. A contact is valid only while its response runs.
       [](const std::string& name, const Contact_2& contact) {
         const auto* const found = std::ranges::find(named_responses, name, &Named_response::name);
         if (found == named_responses.end() || found->response == nullptr) {
-          throw Precondition_error("there is no response '" + name + "'");
+          throw Precondition_error("name is '" + name +
+                                   "'; expected 'log', 'swap', 'elastic', 'stop' or 'remove'");
         }
         const Contact_response_2 result = found->response(contact);
         const auto optional_pair = [](const std::optional<Vector_2>& v) {

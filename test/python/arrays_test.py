@@ -107,6 +107,9 @@ def test_no_points(empty):
     assert kd.nearest_vertex((0, 0)) is None and kd.closest_pair() is None
     assert kd.locate((0, 0)) == ("outside_convex_hull", ())
     assert kd.nearest_neighbors().ids.shape == (0,)
+    assert kd.nearest_neighbors(k=3).ids.shape == kd.nearest_neighbors(k=3).distances.shape == (0, 3)
+    kd.set_velocities([])
+    kd.set_velocities(kd.velocities())
     assert kd.voronoi_areas((0, 0, 1, 1)).shape == (0,)
     assert kd.next_event_time() is None and kd.audit()
     assert list(kd.events()) == []
@@ -120,6 +123,8 @@ def test_one_point():
     assert kd.hull().tolist() == [0] and kd.edges().shape == (0, 2)
     ids, distances = kd.nearest_neighbors()
     assert ids.tolist() == [kinetri.NO_POINT] and np.isnan(distances[0])
+    ids, distances = kd.nearest_neighbors(k=2)
+    assert ids.tolist() == [[kinetri.NO_POINT] * 2] and np.isnan(distances).all() and distances.shape == (1, 2)
     assert kd.nearest_vertex((0, 0)) == 0
     assert kd.locate((7, 10)) == ("vertex", (0,))
     assert kd.voronoi_areas((0, 0, 2, 3)).tolist() == [6]
@@ -203,7 +208,12 @@ def test_what_float64_has_is_taken_from_any_type():
 @pytest.mark.parametrize("ids, message", [
     ([0.5], "ids is an array of float64 of shape (1,); expected ids: integers of shape (n,)"),
     ([[0, 1]], "ids is an array of int64 of shape (1, 2); expected ids: integers of shape (n,)"),
-    ([True], "ids is an array of bool of shape (1,); expected ids: integers of shape (n,)"),
+    ([True], "ids is a mask of shape (1,); expected one bool for each id: shape (4,)"),
+    (True, "ids is a mask of shape (1,); expected one bool for each id: shape (4,)"),
+    (np.ones((4, 1), dtype=bool), "ids is a mask of shape (4, 1); expected one bool for each id: shape (4,)"),
+    (slice("a", 2), "ids is slice('a', 2, None); expected a slice of ids: slice indices must be integers or "
+                    "None or have an __index__ method"),
+    (slice(0, 2, 0), "ids is slice(0, 2, 0); expected a slice of ids: slice step cannot be zero"),
     ("a", "ids is an array of <U1 of shape (1,); expected ids: integers of shape (n,)"),
     ([1, -1], "ids[1] is -1; expected ids from 0 to 4294967294"),
     (2**32, "ids[0] is 4294967296; expected ids from 0 to 4294967294"),
@@ -249,6 +259,21 @@ def test_no_ids_change_nothing():
     (lambda kd: kd.set_motions([1, 1], [[7, 7]] * 2, [[1, 0]] * 2), "twice"),
     (lambda kd: kd.neighbors(-1), "id is -1; expected an id from 0 to 4294967294"),
     (lambda kd: kd.neighbors(1.0), "id is 1.0; expected the id of a point: an integer"),
+    (lambda kd: kd.neighbors(True), "id is True; expected the id of a point: an integer"),
+    (lambda kd: kd.nearest_neighbors(k=0), "k is 0; expected a whole number from 1 to 4294967295"),
+    (lambda kd: kd.nearest_neighbors(k=2**32), "k is 4294967296; expected a whole number from 1 to 4294967295"),
+    (lambda kd: kd.nearest_neighbors(k=2.0), "k is 2.0; expected a whole number"),
+    (lambda kd: kd.record(9, kinds="flips"),
+     "kinds has 'flips', which is not a kind of event; expected one or more of 'rebuild', 'hull_insert', "),
+    (lambda kd: kd.record(9, kinds=["flip", None]), "kinds has None, which is not a kind of event; expected"),
+    (lambda kd: kd.record(9, kinds=3), "kinds is 3; expected one or more of 'rebuild', "),
+    (lambda kd: kd.set_velocities([[1, 0]]), "velocities has the shape (1, 2); expected (4, 2)"),
+    (lambda kd: kd.set_velocities(None), "velocities is None; expected two numbers for each point"),
+    (lambda kd: kd.set_velocities([[1, 0]] * 3 + [[np.nan, 0]]),
+     "velocities[3, 0] is nan; expected finite numbers"),
+    (lambda kd: kd.set_velocities(slice(1, 3), [[1, 0]]), "velocities has the shape (1, 2); expected (2, 2)"),
+    (lambda kd: kd.set_velocities([True, False, True, False], [[1, 0]] * 4),
+     "velocities has the shape (4, 2); expected (2, 2)"),
     (lambda kd: kd.neighbors("a"), "id is 'a'; expected the id of a point: an integer"),
     (lambda kd: kd.set_velocities([0, 1], [[1, 0]]),
      "velocities has the shape (1, 2); expected (2, 2)"),

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from scipy.spatial import Delaunay
+from scipy.spatial import Delaunay, KDTree
 
 import kinetri
 
@@ -46,6 +46,58 @@ def test_edges_follow_from_those_at_the_start_and_the_events():
             edges.add(tuple(event["added"].tolist()))
     assert sorted(edges) == [tuple(edge) for edge in kd.edges().tolist()]
     assert kd.audit()
+
+
+@pytest.mark.parametrize("kinds", [["flip"], "hull_insert", ("hull_insert", "hull_remove", "wall"), [],
+                                   np.array(["flip", "trajectory"]), kinetri.event_kinds])
+def test_of_the_events_those_of_some_kinds_are_kept(kinds):
+    events = kinetri.KineticDelaunay(*uniform(60, 3)).record(until=5)
+    assert {"flip", "hull_insert", "hull_remove"} <= set(events["kind"].tolist())
+    kd = kinetri.KineticDelaunay(*uniform(60, 3))
+    found = kd.record(until=5, kinds=iter([kinds] if isinstance(kinds, str) else kinds))
+    if isinstance(kinds, str):
+        again = kinetri.KineticDelaunay(*uniform(60, 3)).record(5, kinds=kinds)
+        assert again.tobytes() == found.tobytes()
+    expected = events[np.isin(events["kind"], kinds)]
+    assert found.tobytes() == expected.tobytes() and found.dtype == kinetri.event_dtype
+    assert kd.time == 5 and kd.statistics()["events"]["flip"] == (events["kind"] == "flip").sum()
+
+
+def nearest_of_all_pairs(kd, k):
+    """The ids of the k nearest by integers, at a time at which positions are small integers."""
+    places = {id: kd.positions()[id].astype(int).tolist() for id in kd.ids.tolist()}
+    rows = np.full((kd.next_id, k), kinetri.NO_POINT, dtype=np.uint32)
+    for id, (x, y) in places.items():
+        others = sorted(((x - p)**2 + (y - q)**2, other) for other, (p, q) in places.items() if other != id)
+        rows[id, :len(others)] = [other for _, other in others][:k]
+    return rows
+
+
+@pytest.mark.parametrize("k", [1, 2, 5, 39, 40, 60])
+@pytest.mark.parametrize("side", [4, 12, 40])
+def test_the_k_nearest_are_those_of_all_pairs(k, side):
+    rng = np.random.default_rng(side)
+    # On small grids many points are equally near, and coincide.
+    kd = kinetri.KineticDelaunay(rng.integers(0, side, (42, 2)), rng.permutation(84).reshape(42, 2) - 42)
+    kd.erase([7, 20])
+    for time in (0, 1, 3):
+        kd.advance_to(time)
+        ids, distances = kd.nearest_neighbors(k=k)
+        assert ids.shape == distances.shape == (42, k) and ids.dtype == np.uint32
+        assert np.array_equal(ids, nearest_of_all_pairs(kd, k))
+        assert np.array_equal(np.isnan(distances), ids == kinetri.NO_POINT)
+        difference = kd.positions()[ids[0, :min(k, 39)]] - kd.positions()[0]
+        assert distances[0, :39] == pytest.approx(np.sqrt((difference**2).sum(axis=1)))
+        assert np.array_equal(kd.nearest_neighbors().ids, ids[:, 0])
+
+
+def test_the_k_nearest_of_random_points_are_those_of_scipy():
+    kd = kinetri.KineticDelaunay(*uniform(500, 2))
+    kd.advance_to(1.5)
+    distances, ids = KDTree(kd.positions()).query(kd.positions(), k=11)
+    found = kd.nearest_neighbors(k=10)
+    assert np.array_equal(found.ids, ids[:, 1:])
+    assert found.distances == pytest.approx(distances[:, 1:])
 
 
 def test_events_of_the_iterator_are_those_of_record():

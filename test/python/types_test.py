@@ -7,6 +7,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import typing
 
 import pytest
 
@@ -36,7 +37,14 @@ reveal_type(kd.time.fraction)  # Union[fractions.Fraction, None]
 reveal_type(kd.closest_pair())  # Union[Tuple[builtins.int, builtins.int], None]
 for event in kd.events(until=kd.time):
     reveal_type(event.removed)  # Union[Tuple[builtins.int, builtins.int], None]
-ids, distances = kd.nearest_neighbors()
+ids, distances = kd.nearest_neighbors(k=3)
+kd.set_velocities(kd.velocities())
+kd.set_velocities(velocities=(1, 2))
+kd.set_velocities(slice(2, None, 3), (1, 2))
+kd.erase(kd.positions()[:, 0] > 90)
+flips = kd.record(until=3, kinds=kinetri.event_kinds[:1])
+response: kinetri.ResponseName = "swap"
+discs = kinetri.Simulation([[0, 0]], [[0, 0]], radius=1, collisions=response)
 reveal_type(kd.locate((1, 2)).kind)  # builtins.str
 reveal_type(kinetri.KineticRegular.load("file"))  # kinetri._moving.KineticRegular
 
@@ -65,7 +73,10 @@ WRONG = {
     "kinetri.KineticDelaunay([[0, 0]], [[0, 0]]).advance_to('now')": 'incompatible type "str"',
     "kinetri.KineticDelaunay([[0, 0]], [[0, 0]]).time + 1": "Unsupported operand types for +",
     "kinetri.scenario('uniform', points='many')": 'incompatible type "str"; expected "int"',
-    "kinetri.Simulation([[0, 0]], [[0, 0]], collisions=3)": 'incompatible type "int"',
+    "kinetri.Simulation([[0, 0]], [[0, 0]], collisions=3)": 'incompatible type "Literal[3]"',
+    "kinetri.Simulation([[0, 0]], [[0, 0]], collisions='bounce')": 'incompatible type "Literal[\'bounce\']"',
+    "kinetri.Tracks.read('t').simulation(collisions='bounce')": 'incompatible type "Literal[\'bounce\']"',
+    "kinetri.KineticDelaunay([[0, 0]], [[0, 0]]).set_velocities(ids=[0])": 'No overload variant',
 }
 
 
@@ -100,6 +111,13 @@ def test_they_report_what_is_wrong(folder):
     for number, (line, message) in enumerate(WRONG.items(), 2):
         found = re.search(rf"^wrong.py:{number}: error: .*{re.escape(message)}", text, re.MULTILINE)
         assert found, line + text
+
+
+def test_names_of_responses_are_those_that_there_are():
+    with pytest.raises(kinetri.PreconditionError) as raised:
+        kinetri.Simulation([[0, 0]], [[0, 0]], collisions="bounce")
+    expected = re.findall(r"'(\w+)'", str(raised.value).split("; expected ")[1])
+    assert expected == ["none", *typing.get_args(kinetri.ResponseName)]
 
 
 def test_the_package_keeps_to_them(folder):

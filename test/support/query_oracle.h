@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <random>
@@ -118,6 +119,18 @@ class Query_oracle {
         result = other;
       }
     }
+    return result;
+  }
+
+  /// The k nearest points, in the order of their distances and ids; no_point where there are fewer.
+  std::vector<Point_id> nearest_neighbors(Point_id id, std::size_t k) const {
+    std::vector<std::pair<Rational, Point_id>> others;
+    for (const auto& [other, p] : places_) {
+      if (other != id) others.emplace_back(CGAL::squared_distance(place(id), p), other);
+    }
+    std::ranges::sort(others);
+    std::vector<Point_id> result(k, no_point);
+    for (std::size_t i = 0; i < std::min(k, others.size()); ++i) result[i] = others[i].second;
     return result;
   }
 
@@ -334,7 +347,7 @@ inline void expect_rounded(const Voronoi_cell_2<Vector_2>& rounded,
 }
 
 /// Rounded positions of all points, and without weights the nearest neighbors, one by one and all
-/// at once.
+/// at once, and the k nearest: few, and more than there are.
 template <class Queries>
 void expect_right_for_all_points(const Queries& queries, Point_id next_id,
                                  const Query_oracle& oracle) {
@@ -342,9 +355,22 @@ void expect_right_for_all_points(const Queries& queries, Point_id next_id,
     queries.nearest_neighbors();
   };
   std::vector<Point_id> nearest(next_id, no_point);
-  if constexpr (has_nearest) nearest = queries.nearest_neighbors();
+  const std::size_t many = std::size_t{next_id} + 1;
+  std::vector<Point_id> three(3 * std::size_t{next_id}, no_point);
+  std::vector<Point_id> all(many * next_id, no_point);
+  if constexpr (has_nearest) {
+    nearest = queries.nearest_neighbors();
+    three = queries.nearest_neighbors(3);
+    all = queries.nearest_neighbors(many);
+  }
+  const auto row = [](const std::vector<Point_id>& ids, std::size_t k, Point_id id) {
+    return std::vector<Point_id>(ids.begin() + static_cast<std::ptrdiff_t>(k * id),
+                                 ids.begin() + static_cast<std::ptrdiff_t>(k * (id + 1)));
+  };
   const std::vector<double> positions = queries.rounded_positions();
   ASSERT_EQ(nearest.size(), next_id);
+  ASSERT_EQ(three.size(), 3 * std::size_t{next_id});
+  ASSERT_EQ(all.size(), many * next_id);
   ASSERT_EQ(positions.size(), 2 * std::size_t{next_id});
   for (Point_id id = 0; id < next_id; ++id) {
     SCOPED_TRACE(testing::Message() << "point " << id);
@@ -352,6 +378,8 @@ void expect_right_for_all_points(const Queries& queries, Point_id next_id,
     const double y = positions[2 * std::size_t{id} + 1];
     if (!oracle.places().contains(id)) {
       ASSERT_EQ(nearest[id], no_point);
+      ASSERT_EQ(row(three, 3, id), std::vector<Point_id>(3, no_point));
+      ASSERT_EQ(row(all, many, id), std::vector<Point_id>(many, no_point));
       ASSERT_TRUE(std::isnan(x) && std::isnan(y));
       continue;
     }
@@ -359,6 +387,8 @@ void expect_right_for_all_points(const Queries& queries, Point_id next_id,
       const auto expected = oracle.nearest_neighbor(id);
       ASSERT_EQ(queries.nearest_neighbor(id), expected);
       ASSERT_EQ(nearest[id], expected.value_or(no_point));
+      ASSERT_EQ(row(three, 3, id), oracle.nearest_neighbors(id, 3));
+      ASSERT_EQ(row(all, many, id), oracle.nearest_neighbors(id, many));
     }
     ASSERT_EQ(x, to_double(oracle.place(id).x()));
     ASSERT_EQ(y, to_double(oracle.place(id).y()));

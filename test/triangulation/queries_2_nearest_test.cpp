@@ -98,6 +98,9 @@ TEST(Nearest, of_one_point_or_none_is_none) {
   const Kinetic_queries_2 queries(one);
   EXPECT_EQ(queries.nearest_neighbor(0), std::nullopt);
   EXPECT_EQ(queries.nearest_neighbors(), (std::vector<Point_id>{no_point}));
+  EXPECT_TRUE(Kinetic_queries_2(nothing).nearest_neighbors(2).empty());
+  EXPECT_EQ(queries.nearest_neighbors(2), (std::vector<Point_id>{no_point, no_point}));
+  EXPECT_TRUE(queries.nearest_neighbors(0).empty());
   EXPECT_EQ(queries.rounded_positions(), (std::vector<double>{1, 2}));
 }
 
@@ -120,6 +123,9 @@ TEST(Nearest, after_an_event_or_of_no_point_is_refused) {
       "the triangulation has changed since these queries were made; make new ones after an event";
   EXPECT_PRECONDITION_ERROR(queries.nearest_neighbor(0), problem);
   EXPECT_PRECONDITION_ERROR(queries.nearest_neighbors(), problem);
+  EXPECT_PRECONDITION_ERROR(queries.nearest_neighbors(2), problem);
+  EXPECT_PRECONDITION_ERROR(Kinetic_queries_2(kinetic).nearest_neighbors(std::size_t{1} << 32),
+                            "k is 4294967296; expected less than 2^32");
   EXPECT_PRECONDITION_ERROR(queries.rounded_positions(), problem);
   const std::vector<Vector_2> triangle = {{0, 0}, {1, 0}, {0, 1}};
   EXPECT_PRECONDITION_ERROR(queries.rounded_voronoi_areas(triangle), problem);
@@ -134,8 +140,8 @@ TEST(Nearest, are_the_same_where_the_processor_rounds_upward) {
     for (Point_id id = 0; id < 12; ++id) {
       for (const Vector_2& v : queries.rounded_voronoi_cell(id).vertices) vertices.push_back(v);
     }
-    return std::tuple(vertices, queries.nearest_neighbors(), queries.closest_pair(),
-                      queries.rounded_positions());
+    return std::tuple(vertices, queries.nearest_neighbors(), queries.nearest_neighbors(4),
+                      queries.closest_pair(), queries.rounded_positions());
   };
   const auto expected = answers();
   std::fesetround(FE_UPWARD);

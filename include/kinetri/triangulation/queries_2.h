@@ -15,6 +15,7 @@
 #define KINETRI_TRIANGULATION_QUERIES_2_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -187,6 +188,14 @@ class Kinetic_queries_2 {
   /// The nearest_neighbor of each point, by id; no_point where there is none. next_id() ids.
   std::vector<Point_id> nearest_neighbors() const requires HasNearestNeighbors<Traits>;
 
+  /// The k points nearest to each point, that one excepted, in the order of their distances; of
+  /// equally near points the smaller id comes first. Those of the point `id` are the k ids from
+  /// k * id on; no_point where there are no more points, or no point `id`. k * next_id() ids.
+  /// Precondition: k is less than 2^32. Cost: for each point O(d log d) comparisons of distances,
+  /// as those of nearest_neighbor, if the k points have d neighbors together; and as much for each
+  /// point that is exactly as far away as the last of the k.
+  std::vector<Point_id> nearest_neighbors(std::size_t k) const requires HasNearestNeighbors<Traits>;
+
   /// The pair of points nearest to each other; of several such pairs the first in the order of
   /// Edge_ids; none for fewer than two points. Cost: O(n) floating-point operations, and exact
   /// comparisons of the edges that these cannot distinguish from the shortest.
@@ -276,6 +285,8 @@ class Kinetic_queries_2 {
   // Distances.
   Point_id smallest_id_at(Vertex_handle v, const detail::Ball& t) const;
   std::optional<Point_id> nearest_neighbor(Vertex_handle v, const detail::Ball& t) const;
+  void find_nearest(Vertex_handle v, const detail::Ball& t, std::vector<Point_id>& seen,
+                    std::span<Point_id> result) const;
   Comparison_result compare_distance(Vertex_handle v, const Neighbor& a, const Neighbor& b) const;
   Comparison_result compare_lengths(const Edge_ids& a, const Edge_ids& b) const;
 

@@ -8,8 +8,12 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/ball.h"
 #include "kinetri/triangulation/queries_2.h"
 
@@ -105,6 +109,60 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors() const requi
   std::vector<Point_id> result(kinetic_.next_id(), no_point);
   for (const Vertex_handle v : topology().finite_vertex_handles()) {
     if (const auto nearest = nearest_neighbor(v, t)) result[id(v)] = *nearest;
+  }
+  return result;
+}
+
+// Fills `result` with the points nearest to `v`, in their order. The points within a circle about
+// `v`, or on it, are connected with `v` by edges between them: so the nearest point that is not
+// known yet is a neighbor of one that is. `seen[u]` is the last point for which `u` was seen.
+template <KineticTraits_2 Traits>
+void Kinetic_queries_2<Traits>::find_nearest(Vertex_handle v, const detail::Ball& t,
+                                             std::vector<Point_id>& seen,
+                                             std::span<Point_id> result) const {
+  const detail::Ball_2 here = ball_place(v, t);
+  std::vector<Neighbor> border;  // a heap: the nearest one is at the front
+  const auto is_farther = [&](const Neighbor& a, const Neighbor& b) {
+    return compare_distance(v, a, b) == CGAL::LARGER;
+  };
+  const auto add_neighbors = [&](Vertex_handle known) {
+    for_each_neighbor(known, [&](Vertex_handle u) {
+      if (std::exchange(seen[id(u)], id(v)) == id(v)) return;
+      border.push_back(neighbor_at(here, u, t));
+      std::ranges::push_heap(border, is_farther);
+    });
+  };
+  seen[id(v)] = id(v);
+  add_neighbors(v);
+  std::vector<Point_id> equally_near;
+  auto next = result.begin();
+  while (next != result.end() && !border.empty()) {
+    const Neighbor nearest = border.front();
+    equally_near.clear();
+    do {
+      std::ranges::pop_heap(border, is_farther);
+      const Vertex_handle u = border.back().vertex;
+      border.pop_back();
+      equally_near.push_back(id(u));
+      add_neighbors(u);
+    } while (!border.empty() && compare_distance(v, border.front(), nearest) == CGAL::EQUAL);
+    std::ranges::sort(equally_near);
+    for (const Point_id u : equally_near) {
+      if (next != result.end()) *next++ = u;
+    }
+  }
+}
+
+template <KineticTraits_2 Traits>
+std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors(std::size_t k) const requires
+    HasNearestNeighbors<Traits> {
+  check_is_current();
+  KINETRI_PRECONDITION(k <= no_point, "k is " + std::to_string(k) + "; expected less than 2^32");
+  const detail::Ball t = detail::ball_of(time_);
+  std::vector<Point_id> result(k * kinetic_.next_id(), no_point);
+  std::vector<Point_id> seen(kinetic_.next_id(), no_point);
+  for (const Vertex_handle v : topology().finite_vertex_handles()) {
+    find_nearest(v, t, seen, std::span(result).subspan(k * id(v), k));
   }
   return result;
 }
