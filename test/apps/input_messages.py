@@ -302,10 +302,10 @@ def table_cases():
     yield points("x,y,vx,vy,radius\n1,2,3,4,5\n1,2,3,4,5\n", line=3, first=2,
                  numbers="place, velocity and radius")
     box = "--until 1 --box 0,0,10,10"
-    yield points("x,y,vx,vy\n0,0,1,0\n5,12,0,0\n", box, line=3, time=0, x=5, y=12, side="upper",
-                 position=10)
-    yield points("x,y,vx,vy\n1,5,1,0\n5,5,0,0\n", box + " --rim --radius 2", line=2, time=0, x=1, y=5,
-                 side="left", position=0)
+    yield points("x,y,vx,vy\n0,0,1,0\n5,12,0,0\n", box, line=3, point=1, time=0, x=5, y=12,
+                 side="upper", position=10)
+    yield points("x,y,vx,vy\n1,5,1,0\n5,5,0,0\n", box + " --rim --radius 2", line=2, point=0, time=0, x=1,
+                 y=5, side="left", position=0)
     yield points("x,y,vx,vy\n0,5,1,0\n0,5,-1,0\n", box, time=0, a=0, b=1)
     yield tracks("t,id,x,y\n0,a,0,0\n1,b,0,0\n0,a,2,1.5\n", line=4, id="a", time=0, x=2, y=1.5, x2=0,
                  y2=0, first=2)

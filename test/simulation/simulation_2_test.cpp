@@ -47,6 +47,8 @@ TEST(Simulation_options, name_a_point_outside_of_the_box) {
     FAIL() << "no error";
   } catch (const Outside_box_error& error) {
     EXPECT_EQ(error.point(), 1u);
+    EXPECT_EQ(std::string(error.what()).find("point 1 is outside of the box at t = 0: at "), 0u)
+        << error.what();
   }
   EXPECT_NO_THROW(Simulation(motions, in_box({1, 1, 2, 10.5})));
 }

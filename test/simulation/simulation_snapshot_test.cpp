@@ -125,7 +125,7 @@ TEST(Simulation_snapshot, that_is_no_state_is_refused) {
   forged.options.radius = 10;
   expect("the box is not wider and higher than a disc");
   forged.options.box->ymax = 49;
-  expect("point 2 of the snapshot: the point is outside of the box");
+  expect("the snapshot cannot be used: point 2 is outside of the box");
   forged.in_contact = {{1, 0}};
   expect("points 1 and 0 in contact");
   forged.in_contact = {{0, 0}};

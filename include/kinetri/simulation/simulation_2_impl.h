@@ -88,7 +88,8 @@ void Simulation_2<Traits>::check_place(const Point_2& p) const {
     const double time = current_time().to_double();
     const Vector_2 place = rounded_place(p.motion(), time);
     throw Outside_box_error(
-        p.id(), "the point is outside of the box at t = " + detail::text(time) + ": at " +
+        p.id(), "point " + std::to_string(p.id()) +
+                    " is outside of the box at t = " + detail::text(time) + ": at " +
                     detail::text(place.x) + ", " + detail::text(place.y) +
                     (wall.clearance > 0 || wall.rim ? ", its rim" : "") + " beyond the " +
                     std::string(name(wall.side)) + " side at " + detail::text(wall.position) +

@@ -91,7 +91,7 @@ void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
   for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
     if (!triangulation_.contains(id)) continue;
     const auto refuse = [&](const Error& error) {
-      throw Snapshot_error("point " + std::to_string(id) + " of the snapshot: " + error.what());
+      throw Snapshot_error(std::string("the snapshot cannot be used: ") + error.what());
     };
     try {
       check_place(point(id));
