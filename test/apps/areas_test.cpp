@@ -30,6 +30,7 @@ class Areas : public test::Program_test {
 };
 
 constexpr const char* header = "t,id,area,density\n";
+constexpr const char* with_labels = "t,id,area,density,label\n";
 
 TEST_F(Areas, are_those_of_each_frame) {
   EXPECT_EQ(
@@ -64,14 +65,14 @@ TEST_F(Areas, of_tracks_of_frames_are_at_these_frames) {
   const Arguments options = {"--format", "frames", "--fps",      "30",
                              "--areas",  "-",      "--walkable", "square.wkt"};
   EXPECT_EQ(areas("t.txt", options),
-            std::string(header) + "0.23333333333333334,0,16,0.0625\n" +
-                "0.26666666666666666,0,16,0.0625\n" + "0.3,0,8,0.125\n0.3,1,8,0.125\n" +
-                "0.3333333333333333,0,8,0.125\n0.3333333333333333,1,8,0.125\n" +
-                "0.36666666666666664,0,16,0.0625\n" + "0.4,0,16,0.0625\n");
+            std::string(with_labels) + "0.23333333333333334,0,16,0.0625,a\n" +
+                "0.26666666666666666,0,16,0.0625,a\n" + "0.3,0,8,0.125,a\n0.3,1,8,0.125,b\n" +
+                "0.3333333333333333,0,8,0.125,a\n0.3333333333333333,1,8,0.125,b\n" +
+                "0.36666666666666664,0,16,0.0625,a\n" + "0.4,0,16,0.0625,a\n");
   Arguments more = options;
   more.insert(more.end(), {"--frames-per-time", "10", "--from", "0.25"});
   EXPECT_EQ(areas("t.txt", more),
-            std::string(header) + "0.25,0,16,0.0625\n0.35,0,8,0.125\n0.35,1,8,0.125\n");
+            std::string(with_labels) + "0.25,0,16,0.0625,a\n0.35,0,8,0.125,a\n0.35,1,8,0.125,b\n");
 }
 
 TEST_F(Areas, have_means_over_the_stay_of_each_point) {
@@ -83,6 +84,17 @@ TEST_F(Areas, have_means_over_the_stay_of_each_point) {
   const std::size_t second = rows.find("\n1,0,2,");
   ASSERT_NE(second, std::string::npos) << rows;
   EXPECT_NEAR(std::stod(rows.substr(second + 7)), 10, 1e-9);
+}
+
+TEST_F(Areas, of_points_with_labels_have_them) {
+  write("p.csv", "x,y,vx,vy,id\n0.5,2,0,0,left\n1.5,2,1,0,\"right, moving\"\n");
+  EXPECT_EQ(
+      areas("p.csv", {"--until", "0", "--areas", "-", "--mean-areas", "m.csv", "--walkable",
+                      "square.wkt", "--fps", "1"}),
+      std::string(with_labels) + "0,0,4,0.25,left\n0,1,12,0.08333333333333333,\"right, moving\"\n");
+  const std::string means = read("m.csv");
+  EXPECT_EQ(means.rfind("id,from,until,area,error,label\n0,0,0,4,", 0), 0U) << means;
+  EXPECT_NE(means.find(",left\n1,0,0,12,"), std::string::npos) << means;
 }
 
 // As the rows of one long run, from the time of the checkpoint on.

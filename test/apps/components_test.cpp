@@ -46,15 +46,32 @@ TEST_F(Components, of_tracks_have_points_that_come_and_go) {
       run({"tracks", "tracks.csv", "--components", "-", "--range", "2", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
-            "time_lo,time_hi,kind,a,b,components,largest\n"
-            "0,0,start,,,1,1\n"
-            "2,2,insert,1,,2,1\n"
-            "2,2,merge,0,1,1,2\n"
-            "3,3,insert,2,,2,2\n"
-            "4,4,split,0,1,3,1\n"
-            "4,4,erase,1,,2,1\n"
-            "9,9,erase,0,,1,1\n"
-            "9,9,erase,2,,0,0\n");
+            "time_lo,time_hi,kind,a,b,components,largest,label_a,label_b\n"
+            "0,0,start,,,1,1,,\n"
+            "2,2,insert,1,,2,1,b,\n"
+            "2,2,merge,0,1,1,2,a,b\n"
+            "3,3,insert,2,,2,2,c,\n"
+            "4,4,split,0,1,3,1,a,b\n"
+            "4,4,erase,1,,2,1,b,\n"
+            "9,9,erase,0,,1,1,a,\n"
+            "9,9,erase,2,,0,0,c,\n");
+}
+
+// The table of --connected has the names that it was asked for.
+TEST_F(Components, of_points_with_labels_have_them) {
+  write("points.csv", "x,y,vx,vy,id\n0,0,0,0,oak\n-5,3,1,0,fly\n0,20,0,0,elm\n");
+  const Outcome outcome =
+      run({"simulate", "points.csv", "--until", "6", "--components", "c.csv", "--spanning-tree",
+           "s.csv", "--connected", "-", "--between", "0,1", "--range", "3", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(read("c.csv"),
+            "time_lo,time_hi,kind,a,b,components,largest,label_a,label_b\n"
+            "0,0,start,,,3,1,,\n"
+            "5,5,merge,0,1,2,2,oak,fly\n"
+            "5,5,split,0,1,3,1,oak,fly\n");
+  EXPECT_EQ(read("s.csv").substr(0, 75),
+            "time_lo,time_hi,kind,a,b,length,label_a,label_b\n0,0,start,0,1,,oak,fly\n0,0,");
+  EXPECT_EQ(outcome.out, "a,b,begin_lo,begin_hi,end_lo,end_hi\n0,1,5,5,5,5\n");
 }
 
 // At 5 - sqrt(12) and 5 + sqrt(12) the lengths of all three edges are 4.

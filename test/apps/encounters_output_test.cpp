@@ -57,6 +57,35 @@ TEST_F(Encounters_output, has_gaps_where_discs_touch) {
             "0,1,6,6,8,8,8,8,2,-1\n");
 }
 
+// The points of a table with labels have them in the last columns; ids are numbers as ever.
+TEST_F(Encounters_output, have_the_labels_that_the_input_has) {
+  const Outcome outcome =
+      simulate("id,x,y,vx,vy\nAda,0,0,1,0\n\"Ben, jr.\",10,3,-1,0\n\"a \"\"C\"\"\",0,6,1,-1\n",
+               {"--until", "8", "--encounters", "-", "--range", "5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream lines(outcome.out);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(line);
+  ASSERT_EQ(rows.size(), 4U) << outcome.out;
+  EXPECT_EQ(rows[0],
+            "a,b,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance,label_a,label_b");
+  EXPECT_EQ(rows[1], "0,2,1,1,8,8,6,6,0,Ada,\"a \"\"C\"\"\"");
+  EXPECT_EQ(rows[3], "0,1,3,3,7,7,5,5,3,Ada,\"Ben, jr.\"");
+}
+
+// `b` is there twice, as the points 1 and 2.
+TEST_F(Encounters_output, of_tracks_have_the_ids_of_the_tracks) {
+  write("t.csv",
+        "t,id,x,y,radius\n0,a,0,0,1\n1,a,0,0,1\n2,a,0,0,1\n3,a,0,0,1\n4,a,0,0,1\n"
+        "0,b,4,0,1\n1,b,4,0,1\n3,b,3,0,1\n4,b,3,0,1\n");
+  const Outcome outcome = run({"tracks", "t.csv", "--max-gap", "1.5", "--collisions", "log",
+                               "--encounters", "-", "--range", "3", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "a,b,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance,gap,label_a,"
+            "label_b\n0,1,0,0,1,1,0,0,4,2,a,b\n0,2,3,3,4,4,3,3,3,1,a,b\n");
+}
+
 TEST_F(Encounters_output, is_a_contact_plan_too) {
   const Outcome outcome =
       simulate(three_points, {"--until", "8", "--contact-plan", "plan.json", "--range", "3"});

@@ -70,6 +70,36 @@ TEST_F(Generate, a_packing_is_the_librarys_exactly) {
   }
 }
 
+// The command that is printed runs, and names the output as the shell takes it.
+TEST_F(Generate, a_packing_says_how_it_is_simulated_in_its_box) {
+  struct Case {
+    Arguments more;
+    std::string command;
+  };
+  const std::string box = " --until 10 --box 0,0,16,16 --rim --collisions elastic --mass area\n";
+  for (const auto& [more, command] : {
+           Case{{"-o", "discs.csv"}, "kinetri simulate discs.csv" + box},
+           Case{{"-o", "my discs.csv"}, "kinetri simulate 'my discs.csv'" + box},
+           Case{{"-o", "Ada's"}, "kinetri simulate 'Ada'\\''s'" + box},
+           Case{{}, "kinetri simulate -" + box},
+       }) {
+    Arguments arguments = {"packing", "--points", "12",     "--share", "0.6",
+                           "--sizes", "2",        "--side", "16"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = generate(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "To simulate these discs in their box:\n  " + command);
+  }
+  const Outcome simulated =
+      run({"simulate", "my discs.csv", "--until", "10", "--box", "0,0,16,16", "--rim",
+           "--collisions", "elastic", "--mass", "area", "--audit", "end", "--quiet"});
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  const Outcome default_side = generate({"packing", "--points", "3", "--share", "0.1"});
+  EXPECT_NE(default_side.err.find(" --box 0,0,17.32050807568877,17.32050807568877 "),
+            std::string::npos)
+      << default_side.err;
+}
+
 TEST_F(Generate, a_packing_may_grow_in_proportion_to_the_radii) {
   const Outcome outcome =
       generate({"packing", "--points", "13", "--share", "0.1", "--sizes", "2", "--growth", "0.25"});

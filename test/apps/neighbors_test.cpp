@@ -69,12 +69,16 @@ TEST_F(Neighbors, of_tracks_come_and_go_with_their_points) {
   const Outcome outcome = run({"tracks", "t.csv", "--neighbors", "-", "--nearest", "nearest.csv",
                                "--exchanges", "e.csv", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("\n0,3,1,1,5,5,point,point,\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n0,3,1,1,5,5,point,point,,a,visitor\n"), std::string::npos)
+      << outcome.out;
   const auto nearest = lines("nearest.csv");
-  for (const char* row : {"1,1,0,1,3", "1,1,3,,0", "5,5,3,0,", "5,5,0,3,1"}) {
+  for (const char* row :
+       {"time_lo,time_hi,id,before,after,label,label_before,label_after", "1,1,0,1,3,a,b,visitor",
+        "1,1,3,,0,visitor,,a", "5,5,3,0,,visitor,a,", "5,5,0,3,1,a,visitor,b"}) {
     EXPECT_NE(std::ranges::find(nearest, row), nearest.end()) << row << '\n' << read("nearest.csv");
   }
-  EXPECT_EQ(lines("e.csv")[4], "3,1,1,5,5,0,0,,0");
+  EXPECT_EQ(lines("e.csv")[0], "id,from_lo,from_hi,until_lo,until_hi,gained,lost,short,rate,label");
+  EXPECT_EQ(lines("e.csv")[4], "3,1,1,5,5,0,0,,0,visitor");
 }
 
 TEST_F(Neighbors, of_a_continued_run_begin_at_its_start) {

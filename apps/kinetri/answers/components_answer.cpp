@@ -56,9 +56,9 @@ std::vector<Edge_ids> pairs_of_points(const std::array<std::string, 2>& names,
 
 std::unique_ptr<Answer> components_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
-                                          const Run_source& /*source*/) {
+                                          const Run_source& source) {
   return of_points("--components", simulation, [&]<class Traits>(Simulation_2<Traits>& s) {
-    return table_answer<Connected_components<Traits>>(detail::Component_columns(), s,
+    return table_answer<Connected_components<Traits>>(source, detail::Component_columns(), s,
                                                       settings.range);
   });
 }
@@ -72,7 +72,8 @@ std::unique_ptr<Answer> connected_answer(const Answer_settings& settings,
       pairs.push_back(pairs_of_points(names, source, s.triangulation().next_id()));
     }
     return table_answer<detail::Connections<Traits>>(
-        detail::Connection_columns<std::string>{settings.between}, s, settings.range, pairs);
+        source, detail::Connection_columns<std::string>{settings.between}, s, settings.range,
+        pairs);
   });
 }
 

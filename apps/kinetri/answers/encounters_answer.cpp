@@ -54,10 +54,10 @@ class Contact_plan : public Answer {
 
 std::unique_ptr<Answer> encounters_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
-                                          const Run_source& /*source*/) {
+                                          const Run_source& source) {
   return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
     const bool has_discs = HasWeight<typename Traits::Motion> || s.options().radius != 0;
-    return table_answer<Encounters<Traits>>(detail::Encounter_columns{has_discs}, s,
+    return table_answer<Encounters<Traits>>(source, detail::Encounter_columns{has_discs}, s,
                                             settings.range);
   });
 }

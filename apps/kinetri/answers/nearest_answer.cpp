@@ -5,11 +5,10 @@
 namespace kinetri::app {
 
 std::unique_ptr<Answer> nearest_answer(const Answer_settings& /*settings*/,
-                                       const Any_simulation& simulation,
-                                       const Run_source& /*source*/) {
-  return simulation.visit([]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+                                       const Any_simulation& simulation, const Run_source& source) {
+  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
     if constexpr (HasNearestNeighbors<Traits>) {
-      return table_answer<Nearest_neighbors<Traits>>(detail::Nearest_neighbor_columns(), s);
+      return table_answer<Nearest_neighbors<Traits>>(source, detail::Nearest_neighbor_columns(), s);
     } else {
       throw Usage_error(
           "--nearest: the edges of a regular triangulation do not tell which discs are nearest; "

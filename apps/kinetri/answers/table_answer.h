@@ -13,6 +13,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "answers/answer.h"
 #include "cli/text.h"
@@ -21,12 +22,21 @@
 
 namespace kinetri::app {
 
+/// The name of the column with the labels of the points in the column `name`.
+inline std::string label_column(std::string_view name) {
+  return name == "id" ? "label" : joined("label_", name);
+}
+
 /// Writes a table: its header, and a row for each of `rows`. Columns are as
-/// observers/detail/answer_columns.h has them. A field about which nothing is known is empty.
+/// observers/detail/answer_columns.h has them. A field about which nothing is known is empty. If
+/// there are labels of the points, by id, each column of points has a column of their labels; these
+/// columns are the last ones.
 template <class Columns, class Rows>
-void write_table(std::ostream& out, const Columns& columns, const Rows& rows) {
+void write_table(std::ostream& out, const Columns& columns, const Rows& rows,
+                 const std::vector<std::string>& labels) {
   using Row = typename Columns::Row;
   std::string text;
+  std::string last_columns;
   columns.visit([&](std::string_view name, const auto& value, bool /*is_known*/ = true) {
     using Value = std::decay_t<std::invoke_result_t<decltype(value), const Row&>>;
     const char* const comma = text.empty() ? "" : ",";
@@ -34,11 +44,15 @@ void write_table(std::ostream& out, const Columns& columns, const Rows& rows) {
       append(text, comma, name, "_lo,", name, "_hi");
     } else {
       append(text, comma, name);
+      if (std::same_as<Value, Point_id> && !labels.empty()) {
+        append(last_columns, ",", label_column(name));
+      }
     }
   });
-  out << text << '\n';
+  out << text << last_columns << '\n';
   for (const Row& row : rows) {
     text.clear();
+    last_columns.clear();
     bool is_first = true;
     columns.visit([&](std::string_view /*name*/, const auto& get, bool is_known = true) {
       if (!std::exchange(is_first, false)) text += ',';
@@ -49,6 +63,9 @@ void write_table(std::ostream& out, const Columns& columns, const Rows& rows) {
         text += time_bounds(value);
       } else if constexpr (std::same_as<Value, Point_id>) {
         if (value != no_point) append(text, value);
+        if (!labels.empty()) {
+          append(last_columns, ",", value != no_point ? csv_field(labels[value]) : std::string());
+        }
       } else if constexpr (std::same_as<Value, double>) {
         if (!std::isnan(value)) append(text, value);
       } else if constexpr (std::same_as<Value, bool>) {
@@ -59,7 +76,7 @@ void write_table(std::ostream& out, const Columns& columns, const Rows& rows) {
         text += csv_field(value);
       }
     });
-    out << text << '\n';
+    out << text << last_columns << '\n';
   }
 }
 
@@ -68,20 +85,27 @@ template <class Observer, class Columns>
 class Table_answer final : public Answer {
  public:
   template <class... Arguments>
-  explicit Table_answer(Columns columns, Arguments&&... arguments)
-      : columns_(std::move(columns)), observer_(std::forward<Arguments>(arguments)...) {}
+  Table_answer(const Run_source& source, Columns columns, Arguments&&... arguments)
+      : source_(source),
+        columns_(std::move(columns)),
+        observer_(std::forward<Arguments>(arguments)...) {}
 
-  void write(std::ostream& out) override { write_table(out, columns_, Columns::rows(observer_)); }
+  void write(std::ostream& out) override {
+    write_table(out, columns_, Columns::rows(observer_), source_.labels());
+  }
 
  private:
+  const Run_source& source_;
   Columns columns_;
   Observer observer_;
 };
 
-/// The answer of the observer that is made of the arguments.
+/// The answer of the observer that is made of the arguments. `source`, which has the labels, must
+/// outlive it.
 template <class Observer, class Columns, class... Arguments>
-std::unique_ptr<Answer> table_answer(Columns columns, Arguments&&... arguments) {
-  return std::make_unique<Table_answer<Observer, Columns>>(std::move(columns),
+std::unique_ptr<Answer> table_answer(const Run_source& source, Columns columns,
+                                     Arguments&&... arguments) {
+  return std::make_unique<Table_answer<Observer, Columns>>(source, std::move(columns),
                                                            std::forward<Arguments>(arguments)...);
 }
 

@@ -3,10 +3,12 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "commands/common_arguments.h"
 #include "io/output_file.h"
@@ -128,6 +130,28 @@ Command scenario_command(Scenario scenario) {
   return result;
 }
 
+// The text as one word of a command line of the shell.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:+-";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      result += "'\\''";
+    } else {
+      result += c;
+    }
+  }
+  return result + "'";
+}
+
+// The points file does not have the box: the command that simulates the discs in it.
+std::string command_for(const Box_2& box, const std::string& points) {
+  return joined("kinetri simulate ", shell_word(points), " --until 10 --box ", box.xmin, ",",
+                box.ymin, ",", box.xmax, ",", box.ymax, " --rim --collisions elastic --mass area");
+}
+
 Exit_code generate_packing(const Packing_arguments& given) {
   Packing_options options;
   options.points = count_argument("--points", given.points, most_packed_points);
@@ -141,15 +165,17 @@ Exit_code generate_packing(const Packing_arguments& given) {
   if (given.growth) growth = scenario_size_argument("--growth", *given.growth);
 
   Output_file output(given.output);
-  std::vector<Linear_motion_2> centres;
-  std::vector<double> radii;
+  Packing packing;
   try {
-    for (const Disc_motion_2& disc : make_packing(options).discs) {
-      centres.push_back(disc);
-      radii.push_back(disc.radius);
-    }
+    packing = make_packing(options);
   } catch (const Packing_error& error) {
     throw Run_error(error.what());
+  }
+  std::vector<Linear_motion_2> centres;
+  std::vector<double> radii;
+  for (const Disc_motion_2& disc : packing.discs) {
+    centres.push_back(disc);
+    radii.push_back(disc.radius);
   }
   std::vector<double> growths;
   if (growth) {
@@ -159,6 +185,8 @@ Exit_code generate_packing(const Packing_arguments& given) {
   }
   write_points(output.stream(), centres, radii, growths);
   output.commit();
+  print_error(joined("To simulate these discs in their box:\n  ",
+                     command_for(packing.box, given.output), "\n"));
   return Exit_code::done;
 }
 
@@ -170,7 +198,8 @@ Command packing_command() {
   result.description = {
       "No two discs overlap, and none is partly outside of the box, exactly. Discs that are jammed "
       "before they cover the share are an error: thousand discs reach 0.82 if they are equal, and "
-      "0.8 with the ratio 1.4."};
+      "0.8 with the ratio 1.4. The command that simulates them in this box is printed to standard "
+      "error."};
   result.add_required("--points", &options->points, "N",
                       joined("Number of discs, from 1 to ", most_packed_points));
   result.add("--share", &options->share, "S",

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
 #include "io/text.h"
 #include "io/text_table.h"
 #include "outputs/frame_times.h"
@@ -46,6 +47,7 @@ Cell_limits cell_limits(const Answer_settings& settings, const Run_source& sourc
 }
 
 void Area_output::start(const Run_source& source, const Any_simulation& simulation, double until) {
+  labels_ = source.labels();
   const double from =
       simulation.visit([](const auto& s) { return s.current_time().tight_interval().upper; });
   const std::optional<Frame_rate> own = source.frame_rate();
@@ -58,13 +60,15 @@ std::optional<double> Area_output::next_time() const {
 }
 
 void Area_output::write(std::ostream& out, const Any_simulation& simulation) {
-  std::string rows = next_ == 0 ? "t,id,area,density\n" : "";
+  std::string rows;
+  if (next_ == 0) append(rows, "t,id,area,density", labels_.empty() ? "\n" : ",label\n");
   const double time = times_[next_++];
   const std::vector<Cell_area> areas =
       simulation.visit([&](const auto& s) { return cell_areas(s.triangulation(), *limits_); });
   for (const Cell_area& cell : areas) {
     append(rows, time, ",", cell.id, ",", cell.area, ",");
     if (cell.area > 0) append(rows, cell.density());
+    if (!labels_.empty()) append(rows, ",", csv_field(labels_[cell.id]));
     rows += '\n';
   }
   out << rows;

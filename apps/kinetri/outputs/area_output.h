@@ -8,6 +8,7 @@
 #include <iosfwd>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,8 @@ namespace kinetri::app {
 Cell_limits cell_limits(const Answer_settings& settings, const Run_source& source,
                         const char* option);
 
-/// A table with a row for each point and frame.
+/// A table with a row for each point and frame. Its last column has the labels of the points, if
+/// the source has labels.
 class Area_output {
  public:
   /// Without a rate the frames are those of the input, or, if it has none, 101.
@@ -46,6 +48,7 @@ class Area_output {
   std::shared_ptr<const Cell_limits> limits_;
   std::optional<Frame_rate> rate_;
   std::vector<double> times_;
+  std::vector<std::string> labels_;  // of the points, if they have any
   std::size_t next_ = 0;
 };
 

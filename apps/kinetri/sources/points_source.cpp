@@ -29,6 +29,7 @@ class Points_source final : public Run_source {
   std::optional<double> until() const override { return settings_.until; }
   std::string response() const override { return std::string(settings_.collisions.name); }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
+  std::vector<std::string> labels() const override { return points_.labels; }
   std::size_t line_of(Point_id id) const override { return points_.lines[id]; }
   std::vector<std::string> remarks() const override;
 

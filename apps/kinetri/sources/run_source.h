@@ -77,6 +77,9 @@ class Run_source {
   /// The point in the words of the input: its number, or the id of its track.
   virtual std::string name(Point_id id) const { return std::to_string(id); }
 
+  /// The labels of the points, by id, if the input has labels; else empty.
+  virtual std::vector<std::string> labels() const { return {}; }
+
   /// The points that the input calls by that name: one, or those of a track. None if there are
   /// none. By default the point of that number, which need not exist.
   virtual std::vector<Point_id> points_named(const std::string& name) const;

@@ -40,6 +40,7 @@ class Tracks_source final : public Run_source {
   Input_error coincidence(const Coincident_trajectories_error& coincident,
                           double time) const override;
   std::string name(Point_id id) const override { return file_.tracks[stays_[id].track].id; }
+  std::vector<std::string> labels() const override;
   std::vector<Point_id> points_named(const std::string& name) const override;
   std::string expected_name() const override {
     return "an id with two observations, within --max-gap, --from and --until";
@@ -200,6 +201,12 @@ void Tracks_source::write_points(std::ostream& out) const {
   }
 }
 
+std::vector<std::string> Tracks_source::labels() const {
+  std::vector<std::string> result;
+  for (const Stay& stay : stays_) result.push_back(file_.tracks[stay.track].id);
+  return result;
+}
+
 std::vector<Point_id> Tracks_source::points_named(const std::string& name) const {
   std::vector<Point_id> result;
   for (std::size_t point = 0; point < stays_.size(); ++point) {
@@ -221,7 +228,7 @@ bool Tracks_source::are_there_together(Point_id a, Point_id b) const {
 
 void Tracks_source::describe(Viewer_settings& settings) const {
   Run_source::describe(settings);
-  for (const Stay& stay : stays_) settings.names.push_back(file_.tracks[stay.track].id);
+  settings.names = labels();
 }
 
 std::vector<std::string> Tracks_source::remarks() const {
