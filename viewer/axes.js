@@ -53,13 +53,12 @@ function axesOf(view) {
   return {left, x, y};
 }
 
-/** Draws the axes over the picture, and notes how wide they are. */
+/** Draws the axes over the picture, and returns how wide the strip at the left is. */
 function drawAxes(painter, view) {
   const {viewer, camera, width, height} = view;
   const {colors, unit} = viewer;
   const {left, x, y} = axesOf(view);
   const bottom = height - AXIS_BOTTOM;
-  view.axisLeft = left;
   const strips = view.triangleBatch.clear();
   for (const [x0, y0, x1, y1] of [[0, 0, left, height], [0, bottom, width, height]]) {
     strips.triangle(x0, y0, x1, y0, x1, y1);
@@ -84,4 +83,5 @@ function drawAxes(painter, view) {
   }
   painter.lines(lines, {color: colors.text, width: 1});
   if (unit !== '') painter.text(unit, left - TICK - 3, height - 4, {...style, color: colors.quiet, align: 'right'});
+  return left;
 }

@@ -4,14 +4,15 @@
 // down; those of the plane have y up.
 'use strict';
 
-const FIT_MARGIN = 36;       // pixels
-const SWITCHES_MARGIN = 34;  // more at the top, where the switches are
-const MOST_ZOOM = 1e9;       // relative to the whole
+const FIT_MARGIN = 36;   // pixels; less in a small picture
+const HINT_MARGIN = 42;  // at least so much at the bottom, where the hint is (style.css)
+const MOST_ZOOM = 1e9;   // relative to the whole
 
 class Camera {
   constructor(extent) {
     this.extent = extent;
     this.width = this.height = 1;
+    this.left = this.bottom = 0;  // what axes take of the picture
     this.isFitted = true;
     this.fit();
   }
@@ -28,15 +29,28 @@ class Camera {
     if (this.isFitted) this.fit();
   }
 
+  /** Leaves so many pixels to axes. Returns whether that changes what is seen. */
+  leave(left, bottom) {
+    if (left === this.left && bottom === this.bottom) return false;
+    this.left = left;
+    this.bottom = bottom;
+    if (this.isFitted) this.fit();
+    return this.isFitted;
+  }
+
   /** Shows the whole extent. */
   fit() {
     const [left, bottom, right, top] = this.extent;
     this.x = left / 2 + right / 2;
     this.y = bottom / 2 + top / 2;
-    const room = (pixels) => Math.max(pixels - 2 * FIT_MARGIN, 16);
-    this.scale = Math.min(room(this.width) / (right - left),
-                          room(this.height - SWITCHES_MARGIN) / (top - bottom));
-    this.y += SWITCHES_MARGIN / 2 / this.scale;
+    const margin = (pixels) => Math.min(FIT_MARGIN, pixels / 8);
+    const beside = margin(this.width), above = margin(this.height);
+    const below = Math.max(above, Math.min(HINT_MARGIN, this.height / 4), this.bottom + above / 2);
+    const before = Math.max(beside, this.left + beside / 2);
+    this.scale = Math.min((this.width - before - beside) / (right - left),
+                          (this.height - above - below) / (top - bottom));
+    this.x -= (before - beside) / 2 / this.scale;
+    this.y -= (below - above) / 2 / this.scale;
     this.fitScale = this.scale;
     this.isFitted = true;
   }

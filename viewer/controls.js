@@ -18,23 +18,23 @@ function actionsOf(viewer) {
     {id: 'slower', keys: ['ArrowDown'], label: 'Slower', run: () => viewer.changeSpeed(-1)},
     {id: 'zoom-in', keys: ['+', '='], label: 'Zoom in', run: () => viewer.zoom(1.3)},
     {id: 'zoom-out', keys: ['-'], label: 'Zoom out', run: () => viewer.zoom(1 / 1.3)},
-    {id: 'fit', keys: ['f', '0'], label: 'Fit the whole picture', run: () => viewer.fit()},
-    {keys: ['n'], label: 'Certificate of the edge that is removed next',
+    {id: 'fit', keys: ['f', '0'], label: 'Show everything', run: () => viewer.fit()},
+    {keys: ['n'], label: 'Select the edge that is removed next',
      run: () => viewer.selectNextRemoved()},
-    {keys: ['p', ']'], label: 'Point in the middle, then the next point',
+    {keys: ['p', ']'], label: 'Select the point in the middle, then the next one',
      run: () => viewer.selectedPoint.selectNext(1)},
-    {keys: ['['], label: 'Previous point', run: () => viewer.selectedPoint.selectNext(-1)},
+    {keys: ['['], label: 'Select the previous point', run: () => viewer.selectedPoint.selectNext(-1)},
     {keys: ['j'], label: 'Follow the selected point', run: () => viewer.selectedPoint.toggleFollowing()},
-    {keys: ['r'], label: 'Trail of the selected point', run: () => viewer.selectedPoint.toggleTrail()},
+    {keys: ['r'], label: 'Show the trail of the selected point', run: () => viewer.selectedPoint.toggleTrail()},
     {id: 'find', keys: ['/'], label: 'Find a point by id or name', run: () => openSearch()},
     {keys: ['k'], label: 'Color by the next quantity', run: () => viewer.colorByNext()},
-    {id: 'legend', keys: ['g'], label: 'Legend', run: () => viewer.toggleLegend()},
-    {id: 'take', keys: ['s'], label: 'Pictures, film and link to take along', run: () => viewer.takeAlong.toggle()},
+    {id: 'legend', keys: ['g'], label: 'Show or hide the legend', run: () => viewer.toggleLegend()},
+    {id: 'export', keys: ['s'], label: 'Export a picture, a film or a link', run: () => viewer.exporter.toggle()},
     {id: 'list', keys: ['e'], label: 'Show or hide the list of events',
      run: () => viewer.toggleList()},
-    {id: 'theme', keys: ['l'], label: 'Light or dark colors', run: () => viewer.toggleTheme()},
+    {id: 'theme', keys: ['l'], label: 'Switch between light and dark', run: () => viewer.toggleTheme()},
     {id: 'close', keys: ['Escape'], label: 'Close the panel', run: () => viewer.closePanels()},
-    {id: 'help', keys: ['?'], label: 'Show this list of keys', run: () => viewer.toggleHelp()},
+    {id: 'help', keys: ['?'], label: 'Help: keys and pointer', run: () => viewer.toggleHelp()},
   ];
 }
 
@@ -55,8 +55,8 @@ function switchesOf(recording) {
      mark: '--trail'},
     {id: 'arrows', key: 'a', label: 'Velocities', isThere: !turnsAreLeftOut(recording), mark: '--arrow'},
     {id: 'links', key: 'y', label: 'In range', isThere: hasEncounters(recording), mark: '--link'},
-    {id: 'heat', key: 'm', label: 'Heat of events', isThere: recording.rows > 0, mark: '--removed'},
-    {id: 'scale', key: 'u', label: 'Scale', isThere: true, mark: '--quiet'},
+    {id: 'heat', key: 'm', label: 'Heat map', isThere: recording.rows > 0, mark: '--removed'},
+    {id: 'scale', key: 'u', label: 'Scale bar', isThere: true, mark: '--quiet'},
     {id: 'axes', key: 'x', label: 'Axes', isThere: true, mark: '--quiet'},
     {id: 'ids', key: 'i', label: recording.names === null ? 'Ids' : 'Names', isThere: true,
      mark: '--quiet'},
@@ -85,9 +85,9 @@ class Controls {
       button.title = `${action.label} (${keyName(action.keys[0])})`;
       if (action.id !== 'legend') button.setAttribute('aria-label', action.label);
     }
-    this.addClosing('button-help-close', 'Close the list of keys', () => viewer.toggleHelp());
+    this.addClosing('button-help-close', 'Close the help', () => viewer.toggleHelp());
     this.addClosing('button-close-point', 'Close the panel', () => viewer.closePanels());
-    this.addClosing('button-take-close', 'Close', () => viewer.takeAlong.toggle());
+    this.addClosing('button-export-close', 'Close', () => viewer.exporter.toggle());
     this.switches = switchesOf(viewer.recording);
     for (const one of this.switches) this.addSwitch(one);
     this.addChoices();
@@ -114,7 +114,7 @@ class Controls {
       button.className = 'choice';
       button.dataset.kind = kind;
       button.textContent = `${viewer.recording.kinds[kind].replace(/_/g, ' ')} ${viewer.filter.count[kind]}`;
-      button.style.setProperty('--mark', viewer.filter.color(kind));
+      button.style.setProperty('--mark', viewer.recording.kindColors[kind]);
       button.addEventListener('click', () => viewer.toggleKind(kind));
       element('kinds').append(button);
     }
@@ -166,7 +166,7 @@ class Controls {
 
   press(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (element('help').open && event.key !== '?' || element('take-along').open) return;
+    if (element('help').open && event.key !== '?' || element('export').open) return;
     const {target} = event;
     if (target.matches('input:not([type=range]), select')) {
       if (event.key === 'Escape') target.blur();
@@ -208,10 +208,6 @@ class Controls {
       button.setAttribute('aria-pressed', String(viewer.switches[id]));
       button.hidden = viewer.switches.wave && !isOfWave(id);
     }
-    // Where axes are, buttons are beside them.
-    const {axisLeft, axisBottom} = viewer.switches.wave ? {axisLeft: 0, axisBottom: 0} : viewer.flatView;
-    element('stage').style.setProperty('--axis-left', `${axisLeft}px`);
-    element('stage').style.setProperty('--axis-bottom', `${axisBottom}px`);
     element('color-label').hidden = viewer.switches.wave;
     element('button-legend').setAttribute('aria-pressed', String(viewer.showsLegend));
     for (const button of element('kinds').children) {

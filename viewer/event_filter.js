@@ -19,11 +19,6 @@ class EventFilter {
     return Array.from(this.count.keys()).filter((kind) => this.count[kind] > 0);
   }
 
-  /** The color of a kind. */
-  color(kind) {
-    return kindColor(Math.max(this.kinds.indexOf(kind), 0));
-  }
-
   isEverything() {
     return this.hiddenKinds.size === 0 && this.point < 0;
   }

@@ -163,7 +163,9 @@ class EventList {
     element.root.dataset.row = row;
     element.root.setAttribute('aria-posinset', place + 1);
     element.root.setAttribute('aria-setsize', filter.rows.length);
-    element.glyph.textContent = GLYPHS[recording.kinds[recording.rowKind[row]]] ?? '\u2022';
+    const kind = recording.rowKind[row];
+    element.glyph.textContent = GLYPHS[recording.kinds[kind]] ?? '\u2022';
+    element.root.style.setProperty('--mark', recording.kindColors[kind]);
     element.kind.textContent = kindName(recording, row);
     element.change.textContent = changeText(this.viewer, row);
     element.time.textContent = shortNumber(recording.rowTime[row], 7);

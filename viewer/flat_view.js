@@ -74,8 +74,9 @@ class FlatView extends View {
     if (viewer.selectedPoint.id >= 0) drawPointRings(painter, this);
     if (switches.ids) this.drawIds(painter);
     this.axisBottom = switches.axes ? AXIS_BOTTOM : 0;
-    this.axisLeft = 0;
-    if (switches.axes) drawAxes(painter, this);
+    // As wide as its labels have been at any time, so that the picture does not move to and fro.
+    this.axisLeft = switches.axes ? Math.max(this.axisLeft, drawAxes(painter, this)) : 0;
+    if (this.camera.leave(this.axisLeft, this.axisBottom)) viewer.requestFrame();
     if (switches.scale) drawScaleBar(painter, this);
     if (viewer.hoverPoint >= 0) this.drawRing(painter, viewer.hoverPoint, 4, viewer.colors.selected);
   }
@@ -171,13 +172,6 @@ class FlatView extends View {
   centre(point) {
     const {x, y} = this.viewer;
     if (!Number.isNaN(x[point])) this.camera.centre(x[point], y[point]);
-  }
-
-  /** Moves the camera so that the point is in the picture, not at its border. */
-  show(point) {
-    const {camera, viewer} = this;
-    const x = camera.screenX(viewer.x[point]), y = camera.screenY(viewer.y[point]);
-    if (!(x > 40 && y > 60 && x < this.width - 40 && y < this.height - 40)) this.centre(point);
   }
 
   zoom(factor, x, y) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Layers of the flat view that are shown when asked for: arrows of velocities, who is within range, the
-// heat of events over the plane, a scale bar, and what belongs to the selected point.
+// Layers of the flat view that are shown when asked for: arrows of velocities, the heat of events over the
+// plane, a scale bar, and what belongs to the selected point.
 'use strict';
 
 const MOST_ARROWS = 1500;
@@ -35,18 +35,6 @@ function drawArrows(painter, view) {
     }
   }
   painter.lines(batch, {color: colors.arrow, width: 1.5, cap: 'round'});
-}
-
-/** Between points that are within range of each other. */
-function drawLinks(painter, view) {
-  const {viewer, sx, sy} = view;
-  const {encounters, colors, recording: {encounters: {a, b}}} = viewer;
-  const batch = view.lineBatch.clear();
-  for (let i = 0; i < encounters.liveCount; ++i) {
-    const encounter = encounters.live[i];
-    view.addSegment(batch, sx[a[encounter]], sy[a[encounter]], sx[b[encounter]], sy[b[encounter]]);
-  }
-  painter.lines(batch, {color: colors.link, width: 1.6 * view.detail.lineWidth(), cap: 'round'});
 }
 
 /** How many events happen where: the run's events that the filter shows, on a grid over what the camera

@@ -29,8 +29,8 @@ function legendLines(viewer) {
     add(isWeighted, 'border: 2px solid var(--quiet); border-radius: 50%; height: 12px; width: 12px',
         'point that others hide; its disc is dashed');
   }
-  add(true, line('added', 4), 'edge that an event adds; ring: its point');
-  add(true, line('removed', 3, 'dashed'), 'edge that an event removes');
+  add(true, line('added', 4), 'edge added now; ring: its point');
+  add(true, line('removed', 3, 'dashed'), 'edge removed now');
   add(selected >= 0, line('selected', 4), 'selected edge; dotted: its quadrilateral');
   add(selectedPoint.id >= 0, 'border: 3px solid var(--added); border-radius: 50%; height: 14px; width: 14px',
       'selected point, and its neighbors');
@@ -41,8 +41,8 @@ function legendLines(viewer) {
   if (coloring?.quantity.namesOf !== undefined) {
     coloring.quantity.namesOf(recording).forEach((kind, i) => add(true, `background: ${kindColor(i)}; height: 12px; width: 12px`, kind));
   }
-  if (filter.kinds.length > 1 && element('events').hidden) {
-    filter.kinds.forEach((kind) => add(true, `background: ${filter.color(kind)}; height: 14px; width: 4px`,
+  if (!element('events').checkVisibility() && element('histogram').checkVisibility()) {
+    filter.kinds.forEach((kind) => add(true, `background: ${recording.kindColors[kind]}; height: 14px; width: 4px`,
                                        `${recording.kinds[kind].replace(/_/g, ' ')} on the timeline`));
   }
   return lines;

@@ -3,6 +3,8 @@
 // The start: reads the recording, makes the viewer, and `window.kinetri`.
 'use strict';
 
+const HINT_TIME = 8000;  // milliseconds for which the hint stays
+
 /**
  * The object for the console:
  *
@@ -120,14 +122,21 @@ function consoleObject(viewer) {
   });
 }
 
+/** Says for some seconds, or until something is pressed, what can be selected. */
+function showHint() {
+  const hint = element('hint');
+  const hide = () => { hint.hidden = true; };
+  hint.textContent = `${window.matchMedia('(pointer: coarse)').matches ? 'Tap' : 'Click'} a point or an edge for details`;
+  hint.hidden = false;
+  for (const type of ['pointerdown', 'keydown', 'wheel']) window.addEventListener(type, hide, {once: true, passive: true});
+  setTimeout(hide, HINT_TIME);
+}
+
 /** Plays at first, unless the reader prefers less motion or the address has asked for something; and
- * says what can be clicked. */
+ * says what can be selected. */
 function beginSoftly(viewer, asked) {
   if (viewer.recording.points === 0) return;
-  const hint = element('hint');
-  hint.hidden = asked !== '';
-  const hide = () => { hint.hidden = true; };
-  for (const type of ['pointerdown', 'keydown']) window.addEventListener(type, hide, {once: true});
+  if (asked === '') showHint();
   if (asked !== '' || window.matchMedia('(prefers-reduced-motion: reduce)').matches) return;
   if (!viewer.isPlaying()) viewer.togglePlaying(1);
 }
@@ -154,6 +163,7 @@ try {
   const isEmbedded = new URLSearchParams(window.location.search).has('embed');
   document.documentElement.classList.toggle('embedded', isEmbedded);
   const viewer = new Viewer(recording);
+  showWhatScrolls();
   const follow = () => {
     const fragment = window.location.hash || `#${recording.view}`;
     const problems = followAddress(viewer, fragment);

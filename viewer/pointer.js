@@ -72,7 +72,6 @@ class PointerInput {
     if (!wasClick) return;
     const {viewer} = this;
     this.point(event);
-    element('hint').hidden = true;
     const {kind, id} = viewer.view.thingAt(event.offsetX, event.offsetY, REACH[event.pointerType] ?? REACH.mouse);
     if (kind === 'edge') viewer.select(id);
     else if (kind === 'none') viewer.closePanels();

@@ -12,7 +12,7 @@ const FIELD_ABOVE = 16, FIELD_BELOW = 32;
  * The recording of the JSON text. Throws RecordingError where it is damaged.
  *
  * Arrays by row:
- *   rowKind                    index in `kinds`
+ *   rowKind                    index in `kinds` and `kindColors`
  *   rowNumber                  of the event in the run; -1 in a thinned recording, and of a row that
  *                              changes triangles only
  *   rowTime                    the binary64 number nearest to the exact time
@@ -212,6 +212,8 @@ function readEvents(recording, json, ids, edges) {
          `it has ${count} events, but ${kind.length} kinds, ${fields.length} fields and ` +
          `${time.length} times of them`);
   demand(Array.isArray(json.kinds), 'the names of the kinds of event are not there');
+  demand(Array.isArray(json.colors) && json.colors.length === json.kinds.length &&
+         json.colors.every((color) => /^#[0-9a-f]{6}$/.test(color)), 'the kinds of event have no colors');
   let at = 0;
   const take = (row) => {
     demand(at < id.length, `the ids of event ${row} are not there`);
@@ -225,7 +227,7 @@ function readEvents(recording, json, ids, edges) {
     return point;
   };
   Object.assign(recording, {
-    rows: count, kinds: json.kinds.map(String), rowKind: kind, rowTime: time,
+    rows: count, kinds: json.kinds.map(String), kindColors: json.colors, rowKind: kind, rowTime: time,
     rowNumber: new Float64Array(count).fill(-1),
     rowLow: new Float64Array(count), rowHigh: new Float64Array(count),
     rowRemoved: new Int32Array(count).fill(-1), rowAdded: new Int32Array(count).fill(-1),

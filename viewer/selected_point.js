@@ -20,6 +20,7 @@ class SelectedPoint {
     this.event = -1;
     if (point >= 0) viewer.select(-1);
     else this.follows = this.showsTrail = false;
+    viewer.showSelected();
     if (viewer.filter.point >= 0 && viewer.filter.point !== point) {
       viewer.filter.point = -1;
       viewer.filterChanged();
@@ -56,8 +57,6 @@ class SelectedPoint {
     if (point < 0 && lower !== '') point = byName((name) => name.startsWith(lower));
     if (point < 0) return false;
     this.select(point);
-    viewer.place();
-    viewer.flatView.show(point);
     return true;
   }
 

@@ -56,7 +56,7 @@ class Timeline {
       let y = height;
       kinds.forEach((kind, i) => {
         const part = size * counts[column * kinds.length + i] / total[column];
-        context.fillStyle = kinds.length > 1 ? filter.color(kind) : viewer.colors.edge;
+        context.fillStyle = recording.kindColors[kind];
         context.fillRect(x, y - part, 2, part);
         y -= part;
       });

@@ -8,6 +8,7 @@ const LABEL_CELL = 6;  // pixels; a label takes the cells that it touches, so th
 const LABEL_HEIGHT = 13;
 const LABEL_FONT = '11px system-ui, sans-serif';
 const SEEN_MARGIN = 16;
+const VIEW_MARGIN = 44;  // pixels between what is selected and the border, if there is room
 const POINT_REACH = 5;  // pixels beside a dot
 const NOTHING = {kind: 'none', id: -1};
 
@@ -72,6 +73,21 @@ class View {
     const ring = this.circleBatch.clear();
     ring.circle(this.sx[point], this.sy[point], this.pointRadius() + more);
     painter.circles(ring, {stroke: color, width, alpha});
+  }
+
+  /** Moves the picture by as little as brings the points into it; those that are not there are left out. */
+  bringIntoView(points) {
+    this.project();
+    const there = points.filter((point) => !Number.isNaN(this.sx[point]));
+    if (there.length === 0) return;
+    const move = (places, size) => {
+      const low = Math.min(...places), high = Math.max(...places), margin = Math.min(VIEW_MARGIN, size / 4);
+      if (high - low > size - 2 * margin) return size / 2 - (low + high) / 2;
+      return Math.max(margin - low, 0) - Math.max(high - size + margin, 0);
+    };
+    const dx = move(there.map((point) => this.sx[point]), this.width);
+    const dy = move(there.map((point) => this.sy[point]), this.height);
+    if (dx !== 0 || dy !== 0) this.drag(dx, dy, true);
   }
 
   /** Whether a disc on the screen is in the picture; false for a point that is not there. */

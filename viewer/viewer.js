@@ -64,7 +64,7 @@ class Viewer {
     this.panel = new CertificatePanel(this);
     this.pointPanel = new PointPanel(this);
     this.legend = new Legend(this);
-    this.takeAlong = new TakeAlong(this);
+    this.exporter = new Exporter(this);
     this.pointerInput = new PointerInput(this);
     this.controls = new Controls(this);
     this.followEnvironment();
@@ -220,7 +220,16 @@ class Viewer {
     if (edge >= 0) this.selectedPoint.select(-1);
     this.selected = edge;
     this.certificate = edge < 0 ? null : certificateOf(this.playback, edge);
+    this.showSelected();
     this.requestFrame();
+  }
+
+  /** Moves the picture if what is selected is not in it. */
+  showSelected() {
+    const {recording: {edgeA, edgeB}, selected, selectedPoint: {id}} = this;
+    if (selected < 0 && id < 0) return;
+    this.place();
+    this.view.bringIntoView(id >= 0 ? [id] : [edgeA[selected], edgeB[selected]]);
   }
 
   selectNextRemoved() {
@@ -282,19 +291,20 @@ class Viewer {
     dark.addEventListener('change', () => this.setTheme(dark.matches));
     if (isSmallScreen()) this.toggleList();
     const resized = new ResizeObserver(() => this.resize());
-    resized.observe(element('stage'));
+    resized.observe(element('view'));
     resized.observe(element('histogram'));
     resized.observe(element('list'));
     this.resize();
   }
 
   resize() {
-    const {clientWidth, clientHeight} = element('stage');
+    const {clientWidth, clientHeight} = element('view');
     this.width = clientWidth;
     this.height = clientHeight;
     this.stage.resize(clientWidth, clientHeight);
     this.flatView.resize(clientWidth, clientHeight);
     this.waveView?.resize(clientWidth, clientHeight);
+    this.showSelected();
     this.list.shownEvent = -1;
     this.timeline.draw();
     this.draw();
@@ -341,8 +351,8 @@ class Viewer {
     this.list.update();
     this.panel.update();
     this.pointPanel.update();
-    this.legend.update();
     this.showSide();
+    this.legend.update();
     this.controls.update();
     writePresent(this);
   }
@@ -369,7 +379,8 @@ class Viewer {
 
   /** Shows the column beside the picture if there is something in it. */
   showSide() {
-    const isEmpty = element('events').hidden && this.selected < 0 && this.selectedPoint.id < 0;
+    const hasList = !element('events').hidden && !document.documentElement.classList.contains('embedded');
+    const isEmpty = !hasList && this.selected < 0 && this.selectedPoint.id < 0;
     element('side').hidden = isEmpty;
     element('viewer').classList.toggle('without-side', isEmpty);
   }

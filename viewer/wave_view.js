@@ -80,7 +80,7 @@ class WaveView extends View {
     const {context} = painter;
     const {triangleList, switches} = this.viewer;
     triangleList.update();
-    this.raise();
+    this.project();
     this.sortTriangles();
     context.lineJoin = 'round';
     context.lineWidth = 0.8;
@@ -92,7 +92,7 @@ class WaveView extends View {
   }
 
   /** Computes the heights, and the positions on the screen. */
-  raise() {
+  project() {
     const {recording, playback, x, y} = this.viewer;
     const {height, width} = recording.wave;
     let sum = 0, count = 0;

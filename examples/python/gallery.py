@@ -69,8 +69,8 @@ def shock(ax):
             time = float(event.time)
             x = motion["position"][0] + motion["velocity"][0] * (time - motion["epoch"])
             seen[event.kind].append((x, time))
-    for (kind, places), color in zip(seen.items(), ("tab:orange", "tab:blue")):
-        ax.scatter(*np.transpose(places), s=3, color=color, label=f"{kind}s", linewidths=0)
+    for kind, places in seen.items():
+        ax.scatter(*np.transpose(places), s=3, color=kinetri.event_colors[kind], label=f"{kind}s", linewidths=0)
     ax.set(xlabel="x", ylabel="time")
     ax.legend(loc="lower right", markerscale=4)
 

@@ -33,7 +33,7 @@ from .errors import (CoincidentTrajectoriesError, ContactError, ContactOverflowE
                      Error, HistoryWarning, InputError, InternalError, NegativeRadiusError, OutputError,
                      OutsideBoxError, OverlappingDiscsError, PackingError, PreconditionError,
                      SnapshotError, WorkerError)
-from .events import event_dtype, event_kinds, to_dataframe
+from .events import event_colors, event_dtype, event_kinds, to_dataframe
 from .pieces import run_in_pieces
 from .scenarios import packing, read_points, scenario
 from .sweeps import parameter_list, result_table, sweep
@@ -45,6 +45,6 @@ __all__ = [
     "KineticDelaunay", "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors",
     "NegativeRadiusError", "OutputError", "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page",
     "PreconditionError", "Response", "ResponseName", "Simulation", "Snapshot", "SnapshotError", "Time", "Tracks",
-    "VoronoiCell", "Watch", "WorkerError", "__version__", "event_dtype", "event_kinds", "packing", "parameter_list",
-    "read_points", "respond", "result_table", "run_in_pieces", "scenario", "sweep", "to_dataframe",
+    "VoronoiCell", "Watch", "WorkerError", "__version__", "event_colors", "event_dtype", "event_kinds", "packing",
+    "parameter_list", "read_points", "respond", "result_table", "run_in_pieces", "scenario", "sweep", "to_dataframe",
 ]

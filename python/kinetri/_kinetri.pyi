@@ -14,6 +14,7 @@ from ._types import Box, Floats, Ids, ResponseName, TimeLike, Vector
 
 __version__: Final[str]
 event_kinds: Final[tuple[str, ...]]
+event_colors: Final[dict[str, str]]
 event_fields: Final[Any]
 
 @final

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 #: The kinds of event, in the order in which simultaneous ones are executed.
 event_kinds = _kinetri.event_kinds
 
+#: The color of each kind, as ``#rrggbb``: that of the viewer's page and of the program's plots.
+event_colors = _kinetri.event_colors
+
 #: The fields of an array of events.
 #:
 #: kind : str

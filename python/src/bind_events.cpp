@@ -10,6 +10,7 @@
 
 #include "bindings.h"
 #include "event_table.h"
+#include "kinetri/events/event_color.h"
 
 namespace kinetri::python {
 namespace {
@@ -75,6 +76,14 @@ void bind_events(py::module_& module) {
       kinds.append(std::string(name(static_cast<Event_kind>(i))));
     }
     return py::tuple(kinds);
+  }();
+  module.attr("event_colors") = [] {
+    py::dict colors;
+    for (std::size_t i = 0; i < event_kinds; ++i) {
+      const auto kind = static_cast<Event_kind>(i);
+      colors[py::str(std::string(name(kind)))] = std::string(color(kind));
+    }
+    return colors;
   }();
 
   py::class_<Event>(module, "Event", py::is_final(), "What happened at one exact time.")

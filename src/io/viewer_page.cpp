@@ -11,6 +11,7 @@
 
 #include "bytes.h"
 #include "json_writer.h"
+#include "kinetri/events/event_color.h"
 #include "kinetri/version.h"
 #include "simulation/playback.h"
 #include "viewer_assets.h"
@@ -175,6 +176,12 @@ void write_events(Json_writer& json, const Recording& recording, std::size_t poi
   json.key("kinds");
   json.begin_list();
   for (std::size_t i = 0; i < event_kinds; ++i) json.value(name(static_cast<Event_kind>(i)));
+  json.end_list();
+  json.key("colors");
+  json.begin_list();
+  for (std::size_t i = 0; i < event_kinds; ++i) {
+    json.value(std::string(color(static_cast<Event_kind>(i))));
+  }
   json.end_list();
   json.member("kind", kind.base64());
   json.member("fields", present.base64());

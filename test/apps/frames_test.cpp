@@ -328,15 +328,15 @@ class Plot : public Frames {
 TEST_F(Plot, shows_the_kinds_of_event_that_there_were) {
   const std::string free = plot(one_flip, {"--until", "3"});
   EXPECT_NE(free.find("4 points from t = 0 to 3: 1 event<"), std::string::npos);
-  EXPECT_NE(free.find(">flips<"), std::string::npos);
-  EXPECT_EQ(free.find(">walls<"), std::string::npos);
+  EXPECT_NE(free.find(">flip<"), std::string::npos);
+  EXPECT_EQ(free.find(">wall<"), std::string::npos);
   EXPECT_EQ(free.find("contacts and changes"), std::string::npos);
   const std::string discs =
       plot("x,y,vx,vy\n0,0,1,0\n5,0,0,0\n0,9,0,0\n",
            {"--until", "9", "--box", "-2,-2,9,10", "--collisions", "swap", "--radius", "1"});
-  EXPECT_EQ(discs.find(">flips<"), std::string::npos);
-  EXPECT_NE(discs.find(">walls<"), std::string::npos);
-  EXPECT_NE(discs.find(">collisions<"), std::string::npos);
+  EXPECT_EQ(discs.find(">flip<"), std::string::npos);
+  EXPECT_NE(discs.find(">wall<"), std::string::npos);
+  EXPECT_NE(discs.find(">collision<"), std::string::npos);
   EXPECT_NE(discs.find("contacts and changes"), std::string::npos);
 }
 
@@ -359,7 +359,7 @@ TEST_F(Plot, of_other_commands_works) {
   const Outcome resumed = run({"resume", "run.kinetri", "--until", "2", "--plot", "resumed.svg"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_NE(resumed.err.find("  written      resumed.svg\n"), std::string::npos);
-  EXPECT_NE(read("resumed.svg").find(">flips<"), std::string::npos);
+  EXPECT_NE(read("resumed.svg").find(">flip<"), std::string::npos);
   write("t.csv", "t,id,x,y\n0,a,0,0\n1,a,1,0\n");
   EXPECT_EQ(run({"tracks", "t.csv", "--plot", "-", "--quiet"}).out.rfind("<?xml", 0), 0U);
 }

@@ -52,11 +52,14 @@ class Picture:
 
     def lines(self, name):
         """Pairs of places."""
+        return [line for path in self.all(name, "path") for line in self.lines_of(path)]
+
+    @staticmethod
+    def lines_of(path):
         found = []
-        for path in self.all(name, "path"):
-            for line in re.findall(f"M{NUMBER} {NUMBER}L{NUMBER} {NUMBER}", path.get("d")):
-                x0, y0, x1, y1 = map(float, line)
-                found.append(((x0, y0), (x1, y1)))
+        for line in re.findall(f"M{NUMBER} {NUMBER}L{NUMBER} {NUMBER}", path.get("d")):
+            x0, y0, x1, y1 = map(float, line)
+            found.append(((x0, y0), (x1, y1)))
         return found
 
     def texts(self):
@@ -229,6 +232,35 @@ class Pictures(Rendering):
         self.assertTrue(all(re.fullmatch(r"-?\d+(\.\d+)?", text) for text in texts), texts)
         # The tick of x = 30 is in the middle.
         self.assertTrue(any(a[0] == b[0] == 480 for a, b in picture.lines("axes")))
+        # A picture of everything has all points beside the axes.
+        picture = self.picture("--at", 1, "--view", "hide=ids&show=axes")
+        left, bottom = next(b for a, b in picture.lines("axes") if a[1] == 0)
+        self.assertEqual(len(picture.circles("points")), 50)
+        for x, y, radius in picture.circles("points"):
+            self.assertTrue(x - radius > left and y + radius < bottom, (x, y, left, bottom))
+
+    def test_links_of_a_crowd_do_not_fill_it(self):
+        """By the ink of the lines: a crowd has much less than each line of full strength would give it, and two who are
+        alone have a line of full strength."""
+        places = [(20 * (i * 37 % 101) / 101, 20 * (i * 53 % 103) / 103) for i in range(100)]
+        rows = "".join(f"{x},{y},0,0\n" for x, y in places)
+        self.write("p.csv", f"x,y,vx,vy\n{rows}200,0,0,0\n220,4,0,0\n")
+        self.run_("simulate", "p.csv", "--until", 1, "--range", 40, "--html", "run.html", "--quiet")
+        picture = self.picture("--at", 0.5)
+        ink = {}
+        for path in picture.all("links", "path"):
+            strength = float(path.get("stroke-width")) * float(path.get("stroke-opacity", 1))
+            for a, b in Picture.lines_of(path):
+                ink[frozenset((a, b))] = strength
+        alone = [(x, y) for x, y, _ in picture.circles("points")][-2:]
+        self.assertEqual(len(ink), 100 * 99 // 2 + 1)
+        self.assertEqual(ink[frozenset(alone)], max(ink.values()))
+        self.assertGreater(ink[frozenset(alone)], 1)
+        crowd = [(x, y) for x, y, _ in picture.circles("points")][:-2]
+        width, height = (max(place[k] for place in crowd) - min(place[k] for place in crowd) for k in (0, 1))
+        cover = sum(strength * math.dist(*line) for line, strength in ink.items()) / (width * height)
+        self.assertLess(cover, 0.8)
+        self.assertGreater(cover, 0.1)
 
     def test_wave_and_its_flat_picture(self):
         self.run_("wave", "--columns", 6, "--rows", 5, "--html", "run.html", "--quiet")

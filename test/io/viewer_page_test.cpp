@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "kinetri/events/event_color.h"
 #include "support/text.h"
 
 namespace kinetri {
@@ -95,6 +96,10 @@ TEST(Viewer_page, holds_the_recording) {
   EXPECT_EQ(events["first"], 5);
   EXPECT_EQ(events["kinds"].size(), event_kinds);
   EXPECT_EQ(events["kinds"][3], "flip");
+  ASSERT_EQ(events["colors"].size(), event_kinds);
+  for (std::size_t i = 0; i < event_kinds; ++i) {
+    EXPECT_EQ(events["colors"][i], color(static_cast<Event_kind>(i)));
+  }
   EXPECT_EQ(events["kind"], "AwkH");
   EXPECT_EQ(events["fields"], "EwQs");
   EXPECT_EQ(events["time"], "mpmZmZmZuT8AAAAAAAAAQAAAAAAAAAhA");

@@ -54,6 +54,7 @@ def test_the_page_is_that_of_the_program(tmp_path):
     for data_of in (written, data):
         data_of.pop("title", None)
     assert data == written
+    assert dict(zip(data["events"]["kinds"], data["events"]["colors"])) == kinetri.event_colors
 
 
 @pytest.mark.parametrize("title", ["</script><b>", "<!--", "\\u2028", '"quoted" & \'more\'', "Größe ∂"])

@@ -71,6 +71,14 @@ class Browser:
         """`kind` and `parameters` have the names of chromium's Input.dispatchMouseEvent."""
         raise NotImplementedError
 
+    def touch(self, is_touched):
+        """Whether fingers touch the screen, of pages that are opened from now on; else there is a mouse."""
+        raise NotImplementedError
+
+    def tap(self, x, y):
+        """With one finger."""
+        raise NotImplementedError
+
     def pinch(self, x, y, some, others):
         """Two fingers beside (x, y), that many pixels from it first and last."""
         raise NotImplementedError

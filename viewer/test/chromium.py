@@ -163,8 +163,16 @@ class Chromium(Browser):
     def mouse(self, kind, x, y, **parameters):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **parameters)
 
+    def touch(self, is_touched):
+        self.call("Emulation.setTouchEmulationEnabled", enabled=is_touched, maxTouchPoints=2)
+
+    def tap(self, x, y):
+        self.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y, "id": 1}])
+        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        self.settle()
+
     def pinch(self, x, y, some, others):
-        self.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+        self.touch(True)
         touch = lambda kind, points: self.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
         fingers = lambda apart: [{"x": x - apart, "y": y, "id": 1}, {"x": x + apart, "y": y, "id": 2}]
         touch("touchStart", fingers(some))

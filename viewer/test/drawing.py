@@ -3,7 +3,7 @@
 import fractions
 
 import runs
-from page import SWITCHES, Page
+from page import Page
 
 LEAST_CHANGE = 0.004  # share of the pixels, where something else is shown
 MOST_NOISE = 0.002    # share of the pixels in which two painters differ
@@ -29,7 +29,7 @@ class Drawing(Page):
     def open_with(self, page, fragment):
         self.browser.open(page, fragment)
         self.assertTrue(self.evaluate("document.getElementById('address-note').hidden"))
-        return self.look(SWITCHES)
+        return self.look()
 
     def need_webgl(self):
         """Chromium emulates WebGL; firefox has it where there is a graphics card."""
@@ -61,7 +61,7 @@ class Drawing(Page):
         self.assertTrue(self.evaluate(SCENE))
         self.evaluate("kinetri.goTo(4)")
         self.browser.settle()
-        self.assertLess(before.difference(self.look(SWITCHES)), MOST_NOISE)
+        self.assertLess(before.difference(self.look()), MOST_NOISE)
         self.browser.problems = []  # chromium reports the loss
 
     def generate(self, points, until):
@@ -94,23 +94,23 @@ class Drawing(Page):
                 page = self.generate(points, until)
                 self.browser.open(page)
                 self.assertEqual(self.evaluate("kinetri.counts.points"), points)
-                first = self.look(SWITCHES)
+                first = self.look()
                 counts = first.counts()
                 dark = sum(count for color, count in counts.items() if max(color) < 160) / sum(counts.values())
                 self.assertLess(dark, 0.25)
                 self.assertGreater(dark if points <= 20000 else 1 - self.paper(first), 0.01)  # the dots
                 self.browser.key("d")
-                has_edges = first.difference(self.look(SWITCHES), 8) > LEAST_CHANGE
+                has_edges = first.difference(self.look(), 8) > LEAST_CHANGE
                 self.assertEqual(has_edges, points <= 20000)
                 self.browser.key("d")
                 for _ in range(9):
                     self.browser.key("+")
-                near = self.look(SWITCHES)
+                near = self.look()
                 self.browser.key("d")
-                self.assertGreater(near.difference(self.look(SWITCHES), 24), LEAST_CHANGE)
+                self.assertGreater(near.difference(self.look(), 24), LEAST_CHANGE)
                 self.evaluate("kinetri.goTo(kinetri.span[1]); kinetri.pan(30, 0)")
                 self.browser.settle()
-                self.assertNotEqual(self.look(SWITCHES), near)
+                self.assertNotEqual(self.look(), near)
 
     def test_both_painters_show_as_much_of_small_dots(self):
         """Where a dot is about a pixel, and lines are drawn as images."""
@@ -198,9 +198,9 @@ class Without_webgl(Page):
     def test_the_canvas_is_used(self):
         self.open(self.run_of("uniform").page)
         self.assertTrue(self.evaluate(SCENE))
-        self.assertGreater(len(self.look(SWITCHES).counts()), 12)
+        self.assertGreater(len(self.look().counts()), 12)
         self.evaluate("void (location.hash = 'draw=webgl')")
         self.browser.settle()
         self.assertIn("draw: 'webgl' is not possible",
                       self.evaluate("document.getElementById('address-note').textContent"))
-        self.assertGreater(len(self.look(SWITCHES).counts()), 12)
+        self.assertGreater(len(self.look().counts()), 12)

@@ -4,8 +4,9 @@ import fractions
 import json
 import math
 
+import browser
 import runs
-from page import SWITCHES, Page
+from page import Page
 
 TEXT = "document.getElementById('{}').innerText"
 
@@ -58,11 +59,31 @@ class Near(Page):
 
     def test_links_are_drawn(self):
         self.go_to(7.5)
-        shown = self.look(SWITCHES)
+        shown = self.look()
         self.browser.key("y")
-        self.assertGreater(shown.difference(self.look(SWITCHES)), 0.0008)
+        self.assertGreater(shown.difference(self.look()), 0.0008)
         self.browser.key("y")
-        self.assertEqual(shown, self.look(SWITCHES))
+        self.assertEqual(shown, self.look())
+
+    def test_links_of_a_crowd_do_not_fill_it(self):
+        """What is between the links is seen, and the link of two that are alone is as strong as ever."""
+        self.browser.open(self.run_of("crowd").page, "#t=0.5&hide=delaunay,hull,ids&theme=light")
+        self.assertGreater(len(self.evaluate("kinetri.inRange()")), 25000)
+        background, link = (0xfd, 0xfd, 0xfe), (0xa0, 0x40, 0x00)
+        left, top = self.evaluate("kinetri.screen(5, 15)")
+        right, bottom = self.evaluate("kinetri.screen(15, 5)")
+        self.assertGreater(min(right - left, bottom - top), 30)
+        crowd = self.seen(left, top, right, bottom).counts()
+        # How far each pixel is on the way from the background to the color of links, by their blue.
+        cover = sum(count * (background[2] - color[2]) / background[2] for color, count in crowd.items()) / sum(crowd.values())
+        self.assertLess(cover, 0.6)
+        self.assertGreater(cover, 0.1)
+        (x0, y0), (x1, y1) = self.evaluate("[0, 1].map((point) => kinetri.screen(...kinetri.positions()[point]))")
+        pair = self.seen((2 * x0 + x1) / 3, min(y0, y1) - 2, (x0 + 2 * x1) / 3, max(y0, y1) + 2).counts()
+        self.assertTrue(any(max(abs(a - b) for a, b in zip(color, link)) < 48 for color in pair), pair)
+
+    def seen(self, *box):
+        return browser.Picture(self.browser, self.browser.screenshot(tuple(map(round, box))))
 
     def test_what_is_said(self):
         self.evaluate("void (location.hash = 't=7.5&point=0&legend=on&color=component&unit=m')")

@@ -51,6 +51,12 @@ MEDIA = """
   gBrowser.selectedBrowser.browsingContext.prefersColorSchemeOverride = features.get('prefers-color-scheme') ?? 'light';
   Services.prefs.setIntPref('ui.prefersReducedMotion', features.get('prefers-reduced-motion') === 'reduce' ? 1 : 0);
 """
+# The bits of what points: 1 for a finger, 2 and 4 for a mouse.
+TOUCH = """
+  for (const which of ['primary', 'all']) {
+    Services.prefs.setIntPref(`ui.${which}PointerCapabilities`, arguments[0] ? 1 : 6);
+  }
+"""
 SCREENSHOT = """
   const [left, top, width, height, done] = arguments;
   (async () => {
@@ -188,6 +194,7 @@ class Firefox(Browser):
         self.url = None
         self.resize(width, height)
         self.media(*media)
+        self.touch(False)
 
     def resize(self, width, height, ratio=1):
         self.in_firefox(RESIZE, width, height, ratio)
@@ -229,6 +236,14 @@ class Firefox(Browser):
         press = {"mousePressed": [{"type": "pointerDown", "button": 0}], "mouseMoved": [],
                  "mouseReleased": [{"type": "pointerUp", "button": 0}]}[kind]
         self.act("pointer", move, *press, parameters={"pointerType": "mouse"})
+
+    def touch(self, is_touched):
+        self.in_firefox(TOUCH, is_touched)
+
+    def tap(self, x, y):
+        self.act("pointer", {"type": "pointerMove", "x": x, "y": y, "duration": 0}, {"type": "pointerDown", "button": 0},
+                 {"type": "pointerUp", "button": 0}, parameters={"pointerType": "touch"})
+        self.settle()
 
     def pinch(self, x, y, some, others):
         finger = lambda sign: [

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Switches, keys, addresses, light and dark, narrow screens."""
+import base64
+import re
 import subprocess
 import time
 
 import browser
 import runs
-from page import SWITCHES, Page, edges
+from page import Page, edges
 
 
 class Interface(Page):
@@ -29,18 +31,18 @@ class Interface(Page):
                 pressed = f"document.getElementById('switch-{identifier}').ariaPressed"
                 was = self.evaluate(pressed)
                 # The button itself looks other when it is on: look below it.
-                before = self.look(SWITCHES)
+                before = self.look()
                 self.browser.key(key)
                 self.assertNotEqual(self.evaluate(pressed), was)
-                self.assertNotEqual(self.look(SWITCHES), before)
+                self.assertNotEqual(self.look(), before)
                 self.browser.click_element(f"switch-{identifier}")
                 self.browser.move(*middle)
                 self.assertEqual(self.evaluate(pressed), was)
-                self.assertEqual(self.look(SWITCHES), before)
+                self.assertEqual(self.look(), before)
 
     def test_voronoi_diagram_is_drawn(self):
         self.browser.key("v")
-        self.assertGreater(self.look(SWITCHES).counts().get(bytes.fromhex("009e73"), 0), 500)
+        self.assertGreater(self.look().counts().get(bytes.fromhex("009e73"), 0), 500)
 
     def test_keys(self):
         state = "[kinetri.time, kinetri.event]"
@@ -139,15 +141,67 @@ class Interface(Page):
             self.assertEqual(float(found), float(f"{wanted:.7g}"))
 
     def test_dark_and_light(self):
-        light = self.look(SWITCHES)
+        light = self.look()
         self.browser.media(("prefers-color-scheme", "dark"), ("prefers-reduced-motion", "reduce"))
         self.browser.settle()
-        dark = self.look(SWITCHES)
+        dark = self.look()
         self.assertLess(max(dark.most_frequent()), 80)
         self.assertGreater(min(light.most_frequent()), 200)
         self.browser.click_element("button-theme")
         self.browser.move(5, 5)
-        self.assertEqual(self.look(SWITCHES), light)
+        self.assertEqual(self.look(), light)
+
+    def test_a_kind_has_one_color(self):
+        """On all pages that of its table: of the switches of kinds, the signs in the list, the timeline, the legend."""
+        colors = {}
+        for name in ("discs", "uniform", "vanishing", "sizes", "lattice"):
+            page = self.run_of(name).page
+            events = runs.recording_of(page)["events"]
+            self.browser.open(page, "#t=0")
+            seen = self.evaluate(r"""(() => {
+              const rgb = (text) => text.startsWith('#') ? text :
+                '#' + text.match(/\d+/g).slice(0, 3).map((c) => Number(c).toString(16).padStart(2, '0')).join('');
+              const kindOf = (text) => text.replace(/ \d+$/, '').replace(/ /g, '_');
+              const found = [];
+              for (const chip of document.querySelectorAll('#kinds button')) {
+                found.push(['chip', kindOf(chip.textContent), rgb(getComputedStyle(chip, '::before').backgroundColor)]);
+              }
+              for (const row of document.querySelectorAll('.row:not([hidden])')) {
+                found.push(['sign', kindOf(row.querySelector('.what span').textContent),
+                            rgb(getComputedStyle(row.querySelector('.glyph')).color)]);
+              }
+              return found;
+            })()""")
+            self.assertGreater(len(seen), 2)
+            for what, kind, color in seen:
+                self.assertEqual(color, events["colors"][events["kinds"].index(kind)], (name, what))
+                self.assertEqual(colors.setdefault(kind, color), color, (name, what))
+            # The timeline has columns of one kind each in the colors of the kinds that the run has, and of no other.
+            pixels = {f"#{r:02x}{g:02x}{b:02x}" for r, g, b in self.evaluate("""(() => {
+              const canvas = document.getElementById('histogram');
+              const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+              const seen = new Map();
+              for (let i = 0; i < data.length; i += 4) {
+                if (data[i + 3] === 255) seen.set(data.slice(i, i + 3).join(), [...data.slice(i, i + 3)]);
+              }
+              return [...seen.values()];
+            })()""")}
+            numbers = set(base64.b64decode(events["kind"]))
+            self.assertLessEqual(pixels, {events["colors"][number] for number in numbers})
+            self.assertIn(events["colors"][max(numbers, key=list(base64.b64decode(events["kind"])).count)], pixels)
+            # Where the list is not seen, the legend says what the colors of the timeline are.
+            self.browser.open(page, "#t=0&list=off&legend=on")
+            marks = self.evaluate("""[...document.querySelectorAll('#legend-lines li')].filter((item) =>
+              item.textContent.endsWith(' on the timeline')).map((item) => item.querySelector('i').style.background)""")
+            self.assertEqual({"#" + "".join(f"{int(c):02x}" for c in re.findall(r"\d+", mark)) for mark in marks},
+                             {events["colors"][number] for number in numbers})
+        self.assertGreater(len(colors), 5)
+
+    def test_buttons_have_plain_names(self):
+        titles = self.evaluate("[...document.querySelectorAll('#viewer > header button')].map((e) => e.title)")
+        self.assertEqual(titles, ["Find a point by id or name (/)", "Export a picture, a film or a link (S)",
+                                  "Switch between light and dark (L)", "Help: keys and pointer (?)",
+                                  "Show or hide the list of events (E)"])
 
     def test_address(self):
         """A fragment of the address does what clicks and keys do, and reports what is not possible."""
@@ -159,7 +213,7 @@ class Interface(Page):
             return self.evaluate(f"{note}.hidden ? '' : {note}.textContent")
 
         self.browser.move(5, 5)
-        start = self.look(SWITCHES)
+        start = self.look()
         a, b = self.evaluate("kinetri.edges()")[7]
         self.assertEqual(follow(f"t=3&show=voronoi,trails&hide=hull&edge={b}-{a}&theme=dark"), "")
         self.assertEqual(self.evaluate("kinetri.time"), 3)
@@ -168,11 +222,11 @@ class Interface(Page):
                          ["true", "true", "false"])
         self.assertEqual(self.evaluate("document.getElementById('certificate-title').textContent"),
                          f"Edge {a}\u2013{b}")
-        self.assertLess(max(self.look(SWITCHES).most_frequent()), 80)
+        self.assertLess(max(self.look().most_frequent()), 80)
         self.browser.click_element("button-close")
         self.assertEqual(follow("show=hull&hide=voronoi,trails&theme=light"), "")
         self.browser.move(5, 5)
-        self.assertEqual(self.look(SWITCHES), start)
+        self.assertEqual(self.look(), start)
         for state in ("off", "on"):
             self.assertEqual(follow(f"list={state}"), "")
             self.assertEqual(self.evaluate("document.getElementById('events').hidden"),

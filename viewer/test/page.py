@@ -5,7 +5,6 @@ import unittest
 import browser
 import runs
 
-SWITCHES = 130  # pixels at the top of the picture that switches and buttons take
 MARGIN = 20
 STEPS = """(() => {
   const seen = [];
@@ -74,11 +73,10 @@ class Page(unittest.TestCase):
         self.browser.mouse("mouseReleased", x + dx, y + dy, button="left", clickCount=1)
         self.browser.move(5, 5)
 
-    def look(self, skipped=0):
-        """What is in the picture, but for the rows at the top, and for its edges: the round corners
-        are not drawn alike each time. Nor are the hint and the button of the legend, which are hidden."""
-        self.evaluate("['hint', 'button-legend'].forEach((id) => "
-                      "{ document.getElementById(id).style.visibility = 'hidden'; })")
+    def look(self):
+        """What is in the picture, but for its edges: the round corners are not drawn alike each time. Nor is
+        the hint, which is hidden."""
+        self.evaluate("void (document.getElementById('hint').hidden = true)")
         left, top, right, bottom = self.picture_box()
-        inside = (left + MARGIN, top + max(skipped, MARGIN), right - MARGIN, bottom - MARGIN)
+        inside = (left + MARGIN, top + MARGIN, right - MARGIN, bottom - MARGIN)
         return browser.Picture(self.browser, self.browser.screenshot(inside))

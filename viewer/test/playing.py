@@ -4,7 +4,7 @@ import math
 import random
 
 import runs
-from page import STEPS, SWITCHES, Page, edges
+from page import STEPS, Page, edges
 from points import cell_area
 
 
@@ -177,10 +177,10 @@ class Playing(Page):
         labels = self.evaluate("document.getElementById('switches').innerText")
         for label in ("Regular", "Power", "Power circle", "Discs"):
             self.assertIn(label, labels)
-        before = self.look(SWITCHES)
+        before = self.look()
         for key in "vco":
             self.browser.key(key)
-            after = self.look(SWITCHES)
+            after = self.look()
             if key != "c":  # which is of the triangle under the pointer
                 self.assertNotEqual(after, before)
             before = after
@@ -197,25 +197,25 @@ class Playing(Page):
         self.go_to(0.0)
         self.evaluate("kinetri.stepForward()")
         self.browser.settle()
-        first = self.look(SWITCHES)
+        first = self.look()
         counts = first.counts()
         self.assertGreater(len(counts), 12, "hardly any colors in the picture")
         drawn = sum(counts.values()) - max(counts.values())
         self.assertGreater(drawn, 2000, "hardly anything is drawn")
         self.browser.key("End")
-        self.assertNotEqual(self.look(SWITCHES), first, "the end looks like the start")
+        self.assertNotEqual(self.look(), first, "the end looks like the start")
 
     def check_wave(self):
         """It begins tilted, can be turned, and laid flat and back."""
         self.browser.resize(1400, 700)  # so that all switches are in one row
         self.browser.settle()
-        wave = self.look(SWITCHES)
+        wave = self.look()
         for dx, dy in ((60, 0), (0, 40)):
             self.drag(dx, dy)
-            self.assertNotEqual(self.look(SWITCHES), wave, "it does not turn")
+            self.assertNotEqual(self.look(), wave, "it does not turn")
             self.browser.key("f")
-            self.assertEqual(self.look(SWITCHES), wave)
+            self.assertEqual(self.look(), wave)
         self.browser.key("w")
-        self.assertNotEqual(self.look(SWITCHES), wave, "it is not laid flat")
+        self.assertNotEqual(self.look(), wave, "it is not laid flat")
         self.browser.key("w")
-        self.assertEqual(self.look(SWITCHES), wave)
+        self.assertEqual(self.look(), wave)

@@ -126,7 +126,9 @@ class Damaged(Page):
         self.damage("times of them", events={**events, "time": cut(events["time"], 8)})
         self.damage("within a number", events={**events, "time": cut(events["time"], 1)})
         self.damage("the ids of event", events={**events, "ids": cut(events["ids"], 2)})
-        self.damage("without a name", events={**events, "kinds": []})
+        self.damage("without a name", events={**events, "kinds": [], "colors": []})
+        for colors in (None, events["colors"][:-1], ["blue", *events["colors"][1:]]):
+            self.damage("have no colors", events={**events, "colors": colors})
         self.damage("places of them", motions={**motions, "data": cut(motions["data"], 40)})
 
     def test_wrong_edges(self):

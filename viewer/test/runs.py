@@ -66,6 +66,14 @@ def near():
     return "\n".join(lines) + "\n"
 
 
+def crowd():
+    """250 points that are all within range of each other, and two far from them that are, too."""
+    lines = ["x,y,vx,vy", "200,0,0,0.25", "220,4,0,-0.25"]
+    for i in range(250):
+        lines.append(f"{(i * 37) % 101 / 5},{(i * 53) % 103 / 5},{(i * 7) % 11 / 40 - 0.125},{(i * 5) % 13 / 50 - 0.12}")
+    return "\n".join(lines) + "\n"
+
+
 # By name: how the points are generated (or what is in their file), the end, further options.
 RUNS = {
     "uniform": ("uniform --points 40 --seed 3", 8, ()),
@@ -76,6 +84,7 @@ RUNS = {
     "accelerated": (accelerated_points(), 5, ()),
     "sizes": (sizes(), 6, ("--regular",)),
     "near": (near(), 8, ("--range", RANGE)),
+    "crowd": (crowd(), 1, ("--range", 30)),
     "lattice": ("lattice --points 16 --movers all", 4, ()),
     "tracks": (TRACKS, 6, ()),
     "square": (SQUARE, 1.5, ()),

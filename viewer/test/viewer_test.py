@@ -18,6 +18,7 @@ from certificate import Certificate  # noqa: E402
 from chromium import Chromium  # noqa: E402
 from drawing import Drawing, Without_webgl  # noqa: E402
 from encounters import Near  # noqa: E402
+from exporting import Exporting  # noqa: E402
 from firefox import Firefox  # noqa: E402
 from interface import Interface  # noqa: E402
 from page import Page  # noqa: E402
@@ -25,13 +26,12 @@ from playing import Playing  # noqa: E402
 from points import Points  # noqa: E402
 from recordings import Damaged, Small  # noqa: E402
 from screens import Accessible, Screens  # noqa: E402
-from taking import Taking  # noqa: E402
 
 SKIPPED = 77
 BROWSERS = {"chromium": (Chromium, "chromium"), "firefox": (Firefox, "firefox-esr")}
 CASES = {"interface": Interface, "certificate": Certificate, "drawing": Drawing,
          "without_webgl": Without_webgl, "points": Points, "screens": Screens,
-         "accessible": Accessible, "taking": Taking, "encounters": Near, "small": Small, "damaged": Damaged}
+         "accessible": Accessible, "exporting": Exporting, "encounters": Near, "small": Small, "damaged": Damaged}
 
 
 def main():

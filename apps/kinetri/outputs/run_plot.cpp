@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <initializer_list>
 #include <numeric>
 #include <string_view>
 
 #include "cli/text.h"
 #include "io/text.h"
 #include "kinetri/algebra/number_types.h"
+#include "kinetri/events/event_color.h"
 #include "outputs/gnuplot.h"
 #include "outputs/regular_times.h"
 
@@ -20,26 +20,30 @@ namespace {
 
 constexpr std::size_t intervals = 200;
 constexpr std::size_t intervals_of_a_rate = 4;  // fewer would show noise
+// Of curves that are not of a kind of event.
+constexpr std::string_view plain_color = "#5a6675";
+constexpr std::string_view other_color = "#e69f00";
 
-// Kinds of event that are drawn as one, in the order of gnuplot's line styles.
-struct Group {
-  const char* name;
-  std::initializer_list<Event_kind> kinds;
-};
-const std::array<Group, 7> groups = {
-    {{"flips", {Event_kind::flip}},
-     {"collisions", {Event_kind::collision}},
-     {"walls", {Event_kind::wall}},
-     {"points that come, turn or go",
-      {Event_kind::insert, Event_kind::erase, Event_kind::trajectory}},
-     {"hull", {Event_kind::hull_insert, Event_kind::hull_remove}},
-     {"rebuilds", {Event_kind::rebuild}},
-     {"hidden points", {Event_kind::hide, Event_kind::reveal}}}};
+double count(const Run_sample& sample, Event_kind kind) {
+  return static_cast<double>(sample.events[static_cast<std::size_t>(kind)]);
+}
 
-double count(const Run_sample& sample, const Group& group) {
-  std::uint64_t sum = 0;
-  for (const Event_kind kind : group.kinds) sum += sample.events[static_cast<std::size_t>(kind)];
-  return static_cast<double>(sum);
+// The kinds of which there were events, the most frequent ones first.
+std::vector<Event_kind> kinds_by_count(const Run_sample& sample) {
+  std::vector<Event_kind> result;
+  for (std::size_t i = 0; i < event_kinds; ++i) {
+    if (sample.events[i] > 0) result.push_back(static_cast<Event_kind>(i));
+  }
+  std::ranges::stable_sort(result, std::greater(),
+                           [&](Event_kind kind) { return count(sample, kind); });
+  return result;
+}
+
+// Such as "hull insert": gnuplot would lower what follows an underscore.
+std::string title(Event_kind kind) {
+  std::string result(name(kind));
+  std::ranges::replace(result, '_', ' ');
+  return result;
 }
 
 // Where on the horizontal axis a time is: at itself, or, where gnuplot could not tell such times
@@ -78,12 +82,12 @@ class Panel {
  public:
   Panel(std::string_view name, std::string_view label) : name_(name), label_(label) {}
 
-  void begin_curve(std::string_view title, std::size_t style) {
+  void begin_curve(std::string_view title, std::string_view color) {
     const std::string block = joined("$", name_, curves_++);
     if (curves_ > 1) data_ += "END\n";
     data_ += block + " << END\n";
     if (curves_ > 1) plot_ += ", ";
-    plot_ += joined(block, " with lines ls ", style, " title '", title, "'");
+    plot_ += joined(block, " with lines lw 2 lc rgb '", color, "' title '", title, "'");
   }
   void add(double x, double y) {
     data_ += joined(x, " ", y, "\n");
@@ -108,22 +112,21 @@ class Panel {
   double highest_ = 0;
 };
 
-void add_groups(const std::vector<Run_sample>& samples, const Axis& axis, Panel& total,
-                Panel& rate) {
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (count(samples.back(), groups[i]) == 0) continue;
-    total.begin_curve(groups[i].name, i + 1);
+void add_kinds(const std::vector<Run_sample>& samples, const Axis& axis, Panel& total,
+               Panel& rate) {
+  for (const Event_kind kind : kinds_by_count(samples.back())) {
+    total.begin_curve(title(kind), color(kind));
     total.add(axis.lower(), 0);
     for (const Run_sample& sample : samples) {
-      total.add(axis.of(sample.time), count(sample, groups[i]));
+      total.add(axis.of(sample.time), count(sample, kind));
     }
-    rate.begin_curve(groups[i].name, i + 1);
+    rate.begin_curve(title(kind), color(kind));
     for (std::size_t first = 0; first + 1 < samples.size(); first += intervals_of_a_rate) {
       const std::size_t last = std::min(first + intervals_of_a_rate, samples.size() - 1);
       const double from = axis.of(samples[first].time);
       const double to = axis.of(samples[last].time);
       const double height =
-          (count(samples[last], groups[i]) - count(samples[first], groups[i])) / (to - from);
+          (count(samples[last], kind) - count(samples[first], kind)) / (to - from);
       rate.add(from, height);
       rate.add(to, height);
     }
@@ -133,7 +136,7 @@ void add_groups(const std::vector<Run_sample>& samples, const Axis& axis, Panel&
 
 // gnuplot draws no panel without curves.
 void add_zero(const Axis& axis, Panel& panel) {
-  panel.begin_curve("no events", 1);
+  panel.begin_curve("no events", plain_color);
   panel.add(axis.lower(), 0);
   panel.add(axis.upper(), 0);
 }
@@ -180,7 +183,7 @@ std::string script(const std::vector<Run_sample>& samples, const Run_statistics&
   const Axis axis(samples);
   Panel total("total", "events so far");
   Panel rate("rate", joined("events in a ", axis.unit()));
-  add_groups(samples, axis, total, rate);
+  add_kinds(samples, axis, total, rate);
   const Event_counts& counts = samples.back().events;
   const std::uint64_t events = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   if (events == 0) {
@@ -188,15 +191,15 @@ std::string script(const std::vector<Run_sample>& samples, const Run_statistics&
     add_zero(axis, rate);
   }
   Panel queue("queue", "entries in the queues");
-  const auto add_queue = [&](std::string_view title, std::size_t style, auto length) {
-    queue.begin_curve(title, style);
+  const auto add_queue = [&](std::string_view title, std::string_view color, auto length) {
+    queue.begin_curve(title, color);
     for (const Run_sample& s : samples) {
       queue.add(axis.of(s.time), static_cast<double>(s.*length));
     }
   };
-  add_queue("triangulation", 1, &Run_sample::queue);
+  add_queue("triangulation", plain_color, &Run_sample::queue);
   if (std::ranges::any_of(samples, [](const Run_sample& s) { return s.contact_queue > 0; })) {
-    add_queue("contacts and changes", 2, &Run_sample::contact_queue);
+    add_queue("contacts and changes", other_color, &Run_sample::contact_queue);
   }
   return joined("set multiplot title '", counted(statistics.points, "point"),
                 " from t = ", statistics.from, " to ", statistics.reached,

@@ -16,6 +16,8 @@ constexpr int times_in_motion = 8;     // at which an accelerated motion is samp
 constexpr std::size_t times_in_run = 32;  // at which all points are, where the camera follows them
 constexpr double most_growth = 1.5;       // of the extent in a run for which one extent is used
 constexpr double margin = 28;             // pixels
+constexpr double axis_width = 48;         // pixels that axes take at most, of most numbers
+constexpr double axis_height = 24;
 
 struct Span {
   double low;
@@ -146,11 +148,17 @@ Box_2 Extents::at(double time) const {
           between(&Box_2::ymax)};
 }
 
-void Camera::fit(const Box_2& extent) {
-  center(extent.xmin / 2 + extent.xmax / 2, extent.ymin / 2 + extent.ymax / 2);
-  const auto room = [](double pixels) { return std::max(pixels - 2 * margin, pixels / 2); };
-  scale_ = std::min(room(width_) / (extent.xmax - extent.xmin),
-                    room(height()) / (extent.ymax - extent.ymin));
+void Camera::fit(const Box_2& extent, bool has_axes) {
+  const double left = has_axes ? axis_width : 0;
+  const double bottom = has_axes ? axis_height : 0;
+  const auto room = [](double pixels, double axis) {
+    return std::max(pixels - axis - 2 * margin, pixels / 2);
+  };
+  scale_ = std::min(room(width_, left) / (extent.xmax - extent.xmin),
+                    room(height(), bottom) / (extent.ymax - extent.ymin));
+  // In the middle of what axes leave.
+  center(extent.xmin / 2 + extent.xmax / 2 - left / 2 / scale_,
+         extent.ymin / 2 + extent.ymax / 2 - bottom / 2 / scale_);
 }
 
 void Camera::look(double x, double y, double width) {

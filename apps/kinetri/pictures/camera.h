@@ -40,8 +40,8 @@ class Camera {
   /// The lowest `strip` pixels are for the legend.
   Camera(int width, int height, double strip) : width_(width), height_(height), strip_(strip) {}
 
-  /// Shows the whole extent.
-  void fit(const Box_2& extent);
+  /// Shows the whole extent, beside the axes if there are any.
+  void fit(const Box_2& extent, bool has_axes);
   /// Shows so much of the plane, with the place in the middle.
   void look(double x, double y, double width);
   /// The place is in the middle.

@@ -228,15 +228,6 @@ void draw_voronoi(Svg_drawing& drawing, const Scene& scene) {
                 {scene.view.theme().voronoi.faded(alpha), scene.detail.line_width() + 0.2});
 }
 
-// Between points that are within range of each other.
-void draw_links(Svg_drawing& drawing, const Scene& scene) {
-  std::vector<Segment> links;
-  for (const Edge_ids& pair : encounters_at(scene.page, scene.playback.time())) {
-    links.push_back(scene.segment(pair));
-  }
-  drawing.lines("links", links, {scene.view.theme().link, 1.6 * scene.detail.line_width(), true});
-}
-
 void draw_hull(Svg_drawing& drawing, const Scene& scene) {
   std::vector<Segment> hull;
   for (const auto& [a, b] : scene.playback.edges()) {

@@ -197,7 +197,7 @@ std::string Run_pictures::draw() {
   const double strip = height_of_legend(page_, view_, coloring, options_.width);
   Camera camera(options_.width, options_.height, strip);
   const Box_2 extent = extents_.at(playback_.time());
-  camera.fit(extent);
+  camera.fit(extent, view_.shows(Layer::axes));
   if (view_.at) camera.look((*view_.at)[0], (*view_.at)[1], (*view_.at)[2]);
   std::vector<Recorded_place> places = playback_.places();
   if (!has_weights_) {

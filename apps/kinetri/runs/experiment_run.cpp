@@ -17,6 +17,7 @@
 #include "cli/worker_threads.h"
 #include "io/output_file.h"
 #include "io/text.h"
+#include "kinetri/events/event_color.h"
 #include "outputs/gnuplot.h"
 #include "simulation/experiment.h"
 
@@ -249,11 +250,14 @@ std::string data_row(double x, const Spread& s) {
   return joined(x, " ", s.median, " ", s.least, " ", s.greatest, "\n");
 }
 
-// Median with the spread over seeds.
-std::string curve(std::string_view block, std::string_view title, int style, bool dashed) {
-  return joined("$", block, " using 1:2:3:4 with yerrorbars ls ", style, " lw 1 pt 0 notitle, $",
-                block, " using 1:2 with linespoints ls ", style, dashed ? " dt 2" : "", " title '",
-                title, "'");
+// Median with the spread over seeds; without a color it has that of the line style.
+std::string curve(std::string_view block, std::string_view title, int style, bool dashed,
+                  std::string_view color = {}) {
+  const std::string look =
+      color.empty() ? joined("ls ", style) : joined("ls ", style, " lc rgb '", color, "'");
+  return joined("$", block, " using 1:2:3:4 with yerrorbars ", look, " lw 1 pt 0 notitle, $", block,
+                " using 1:2 with linespoints ", look, dashed ? " dt 2" : "", " title '", title,
+                "'");
 }
 
 std::string Experiments::title() const {
@@ -298,7 +302,8 @@ std::string Experiments::events_plot() const {
       script += "END\n";
       std::string& panel = curves[style == 1 ? 0 : 1];
       if (!panel.empty()) panel += ", ";
-      panel += curve(block, joined(group.name, ", ", fate), style, dashed);
+      panel +=
+          curve(block, joined(group.name, ", ", fate), style, dashed, color(*group.kinds.begin()));
     };
     add("executed", false, [&group](const Run& run) { return executed(run, group.kinds); });
     add("discarded", true, [&group](const Run& run) { return discarded(run, group.kinds); });

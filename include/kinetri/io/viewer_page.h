@@ -42,14 +42,16 @@
 //                 them, ax, ay, jx, jy: x + vx s + ax s^2/2 + jx s^3/6 with s = t - e; sizes:
 //                 absent where points have no weights, else base64 of binary64, each trajectory r,
 //                 g and w: the disc has the radius r + g s, the point the weight (r + g s)^2 + w
-//   events        {count, first, kinds, kind, fields, time, ids}: first: the number that the
+//   events        {count, first, kinds, colors, kind, fields, time, ids}: first: the number that
+//   the
 //                 first one has in the run, 0 if some are left out; kinds: the names of the kinds;
-//                 kind: base64 of uint8, indices in `kinds`; fields: base64 of uint8, the sum of 1
-//                 if an edge is removed, 2 if one is added, 4 if there is a point_a, 8 if there is
-//                 a point_b, and 0, 16 or 32 if the exact time is `time`, or lies between it and
-//                 the next binary64 number above (16) or below (32); time: base64 of binary64;
-//                 ids: base64 of the ids in that order, an edge being two. An event without edges
-//                 and points changes triangles only; it is no event of the run and has no number
+//                 colors: a color of each kind, as `#rrggbb`; kind: base64 of uint8, indices in
+//                 `kinds`; fields: base64 of uint8, the sum of 1 if an edge is removed, 2 if one is
+//                 added, 4 if there is a point_a, 8 if there is a point_b, and 0, 16 or 32 if the
+//                 exact time is `time`, or lies between it and the next binary64 number above (16)
+//                 or below (32); time: base64 of binary64; ids: base64 of the ids in that order, an
+//                 edge being two. An event without edges and points changes triangles only; it is
+//                 no event of the run and has no number
 //
 // In base64 all numbers are little-endian, ids uint16 if points <= 65536, else uint32.
 #ifndef KINETRI_IO_VIEWER_PAGE_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a reader can take along: the picture as PNG or SVG, a span of time as WebM, and a link that
-// opens the same view.
+// The dialog that exports the picture as PNG or SVG, a span of time as WebM, and a link that opens the
+// same view.
 'use strict';
 
 const PNG_RATIO = 2;         // pixels per CSS pixel, at least
@@ -9,11 +9,11 @@ const FILM_RATE = 30;        // frames per second
 const FILM_BITS = 8e6;       // per second
 const FILM_TYPES = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 
-class TakeAlong {
+class Exporter {
   constructor(viewer) {
     this.viewer = viewer;
-    this.dialog = element('take-along');
-    this.says = element('take-along-says');
+    this.dialog = element('export');
+    this.says = element('export-says');
     this.film = null;
     const {from, until} = viewer.recording;
     element('film-from').value = from;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is taken along: PNG, SVG, WebM, and links."""
+"""What the page exports: PNG, SVG, WebM, and links."""
 import base64
 import re
 import subprocess
@@ -7,7 +7,7 @@ import time
 import xml.etree.ElementTree as ElementTree
 
 import browser
-from page import SWITCHES, Page
+from page import Page
 
 SVG = "{http://www.w3.org/2000/svg}"
 # The bytes of what is saved, in the place of a download.
@@ -26,7 +26,7 @@ BYTES = """(async () => {
 })()"""
 
 
-class Taking(Page):
+class Exporting(Page):
     def setUp(self):
         super().setUp()
         self.run_ = self.run_of("uniform")
@@ -102,7 +102,7 @@ class Taking(Page):
         self.browser.key("s")
         self.browser.click_element("save-film")
         self.assertIn("expected times from 0 to 8",
-                      self.evaluate("document.getElementById('take-along-says').textContent"))
+                      self.evaluate("document.getElementById('export-says').textContent"))
 
     def test_link(self):
         """It opens the same view."""
@@ -110,7 +110,7 @@ class Taking(Page):
         self.browser.settle()
         self.go_to(4.25)
         self.browser.move(5, 5)
-        view = self.look(SWITCHES)
+        view = self.look()
         self.browser.key("s")
         link = self.evaluate("document.getElementById('link').value")
         self.assertTrue(link.startswith(self.run_.page.resolve().as_uri() + "#"))
@@ -119,4 +119,4 @@ class Taking(Page):
         self.assertTrue(self.evaluate("document.getElementById('address-note').hidden"))
         self.assertEqual(self.evaluate("[kinetri.time, kinetri.point, kinetri.colored().id]"), [4.25, 7, "speed"])
         # The width of what is seen, which is written into the link, is rounded.
-        self.assertEqual(view.difference(self.look(SWITCHES), 16), 0)
+        self.assertEqual(view.difference(self.look(), 16), 0)

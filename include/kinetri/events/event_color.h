@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The color of each kind of event: the one table for the viewer's page, the plots of the program,
+// and the Python package.
+#ifndef KINETRI_EVENTS_EVENT_COLOR_H
+#define KINETRI_EVENTS_EVENT_COLOR_H
+
+#include <string_view>
+
+#include "kinetri/events/basic_event.h"
+
+namespace kinetri {
+
+/// The color that stands for the kind in every picture, as `#rrggbb` in sRGB. Against the page,
+/// light or dark, its contrast is at least 3 : 1 (WCAG 2.2, success criterion 1.4.11), and no two
+/// kinds look the same to a reader who cannot see red, green or blue. Constant time.
+std::string_view color(Event_kind kind);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_EVENTS_EVENT_COLOR_H
