@@ -3,10 +3,11 @@
 // The layer of the flat view that shows who is within range: a link between each two of them.
 'use strict';
 
-const LINK_FIELD = 24;      // pixels; the side of a field in which the links are measured
-const LINKS_COVER = 0.3;    // of a field; links that would cover more are fainter
-const LINK_LEVELS = 16;     // of strength; two of them halve it
-const THINNEST_LINK = 0.6;  // pixels
+const LINK_FIELD = 24;       // pixels; the side of a field in which the links are measured
+const LINKS_COVER = 0.3;     // of a field; links that would cover more are fainter
+const LINK_LEVELS = 18;      // of strength; two of them halve it
+const THINNEST_LINK = 0.02;  // pixels; what is thinner is a share of a pixel's color
+const FAINTEST_LINK = 0.4;
 
 /** Between points that are within range of each other. In a crowd they are thinner and fainter, so that
  * what is between and behind them is seen. */
@@ -26,10 +27,11 @@ function drawLinks(painter, view) {
   }
 }
 
-/** With less ink at each level: first the line becomes thinner, then fainter. */
+/** With less ink at each level. The line becomes thinner, since lines of one batch that lie over each other
+ * add their widths but not their strengths (canvas_painter.js); only in the end it becomes fainter. */
 function linkStyle(width, level) {
   const ink = width / 2 ** (level / 2);
-  return {width: Math.max(ink, THINNEST_LINK), alpha: Math.min(ink / THINNEST_LINK, 1)};
+  return {width: Math.max(ink, THINNEST_LINK), alpha: Math.min(Math.max(ink / THINNEST_LINK, FAINTEST_LINK), 1)};
 }
 
 /** The level of each link, by the ink that all links would have in the fields along it. */

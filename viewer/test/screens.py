@@ -151,6 +151,8 @@ class Screens(Page):
                     self.check_inside(self.box(identifier), size, identifier)
                     room = self.evaluate(f"document.querySelector('#{scrolls}').clientHeight")
                     self.assertGreaterEqual(room, least)
+                    if size in LARGE:  # The list is there, too.
+                        self.assertGreaterEqual(self.evaluate("document.getElementById('list').clientHeight"), 88)
             for key, dialog in (("?", "help"), ("s", "export")):
                 with self.subTest(size=size, dialog=dialog):
                     self.open_on(size, "#t=3")

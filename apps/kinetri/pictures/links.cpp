@@ -10,10 +10,11 @@
 namespace kinetri::app {
 namespace {
 
-constexpr double link_field = 24;      // pixels; the side in which links are measured
-constexpr double links_cover = 0.3;    // of a field; links that would cover more are fainter
-constexpr int link_levels = 16;        // of strength; two of them halve it
-constexpr double thinnest_link = 0.6;  // pixels
+constexpr double link_field = 24;       // pixels; the side in which links are measured
+constexpr double links_cover = 0.3;     // of a field; links that would cover more are fainter
+constexpr int link_levels = 18;         // of strength; two of them halve it
+constexpr double thinnest_link = 0.02;  // pixels; what is thinner is a share of a pixel's color
+constexpr double faintest_link = 0.4;
 
 // Calls function(field, share) for places along the segment, half of a field apart at most, with
 // the share of its length that each stands for.
@@ -76,11 +77,13 @@ void draw_links(Svg_drawing& drawing, const Scene& scene) {
     by_level[static_cast<std::size_t>(levels[i])].push_back(links[i]);
   }
   for (int level = link_levels - 1; level >= 0; --level) {
-    // First the line becomes thinner, then fainter.
+    // The line becomes thinner, since lines of one path that lie over each other add their widths
+    // but not their strengths; only in the end it becomes fainter.
     const double ink = width / std::exp2(level / 2.0);
-    drawing.lines("links", by_level[static_cast<std::size_t>(level)],
-                  {scene.view.theme().link.faded(std::min(ink / thinnest_link, 1.0)),
-                   std::max(ink, thinnest_link), true});
+    drawing.lines(
+        "links", by_level[static_cast<std::size_t>(level)],
+        {scene.view.theme().link.faded(std::clamp(ink / thinnest_link, faintest_link, 1.0)),
+         std::max(ink, thinnest_link), true});
   }
 }
 
