@@ -8,7 +8,7 @@ const LABEL_CELL = 6;  // pixels; a label takes the cells that it touches, so th
 const LABEL_HEIGHT = 13;
 const LABEL_FONT = '11px system-ui, sans-serif';
 const SEEN_MARGIN = 16;
-const VIEW_MARGIN = 44;  // pixels between what is selected and the border, if there is room
+const VIEW_MARGIN = 12;  // pixels between what is selected and the border; a picture of everything has more
 const POINT_REACH = 5;  // pixels beside a dot
 const NOTHING = {kind: 'none', id: -1};
 
@@ -80,13 +80,14 @@ class View {
     this.project();
     const there = points.filter((point) => !Number.isNaN(this.sx[point]));
     if (there.length === 0) return;
-    const move = (places, size) => {
-      const low = Math.min(...places), high = Math.max(...places), margin = Math.min(VIEW_MARGIN, size / 4);
-      if (high - low > size - 2 * margin) return size / 2 - (low + high) / 2;
-      return Math.max(margin - low, 0) - Math.max(high - size + margin, 0);
+    const move = (places, from, until) => {
+      const least = Math.min(...places), greatest = Math.max(...places);
+      const low = from + VIEW_MARGIN, high = until - VIEW_MARGIN;
+      if (greatest - least > high - low) return (low + high) / 2 - (least + greatest) / 2;
+      return Math.max(low - least, 0) - Math.max(greatest - high, 0);
     };
-    const dx = move(there.map((point) => this.sx[point]), this.width);
-    const dy = move(there.map((point) => this.sy[point]), this.height);
+    const dx = move(there.map((point) => this.sx[point]), this.axisLeft ?? 0, this.width);
+    const dy = move(there.map((point) => this.sy[point]), 0, this.height - (this.axisBottom ?? 0));
     if (dx !== 0 || dy !== 0) this.drag(dx, dy, true);
   }
 

@@ -244,19 +244,20 @@ class Pictures(Rendering):
         alone have a line of full strength."""
         places = [(20 * (i * 37 % 101) / 101, 20 * (i * 53 % 103) / 103) for i in range(100)]
         rows = "".join(f"{x},{y},0,0\n" for x, y in places)
-        self.write("p.csv", f"x,y,vx,vy\n{rows}200,0,0,0\n220,4,0,0\n")
+        pairs = "".join(f"200,{y},0,0\n220,{y + 4},0,0\n" for y in (0, 60))
+        self.write("p.csv", f"x,y,vx,vy\n{rows}{pairs}")
         self.run_("simulate", "p.csv", "--until", 1, "--range", 40, "--html", "run.html", "--quiet")
-        picture = self.picture("--at", 0.5)
+        picture = self.picture("--at", 0.5, "--view", "at=100,40,260")
         ink = {}
         for path in picture.all("links", "path"):
             strength = float(path.get("stroke-width")) * float(path.get("stroke-opacity", 1))
             for a, b in Picture.lines_of(path):
                 ink[frozenset((a, b))] = strength
         alone = [(x, y) for x, y, _ in picture.circles("points")][-2:]
-        self.assertEqual(len(ink), 100 * 99 // 2 + 1)
+        self.assertEqual(len(ink), 100 * 99 // 2 + 2)
         self.assertEqual(ink[frozenset(alone)], max(ink.values()))
         self.assertGreater(ink[frozenset(alone)], 1)
-        crowd = [(x, y) for x, y, _ in picture.circles("points")][:-2]
+        crowd = [(x, y) for x, y, _ in picture.circles("points")][:-4]
         width, height = (max(place[k] for place in crowd) - min(place[k] for place in crowd) for k in (0, 1))
         cover = sum(strength * math.dist(*line) for line, strength in ink.items()) / (width * height)
         self.assertLess(cover, 0.8)

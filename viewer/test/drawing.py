@@ -122,7 +122,7 @@ class Drawing(Page):
             with self.subTest(view=view):
                 pictures = [self.open_with(page, f"#draw={way}{view}") for way in ("canvas", "webgl")]
                 self.assertLess(pictures[0].difference(pictures[1]), MOST_NOISE)
-                self.assertGreater(255 - self.lightness(pictures[0]), 20)
+                self.assertGreater(255 - self.lightness(pictures[0]), 15)
                 self.assertAlmostEqual(self.lightness(pictures[0]), self.lightness(pictures[1]), delta=6)
                 self.assertAlmostEqual(self.paper(pictures[0]), self.paper(pictures[1]), delta=0.1)
 

@@ -67,7 +67,7 @@ class Near(Page):
 
     def test_links_of_a_crowd_do_not_fill_it(self):
         """What is between the links is seen, and the link of two that are alone is as strong as ever."""
-        self.browser.open(self.run_of("crowd").page, "#t=0.5&hide=delaunay,hull,ids&theme=light")
+        self.browser.open(self.run_of("crowd").page, "#t=0.5&hide=delaunay,hull,ids&theme=light&at=60,0,140")
         self.assertGreater(len(self.evaluate("kinetri.inRange()")), 25000)
         background, link = (0xfd, 0xfd, 0xfe), (0xa0, 0x40, 0x00)
         left, top = self.evaluate("kinetri.screen(5, 15)")
@@ -78,7 +78,7 @@ class Near(Page):
         cover = sum(count * (background[2] - color[2]) / background[2] for color, count in crowd.items()) / sum(crowd.values())
         self.assertLess(cover, 0.6)
         self.assertGreater(cover, 0.1)
-        (x0, y0), (x1, y1) = self.evaluate("[0, 1].map((point) => kinetri.screen(...kinetri.positions()[point]))")
+        (x0, y0), (x1, y1) = self.evaluate("[2, 3].map((point) => kinetri.screen(...kinetri.positions()[point]))")
         pair = self.seen((2 * x0 + x1) / 3, min(y0, y1) - 2, (x0 + 2 * x1) / 3, max(y0, y1) + 2).counts()
         self.assertTrue(any(max(abs(a - b) for a, b in zip(color, link)) < 48 for color in pair), pair)
 

@@ -175,9 +175,11 @@ class Points(Page):
         for quantity, label in (("area", "Cell area"), ("density", "Density"), ("speed", "Speed"),
                                 ("degree", "Neighbors"), ("changes", "Changes so far")):
             with self.subTest(quantity=quantity):
-                self.evaluate(f"void (location.hash = 'color={quantity}')")
+                # The legend takes room of the picture.
+                self.evaluate(f"void (location.hash = 'color={quantity}&legend=off')")
                 self.browser.settle()
                 self.assertGreater(plain.difference(self.look()), 0.1)
+                self.browser.key("g")
                 self.assertIn(label, self.text("legend"))
                 colored = self.evaluate("kinetri.colored()")
                 numbers = {

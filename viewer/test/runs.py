@@ -67,8 +67,10 @@ def near():
 
 
 def crowd():
-    """250 points that are all within range of each other, and two far from them that are, too."""
-    lines = ["x,y,vx,vy", "200,0,0,0.25", "220,4,0,-0.25"]
+    """250 points that are all within range of each other, and eight far from them in pairs that are, too."""
+    lines = ["x,y,vx,vy"]
+    for y in (-60, -20, 20, 60):
+        lines += [f"100,{y},0,0.25", f"120,{y + 4},0,-0.25"]
     for i in range(250):
         lines.append(f"{(i * 37) % 101 / 5},{(i * 53) % 103 / 5},{(i * 7) % 11 / 40 - 0.125},{(i * 5) % 13 / 50 - 0.12}")
     return "\n".join(lines) + "\n"
