@@ -42,6 +42,12 @@ class Event_observer {
   /// over, although no edge does. Does nothing unless it is overridden.
   virtual void after_rebuild(const Algebraic_number& /*time*/,
                              std::span<const Edge_ids> /*edges*/) {}
+  /// Of a regular triangulation: called after all events of a time, and after a change of points,
+  /// if hidden points may have other triangles than before. There need be no event for that.
+  /// `points`, sorted, has each of them; among them may be points that have the same triangle, or
+  /// are not hidden or not there any more. Does nothing unless it is overridden.
+  virtual void after_hiding(const Algebraic_number& /*time*/,
+                            std::span<const Point_id> /*points*/) {}
 };
 
 }  // namespace kinetri

@@ -10,8 +10,9 @@
 // Which pairs these are follows from the triangulation. The points in a disc are connected by edges
 // inside of it. So two discs of equal diameter that come into contact are neighbors, or there is a
 // disc that overlaps both and is a neighbor of one (docs/MATH.md, section 8). Of discs of any radii
-// that is true of the regular triangulation, but for the last condition. The pairs that overlap are
-// kept. The simulation follows the edges as an observer of the triangulation.
+// that is true of the regular triangulation, but for the last condition; a hidden point of radius 0
+// is watched with the corners of the triangle that hides it. The pairs that overlap are kept. The
+// simulation follows the edges as an observer of the triangulation.
 //
 // With several threads `advance_to` runs by regions (triangulation/detail/regions.h), contacts and
 // all, unless an observer looks on: see detail/contact_turns.h. Where nothing but changes is
@@ -302,6 +303,9 @@ class Simulation_2 : private Event_observer {
   /// from that of the triangulation: contacts, and times up to which there certainly is none; at
   /// most one for each point, one for each edge, and one for each change. O(1).
   std::size_t queue_size() const noexcept { return queue_.size(); }
+  /// How many contacts of discs, since this object was made, have left both discs their motions: of
+  /// log_contact all, of other responses those whose discs pass through each other. O(1).
+  std::uint64_t number_of_passes() const noexcept { return passes_; }
   /// Counts of certificates, those of topology and of contacts together.
   Certificate_counters certificate_counters() const;
 
@@ -321,7 +325,8 @@ class Simulation_2 : private Event_observer {
  private:
   friend class detail::Contact_turns<Simulation_2>;
 
-  /// In the order in which they are executed at one time.
+  /// In the order in which they are executed at one time. A contact of discs that is not noted
+  /// comes before those that are.
   enum class Entry_kind : std::uint8_t { wall, collision, erase, trajectory, insert, vanish };
 
   /// Whether discs have radii of their own.
@@ -342,7 +347,8 @@ class Simulation_2 : private Event_observer {
   struct Entry : detail::Scheduled {
     Entry_kind kind = Entry_kind::wall;
     bool is_event = false;
-    bool is_edge = false;  // whether there is an edge between two discs, if they ever touch
+    bool is_edge = false;   // whether there is an edge between two discs, if they ever touch
+    bool is_noted = false;  // whether the overlap that begins with the contact is known already
     Point_id point_a = no_point;
     Point_id point_b = no_point;  // of a wall, which of the four; of a change, its number
 
@@ -413,6 +419,7 @@ class Simulation_2 : private Event_observer {
     Queue_handle vanish_event = no_event;
     std::vector<Partner> partners;
     std::vector<Overlap> overlaps;  // all those of the present time, and perhaps others
+    std::vector<Point_id> corners;  // that the point is linked with; see for_each_corner
   };
 
   const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
@@ -462,6 +469,17 @@ class Simulation_2 : private Event_observer {
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
 
+  // Points of radius 0 that are hidden.
+  bool is_without_area(Point_id id) const;
+  template <class Function>
+  void for_each_corner(Point_id id, Function function) const;
+  template <class Function>
+  void for_each_hidden_link(Point_id id, Function function) const;
+  std::vector<Point_id> corners_of(Point_id id) const;
+  void after_hiding(const Time& time, std::span<const Point_id> points) override;
+  void follow_links(Point_id id, const Time& after);
+  void keep_links();
+
   // The contacts of points.
   Contacts* find_contacts(Point_id id) const {
     return id < contacts_.size() ? contacts_[id].get() : nullptr;
@@ -477,6 +495,8 @@ class Simulation_2 : private Event_observer {
   bool is_watched(const Edge_ids& pair) const;
   bool is_overlapped(const Edge_ids& pair) const;
   void watch(const Edge_ids& pair, bool is_edge, const Time& after);
+  void watch_unless_changing(const Edge_ids& pair, bool is_edge, const Time& after);
+  bool is_changing(const Edge_ids& pair) const;
   void unwatch(const Edge_ids& pair);
   template <class Function>
   void for_each_pair_beside(Point_id a, Point_id b, bool is_edge, Function function) const;
@@ -506,6 +526,11 @@ class Simulation_2 : private Event_observer {
   template <HasWeight M = Motion>
   void find_new_overlaps(std::span<const Point_id> points);
   template <HasWeight M = Motion>
+  void find_overlaps_of_seeds(std::span<const Point_id> points);
+  template <HasWeight M = Motion>
+  bool is_seed(Point_id id) const;
+  void keep_seeds();
+  template <HasWeight M = Motion>
   std::vector<Point_id> discs_about(std::span<const Point_id> points) const;
   template <HasWeight M = Motion>
   std::vector<Point_id> owners_in(Point_id id) const;
@@ -531,6 +556,9 @@ class Simulation_2 : private Event_observer {
   void recheck(const Entry& entry);
   std::size_t execute_due_entries();
   void execute_due_entries(std::vector<Due_change>& postponed);
+  bool is_contact_due();
+  template <class Is_another_due>
+  bool note_contact(const Entry& contact, const Is_another_due& is_another_due);
   void check_limit(const Entry& entry, std::uint64_t contacts) const;
   [[noreturn]] void refuse_press(Point_id id, const std::string& who, const Time& now) const;
   using Change = typename Triangulation::Change;
@@ -579,6 +607,8 @@ class Simulation_2 : private Event_observer {
   std::vector<const Observer*> observers_;  // but for this object
   std::vector<Overlap_observer*> overlap_observers_;
   std::span<const Point_id> changing_points_;  // of which `change` schedules all contacts anew
+  std::vector<Point_id> seeds_;                // discs that may grow from 0 at the present time
+  std::uint64_t passes_ = 0;  // contacts at which both discs have kept their motions
   bool is_within_instant_ = false;
   Contact_counters counters_;  // but for those of the queue
 };

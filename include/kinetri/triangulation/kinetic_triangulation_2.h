@@ -595,6 +595,7 @@ class Kinetic_triangulation_2 {
   void adopt(Triangulation rebuilt);
   void report_rebuild();
   void report_rebuilt_points();
+  void report_hiding();
   template <class Change_edges>
   void report(Event event, Change_edges change_edges);
 
@@ -674,9 +675,10 @@ class Kinetic_triangulation_2 {
   /// Present while changes of edges are noted, not reported.
   std::optional<detail::Edge_changes> rebuilt_edges_;
   std::vector<std::pair<Point_id, bool>> rebuilt_points_;  // meanwhile hidden (true) and revealed
-  std::uint64_t events_in_instant_ = 0;                    // of the last run_instant
-  bool hull_is_flat_ = false;                              // at the present time
-  bool is_in_event_ = false;                               // observers are being called
+  std::vector<Point_id> moved_hidden_;   // hidden points that may have other triangles since then
+  std::uint64_t events_in_instant_ = 0;  // of the last run_instant
+  bool hull_is_flat_ = false;            // at the present time
+  bool is_in_event_ = false;             // observers are being called
   Triangulation_counters counters_;
   Construction_seconds construction_seconds_;
 };

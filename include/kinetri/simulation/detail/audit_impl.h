@@ -119,6 +119,12 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   });
   if (level < Audit_level::certificates) return report;
   std::vector<Edge_ids> watched = triangulation_.finite_edge_ids();
+  for (const Point_id id : present_points()) {
+    for_each_corner(id, [&](Point_id corner) { watched.push_back(edge_ids(id, corner)); });
+    if (find_contacts(id) != nullptr && contacts(id).corners != corners_of(id)) {
+      fail("the simulation does not know which triangle hides point " + std::to_string(id));
+    }
+  }
   // Records may be of discs that have parted, or that only touch.
   const auto overlap_now = [&](Point_id a, Point_id b) { return may_touch(a, b, exact); };
   for (Point_id a = 0; a < triangulation_.next_id(); ++a) {

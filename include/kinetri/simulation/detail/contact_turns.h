@@ -185,6 +185,13 @@ class Contact_turns {
   }
   /// Counts a contact, one of some at its time, and that time if nothing else happens then.
   void count_pass(std::uint64_t contacts_now, bool is_alone);
+  /// Notes the overlap that begins with a contact at the present time, whose entry has left the
+  /// queue, and puts the entry back. Returns false where that is not necessary; is_another_due()
+  /// says whether there is another contact now.
+  template <class Is_another_due>
+  bool note_pass(const Entry& pass, const Is_another_due& is_another_due) {
+    return simulation_->note_contact(pass, is_another_due);
+  }
   /// Two discs are in contact at the present time; their entry has left the queue. report() tells
   /// of it.
   template <class Report>

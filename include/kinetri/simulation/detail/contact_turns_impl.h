@@ -245,7 +245,6 @@ void Contact_turns<Simulation>::count_pass(std::uint64_t contacts_now, bool is_a
 template <class Simulation>
 template <class Report>
 void Contact_turns<Simulation>::pass(const Entry& entry, const Report& report) {
-  simulation_->forget(entry);
   simulation_->pass({entry.point_a, entry.point_b}, entry.is_edge, report);
 }
 

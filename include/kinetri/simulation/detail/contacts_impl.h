@@ -62,6 +62,7 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b, bool is_edge) {
 template <ContactKineticTraits_2 Traits>
 template <class Report>
 void Simulation_2<Traits>::pass(const Edge_ids& pair, bool is_edge, const Report& report) {
+  ++passes_;
   let_pass(pair[0], pair[1], is_edge);
   report();
   schedule_pair(pair, is_edge, current_time());
@@ -147,6 +148,11 @@ void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes
     unschedule_pairs(id);
   }
   const auto schedule_anew = [&] {
+    if constexpr (has_radii) {
+      for (const Point_id id : points) {
+        if (options_.response && triangulation_.contains(id)) follow_links(id, current_time());
+      }
+    }
     changing_points_ = {};
     for (const Point_id id : points) {
       if (triangulation_.contains(id)) schedule_single(id, current_time());
@@ -229,16 +235,12 @@ void Simulation_2<Traits>::leave_edge(const Edge_ids& edge) {
 // An edge has come, at the time `after`.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::follow_edge(const Edge_ids& edge, const Time& after) {
-  const auto watch_now = [&](const Edge_ids& pair, bool is_edge) {
-    const bool is_scheduled_later = std::ranges::any_of(
-        pair, [&](Point_id id) { return std::ranges::binary_search(changing_points_, id); });
-    if (!is_scheduled_later) watch(pair, is_edge, after);
-  };
-  watch_now(edge, true);
+  watch_unless_changing(edge, true, after);
   if (find_overlap(edge) == nullptr) return;
   amend_overlap(edge, [](Overlap& overlap) { overlap.is_edge = true; });
   if (!has_radii) {
-    for_each_pair_over(edge, [&](const Edge_ids& pair) { watch_now(pair, false); });
+    for_each_pair_over(edge,
+                       [&](const Edge_ids& pair) { watch_unless_changing(pair, false, after); });
   }
 }
 

@@ -10,7 +10,8 @@
 // Discs of any radii: pq is an edge of the regular triangulation, or there is a disc that overlaps
 // both, whether it has edges or not (docs/MATH.md, section 8; disc_overlaps_impl.h). Two that
 // overlap each other are watched too, as no other one need overlap them, and they need have no
-// edge.
+// edge; and a hidden point of radius 0 and the corners of the triangle that hides it
+// (hidden_links_impl.h), which count as edges here.
 #ifndef KINETRI_SIMULATION_DETAIL_OVERLAPS_IMPL_H
 #define KINETRI_SIMULATION_DETAIL_OVERLAPS_IMPL_H
 
@@ -158,6 +159,20 @@ void Simulation_2<Traits>::watch(const Edge_ids& pair, bool is_edge, const Time&
   }
 }
 
+// The same, unless `change` schedules the pair's contact later.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::watch_unless_changing(const Edge_ids& pair, bool is_edge,
+                                                 const Time& after) {
+  if (!is_changing(pair)) watch(pair, is_edge, after);
+}
+
+// Whether one of the two is being changed.
+template <ContactKineticTraits_2 Traits>
+bool Simulation_2<Traits>::is_changing(const Edge_ids& pair) const {
+  return std::ranges::any_of(
+      pair, [&](Point_id id) { return std::ranges::binary_search(changing_points_, id); });
+}
+
 // To be called when a reason to watch the pair has gone.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::unwatch(const Edge_ids& pair) {
@@ -224,6 +239,7 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::find_all_overlaps() {
   if (!options_.response && !options_.refuses_overlaps) return;
   if constexpr (has_radii) {
+    keep_seeds();
     for_each_close_pair(present_points(), [&](Point_id a, Point_id b) {
       if (may_touch(a, b, traits_)) start_overlap(a, b, is_edge({a, b}));
     });
@@ -351,6 +367,11 @@ void Simulation_2<Traits>::let_pass(Point_id a, Point_id b, bool is_edge) {
   mark_passing(a, b, true);
   for_each_pair_beside(a, b, is_edge,
                        [this](const Edge_ids& pair) { watch(pair, false, current_time()); });
+  for (const Point_id id : {a, b}) {
+    if (!is_without_area(id)) continue;
+    find_new_overlaps_of(id);
+    schedule_pairs_beside(id);
+  }
 }
 
 // Ends the passes of a point that are over, because the discs have separated: to be called before

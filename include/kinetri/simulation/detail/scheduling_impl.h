@@ -36,6 +36,7 @@ auto Simulation_2<Traits>::Queue_policy::entry_time(const Entry& entry) const ->
 template <ContactKineticTraits_2 Traits>
 bool Simulation_2<Traits>::Queue_policy::precedes(const Entry& a, const Entry& b) const {
   if (a.kind != b.kind) return a.kind < b.kind;
+  if (a.is_noted != b.is_noted) return !a.is_noted;
   return std::pair(a.point_a, a.point_b) < std::pair(b.point_a, b.point_b);
 }
 
@@ -297,12 +298,14 @@ void Simulation_2<Traits>::unschedule_pair(const Edge_ids& pair) {
   if (const Queue_handle event = forget_pair(pair); event != no_event) discard(event);
 }
 
+// Calls `function` with the points that a point has an edge to, or is linked with.
 template <ContactKineticTraits_2 Traits>
 template <class Function>
 void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) const {
-  if (is_hidden(id)) return;
+  if (is_hidden(id)) return for_each_corner(id, function);
   detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
                             [&](auto neighbor) { function(neighbor->point().id()); });
+  for_each_hidden_link(id, function);
 }
 
 // Schedules the pairs of points that have got other motions, come or gone, and have no entries of
@@ -403,6 +406,7 @@ void Simulation_2<Traits>::schedule_all_pairs() {
     for (auto& [edge, certificate] : block.contacts) push_pair(edge, true, std::move(certificate));
     block = {};
   }
+  keep_links();
   // Of each pair only once, however many discs overlap both.
   const Point_id ids = triangulation_.next_id();
   std::vector<Point_id> last_first(ids, no_point);
@@ -414,9 +418,9 @@ void Simulation_2<Traits>::schedule_all_pairs() {
   }
 }
 
-// Calls make(edge, now, made) for each edge, with the ids of its ends and the present time. Several
-// threads do so, each for the edges of some faces, for which it has an object `made`. Returns
-// these, in the order of the faces.
+// Calls make(edge, now, made) for each edge and link, with the ids of its ends and the present
+// time. Several threads do so, each for the edges of some faces, for which it has an object `made`.
+// Returns these, in the order of the faces.
 template <ContactKineticTraits_2 Traits>
 template <class Made, class Make>
 std::vector<Made> Simulation_2<Traits>::make_for_edges(const Make& make) const {
@@ -426,6 +430,10 @@ std::vector<Made> Simulation_2<Traits>::make_for_edges(const Make& make) const {
     result.emplace_back();
     for (const Edge_ids& edge : triangulation_.finite_edge_ids()) {
       make(edge, current_time(), result.back());
+    }
+    for (const Point_id id : present_points()) {
+      for_each_corner(
+          id, [&](Point_id corner) { make(edge_ids(id, corner), current_time(), result.back()); });
     }
     return result;
   }
@@ -451,6 +459,13 @@ std::vector<Made> Simulation_2<Traits>::make_for_edges(const Make& make) const {
         if (triangulation.is_infinite(a) || triangulation.is_infinite(b)) continue;
         const Edge_ids edge = {a->point().id(), b->point().id()};
         if (edge[0] < edge[1]) make(edge, block.now, block.made);
+      }
+      if constexpr (has_radii) {
+        for (const auto& hidden : face->vertex_list()) {
+          const Point_id id = hidden->point().id();
+          for_each_corner(
+              id, [&](Point_id corner) { make(edge_ids(id, corner), block.now, block.made); });
+        }
       }
     }
   });

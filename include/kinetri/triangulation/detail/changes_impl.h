@@ -154,6 +154,7 @@ void Kinetic_triangulation_2<Traits>::perform(std::span<const Event> events,
   for (const Event& event : events.subspan(1)) report(event, [] {});
   rebuilt_edges_ = std::move(edges);
   report_rebuild();
+  report_hiding();
 }
 
 // How the changes are to be made. Throws if two points would have one trajectory.

@@ -201,6 +201,7 @@ std::size_t Kinetic_triangulation_2<Traits>::run_instant() {
   execute_due_events();
   put_points_back();
   report_rebuild();
+  report_hiding();
   ++counters_.instants;
   if (events_in_instant_ > 1) ++counters_.batches;
   if (hull_is_flat_) ++counters_.flat_hulls;

@@ -168,6 +168,7 @@ class Hidden_points {
       face = face->neighbor(face->index(triangulation_.infinite_vertex()));
     }
     triangulation_.hide(v, face);
+    kinetic_.moved_hidden_.push_back(v->point().id());
   }
 
   // ---- events ----
@@ -228,6 +229,7 @@ class Hidden_points {
               Certificate_state state = Certificate_state::any) {
     report(Event_kind::reveal, v, [&] {
       triangulation_.show(v);
+      kinetic_.moved_hidden_.push_back(v->point().id());
       kinetic_.put_in(v, location, state);
     });
   }

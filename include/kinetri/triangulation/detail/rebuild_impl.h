@@ -151,10 +151,13 @@ void Kinetic_triangulation_2<Traits>::adopt(Triangulation rebuilt) {
       const Vertex_handle here = vertex_here(there);
       if (here->is_hidden() != there->is_hidden()) {
         rebuilt_points_.push_back({here->point().id(), there->is_hidden()});
+        moved_hidden_.push_back(here->point().id());
       }
       here->set_hidden(there->is_hidden());
       here->set_event(no_event);
-      if (there->is_hidden()) there->face()->vertex_list().push_back(here);
+      if (!there->is_hidden()) continue;
+      there->face()->vertex_list().push_back(here);
+      moved_hidden_.push_back(here->point().id());
     }
     triangulation_.count_hidden_vertices();
   }
@@ -200,6 +203,19 @@ void Kinetic_triangulation_2<Traits>::report_rebuild() {
   for (const auto& [edge, net_change] : edges) touched.push_back(edge);
   is_in_event_ = true;
   for (Observer* observer : observers_) observer->after_rebuild(current_time(), touched);
+  is_in_event_ = false;
+}
+
+// Tells the observers which hidden points may have other triangles.
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::report_hiding() {
+  if (moved_hidden_.empty()) return;
+  std::vector<Point_id> points = std::exchange(moved_hidden_, {});
+  if (observers_.empty()) return;
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  is_in_event_ = true;
+  for (Observer* observer : observers_) observer->after_hiding(current_time(), points);
   is_in_event_ = false;
 }
 

@@ -116,23 +116,47 @@ void Region_run<Kinetic, Turns>::execute_passes(Walk& walk, const Is_due& is_due
     const Turn_entry pass = passes().pop();
     if (is_recheck) {
       turns_.recheck(pass);
-    } else {
-      execute_pass(walk, pass, std::move(now));
-      work_.reported += 1;
-      work_.serial += 1;
+      continue;
     }
+    turns_.forget(pass);
+    go_to_pass(walk, pass, std::move(now));
+    if (!turns_.note_pass(pass, [this] { return is_pass_due(); })) execute_pass(walk, pass);
   }
 }
 
-// Executes a pass that has left the queue. At one time passes come after all else.
+// Whether the first pass is at the present time.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::execute_pass(Walk& walk, const Turn_entry& pass, Time now) {
+bool Region_run<Kinetic, Turns>::is_pass_due() {
+  const Time& now = kinetic_.current_time();
+  while (!passes().empty() && passes().top().bounds.lower <= now.interval().upper) {
+    if (!turns_.is_recheck(passes().top())) return passes().time(passes().top()) <= now;
+    turns_.recheck(passes().pop());
+  }
+  return false;
+}
+
+// Goes to the time of a pass. At one time passes come after all else.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::go_to_pass(Walk& walk, const Turn_entry& pass, Time now) {
   const auto is_now = [&](const Key& key) {
     return key.bounds.upper >= pass.bounds.lower && time(key) == now;
   };
   const bool is_another = walk.is_pass_last ? now == kinetic_.current_time()
                                             : walk.last != nullptr && is_now(*walk.last);
-  walk.contacts_now = is_another ? walk.contacts_now + 1 : 1;
+  if (!is_another) {
+    walk.contacts_now = 0;
+    walk.is_alone = true;
+  }
+  walk.is_pass_last = true;
+  kinetic_.set_current_time(std::move(now));
+}
+
+// Executes a pass of the present time that has left the queue.
+template <class Kinetic, class Turns>
+void Region_run<Kinetic, Turns>::execute_pass(Walk& walk, const Turn_entry& pass) {
+  ++walk.contacts_now;
+  work_.reported += 1;
+  work_.serial += 1;
   if (walk.thrown == nullptr) {
     try {
       turns_.check_limit(pass, walk.contacts_now);
@@ -141,9 +165,7 @@ void Region_run<Kinetic, Turns>::execute_pass(Walk& walk, const Turn_entry& pass
       walk.is_told = false;
     }
   }
-  turns_.count_pass(walk.contacts_now, !is_another);
-  walk.is_pass_last = true;
-  kinetic_.set_current_time(std::move(now));
+  turns_.count_pass(walk.contacts_now, std::exchange(walk.is_alone, false));
   turns_.pass(pass, [&] {
     Event event;
     event.kind = Event_kind::collision;
@@ -168,6 +190,7 @@ void Region_run<Kinetic, Turns>::walk_through(Walk& walk, const Key& key, Certif
   if (walk.last != nullptr) flip(*walk.last).exact.reset();
   walk.last = &key;
   walk.is_pass_last = false;
+  walk.is_alone = false;
   walk.contacts_now = is_turn(key) ? 1 : 0;
   if (is_turn(key)) {
     kinetic_.set_current_time(time(key));

@@ -547,6 +547,7 @@ class Region_run {
     const Key* last = nullptr;       // of the events that are no passes
     bool is_pass_last = false;       // whether a pass came after that
     std::uint64_t contacts_now = 0;  // at the time of the last event
+    bool is_alone = false;           // whether nothing has happened at the time of the next pass
   };
   Turn_part& passes() { return turns_.queue().part(division().parts_of_nodes()); }
   void report_with_passes(double end);
@@ -556,7 +557,9 @@ class Region_run {
   bool precedes(const Turn_entry& pass, const Double_interval& bounds, const Exact& exact);
   template <class Is_due>
   void execute_passes(Walk& walk, const Is_due& is_due);
-  void execute_pass(Walk& walk, const Turn_entry& pass, Time now);
+  void go_to_pass(Walk& walk, const Turn_entry& pass, Time now);
+  bool is_pass_due();
+  void execute_pass(Walk& walk, const Turn_entry& pass);
   void walk_through(Walk& walk, const Key& key, Certificate&& known);
   template <class Tell>
   void tell_if_told(Walk& walk, const Tell& tell);

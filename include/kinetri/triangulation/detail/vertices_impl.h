@@ -55,6 +55,7 @@ void Kinetic_triangulation_2<Traits>::take_out(Vertex_handle v) {
       hidden_points().unschedule(v);
       triangulation_.take_from_face(v);
       rebuilt_points_.push_back({v->point().id(), false});
+      moved_hidden_.push_back(v->point().id());
       return triangulation_.show(v);
     }
     detail::for_each_face_at(triangulation_, v, [&](Face_handle face) {
@@ -68,6 +69,7 @@ void Kinetic_triangulation_2<Traits>::take_out(Vertex_handle v) {
   if constexpr (is_weighted) {
     for (const Vertex_handle h : hidden) {
       if (!h->is_hidden()) rebuilt_points_.push_back({h->point().id(), false});
+      moved_hidden_.push_back(h->point().id());
     }
   }
   schedule(edges, current_time());
