@@ -103,6 +103,56 @@ double mean_radius(const Simulation_2<Traits>& simulation, double time) {
 }
 
 template <class Traits>
+bool does_disc_fill_box(const Simulation_2<Traits>& simulation, double time) {
+  if (!simulation.options().box) return false;
+  const Box_2& box = *simulation.options().box;
+  const Rational side = std::min<Rational>(to_rational(box.xmax) - to_rational(box.xmin),
+                                           to_rational(box.ymax) - to_rational(box.ymin));
+  bool result = false;
+  for_each_disc(simulation, [&](const auto& disc) {
+    if (result || !(disc.growth > 0)) return;
+    const Rational radius =
+        to_rational(disc.radius) +
+        to_rational(disc.growth) * (to_rational(time) - to_rational(disc.epoch));
+    result = 2 * radius >= side;
+  });
+  return result;
+}
+
+void Jam_watch::after_event(const Event& event) {
+  if (event.kind != Event_kind::wall && event.kind != Event_kind::collision) return;
+  for (const auto& id : {event.point_a, event.point_b}) {
+    if (!id) continue;
+    if (*id >= contacts_of_discs_.size()) contacts_of_discs_.resize(*id + 1);
+    ++contacts_of_discs_[*id];
+  }
+}
+
+void Jam_watch::find_jammed_discs() {
+  jammed_discs_.clear();
+  std::uint64_t most = 0;
+  for (const std::uint64_t contacts : contacts_of_discs_) most = std::max(most, contacts);
+  for (Point_id id = 0; id < contacts_of_discs_.size() && most > 0; ++id) {
+    if (contacts_of_discs_[id] >= (most + 1) / 2) jammed_discs_.push_back(id);
+  }
+  std::ranges::fill(contacts_of_discs_, std::uint64_t{0});
+}
+
+// Of all radii, on average.
+template <class Traits>
+double Jam_watch::growth_to_come(const Simulation_2<Traits>& simulation) const {
+  const double now = simulation.current_time().to_double();
+  if (!end_) return mean_radius_ - mean_radius(simulation, now);
+  double sum = 0;
+  std::size_t number = 0;
+  for_each_disc(simulation, [&](const auto& disc) {
+    sum += std::max(disc.growth, 0.0) * (*end_ - now);
+    ++number;
+  });
+  return number > 0 ? sum / static_cast<double>(number) : 0;
+}
+
+template <class Traits>
 bool Jam_watch::look(const Simulation_2<Traits>& simulation, std::uint64_t contacts) {
   constexpr std::uint64_t contacts_of_each = 32;
   // Few discs may touch often in turn, as a light one between heavy ones does.
@@ -123,7 +173,8 @@ bool Jam_watch::look(const Simulation_2<Traits>& simulation, std::uint64_t conta
   contacts_ = contacts;
   time_ = now;
   next_ = contacts + std::max(fewest, contacts_of_each * number);
-  return !is_first && number > 0 && path < part * (mean_radius_ - mean_radius(simulation, now));
+  find_jammed_discs();
+  return !is_first && number > 0 && path < part * growth_to_come(simulation);
 }
 
 template double covered_share(const Simulation_2<Disc_kinetic_traits_2>&);
@@ -131,6 +182,8 @@ template double covered_share(const Simulation_2<Polynomial_disc_kinetic_traits_
 template std::optional<double> time_of_share(const Simulation_2<Disc_kinetic_traits_2>&, double);
 template std::optional<double> time_of_share(const Simulation_2<Polynomial_disc_kinetic_traits_2>&,
                                              double);
+template bool does_disc_fill_box(const Simulation_2<Disc_kinetic_traits_2>&, double);
+template bool does_disc_fill_box(const Simulation_2<Polynomial_disc_kinetic_traits_2>&, double);
 template double mean_radius(const Simulation_2<Disc_kinetic_traits_2>&, double);
 template double mean_radius(const Simulation_2<Polynomial_disc_kinetic_traits_2>&, double);
 template bool Jam_watch::look(const Simulation_2<Disc_kinetic_traits_2>&, std::uint64_t);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Discs that grow in a box until they cover a share of it: `kinetri simulate --until-share`. That no two
-of them overlap at the end, that they are in the box and that they cover the share is checked here over all
+"""Discs that grow in a box until they cover a share of it: `kinetri simulate --until-share`; and discs
+that are jammed, with every response. That no two of them overlap at the end, that they are in the box and that they cover the share is checked here over all
 discs and all pairs, in integers, from the motions in the checkpoint.
 
 usage: packing_test.py PROGRAM [POINTS]
@@ -10,6 +10,7 @@ import fractions
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -100,6 +101,89 @@ class Packing(unittest.TestCase):
         self.assertGreater(len(more), 50)
         self.assertTrue(one == two + more[1:], "the logs of the parts are not the log of the whole")
         self.assertEqual(discs_of(self.folder / "one"), discs_of(self.folder / "three"))
+
+
+RESPONSES = ("none", "log", "swap", "elastic", "stop", "remove")
+
+
+class Jam(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_to(self, until, response, more="", side=8):
+        command = (f"simulate p.csv --until {until} --box 0,0,{side},{side} --rim --collisions {response} "
+                   f"{more} --quiet --events e.csv --edges d.csv --checkpoint c --stats s.json")
+        return subprocess.run([PROGRAM, *command.split()], cwd=self.folder, timeout=600, check=False,
+                              capture_output=True, text=True)
+
+    def time_of_jam(self, until, response, more=""):
+        """The time at which a run ends that is jammed, and the ids that its message names. Its outputs are
+        whole: the run goes on from its checkpoint to the same jam."""
+        for name in ("e.csv", "d.csv", "c", "s.json"):
+            (self.folder / name).unlink(missing_ok=True)
+        result = self.run_to(until, response, more)
+        self.assertEqual(result.returncode, 130, (response, result.stderr))
+        match = re.fullmatch(r"kinetri: the discs are jammed \((.+)\), and time has come to t = (\S+) only, "
+                             rf"of {until}; results up to then are written; expected an earlier end or a "
+                             r"smaller share, slower growth, faster or fewer discs, or a larger box\n",
+                             result.stderr)
+        self.assertTrue(match, result.stderr)
+        statistics = json.loads((self.folder / "s.json").read_text(encoding="utf-8"))
+        rows = (self.folder / "e.csv").read_text(encoding="utf-8").splitlines()[1:]
+        self.assertEqual(len(rows), statistics["events"]["total"])
+        self.assertTrue((self.folder / "d.csv").stat().st_size > 0)
+        resumed = subprocess.run([PROGRAM, "resume", "c", "--until", str(until), "--quiet"], cwd=self.folder,
+                                 timeout=600, check=False, capture_output=True, text=True)
+        self.assertEqual(resumed.returncode, 130, resumed.stderr)
+        return float(match[2]), match[1]
+
+    def expect_end(self, until, response, more="", side=8):
+        result = self.run_to(until, response, more, side)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), response)
+
+    def write(self, rows):
+        (self.folder / "p.csv").write_text("x,y,vx,vy,radius,growth\n" + rows, encoding="utf-8")
+
+    def test_a_disc_that_fills_the_box_is_jammed(self):
+        self.write("4,3,1,0.5,1,1\n")  # no room is left at 3
+        for response in RESPONSES:
+            for until in (3.25, 4, 20):
+                with self.subTest(response=response, until=until):
+                    time, ids = self.time_of_jam(until, response)
+                    self.assertTrue(2 < time < 3.01, time)
+                    self.assertEqual(ids, "0")
+            # What the message says: an earlier end, slower growth, a larger box.
+            self.expect_end(2.99, response)
+            self.write("4,3,1,0.5,1,0.125\n")
+            self.expect_end(20, response)
+            self.write("4,3,1,0.5,1,1\n")
+            self.expect_end(3.5, response, side=16)
+
+    def test_two_discs_between_two_walls_are_jammed(self):
+        # They touch each other and the walls from 2 on, at which 4 radii are the width of the box.
+        self.write("2,4,1,0,1,0.5\n6,4,-1,0,1,0.5\n")
+        for response in ("swap", "elastic"):
+            time, ids = self.time_of_jam(6, response)
+            self.assertTrue(1.9 < time < 2.01, time)
+            self.assertEqual(ids, "0, 1")
+            self.expect_end(1.9, response)
+        for response in ("none", "log", "stop", "remove"):  # they overlap, stop or vanish
+            self.expect_end(5, response)
+
+    def test_growing_points_are_jammed_and_runs_before_that_end(self):
+        for seed in range(1, 5):
+            generated = subprocess.run(
+                [PROGRAM, *f"generate uniform --points 20 --side 8 --speed 1 --seed {seed} -o p.csv".split()],
+                cwd=self.folder, check=False, capture_output=True, text=True)
+            self.assertEqual(generated.returncode, 0, generated.stderr)
+            for response in ("swap", "elastic"):
+                time, _ = self.time_of_jam(12, response, "--growth 0.25")
+                for share in (0.5, 0.9, 0.99):
+                    self.expect_end(share * time, response, "--growth 0.25")
+            for response in ("none", "log", "remove"):  # the discs fill the box at 16
+                self.expect_end(12, response, "--growth 0.25")
 
 
 if __name__ == "__main__":

@@ -181,8 +181,8 @@ def run_cases():
 
     # A disc whose diameter would have to exceed the width of the box, for that share.
     yield case("simulate d.csv --until-share 0.6 --box 0,0,4,6 --rim --collisions elastic --edges e.csv "
-               "--quiet", files={"d.csv": "x,y,vx,vy,growth\n1,3,1,0.5,1\n"}, time="1.9999750605165867",
-               until="2.1409489393833256", writes=True)
+               "--quiet", files={"d.csv": "x,y,vx,vy,growth\n1,3,1,0.5,1\n"}, ids="0",
+               time="1.9999750605165867", until="2.1409489393833256", writes=True)
     yield case("generate packing --points 1 --share 0.8")
 
     def fault(name, until=1, **options):

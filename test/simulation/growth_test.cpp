@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -168,6 +169,92 @@ TEST(Jam_watch, is_not_alarmed_where_there_is_room) {
   while (contacts() < 11'000) {
     simulation.step();
     ASSERT_FALSE(watch.is_jammed(simulation));
+  }
+}
+
+// Runs until `time` or an alarm of the watch, which observes. Returns whether it got there.
+bool run(Simulation& simulation, double time, Jam_watch& watch, int most_steps = 200'000) {
+  simulation.add_observer(watch);
+  int steps = 0;
+  while (simulation.step(Algebraic_number(time)) > 0) {
+    if (watch.is_jammed(simulation)) return false;
+    if (++steps == most_steps) {
+      ADD_FAILURE() << "the run does not end";
+      return false;
+    }
+  }
+  return true;
+}
+
+// A disc that is as wide as the box at 3; a second one where discs pass through each other.
+TEST(Jam_watch, notices_a_disc_between_walls_with_every_response) {
+  const Discs discs = {{{{4, 3}, {1, 0.5}}, 1, 1, 0}, {{{7, 7}, {0, 0}}, 0.25, 0, 0}};
+  for (const Named_response& named : named_responses) {
+    Simulation_options options = in_box(8);
+    options.response = named.response;
+    options.refuses_overlaps = false;
+    const bool do_pass = named.name == "none" || named.name == "log";
+    Discs here = discs;
+    if (!do_pass) here.pop_back();
+    const double end = do_pass ? 3.25 : 20;
+    Simulation jammed(here, options);
+    EXPECT_TRUE(does_disc_fill_box(jammed, end));
+    Jam_watch alarmed = Jam_watch::until(end);
+    EXPECT_FALSE(run(jammed, end, alarmed)) << named.name;
+    EXPECT_EQ(alarmed.jammed_discs().front(), 0u) << named.name;
+    EXPECT_LT(jammed.current_time(), Algebraic_number(3.01)) << named.name;
+    Simulation simulation(here, options);
+    EXPECT_FALSE(does_disc_fill_box(simulation, 2.99));
+    Jam_watch watch = Jam_watch::until(2.99);
+    EXPECT_TRUE(run(simulation, 2.99, watch)) << named.name;
+  }
+}
+
+// Four radii are the width of the box at 2. Who exchanges velocities is jammed, who passes is not.
+TEST(Jam_watch, notices_discs_that_exchange_velocities) {
+  const Discs discs = {{{{2, 4}, {1, 0}}, 1, 0.5, 0},
+                       {{{6, 4}, {-1, 0}}, 1, 0.5, 0},
+                       {{{4, 7.5}, {0, 0}}, 0.125, 0, 0}};
+  Simulation_options options = in_box(8);
+  options.response = swap_velocities;
+  Simulation jammed(discs, options);
+  Jam_watch watch = Jam_watch::until(5);
+  EXPECT_FALSE(run(jammed, 5, watch));
+  EXPECT_EQ(watch.jammed_discs(), (std::vector<Point_id>{0, 1}));
+  EXPECT_EQ(jammed.number_of_passes(), 0u);
+  options.response = log_contact;
+  Simulation passing(discs, options);
+  Jam_watch not_alarmed = Jam_watch::until(5);
+  EXPECT_TRUE(run(passing, 5, not_alarmed));
+  EXPECT_GT(passing.number_of_passes(), 0u);
+}
+
+// Random discs that are jammed, and the same until a little before.
+TEST(Jam_watch, is_not_alarmed_by_dense_runs_that_end) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Scenario_options scenario;
+    scenario.points = 12;
+    scenario.side = 8;
+    scenario.speed = 1;
+    scenario.seed = seed;
+    Discs discs;
+    for (const Linear_motion_2& motion : make_scenario(Scenario::uniform, scenario)) {
+      discs.push_back({motion, 0, discs.size() % 2 == 0 ? 0.25 : 0.375, 0});
+    }
+    for (const auto response : {swap_velocities, collide_elastically}) {
+      Simulation_options options = in_box(8);
+      options.response = response;
+      options.refuses_overlaps = false;
+      Simulation jammed(discs, options);
+      Jam_watch alarmed = Jam_watch::until(10);
+      ASSERT_FALSE(run(jammed, 10, alarmed)) << seed;
+      const double time = jammed.current_time().to_double();
+      for (const double share : {0.5, 0.9, 0.99}) {
+        Simulation simulation(discs, options);
+        Jam_watch watch = Jam_watch::until(share * time);
+        EXPECT_TRUE(run(simulation, share * time, watch)) << seed << ' ' << share;
+      }
+    }
   }
 }
 

@@ -134,9 +134,8 @@ Command simulate_command() {
       "triangulation is the regular one of the discs: discs that touch are neighbors in it. Where "
       "all radii are equal it is the Delaunay triangulation of the centres, as it is where "
       "nothing touches.",
-      "Discs that grow and collide elastically may get jammed: then they have no room left, and "
-      "the "
-      "run ends, with the outputs of what happened until then.",
+      "Discs that grow may get jammed, with any response: then they have no room left between one "
+      "another or between walls, and the run ends, with the outputs of what happened until then.",
       "Ctrl-C stops the run after the events of the present time, and the outputs hold what "
       "happened until then. Where that takes longer than 0.4 s, and 5 s more for each million "
       "points, "

@@ -101,6 +101,7 @@ class Simulation_run {
   void watch_growth();
   bool is_jammed();
   std::optional<double> share_of_box() const;
+  std::string jammed_discs() const;
   void report_early_end() const;
   void advance();
   bool go_to(double end);
@@ -140,7 +141,7 @@ class Simulation_run {
   std::optional<Frame_outputs> frames_;
   std::optional<Area_output> areas_;
   std::unique_ptr<Run_sampler> sampler_;
-  std::optional<Jam_watch> jam_watch_;  // if discs grow, and have to make room for each other
+  std::optional<Jam_watch> jam_watch_;  // if discs grow, and may have no room left
   bool jammed_ = false;
   std::uint64_t executed_ = 0;
   std::uint64_t events_before_ = 0;  // of the run that this one takes up
@@ -252,15 +253,20 @@ double Simulation_run::end_of_run() const {
 }
 
 void Simulation_run::watch_growth() {
-  simulation_.visit([&]<class Traits>(const Simulation_2<Traits>& s) {
+  simulation_.visit([&]<class Traits>(Simulation_2<Traits>& s) {
     if constexpr (HasWeight<typename Traits::Motion>) {
       const auto& triangulation = s.triangulation();
       bool do_grow = false;
       for (Point_id id = 0; id < triangulation.next_id(); ++id) {
         do_grow = do_grow || (triangulation.contains(id) && triangulation.motion(id).growth > 0);
       }
-      if (do_grow && source_.response() == "elastic") {
-        jam_watch_.emplace(mean_radius(s, statistics_.until));
+      // Discs jam where contacts turn them: with one another, or with walls that a disc fills.
+      const std::string response = source_.response();
+      const bool do_turn = response == "elastic" || response == "swap";
+      const bool is_filled = s.options().rim_touches && does_disc_fill_box(s, statistics_.until);
+      if (do_grow && (do_turn || is_filled)) {
+        jam_watch_.emplace(Jam_watch::until(statistics_.until));
+        s.add_observer(*jam_watch_);
       }
     }
   });
@@ -415,13 +421,25 @@ void Simulation_run::audit(Audit_level level) {
   statistics_.seconds.audit += stopwatch_.lap();
 }
 
+// Their ids: "3, 5 and 12 more".
+std::string Simulation_run::jammed_discs() const {
+  constexpr std::size_t most = 4;
+  const std::vector<Point_id>& ids = jam_watch_->jammed_discs();
+  std::vector<std::string> named;
+  for (const Point_id id : ids) {
+    if (named.size() < most) named.push_back(joined(id));
+  }
+  return joined(separated(named, ", "),
+                ids.size() > most ? joined(" and ", ids.size() - most, " more") : "");
+}
+
 void Simulation_run::report_early_end() const {
   const std::string where = joined("time has come to t = ", statistics_.reached, " only, of ",
                                    statistics_.until, "; results up to then are written; ");
   if (jammed_) {
-    report("kinetri",
-           joined("the discs are jammed, and ", where,
-                  "expected a smaller share or an earlier end, a slower growth, or faster discs"));
+    report("kinetri", joined("the discs are jammed (", jammed_discs(), "), and ", where,
+                             "expected an earlier end or a smaller share, slower growth, faster or "
+                             "fewer discs, or a larger box"));
   } else if (executed_ > settings_.max_events) {
     report("kinetri", joined("more than ", settings_.max_events, " events, and ", where,
                              "expected fewer events, or a greater --max-events"));
