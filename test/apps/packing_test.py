@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Discs that grow in a box until they cover a share of it: `kinetri simulate --until-share`; and discs
-that are jammed, with every response. That no two of them overlap at the end, that they are in the box and that they cover the share is checked here over all
-discs and all pairs, in integers, from the motions in the checkpoint.
+"""Discs that grow in a box until they cover a share of it: `kinetri simulate --until-share`. That no two
+of them overlap at the end, that they are in the box and that they cover the share is checked here over all
+discs and all pairs, in integers, from the motions in the checkpoint. And discs that are jammed, with every
+response.
 
 usage: packing_test.py PROGRAM [POINTS]
 """
@@ -132,7 +133,7 @@ class Jam(unittest.TestCase):
         self.assertTrue(match, result.stderr)
         statistics = json.loads((self.folder / "s.json").read_text(encoding="utf-8"))
         rows = (self.folder / "e.csv").read_text(encoding="utf-8").splitlines()[1:]
-        self.assertEqual(len(rows), statistics["events"]["total"])
+        self.assertEqual(len(rows), statistics["events_total"])
         self.assertTrue((self.folder / "d.csv").stat().st_size > 0)
         resumed = subprocess.run([PROGRAM, "resume", "c", "--until", str(until), "--quiet"], cwd=self.folder,
                                  timeout=600, check=False, capture_output=True, text=True)
@@ -175,8 +176,8 @@ class Jam(unittest.TestCase):
     def test_growing_points_are_jammed_and_runs_before_that_end(self):
         for seed in range(1, 5):
             generated = subprocess.run(
-                [PROGRAM, *f"generate uniform --points 20 --side 8 --speed 1 --seed {seed} -o p.csv".split()],
-                cwd=self.folder, check=False, capture_output=True, text=True)
+                [PROGRAM, *"generate uniform --points 20 --side 8 --speed 1 --output p.csv --seed".split(),
+                 str(seed)], cwd=self.folder, check=False, capture_output=True, text=True)
             self.assertEqual(generated.returncode, 0, generated.stderr)
             for response in ("swap", "elastic"):
                 time, _ = self.time_of_jam(12, response, "--growth 0.25")
