@@ -19,7 +19,7 @@ namespace kinetri::app {
 namespace {
 
 // The last one tells that a run has not noticed one of the others.
-constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGALRM};
+constexpr std::array<int, 4> signals = {SIGINT, SIGTERM, SIGHUP, SIGALRM};
 
 // What there is to lose when a signal comes.
 enum Stage : int {
@@ -55,6 +55,12 @@ void set_alarm(long microseconds) {
   ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
+// Whether the process was started so that a closed terminal does not end it, as nohup does.
+bool ignores_hangup() {
+  struct sigaction action = {};
+  return sigaction(SIGHUP, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 // Async-signal-safe.
 [[noreturn]] void end_now() {
   if (child > 0) ::kill(child, SIGTERM);
@@ -73,6 +79,8 @@ static void on_signal(int signal) {
   }
   if (stage == committing) return;
   if (stage == committed) end_now();
+  // A terminal that closes sends it more than once: a shell does, and the system when that ends.
+  if (signal == SIGHUP && stop_requested) return;
   if (stage != reading && !stop_requested.exchange(true)) {
     if (stage == running) set_alarm(patience);
     return;
@@ -96,7 +104,9 @@ void install_signal_handlers(std::string_view program) {
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
   action.sa_mask = handled_signals();
-  for (const int signal : signals) sigaction(signal, &action, nullptr);
+  for (const int signal : signals) {
+    if (signal != SIGHUP || !ignores_hangup()) sigaction(signal, &action, nullptr);
+  }
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

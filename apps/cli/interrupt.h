@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Interruption by the user (SIGINT) or by the system (SIGTERM).
+// Interruption by the user (SIGINT), by the system (SIGTERM), or because the terminal is closed
+// (SIGHUP; a process that is started with this signal ignored, as by nohup, ignores it).
 //
 // Normally it ends the process at once, with exit code 130, and removes the temporaries of output
 // files. While a run is under way the first one only asks it to stop, so that it writes what it
-// has; the second one ends the process. So does the first one if the run does not notice it within
-// some time: a single step may be long, such as an instant with very many events, or an audit.
+// has; the second one, unless it is SIGHUP, ends the process. So does the first one if the run does
+// not notice it within some time: a single step may be long, such as an instant with very many
+// events, or an audit.
 #ifndef KINETRI_APPS_INTERRUPT_H
 #define KINETRI_APPS_INTERRUPT_H
 
@@ -31,7 +33,7 @@ void stop_gracefully_from_now_on(
     std::chrono::microseconds patience = std::chrono::milliseconds(400));
 
 /// From now on the first signal changes nothing: the run is over, and its outputs are written. The
-/// second one ends the process.
+/// second one, unless it is SIGHUP, ends the process.
 void complete_outputs_from_now_on();
 
 /// As long as it lives, signals change nothing: outputs that belong together take their places.

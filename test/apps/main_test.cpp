@@ -164,7 +164,7 @@ class Interruption : public test::Program_test {
 
 TEST_F(Interruption, stops_at_the_next_event_and_writes_what_it_has) {
   write_many_points();
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     Process process(KINETRI_PROGRAM, long_run, {.directory = directory()});
     process.wait_until([&] { return is_running(process); });
     process.send(signal);
@@ -180,6 +180,37 @@ TEST_F(Interruption, stops_at_the_next_event_and_writes_what_it_has) {
     EXPECT_EQ(stats["events_total"], rows);
     EXPECT_GT(rows, 0U);
   }
+}
+
+// What `kinetri resume` needs is there, and no temporary.
+TEST_F(Interruption, by_a_closed_terminal_leaves_a_checkpoint) {
+  write_many_points();
+  Arguments arguments = long_run;
+  arguments.insert(arguments.end(), {"--checkpoint", "run.kinetri"});
+  Process process(KINETRI_PROGRAM, arguments, {.directory = directory()});
+  process.wait_until([&] { return is_running(process); });
+  process.send(SIGHUP);
+  EXPECT_EQ(process.wait().exit_code, 130);
+  EXPECT_EQ(entries(), (Entries{"edges.csv", "events.csv", "p.csv", "run.kinetri", "stats.json"}));
+  const double reached = nlohmann::json::parse(read("stats.json"))["reached"];
+  const Outcome resumed = run({"resume", "run.kinetri", "--until", std::to_string(reached + 0.01),
+                               "--stats", "resumed.json"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_GT(nlohmann::json::parse(read("resumed.json"))["events_total"],
+            nlohmann::json::parse(read("stats.json"))["events_total"]);
+}
+
+TEST_F(Interruption, ignores_a_closed_terminal_if_it_is_started_so) {
+  write_many_points();
+  Process process(KINETRI_PROGRAM, long_run, {.directory = directory(), .ignores_hangup = true});
+  process.wait_until([&] { return is_running(process); });
+  const std::string before = process.errors_so_far();
+  process.send(SIGHUP);
+  process.wait_until([&] { return process.errors_so_far() != before; });
+  process.send(SIGINT);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_NE(outcome.err.find(", interrupted\n"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Interruption, by_the_greatest_number_of_events_writes_what_there_is) {
@@ -216,7 +247,7 @@ TEST_F(Interruption, before_the_run_ends_at_once_and_leaves_nothing) {
 
 TEST_F(Interruption, within_a_step_that_does_not_end_ends_the_run_and_leaves_nothing) {
   write("p.csv", one_flip);
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     Arguments arguments = long_run;
     arguments.insert(arguments.end(), {"--audit", "events"});
     Process process(KINETRI_FAULTY_PROGRAM, arguments,
@@ -325,6 +356,21 @@ TEST_F(Commit, second_signal_while_outputs_are_written_ends_at_once_and_leaves_n
   write("go", "");
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(entries(), (Entries{"bin", "drawing", "go", "p.csv"}));
+}
+
+// A shell passes SIGHUP on when its terminal closes, and the system sends it when the shell ends.
+TEST_F(Commit, repeated_hangup_while_outputs_are_written_lets_them_be_completed) {
+  write("p.csv", one_flip);
+  write_slow_gnuplot();
+  Process process = drawing_run();
+  process.wait_until([&] { return exists("drawing"); });
+  for (int i = 0; i < 2; ++i) {
+    process.send(SIGHUP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  write("go", "");
+  EXPECT_EQ(process.wait().exit_code, 0);
+  EXPECT_EQ(read("edges.csv"), "a,b\n0,1\n0,2\n1,2\n1,3\n2,3\n");
 }
 
 // An output that cannot take its place any more leaves the checkpoint that was there, and no newer

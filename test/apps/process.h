@@ -32,6 +32,7 @@ struct Process_input {
   std::string standard_input = "/dev/null";
   std::string standard_output = {};           ///< a file; if empty it is captured
   std::vector<std::string> environment = {};  ///< NAME=value, added to this process's
+  bool ignores_hangup = false;                ///< as nohup has it
 };
 
 /// A process that was started. It is killed if it has not ended after two minutes.
@@ -50,6 +51,7 @@ class Process {
     // In the child: nothing may return.
     constexpr unsigned seconds = 120;
     ::alarm(seconds);
+    ::signal(SIGHUP, input.ignores_hangup ? SIG_IGN : SIG_DFL);
     for (const std::string& variable : input.environment) {
       const std::size_t equals = variable.find('=');
       ::setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);

@@ -87,6 +87,30 @@ class Terminal(Program):
         self.assertIn(ESCAPE, self.on_terminal(["--help"], NO_COLOR=""))
 
 
+class ClosedTerminal(Program):
+    def test_a_run_in_it_stops_and_writes_what_it_has(self):
+        subprocess.run([PROGRAM, "generate", "uniform", "--points", "3000", "-o", self.folder / "many.csv"],
+                       check=True)
+        arguments = ["simulate", "many.csv", "--until", "100000", "--events", "e.csv", "--checkpoint", "c"]
+        process, ours = pty.fork()
+        if process == 0:
+            os.chdir(self.folder)
+            signal.signal(signal.SIGHUP, signal.SIG_DFL)
+            os.execv(PROGRAM, [PROGRAM, *arguments])
+        text = b""
+        while b"events/s" not in text:
+            text += os.read(ours, 4096)
+        os.close(ours)
+        os.waitpid(process, 0)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["c", "e.csv", "many.csv", "p.csv"])
+        resume = [PROGRAM, "resume", "c", "--until", "100000", "--max-events", "5", "--events", "f.csv", "--quiet"]
+        self.assertEqual(subprocess.run(resume, cwd=self.folder, check=False, capture_output=True).returncode, 130)
+        rows = (self.folder / "e.csv").read_text(encoding="utf-8").splitlines()
+        self.assertGreater(len(rows), 1)
+        first = (self.folder / "f.csv").read_text(encoding="utf-8").splitlines()[1]
+        self.assertEqual(int(first.split(",")[0]), int(rows[-1].split(",")[0]) + 1)
+
+
 class ClosedPipe(Program):
     def run_into_closed_pipe(self, arguments, lines=0):
         """(exit code, standard error) of a run whose output is read up to so many lines."""

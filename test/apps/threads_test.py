@@ -143,7 +143,7 @@ class Threads(In_folder):
     @unittest.skipUnless(pathlib.Path("/proc/self/task").exists(), "no /proc")
     def test_only_the_first_thread_takes_signals(self):
         self.run_program("generate uniform --points 4000 --seed 1 --output p.csv")
-        bits = sum(1 << (number - 1) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM))
+        bits = sum(1 << (number - 1) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGALRM))
         for threads in (1, 2, 5):
             command = [PROGRAM, "simulate", "p.csv", "--until", "1000000", "--progress", "always",
                        "--threads", str(threads)]
