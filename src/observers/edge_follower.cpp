@@ -84,7 +84,17 @@ void Edge_follower<Traits>::begin_instant(const Time& time) {
 
 template <ContactKineticTraits_2 Traits>
 void Edge_follower<Traits>::finish_instant() {
-  if (edge_events_.empty() && point_events_.empty()) return;
+  if (!edge_events_.empty() || !point_events_.empty()) finish_changes();
+  if (rebuilt_edges_.empty()) return;
+  std::ranges::sort(rebuilt_edges_);
+  const auto again = std::ranges::unique(rebuilt_edges_);
+  rebuilt_edges_.erase(again.begin(), again.end());
+  change_triangles(rebuilt_edges_);
+  rebuilt_edges_.clear();
+}
+
+template <ContactKineticTraits_2 Traits>
+void Edge_follower<Traits>::finish_changes() {
   sum_up_edges();
   sum_up_points();
   before_change(removed_, points_);
@@ -146,6 +156,12 @@ void Edge_follower<Traits>::after_event(const Event& event) {
                                         ? std::optional(triangulation_->vertex(*id)->point())
                                         : std::nullopt);
   }
+}
+
+template <ContactKineticTraits_2 Traits>
+void Edge_follower<Traits>::after_rebuild(const Time& time, std::span<const Edge_ids> edges) {
+  begin_instant(time);
+  rebuilt_edges_.insert(rebuilt_edges_.end(), edges.begin(), edges.end());
 }
 
 #define KINETRI_INSTANTIATE(Traits)      \

@@ -28,8 +28,10 @@ Trajectory_2 center(const Point& p, const Point& q, const Point& r) {
   }
 }
 
-// Negative where two places are nearer to each other than `distance`, positive where they are
-// farther apart.
+// Negative when two places are nearer to each other than `distance`, positive when they are
+// farther apart. The squared distance is the quotient of two polynomials that are never negative.
+// They have a common root when corners of a triangle meet, whose distance is then the limit: so
+// their common divisor, which is never negative either, is divided out.
 Polynomial distance_polynomial(const Trajectory_2& a, const Trajectory_2& b, double distance) {
   const Rational exact = to_rational(distance);
   const Polynomial x = a.x * b.w - b.x * a.w;
@@ -37,7 +39,9 @@ Polynomial distance_polynomial(const Trajectory_2& a, const Trajectory_2& b, dou
   const Polynomial w = a.w * b.w;
   const Integer one = denominator(exact);
   const Integer length = numerator(exact);
-  return primitive_part((x * x + y * y) * Integer(one * one) - w * w * Integer(length * length));
+  const Polynomial excess =
+      primitive_part((x * x + y * y) * Integer(one * one) - w * w * Integer(length * length));
+  return excess.is_zero() ? excess : exact_quotient(excess, gcd(excess, w * w));
 }
 
 // ---- bounds, by interval arithmetic ----
@@ -270,28 +274,52 @@ void Neighbor_lives<Traits>::change(const Time& time, std::span<const Edge_ids> 
   if (threshold_) follow_opposites(removed, added);
 }
 
-// The triangles at edges whose ends have lost or got an edge, or are at the side of one: all those
-// that may have changed. (Those that turn over while no edge changes are flat at that time, and the
-// ridges of their edges infinite.)
+// Where points meet, other triangles may come although no edge does.
+template <ContactKineticTraits_2 Traits>
+void Neighbor_lives<Traits>::change_triangles(std::span<const Edge_ids> edges) {
+  if (!threshold_) return;
+  std::set<Point_id> around;
+  add_points_around(edges, around);
+  update_opposites(around);
+}
+
+// The triangles at edges whose ends have lost or got an edge, or are at the side of one.
 template <ContactKineticTraits_2 Traits>
 void Neighbor_lives<Traits>::follow_opposites(std::span<const Edge_ids> removed,
                                               std::span<const Edge_ids> added) {
-  const auto& graph = this->graph();
   std::set<Point_id> around;
-  for (const auto& edges : {removed, added}) {
-    for (const Edge_ids& edge : edges) {
-      if (!graph.contains(edge[0]) || !graph.contains(edge[1])) continue;
-      around.insert(edge.begin(), edge.end());
-      const auto between = common_neighbors(edge[0], edge[1]);
-      around.insert(between.begin(), between.end());
-    }
+  add_points_around(removed, around);
+  add_points_around(added, around);
+  update_opposites(around);
+  for (const Edge_ids& edge : added) {
+    const Present& present = present_.at(edge);
+    const auto replaced = ended_.find(present.opposite);
+    if (replaced == ended_.end() || replaced->second.opposite != edge) continue;
+    lives_[present.index].replaced = replaced->second.index;
+    lives_[replaced->second.index].replaced_by = present.index;
   }
-  // Of a point that has gone, the ends of its edges.
-  for (const Edge_ids& edge : removed) {
+}
+
+// Adds the ends of edges and the points at their sides; of a point that has gone, the other ends of
+// its edges.
+template <ContactKineticTraits_2 Traits>
+void Neighbor_lives<Traits>::add_points_around(std::span<const Edge_ids> edges,
+                                               std::set<Point_id>& around) const {
+  const auto& graph = this->graph();
+  for (const Edge_ids& edge : edges) {
     for (const Point_id id : edge) {
       if (graph.contains(id)) around.insert(id);
     }
+    if (!graph.contains(edge[0]) || !graph.contains(edge[1])) continue;
+    const auto between = common_neighbors(edge[0], edge[1]);
+    around.insert(between.begin(), between.end());
   }
+}
+
+// Looks at the triangles of all edges between these points.
+template <ContactKineticTraits_2 Traits>
+void Neighbor_lives<Traits>::update_opposites(const std::set<Point_id>& around) {
+  const auto& graph = this->graph();
   for (const Point_id id : around) {
     for (const Point_id other : graph.neighbors(id)) {
       if (other < id || !around.contains(other)) continue;
@@ -303,13 +331,6 @@ void Neighbor_lives<Traits>::follow_opposites(std::span<const Edge_ids> removed,
       present.opposite = now;
       present.since = now_;
     }
-  }
-  for (const Edge_ids& edge : added) {
-    const Present& present = present_.at(edge);
-    const auto replaced = ended_.find(present.opposite);
-    if (replaced == ended_.end() || replaced->second.opposite != edge) continue;
-    lives_[present.index].replaced = replaced->second.index;
-    lives_[replaced->second.index].replaced_by = present.index;
   }
 }
 

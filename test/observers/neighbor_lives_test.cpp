@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/observers/neighbor_lives.h"
 
+#include <CGAL/Delaunay_triangulation_2.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,13 +71,27 @@ Rational weight_at(const Motion& motion, const Rational& t) {
   }
 }
 
+// Whether a quotient of polynomials, excess / square, is negative at a root of the excess, as a
+// limit. The square is never negative.
+bool is_negative_at(const Real_root& root, const Polynomial& excess, const Polynomial& square) {
+  if (sign_at(square, root.value) != CGAL::ZERO) return false;
+  const auto roots = real_roots(square);
+  const auto same = std::ranges::find(roots, root.value, &Real_root::value);
+  if (same->multiplicity != root.multiplicity) return false;  // the limit is zero, or infinite
+  const auto next = first_root_after(excess, root.value);
+  const Algebraic_number end =
+      next ? next->value : Algebraic_number(root.value.interval().upper + 1);
+  return excess.sign_at(simplest_between(root.value, end)) == CGAL::NEGATIVE;
+}
+
 // Whether the ridge of the edge is as long as `length` at some time of the closed interval.
 template <class Traits>
 bool reaches(const Snapshot<Traits>& now, const Edge_ids& edge, double length,
              const Algebraic_number& until) {
   const Opposite& opposite = now.edges.at(edge);
   if (opposite[1] == no_point) return true;
-  const Polynomial excess = test::interpolate(12, [&](const Rational& t) {
+  // The excess of the squared length, times a square; and the latter.
+  const auto excess_and_square = [&](const Rational& t) {
     const auto place = [&](Point_id id) { return test::place_at(now.motions.at(id), t); };
     const auto weight = [&](Point_id id) { return weight_at(now.motions.at(id), t); };
     // The centre less the place of the first end, times a denominator; and that.
@@ -92,13 +109,20 @@ bool reaches(const Snapshot<Traits>& now, const Edge_ids& edge, double length,
     const Rational x = x1 * d2 - x2 * d1;
     const Rational y = y1 * d2 - y2 * d1;
     const Rational threshold = to_rational(length) * d1 * d2;
-    return Rational(x * x + y * y - threshold * threshold);
-  });
-  if (sign_at(excess, now.time) != CGAL::NEGATIVE || sign_at(excess, until) != CGAL::NEGATIVE) {
+    return std::pair(Rational(x * x + y * y - threshold * threshold), Rational(d1 * d1 * d2 * d2));
+  };
+  const Polynomial excess =
+      test::interpolate(12, [&](const Rational& t) { return excess_and_square(t).first; });
+  const Polynomial square =
+      test::interpolate(12, [&](const Rational& t) { return excess_and_square(t).second; });
+  if (excess.is_zero()) return true;
+  if (sign_at(excess, now.time) == CGAL::POSITIVE || sign_at(excess, until) == CGAL::POSITIVE ||
+      excess.sign_at(simplest_between(now.time, until)) == CGAL::POSITIVE) {
     return true;
   }
+  // Where it changes its sign, the quotient is zero or infinite.
   return std::ranges::any_of(real_roots(excess), [&](const Real_root& root) {
-    return root.value > now.time && root.value < until;
+    return root.value >= now.time && root.value <= until && !is_negative_at(root, excess, square);
   });
 }
 
@@ -108,7 +132,9 @@ class Stepped_run {
  public:
   explicit Stepped_run(Simulation_2<Traits>& simulation) : simulation_(simulation) { look(); }
 
-  void step_to(double until) {
+  // Looks at the triangulation when that has changed. Points may meet without an event: the caller
+  // looks then.
+  void step_to(const Algebraic_number& until) {
     while (simulation_.step(until) > 0) look();
     simulation_.advance_to(until);
   }
@@ -236,6 +262,75 @@ TEST(Neighbor_lives, are_short_below_the_threshold_exactly) {
       EXPECT_EQ(point.gained + point.lost, 2u);
       EXPECT_EQ(point.short_ones, is_short ? 2u : 0u);
     }
+  }
+}
+
+// Points 0 and 1 pass through each other between 2 and 3, which rest: the length of their ridge is
+// 3 minus a third of (2 - t)^2, and 3 at the time at which they meet.
+TEST(Neighbor_lives, of_points_that_meet_have_the_limit_of_the_ridge_then) {
+  for (const double threshold : {3.0, std::nextafter(3.0, 4.0)}) {
+    const bool is_short = threshold > 3;
+    Simulation_2<> simulation(
+        {{{-2, 0}, {1, 0}, 0}, {{2, 0}, {-1, 0}, 0}, {{0, 3}, {}, 0}, {{0, -3}, {}, 0}}, {});
+    Neighbor_lives lives(simulation, threshold);
+    simulation.advance_to(4.0);
+    const auto found = lives.lives();
+    ASSERT_EQ(found.size(), 5u);
+    for (const Neighbor_life& life : found) {
+      EXPECT_EQ(life.begin, Algebraic_number(0.0));
+      EXPECT_EQ(life.end, Algebraic_number(4.0));
+      EXPECT_EQ(life.is_short, is_short && life.points == (Edge_ids{0, 1}));
+    }
+  }
+}
+
+// Points 0, 1 and 2 meet at t = 2 in the middle of the triangle of 3, 4 and 5, and part again,
+// turned by half a turn: while all ridges that end are shorter than 100, none of those lives is
+// long.
+TEST(Neighbor_lives, of_three_points_that_meet_are_short) {
+  Simulation_2<> simulation({{{2, 0}, {-1, 0}, 0},
+                             {{-2, 2}, {1, -1}, 0},
+                             {{-2, -2}, {1, 1}, 0},
+                             {{-8, 0}, {}, 0},
+                             {{8, 9}, {}, 0},
+                             {{8, -9}, {}, 0}},
+                            {});
+  Neighbor_lives lives(simulation, 100);
+  Stepped_run run(simulation);
+  run.step_to(4.0);
+  const auto found = lives.lives();
+  expect_same(found, run.lives(100));
+  const auto is_at_the_rim = [](const Neighbor_life& life) { return life.points[0] >= 3; };
+  EXPECT_EQ(std::ranges::count_if(found, is_at_the_rim), 3);
+  for (const Neighbor_life& life : found) EXPECT_EQ(life.is_short, !is_at_the_rim(life));
+  std::size_t exchanges = 0;
+  for (const Point_exchanges& point : lives.exchanges()) {
+    EXPECT_EQ(point.short_ones, point.gained + point.lost);
+    exchanges += point.gained + point.lost;
+  }
+  EXPECT_GT(exchanges, 0u);
+}
+
+// Points 0 and 3 pass through each other at t = 2: 3 leaves the triangle of 0, 1 and 2, and 0 comes
+// into that of 1, 2 and 3. No edge comes or goes, but the ridges of 1-3 and 2-3 have no end then.
+TEST(Neighbor_lives, of_points_that_exchange_the_hull_are_long) {
+  Simulation_2<> simulation(
+      {{{4, 0}, {-1, 0}, 0}, {{-4, 8}, {}, 0}, {{-4, -8}, {}, 0}, {{0, 0}, {1, 0}, 0}}, {});
+  Neighbor_lives lives(simulation, 100);
+  Stepped_run run(simulation);
+  run.step_to(1.5);
+  for (const Neighbor_life& life : lives.lives()) {
+    EXPECT_EQ(life.is_short, life.points[1] == 3) << life.points[0] << "-" << life.points[1];
+  }
+  run.step_to(2.0);
+  run.look();
+  run.step_to(3.0);
+  EXPECT_EQ(simulation.triangulation().counters().number_of_events(), 0u);
+  const auto found = lives.lives();
+  ASSERT_EQ(found.size(), 6u);
+  expect_same(found, run.lives(100));
+  for (const Neighbor_life& life : found) {
+    EXPECT_EQ(life.is_short, life.points == (Edge_ids{0, 3}));
   }
 }
 
@@ -380,6 +475,140 @@ TEST(Neighbor_lives, of_points_that_come_turn_and_go_are_those_of_the_triangulat
     }
     run.step_to(now + 1);
     expect_same(lives.lives(), run.lives(0.5));
+  }
+}
+
+// ---- against the places at many times ----
+
+// The squared lengths of the ridges of points at a rational time, by CGAL's static triangulation of
+// their places; none of those without an end.
+std::map<Edge_ids, std::optional<Rational>> squared_ridges(
+    const std::vector<Linear_motion_2>& motions, const Rational& t) {
+  using Kernel = test::Static_kernel;
+  CGAL::Delaunay_triangulation_2<Kernel> triangulation;
+  std::map<Kernel::Point_2, Point_id> ids;
+  for (Point_id id = 0; id < motions.size(); ++id) {
+    ids.emplace(test::place_at(motions[id], t), id);
+    triangulation.insert(test::place_at(motions[id], t));
+  }
+  std::map<Edge_ids, std::optional<Rational>> result;
+  for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end();
+       ++edge) {
+    const auto [face, i] = *edge;
+    std::optional<Rational>& squared =
+        result[edge_ids(ids.at(face->vertex(triangulation.cw(i))->point()),
+                        ids.at(face->vertex(triangulation.ccw(i))->point()))];
+    const auto other = face->neighbor(i);
+    if (triangulation.is_infinite(face) || triangulation.is_infinite(other)) continue;
+    squared =
+        CGAL::squared_distance(triangulation.circumcenter(face), triangulation.circumcenter(other));
+  }
+  return result;
+}
+
+// Of which points how many are to meet, and where.
+std::vector<Linear_motion_2> motions_that_meet(unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<int> number(-4, 4);
+  std::vector<Linear_motion_2> motions;
+  for (const auto& [size, time] : {std::pair(3, 2.0), {2, 1.0}, {2, 2.0}, {3, 0.0}}) {
+    const Vector_2 place = {static_cast<double>(2 * number(random)),
+                            static_cast<double>(2 * number(random))};
+    std::set<std::pair<int, int>> velocities;
+    while (velocities.size() < static_cast<std::size_t>(size)) {
+      velocities.emplace(number(random), number(random));
+    }
+    for (const auto& [vx, vy] : velocities) {
+      motions.push_back({{place.x - time * vx, place.y - time * vy},
+                         {static_cast<double>(vx), static_cast<double>(vy)},
+                         0});
+    }
+  }
+  return motions;
+}
+
+// The times at which two of the points, whose epochs are 0, are in one place.
+std::set<Rational> times_of_meetings(const std::vector<Linear_motion_2>& motions) {
+  std::set<Rational> result;
+  for (const Linear_motion_2& p : motions) {
+    for (const Linear_motion_2& q : motions) {
+      for (const auto axis : {&Vector_2::x, &Vector_2::y}) {
+        const Rational speed = to_rational(q.velocity.*axis) - to_rational(p.velocity.*axis);
+        if (speed == 0) continue;
+        const Rational t = (to_rational(p.position.*axis) - to_rational(q.position.*axis)) / speed;
+        if (test::place_at(p, t) == test::place_at(q, t)) result.insert(t);
+      }
+    }
+  }
+  return result;
+}
+
+// Every life whose ridge is seen to be long is long, and each of the others is never seen to be. A
+// life that is long, but at none of the times, is so for the reason that the polynomials give.
+TEST(Neighbor_lives, of_points_that_meet_are_those_of_the_places_at_many_times) {
+  std::size_t short_ones = 0;
+  std::size_t long_ones = 0;
+  for (unsigned seed = 0; seed < seeds(12); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const std::vector<Linear_motion_2> motions = motions_that_meet(seed);
+    const double threshold = std::array{0.625, 4.0, 64.0}[seed % 3];
+    Simulation_2<> simulation(motions, {});
+    Neighbor_lives lives(simulation, threshold);
+    std::vector<double> times = {0, 4};
+    while (simulation.step(4.0) > 0) times.push_back(simulation.current_time().to_double());
+    simulation.advance_to(4.0);
+    const auto found = lives.lives();
+    // Between each two events; just before and after each; and at regular times.
+    std::set<Rational> samples;
+    std::ranges::sort(times);
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+      const Rational gap = to_rational(times[i + 1]) - to_rational(times[i]);
+      for (const Rational& share : {Rational(1, 1 << 20), Rational(1, 64), Rational(1, 3),
+                                    Rational(63, 64), Rational((1 << 20) - 1, 1 << 20)}) {
+        samples.insert(to_rational(times[i]) + share * gap);
+      }
+    }
+    std::vector<bool> is_seen_long(found.size(), false);
+    const std::set<Rational> meetings = times_of_meetings(motions);
+    for (const Rational& t : samples) {
+      if (t <= 0 || t >= 4 || meetings.contains(t)) continue;
+      const auto ridges = squared_ridges(motions, t);
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i].begin >= Algebraic_number(t) || found[i].end <= Algebraic_number(t)) continue;
+        const auto ridge = ridges.find(found[i].points);
+        if (ridge == ridges.end()) continue;  // of length 0, as points are cocircular for a while
+        const Rational length = to_rational(threshold);
+        if (!ridge->second || *ridge->second >= length * length) is_seen_long[i] = true;
+      }
+    }
+    std::size_t unseen = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_FALSE(is_seen_long[i] && found[i].is_short) << i;
+      if (!is_seen_long[i] && !found[i].is_short) ++unseen;
+    }
+    EXPECT_LE(10 * unseen, found.size());
+    short_ones += number_of_short(found);
+    long_ones += found.size() - number_of_short(found);
+  }
+  EXPECT_GT(short_ones, 50u);
+  EXPECT_GT(long_ones, 50u);
+}
+
+TEST(Neighbor_lives, of_points_that_meet_are_those_of_the_triangulation) {
+  for (unsigned seed = 0; seed < seeds(12); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const std::vector<Linear_motion_2> motions = motions_that_meet(seed);
+    Simulation_2<> simulation(motions, {});
+    const double threshold = std::array{0.625, 4.0, 64.0}[seed % 3];
+    Neighbor_lives lives(simulation, threshold);
+    Stepped_run run(simulation);
+    for (const Rational& time : times_of_meetings(motions)) {
+      if (time <= 0 || time >= 4) continue;
+      run.step_to(Algebraic_number(time));
+      run.look();
+    }
+    run.step_to(4.0);
+    expect_same(lives.lives(), run.lives(threshold));
   }
 }
 

@@ -127,6 +127,11 @@ class Edge_follower : private Event_observer {
   virtual void change(const Time& time, std::span<const Edge_ids> removed,
                       std::span<const Edge_ids> added, std::span<const Changed_point> points) = 0;
 
+  /// Triangles at these edges, which are sorted, may have changed although no edge has: points have
+  /// met. Among them are edges that are not there. Called after change(), if that is called; an
+  /// edge that it has told of need not be among them.
+  virtual void change_triangles(std::span<const Edge_ids> /*edges*/) {}
+
   /// What is observed.
   const Triangulation& triangulation() const { return *triangulation_; }
   /// The points and edges, as of the last instant that has been told.
@@ -138,11 +143,13 @@ class Edge_follower : private Event_observer {
   void start();
   void begin_instant(const Time& time);
   void finish_instant();
+  void finish_changes();
   void sum_up_edges();
   void sum_up_points();
   bool looks_at_triangulation() const override { return false; }
   void before_event(const Event& event) override;
   void after_event(const Event& event) override;
+  void after_rebuild(const Time& time, std::span<const Edge_ids> edges) override;
 
   const Triangulation* triangulation_;
   std::function<void()> stop_observing_;
@@ -152,6 +159,7 @@ class Edge_follower : private Event_observer {
   // a point has got a motion, or has gone.
   std::vector<std::pair<Edge_ids, int>> edge_events_;
   std::vector<std::pair<Point_id, std::optional<Point_2>>> point_events_;
+  std::vector<Edge_ids> rebuilt_edges_;  // of after_rebuild
   // What it comes to, while change() is told. Members, so that an instant needs no memory.
   std::vector<Edge_ids> removed_;
   std::vector<Edge_ids> added_;

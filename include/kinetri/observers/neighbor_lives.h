@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -69,14 +70,15 @@ struct Point_exchanges {
 ///
 /// *Short ridges.* With a threshold, a life is short if the length of its ridge, the side that the
 /// two Voronoi cells (with weights: power cells) have in common, is less than the threshold at all
-/// times of the life, from its begin to its end, these included. That is decided exactly: the
-/// squared length is a quotient of two polynomials in time, of degrees 10 and 8 for linear motion.
-/// Of a life that goes on, it is decided up to the present. The ridge of a hull edge has no end,
-/// and is not short. Where an exchange is undone before the new ridge has reached the threshold,
-/// that life is short, and both exchanges are. (Which pair another one replaces is known of
-/// exchanges of two pairs that are alone in their quadrilateral; of several at one time in one
-/// place, an exchange is short only for the two points of the short life.) The life of the pair
-/// that parts and meets again is not joined.
+/// times of the life, from its begin to its end, these included; at a time at which points meet,
+/// its length is the limit of that before and after it. That is decided exactly: the squared length
+/// is a quotient of two polynomials in time, of degrees 10 and 8 for linear motion, whose common
+/// divisor is divided out. Of a life that goes on, it is decided up to the present. The ridge of a
+/// hull edge has no end, and is not short. Where an exchange is undone before the new ridge has
+/// reached the threshold, that life is short, and both exchanges are. (Which pair another one
+/// replaces is known of exchanges of two pairs that are alone in their quadrilateral; of several at
+/// one time in one place, an exchange is short only for the two points of the short life.) The life
+/// of the pair that parts and meets again is not joined.
 ///
 /// Cost: O(log n) for each edge that changes, and O(degree) for each turn. With a threshold, also
 /// predicates for the five edges around it, and until the ridge of an edge has reached the
@@ -142,8 +144,11 @@ class Neighbor_lives final : private Edge_follower<Traits> {
                      std::span<const Changed_point> points) override;
   void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
               std::span<const Changed_point> points) override;
+  void change_triangles(std::span<const Edge_ids> edges) override;
 
   void follow_opposites(std::span<const Edge_ids> removed, std::span<const Edge_ids> added);
+  void add_points_around(std::span<const Edge_ids> edges, std::set<Point_id>& around) const;
+  void update_opposites(const std::set<Point_id>& around);
   std::vector<Point_id> common_neighbors(Point_id a, Point_id b) const;
   Opposite opposite(const Edge_ids& edge) const;
   void end_piece(const Edge_ids& edge);
