@@ -1267,7 +1267,8 @@ class Simulation(MovingPoints):
             a, b (ids), time, time_lo, time_hi, distance, and gap if there are discs: the pairs with the
             least gaps between their rims while they were neighbors, in the exact order of the gaps (of
             points: of the distances), with the first time at which each pair was nearest. Each number is
-            the float64 nearest to the exact one. The first pair is the closest one of all.
+            the float64 nearest to the exact one. The first pair is the closest one of all. A point that
+            leaves and one that comes at the same time are together at that time.
 
         Raises
         ------

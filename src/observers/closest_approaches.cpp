@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "kinetri/observers/detail/departures.h"
 #include "kinetri/triangulation/detail/incident.h"
 
 namespace kinetri {
@@ -39,6 +40,7 @@ std::vector<Approach> Closest_approaches<Traits>::approaches() {
     examine(pair, piece, simulation_.current_time());
     piece.since = simulation_.current_time();
   }
+  examine_moment();
   drop_all_but_nearest();
   std::vector<const Candidate*> sorted;
   for (const auto& [pair, candidate] : nearest_) sorted.push_back(&candidate);
@@ -54,7 +56,21 @@ std::vector<Approach> Closest_approaches<Traits>::approaches() {
 // ---- which pairs ----
 
 template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::before_event(const Event& event) {
+  if (!(gone_.empty() && come_.empty()) && moment_ != event.time) {
+    examine_moment();
+    gone_.clear();
+    come_.clear();
+  }
+  named_.clear();
+  for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
+    if (id && simulation_.triangulation().contains(*id)) named_.push_back({*id, disc(*id)});
+  }
+}
+
+template <HasLinearMotion Traits>
 void Closest_approaches<Traits>::after_event(const Event& event) {
+  note_passing(event);
   if (event.removed) {
     end(*event.removed, event.time);
     begin_overlap(*event.removed, event.time);
@@ -162,6 +178,75 @@ void Closest_approaches<Traits>::turn(Point_id id, const Algebraic_number& time)
   }
   for (const Edge_ids& pair : ended) end(pair, time);
   for (std::size_t i = 0; i < edges; ++i) begin(ended[i], time, true);
+}
+
+// ---- points that go at the time at which others come ----
+
+// Keeps the points of the event that have come or gone by it.
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::note_passing(const Event& event) {
+  const auto& triangulation = simulation_.triangulation();
+  for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
+    if (!id) continue;
+    const auto before = std::ranges::find(named_, *id, &Passing::id);
+    if ((before != named_.end()) == triangulation.contains(*id)) continue;
+    moment_ = event.time;
+    if (before != named_.end()) {
+      gone_.push_back(*before);
+    } else {
+      come_.push_back({*id, disc(*id)});
+    }
+  }
+}
+
+// Of the points that have gone at one time and those that have come then, the nearest pairs.
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::examine_moment() {
+  if (gone_.empty() || come_.empty()) return;
+  const auto discs = [](const std::vector<Passing>& points) {
+    std::vector<Disc_motion_2> result;
+    for (const Passing& point : points) result.push_back(point.disc);
+    return result;
+  };
+  const std::vector<Disc_motion_2> gone = discs(gone_);
+  const std::vector<Disc_motion_2> come = discs(come_);
+  // Some pairs that are probably near, at least `number_` if there are so many: then the others
+  // need not be looked at that are farther apart than these.
+  examine_nearest_by_order(gone, come);
+  drop_all_but_nearest();
+  if (limit_ == std::numeric_limits<double>::infinity()) return;  // these were all pairs
+  detail::for_each_pair_in_range(gone, come, std::max(limit_, 0.0), moment_,
+                                 [this](std::size_t i, std::size_t k) { examine_at_moment(i, k); });
+}
+
+// Examines, for each point that has gone, some of those that have come that are next to it in the
+// order of rounded places.
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::examine_nearest_by_order(const std::vector<Disc_motion_2>& gone,
+                                                          const std::vector<Disc_motion_2>& come) {
+  const double time = moment_.to_double();
+  const auto place = [&](const Disc_motion_2& disc) {
+    const Vector_2 centre = rounded_place(disc, time);
+    return std::pair(centre.x, centre.y);
+  };
+  std::vector<std::pair<std::pair<double, double>, std::size_t>> order;
+  for (std::size_t k = 0; k < come.size(); ++k) order.emplace_back(place(come[k]), k);
+  std::ranges::sort(order);
+  const std::size_t width = std::min(order.size(), number_ / gone.size() + 4);
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    const auto next = static_cast<std::size_t>(
+        std::ranges::lower_bound(order, std::pair(place(gone[i]), std::size_t{0})) - order.begin());
+    const std::size_t first = std::min(next - std::min(next, width / 2), order.size() - width);
+    for (std::size_t k = first; k < first + width; ++k) examine_at_moment(i, order[k].second);
+  }
+}
+
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::examine_at_moment(std::size_t gone, std::size_t come) {
+  const auto& [p, p_disc] = gone_[gone];
+  const auto& [q, q_disc] = come_[come];
+  if (p == q) return;  // it has come and gone at this time
+  examine(edge_ids(p, q), {p_disc, q_disc, moment_}, moment_);
 }
 
 // ---- the nearest of them ----

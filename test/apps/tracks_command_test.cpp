@@ -99,6 +99,28 @@ TEST_F(Tracks, print_the_closest_approaches) {
       << outcome.out;
 }
 
+// Two that are together for one moment count as such in all answers that are about distances, and
+// in none that is about edges.
+TEST_F(Tracks, tell_the_same_of_things_that_are_together_for_one_moment) {
+  const std::string data = "t,id,x,y\n0,a,0,0\n2,a,0,0\n2,b,0,1\n5,b,0,1\n0,c,9,0\n5,c,9,0\n";
+  const auto answer = [&](const Arguments& options) {
+    const Outcome outcome = tracks(data, options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_EQ(answer({"--closest", "1", "--quiet"}),
+            "id_a,id_b,time,time_lo,time_hi,distance\na,b,2,2,2,1\n");
+  EXPECT_EQ(answer({"--encounters", "-", "--range", "1", "--quiet"}),
+            "a,b,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance\n"
+            "0,2,2,2,2,2,2,2,1\n");
+  EXPECT_EQ(answer({"--connected", "-", "--range", "1", "--between", "a,b", "--quiet"}),
+            "a,b,begin_lo,begin_hi,end_lo,end_hi\na,b,2,2,2,2\n");
+  EXPECT_NE(answer({"--components", "-", "--range", "1", "--quiet"}).find("2,2,merge,0,2"),
+            std::string::npos);
+  EXPECT_EQ(answer({"--neighbors", "-", "--quiet"}).find("\n0,2,"), std::string::npos);
+  EXPECT_EQ(answer({"--nearest", "-", "--quiet"}).find("2,2,0,1,2\n"), std::string::npos);
+}
+
 // The centres of a and b are nearer to each other, the rims of c and d are.
 TEST_F(Tracks, print_the_closest_approaches_of_discs_with_their_gaps) {
   const std::string discs =

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/contact_region_runs.h"
 #include "support/disc_runs.h"
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
@@ -142,7 +143,10 @@ TEST(Closest_approaches, of_tracks_begin_with_the_closest_of_all_pairs) {
             for (std::size_t l = 0; l + 1 < b.size(); ++l) {
               const double from = std::max(a[k].time, b[l].time);
               const double to = std::min(a[k + 1].time, b[l + 1].time);
-              if (from >= to) continue;
+              // One that leaves is still there at that time for one that comes then.
+              const bool is_moment =
+                  from == to && (k + 2 == a.size() || l + 2 == b.size()) && (k == 0 || l == 0);
+              if (from >= to && !is_moment) continue;
               const auto approach = closest_approach({i, j}, motion_after(a, k), motion_after(b, l),
                                                      to_rational(from), to_rational(to));
               if (!least || approach < *least) least = approach;
@@ -158,6 +162,122 @@ TEST(Closest_approaches, of_tracks_begin_with_the_closest_of_all_pairs) {
       EXPECT_EQ(found[0].points, least->points);
       EXPECT_EQ(found[0].time, Algebraic_number(least->time));
       EXPECT_TRUE(is_nearest_root(found[0].distance, least->squared_distance));
+    }
+  }
+}
+
+// Contacts turn points, whose edges are then those of the triangulation: a run by regions is ahead.
+TEST(Closest_approaches, of_points_between_walls_are_the_same_in_a_run_by_regions) {
+  Simulation_options options;
+  options.box = Box_2{0, 0, 100, 100};
+  const auto motions = test::gas(100, 100, 0, 20, 1);
+  std::vector<std::vector<Approach>> found;
+  for (const bool is_by_regions : {false, true}) {
+    Simulation_2<> simulation(motions, options);
+    Closest_approaches closest(simulation, 50);
+    if (is_by_regions) {
+      detail::Contact_turns<Simulation_2<>>::run_of(simulation, test::options_of(5, 0.5))
+          .advance_to(5.0);
+    } else {
+      simulation.advance_to(5.0);
+    }
+    found.push_back(closest.approaches());
+  }
+  ASSERT_EQ(found[0].size(), 50u);
+  ASSERT_EQ(found[1].size(), 50u);
+  for (std::size_t k = 0; k < 50; ++k) {
+    EXPECT_EQ(found[0][k].points, found[1][k].points);
+    EXPECT_EQ(found[0][k].time, found[1][k].time);
+    EXPECT_EQ(found[0][k].distance, found[1][k].distance);
+  }
+}
+
+// ---- points that are there together for one moment ----
+
+// A thing leaves at t = 2, at (0, 0), where another one comes then, at (0, 1). Before and after
+// that each has a neighbor at a distance of 5.
+TEST(Closest_approaches, of_one_that_leaves_and_one_that_comes_are_at_that_time) {
+  const test::Tracks tracks = {{{0, {0, 0}}, {2, {0, 0}}},
+                               {{2, {0, 1}}, {5, {3, 1}}},
+                               {{0, {5, 0}}, {5, {5, 0}}},
+                               {{3, {0, 0.5}}, {5, {0, 0.5}}}};
+  const auto stays = stays_of(tracks, {.from = 0});
+  const auto simulation = simulate_tracks(tracks, stays, 0);
+  Closest_approaches closest(*simulation, 9);
+  simulation->advance_to(2.0);
+  for (int i = 0; i < 2; ++i) {  // asked at the time itself, and later
+    const auto found = closest.approaches();
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(stays[found[0].points[0]].track, 0u);
+    EXPECT_EQ(stays[found[0].points[1]].track, 1u);
+    EXPECT_EQ(found[0].time, Algebraic_number(2.0));
+    EXPECT_EQ(found[0].distance, 1);
+    // The one that comes at t = 3 does not meet the one that has left.
+    const auto is_of = [&](const Approach& approach, std::size_t track) {
+      return std::ranges::any_of(approach.points,
+                                 [&](Point_id id) { return stays[id].track == track; });
+    };
+    EXPECT_TRUE(
+        std::ranges::none_of(found, [&](const Approach& a) { return is_of(a, 0) && is_of(a, 3); }));
+    simulation->advance_to(5.0);
+  }
+}
+
+// Both are erased by a contact at t = 1, and one comes beside them then.
+TEST(Closest_approaches, of_discs_that_vanish_and_one_that_comes_are_at_that_time) {
+  Simulation_2<> simulation({{{0, 0}, {1, 0}, 0}, {{4, 0}, {-1, 0}, 0}},
+                            test::discs(1, erase_both));
+  simulation.schedule_insert(1.0, {{1, 0.25}, {0, 0}, 1});
+  Closest_approaches closest(simulation, 9);
+  simulation.advance_to(2.0);
+  const auto found = closest.approaches();
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].points, (Edge_ids{0, 2}));
+  EXPECT_EQ(found[0].gap, -1.75);
+  EXPECT_EQ(found[0].time, Algebraic_number(1.0));
+  EXPECT_EQ(found[1].points, (Edge_ids{0, 1}));
+  EXPECT_EQ(found[2].points, (Edge_ids{1, 2}));
+}
+
+// Points that are far apart leave when others come that are: the nearest pairs are of one of these
+// and one of those, and there are too many pairs to look at each.
+TEST(Closest_approaches, of_many_that_leave_and_many_that_come_are_the_nearest_pairs) {
+  for (unsigned seed = 0; seed < 3u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> jitter(0, 16);
+    constexpr int side = 12;
+    test::Tracks tracks;
+    for (const double time : {0.0, 1.0}) {
+      for (int i = 0; i < side * side; ++i) {
+        const Vector_2 place = {64 * (i % side) + 32 * time + (seed == 0 ? 0 : jitter(random)),
+                                64 * (i / side) + (seed == 0 ? 0 : jitter(random))};
+        tracks.push_back({{time, place}, {time + 1, place}});
+      }
+    }
+    const auto stays = stays_of(tracks, {.from = 0});
+    std::vector<Rational_approach> expected;
+    for (Point_id i = 0; i < side * side; ++i) {
+      for (Point_id j = side * side; j < 2 * side * side; ++j) {
+        const auto& p = tracks[stays[i].track].back().place;
+        const auto& q = tracks[stays[j].track].front().place;
+        const Rational x = to_rational(p.x) - to_rational(q.x);
+        const Rational y = to_rational(p.y) - to_rational(q.y);
+        expected.push_back({x * x + y * y, 1, {i, j}});
+      }
+    }
+    std::sort(expected.begin(), expected.end());
+    for (const std::size_t number : {1, 7, 30}) {
+      const auto simulation = simulate_tracks(tracks, stays, 0);
+      Closest_approaches closest(*simulation, number);
+      simulation->advance_to(2.0);
+      const auto found = closest.approaches();
+      ASSERT_EQ(found.size(), number);
+      for (std::size_t k = 0; k < number; ++k) {
+        EXPECT_EQ(found[k].points, expected[k].points);
+        EXPECT_EQ(found[k].time, Algebraic_number(1.0));
+        EXPECT_TRUE(is_nearest_root(found[k].distance, expected[k].squared_distance));
+      }
     }
   }
 }

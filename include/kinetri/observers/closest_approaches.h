@@ -36,8 +36,10 @@ concept HasLinearMotion = ContactKineticTraits_2<Traits> &&
 
 /// An observer of a simulation that keeps the `number` pairs with the least gaps while they were
 /// neighbors in the triangulation or overlapped, and for each pair the first time at which its gap
-/// was least. Discs have the radius of the options, or radii of their own, which may differ and
-/// grow; where they have none, the gap is the distance.
+/// was least. A point that leaves is still there at the time at which it does, for each one that
+/// comes then: the two are a pair at that time, though never in one triangulation. Discs have the
+/// radius of the options, or radii of their own, which may differ and grow; where they have none,
+/// the gap is the distance.
 ///
 /// The first of the result is the closest approach of all pairs. For discs of one radius, and
 /// points, the closest pair has an edge at any time. For discs with radii of their own, at any time
@@ -48,7 +50,9 @@ concept HasLinearMotion = ContactKineticTraits_2<Traits> &&
 /// Gaps are compared exactly, even if they round to the same number. Cost: for each change of an
 /// edge or of a motion at it some hundred floating-point operations, which prove for most pairs
 /// that they are not near enough, and exact arithmetic for the others; for discs with radii of
-/// their own, also for those that overlap. Memory: O(edges + overlaps + number).
+/// their own, also for those that overlap. Of k points that leave or come at one time,
+/// O(k log k + number) such operations, and as many for each of their pairs that may be among the
+/// nearest. Memory: O(edges + overlaps + number).
 template <HasLinearMotion Traits = Linear_kinetic_traits_2>
 class Closest_approaches : public Event_observer, private Overlap_observer {
   static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
@@ -68,11 +72,15 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   /// round its numbers.
   std::vector<Approach> approaches();
 
-  /// Points without radii: it does not but for motions, which no run by regions changes, and for
-  /// the edges at points that an event names, which no event of such a run does.
-  bool looks_at_triangulation() const override { return has_radii; }
+  /// It does for the edges at points that an event names, as those of contacts do.
+  bool looks_at_triangulation() const override {
+    return has_radii || simulation_.options().box || simulation_.options().response;
+  }
+  /// @{
   /// Called by the simulation; tracks edges and motions.
+  void before_event(const Event& event) override;
   void after_event(const Event& event) override;
+  /// @}
 
  private:
   // A pair that has an edge or overlaps, since that began or the last change of a motion.
@@ -89,6 +97,12 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
     detail::Gap_of_pair<Disc_motion_2> least;
   };
 
+  // A point that comes or goes, with its motion at that time.
+  struct Passing {
+    Point_id id;
+    Disc_motion_2 disc;
+  };
+
   static bool is_nearer(const Candidate& a, const Candidate& b);
 
   void after_change(std::span<const Point_id> points) override;
@@ -99,6 +113,11 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   void end(const Edge_ids& pair, const Algebraic_number& time);
   void turn(Point_id id, const Algebraic_number& time);
   void examine(const Edge_ids& pair, const Piece& piece, const Algebraic_number& until);
+  void note_passing(const Event& event);
+  void examine_moment();
+  void examine_nearest_by_order(const std::vector<Disc_motion_2>& gone,
+                                const std::vector<Disc_motion_2>& come);
+  void examine_at_moment(std::size_t gone, std::size_t come);
   void keep(Candidate candidate);
   void drop_all_but_nearest();
 
@@ -107,6 +126,12 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   std::map<Edge_ids, Piece> pieces_;
   // Of each piece without an edge both points, each with the other one.
   std::set<std::pair<Point_id, Point_id>> overlaps_;
+  // The points of the present event that were there before it; and of one time, those that have
+  // gone and those that have come.
+  std::vector<Passing> named_;
+  Algebraic_number moment_;
+  std::vector<Passing> gone_;
+  std::vector<Passing> come_;
   std::map<Edge_ids, Candidate> nearest_;
   // `number_` pairs have had this gap or a smaller one: a pair that certainly has a greater one is
   // of no interest.

@@ -55,7 +55,8 @@ struct Connecting_range {
 /// Lengths are compared exactly, just after the time; edges that have the same length throughout
 /// some time are in the order of their ids. So there is one tree. It is a subset of the
 /// triangulation's edges (docs/MATH.md, section 15). The simultaneous changes of one time are one
-/// change.
+/// change; of points that go and others that come at one time, the tree is that before and that
+/// after it.
 ///
 /// Cost: for each edge that loses its proof, certificates of the edges of triangles at it, or of
 /// those on its path in the tree. A change of the longest edge costs O(n) certificates. Memory: O(n

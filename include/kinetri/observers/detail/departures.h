@@ -18,6 +18,29 @@
 
 namespace kinetri::detail {
 
+/// Calls `function` with the index of each disc of `gone` and each of `come` whose gap may be at
+/// most `range` at the time: all such pairs, and perhaps others. Cost: O(k log k) for k discs, and
+/// as many pairs. Precondition: range >= 0.
+template <class Disc, class Function>
+void for_each_pair_in_range(const std::vector<Disc>& gone, const std::vector<Disc>& come,
+                            double range, const Algebraic_number& time, Function function) {
+  const Double_interval times = time.tight_interval();
+  const auto boxes = [&](const std::vector<Disc>& discs, double reach) {
+    std::vector<Disc_box> result;
+    for (Disc disc : discs) {
+      disc.radius = std::nextafter(disc.radius + reach, std::numeric_limits<double>::infinity());
+      const auto index = static_cast<Point_id>(result.size());
+      result.push_back(box_around(disc, index, times.lower, times));
+    }
+    return result;
+  };
+  std::vector<Disc_box> boxes_gone = boxes(gone, range);
+  std::vector<Disc_box> boxes_come = boxes(come, 0);
+  CGAL::box_intersection_d(boxes_gone.begin(), boxes_gone.end(), boxes_come.begin(),
+                           boxes_come.end(),
+                           [&](const auto& p, const auto& q) { function(p.info(), q.info()); });
+}
+
 /// The points that have gone at one time.
 template <class Point_2>
 class Departures {
@@ -39,21 +62,16 @@ class Departures {
       if (!before && is_there) come.push_back(id);
     }
     if (gone_.empty() || come.empty()) return;
-    const Double_interval times = time.tight_interval();
-    const auto box = [&](const Point_2& point, double reach, std::size_t index) {
-      auto disc = disc_about(point.motion(), radius);
-      disc.radius = std::nextafter(disc.radius + reach, std::numeric_limits<double>::infinity());
-      return box_around(disc, static_cast<Point_id>(index), times.lower, times);
-    };
-    std::vector<Disc_box> boxes_gone;
-    for (std::size_t i = 0; i < gone_.size(); ++i) boxes_gone.push_back(box(gone_[i], range, i));
-    std::vector<Disc_box> boxes_come;
-    for (const Point_id id : come) boxes_come.push_back(box(graph.point(id), 0, id));
-    std::vector<std::pair<Point_id, Point_id>> close;
-    CGAL::box_intersection_d(
-        boxes_gone.begin(), boxes_gone.end(), boxes_come.begin(), boxes_come.end(),
-        [&](const auto& p, const auto& q) { close.emplace_back(p.info(), q.info()); });
-    for (const auto& [index, id] : close) meet(gone_[index], graph.point(id));
+    using Disc = decltype(disc_about(gone_.front().motion(), radius));
+    std::vector<Disc> discs_gone;
+    for (const Point_2& point : gone_) discs_gone.push_back(disc_about(point.motion(), radius));
+    std::vector<Disc> discs_come;
+    for (const Point_id id : come) {
+      discs_come.push_back(disc_about(graph.point(id).motion(), radius));
+    }
+    for_each_pair_in_range(discs_gone, discs_come, range, time, [&](std::size_t i, std::size_t k) {
+      meet(gone_[i], graph.point(come[k]));
+    });
   }
 
  private:
