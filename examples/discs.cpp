@@ -30,8 +30,8 @@ static bool hide_an_island() {
       {{{0, 30}, {0, 0}}, 1},
       {{{0, 1}, {0, 0}}, 1},           // the island
       {{{-12, 0}, {1, 0}}, 3, 0.25}};  // the storm
-  Regular regular(discs);
   Reporter reporter;
+  Regular regular(discs);
   regular.add_observer(reporter);
   regular.advance_to(12);
   std::cout << "at t = 12, island 3 is " << (regular.is_hidden(3) ? "hidden" : "a vertex")
@@ -61,8 +61,8 @@ static bool let_grains_collide() {
   options.response = kinetri::collide_elastically;
   options.masses = {4, 1, 0.25};
   options.refuses_overlaps = true;
-  Simulation simulation(grains, options);
   Reporter reporter;
+  Simulation simulation(grains, options);
   simulation.add_observer(reporter);
   print_energy(simulation);
   simulation.advance_to(12);

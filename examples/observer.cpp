@@ -55,7 +55,8 @@ int main() {
   kdt.add_observer(neighborhoods);
   kdt.add_observer(statistics);
   kdt.advance_to(10);
-  kdt.remove_observer(neighborhoods);
+  kdt.remove_observer(neighborhoods);  // before they are destroyed
+  kdt.remove_observer(statistics);
 
   std::cout << '\n' << statistics;
   std::cout << "events of the ferry: " << statistics.events_of(4) << '\n';

@@ -50,8 +50,8 @@ int main(int argc, char** argv) try {
   std::vector<std::string> names;
   for (const kinetri::Stay& stay : stays) names.push_back(file.tracks[stay.track].id);
 
+  Log log(names);  // outlives the park
   const std::unique_ptr<kinetri::Simulation_2<>> park = kinetri::simulate_tracks(paths, stays, 0);
-  Log log(names);
   park->add_observer(log);
   kinetri::Closest_approaches approaches(*park, 4);  // keeps the 4 closest
   park->advance_to(40);

@@ -50,8 +50,8 @@ int main() {
   options.rim_touches = true;  // the rims of the stones touch the walls, not their centres
   options.response = kinetri::collide_elastically;
 
+  Contacts contacts;  // outlives the simulation
   Simulation simulation(stones, options);
-  Contacts contacts;
   simulation.add_observer(contacts);
   print_stones(simulation);
   simulation.advance_to(8);

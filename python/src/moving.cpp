@@ -22,7 +22,13 @@ Moving::Use::Use(Moving& moving, Event_observer* observer) : moving_(moving), ob
         "the object is in use: time advances, or another thread asks it; expected calls one after "
         "the other (two objects can be used at once)");
   }
-  if (observer_ != nullptr) moving_.engine_->add_observer(*observer_);
+  if (observer_ == nullptr) return;
+  try {
+    moving_.engine_->add_observer(*observer_);
+  } catch (...) {  // an observer has left the engine within an event
+    moving_.is_in_use_ = false;
+    throw;
+  }
 }
 
 Moving::Use::~Use() {

@@ -123,7 +123,7 @@ void Encounters<Traits>::begin(const Entry& entry, const Time& time) {
                                                    traits, p, q, range_, entry.bounds.upper);
                                              }))
                            : time);
-  for (Encounter_observer* const observer : observers_) observer->begins(pair, time);
+  observers_.call([&](Encounter_observer& observer) { observer.begins(pair, time); });
   if constexpr (!has_radii) examine_new_near(pair, time);
 }
 
@@ -138,7 +138,7 @@ void Encounters<Traits>::end(std::size_t index, const Time& time, const Motion& 
   record.has_ended = true;
   record.end = time;
   record.pieces.push_back({p, q, record.since, time});
-  for (Encounter_observer* const observer : observers_) observer->ends(record.points, time);
+  observers_.call([&](Encounter_observer& observer) { observer.ends(record.points, time); });
 }
 
 // The point has got another motion, or has gone, as have the other ones that have changed.
@@ -189,8 +189,8 @@ void Encounters<Traits>::meet_for_a_moment(const Point_2& p, const Point_2& q, c
   record.begin = time;
   record.end = time;
   record.pieces.push_back({p.motion(), q.motion(), time, time});
-  for (Encounter_observer* const observer : observers_) observer->begins(record.points, time);
-  for (Encounter_observer* const observer : observers_) observer->ends(record.points, time);
+  observers_.call([&](Encounter_observer& observer) { observer.begins(record.points, time); });
+  observers_.call([&](Encounter_observer& observer) { observer.ends(record.points, time); });
 }
 
 // Keeps the piece that ends at `time`, and drops those that certainly have not the least gap.

@@ -16,7 +16,11 @@ namespace kinetri {
 using Event = Basic_event<Algebraic_number>;
 
 /// Called before and after each event, in the order in which the observers were added. Derive and
-/// override what is needed. An observer must not change the triangulation.
+/// override what is needed. An observer may look at the triangulation, or the simulation, but not
+/// change it: functions that do throw Precondition_error while it is called. It may remove itself
+/// and others, but not add any. What it throws is passed on by the function that was called; the
+/// triangulation is then within an event and cannot go on, unless several threads have run it by
+/// regions (Kinetic_triangulation_2::set_threads).
 ///
 /// In `before_event` the triangulation still has the removed edge; in `after_event` it has the
 /// added one. For a `rebuild` event both are called when the whole reconstruction is done. Within a

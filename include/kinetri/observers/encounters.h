@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "kinetri/events/detail/observer_list.h"
 #include "kinetri/observers/detail/departures.h"
 #include "kinetri/observers/detail/failure_queue.h"
 #include "kinetri/observers/detail/gap_of_pair.h"
@@ -113,11 +114,10 @@ class Encounters final : public Edge_follower<Traits> {
   std::vector<Point_id> in_range(Point_id id);
 
   /// @{
-  /// Has the observer told of what happens from now on; it must outlive its registration.
-  void add_encounter_observer(Encounter_observer& observer) { observers_.push_back(&observer); }
-  void remove_encounter_observer(Encounter_observer& observer) {
-    std::erase(observers_, &observer);
-  }
+  /// Has the observer told of what happens from the next call of it on; it must outlive this object
+  /// or be removed, which it may do when it is called.
+  void add_encounter_observer(Encounter_observer& observer) { observers_.add(observer); }
+  void remove_encounter_observer(Encounter_observer& observer) { observers_.remove(observer); }
   /// @}
 
   /// Counts of the certificates made here.
@@ -242,7 +242,7 @@ class Encounters final : public Edge_follower<Traits> {
   detail::Departures<Point_2> departures_;
   // If has_radii. Not shared, but of a type that is incomplete here.
   std::shared_ptr<detail::Enlarged_discs<Traits>> enlarged_discs_;
-  std::vector<Encounter_observer*> observers_;
+  detail::Observer_list<Encounter_observer> observers_;
   Certificate_counters certificate_counters_;
 };
 

@@ -57,7 +57,9 @@ struct Contact_response_2 {
   }
 };
 
-/// A response: called at every contact. It must not change the simulation. An empty function means
+/// A response: called at every contact. It may look at the simulation, and schedule changes unless
+/// it is pure (Simulation_options::response_is_pure); other functions that change the simulation
+/// throw Precondition_error. If it throws, the simulation cannot go on. An empty function means
 /// that discs do not collide and that no contacts are computed.
 using Collision_response = std::function<Contact_response_2(const Contact_2&)>;
 

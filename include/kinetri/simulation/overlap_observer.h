@@ -18,7 +18,8 @@ class Overlap_observer {
 
   /// The points, which are sorted, have got other motions, have come or have gone, at the current
   /// time. All events of the change have been reported, and Simulation_2::overlapping_discs answers
-  /// for it. Must not change the simulation.
+  /// for it. May look at the simulation, but not change it: functions that do throw
+  /// Precondition_error.
   virtual void after_change(std::span<const Point_id> points) = 0;
 
  protected:

@@ -38,7 +38,9 @@
 #include <vector>
 
 #include "kinetri/base/error.h"
+#include "kinetri/base/flag_while.h"
 #include "kinetri/base/ids.h"
+#include "kinetri/events/detail/observer_list.h"
 #include "kinetri/events/divided_scheduler.h"
 #include "kinetri/events/event.h"
 #include "kinetri/events/event_scheduler.h"
@@ -135,6 +137,14 @@ class Outside_box_error : public Error {
 /// outside of the box at the time itself, it is moved onto its inner side, by the least binary64
 /// step that is certain to do it. So points are never outside of the box, exactly, and everything
 /// else happens exactly for the motions as they are.
+///
+/// Functions that are not const change the simulation, except set_threads and those that remove
+/// observers. They throw Precondition_error if they are called while another one of them runs: by
+/// an observer, a response, or the function `may_go_on`. Only changes may be scheduled within an
+/// event (see below). All of these functions throw Precondition_error when an observer has thrown
+/// within an event, or an exception (Contact_error, or one of a response) has left the simulation
+/// within a contact: make another one then, or restore a snapshot. Until then only what is const
+/// may be called.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Simulation_2 : private Event_observer {
  public:
@@ -190,12 +200,13 @@ class Simulation_2 : private Event_observer {
 
   /// Goes to the time of the next event and executes all events of that time, contacts included.
   /// Returns their number; 0 if there is no next event. Throws Contact_error; the simulation is
-  /// then left within the instant. Throws Negative_radius_error instead of passing the time at
-  /// which a radius that shrinks is 0; change that motion then, or erase the point, to go on.
-  std::size_t step() { return step(nullptr); }
+  /// then left within the contact, and cannot go on. Throws Negative_radius_error instead of
+  /// passing the time at which a radius that shrinks is 0; change that motion then, or erase the
+  /// point, to go on.
+  std::size_t step() { return checked_step(nullptr); }
 
   /// As step(), but only if the next event is at or before `until`; else nothing happens.
-  std::size_t step(const Time& until) { return step(&until); }
+  std::size_t step(const Time& until) { return checked_step(&until); }
 
   /// Goes to `time`: every event at or before it has happened. Returns the number of events. The
   /// result, exceptions included, is that of step(time) until there is none, and then of time
@@ -258,10 +269,11 @@ class Simulation_2 : private Event_observer {
   /// is dropped. A change that leads out of the box, or to the trajectory of a point that keeps it
   /// at that time, is dropped too: the call that has reached its time throws what the functions
   /// above throw, and the next call goes on with the remaining changes. An observer may schedule
-  /// changes if it looks at the triangulation (Event_observer::looks_at_triangulation; checked by
-  /// advance_to). Precondition: time >= current_time(); the motion is finite; the id has been given
-  /// or reserved; the mass is positive and finite. schedule_insert returns the id that the point
-  /// will have.
+  /// changes within an event if it looks at the triangulation
+  /// (Event_observer::looks_at_triangulation; checked by advance_to); so may a response that is not
+  /// pure (Simulation_options::response_is_pure). Precondition: time >= current_time(); the motion
+  /// is finite; the id has been given or reserved; the mass is positive and finite. schedule_insert
+  /// returns the id that the point will have.
   Point_id schedule_insert(const Time& time, const Motion& motion, double mass = 1);
   void schedule_motion(const Time& time, Point_id id, const Motion& motion);
   void schedule_erase(const Time& time, Point_id id);
@@ -273,6 +285,7 @@ class Simulation_2 : private Event_observer {
   /// The functions of the triangulation of these names. Contacts are events of the kinds wall and
   /// collision; the motions change between `before_event` and `after_event`.
   void add_observer(Observer& observer) {
+    check_may_change();
     triangulation_.add_observer(observer);
     observers_.push_back(&observer);
   }
@@ -289,11 +302,13 @@ class Simulation_2 : private Event_observer {
   std::vector<Point_id> overlapping_discs(Point_id id) const;
 
   /// @{
-  /// Has the observer told of changes of points; it must outlive its registration.
-  void add_overlap_observer(Overlap_observer& observer) { overlap_observers_.push_back(&observer); }
-  void remove_overlap_observer(Overlap_observer& observer) {
-    std::erase(overlap_observers_, &observer);
+  /// Has the observer told of changes of points; it must outlive this object or be removed, which
+  /// it may do when it is called.
+  void add_overlap_observer(Overlap_observer& observer) {
+    check_may_change();
+    overlap_observers_.add(observer);
   }
+  void remove_overlap_observer(Overlap_observer& observer) { overlap_observers_.remove(observer); }
   /// @}
 
   /// Counts of contacts since the start, those of the snapshot included; of the queue since this
@@ -542,7 +557,19 @@ class Simulation_2 : private Event_observer {
   template <class Function>
   void for_each_exact_overlap(Function function) const;
 
+  // Calls within calls.
+  void check_may_change() const;
+  void check_is_whole() const;
+  [[nodiscard]] detail::Flag_while start_change() {
+    check_may_change();
+    return detail::Flag_while(is_changing_);
+  }
+
   // Events.
+  std::size_t checked_step(const Time* until) {
+    const detail::Flag_while changing = start_change();
+    return step(until);
+  }
   std::size_t step(const Time* until);
   std::size_t step_in_parts(const Time* until);
   void join_parts();
@@ -577,6 +604,8 @@ class Simulation_2 : private Event_observer {
   bool try_change(const Due_change& change);
   std::vector<Due_change> pop_turns(const Entry& first);
   bool try_turns(std::span<const Due_change> turns);
+  void turn(std::span<const Point_id> ids, std::span<const Motion> motions);
+  void take_away(Point_id id);
   void check_place(const Point_2& point) const;
   template <HasWeight M = Motion>
   void check_radius(const Point_2& point) const;
@@ -605,12 +634,14 @@ class Simulation_2 : private Event_observer {
   std::uint32_t scheduled_ = 0;                                            // changes so far
   std::size_t scheduled_entries_ = 0;       // of changes, in the queue
   std::vector<const Observer*> observers_;  // but for this object
-  std::vector<Overlap_observer*> overlap_observers_;
+  detail::Observer_list<Overlap_observer> overlap_observers_;
   std::span<const Point_id> changing_points_;  // of which `change` schedules all contacts anew
   std::vector<Point_id> seeds_;                // discs that may grow from 0 at the present time
-  std::uint64_t passes_ = 0;  // contacts at which both discs have kept their motions
-  bool is_within_instant_ = false;
-  Contact_counters counters_;  // but for those of the queue
+  std::uint64_t passes_ = 0;        // contacts at which both discs have kept their motions
+  bool is_changing_ = false;        // a function that changes this runs
+  bool is_within_instant_ = false;  // and stays so if something throws
+  bool is_within_contact_ = false;  // the same
+  Contact_counters counters_;       // but for those of the queue
 };
 
 extern template class Simulation_2<Linear_kinetic_traits_2>;

@@ -127,11 +127,31 @@ void Simulation_2<Traits>::refuse_vanishing(Point_id id, const Time& time) const
           "motion of the disc by then");
 }
 
+// ---- calls within calls ----
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::check_may_change() const {
+  KINETRI_PRECONDITION(!is_changing_,
+                       "a change of the simulation within an event, or while another change is "
+                       "made; make it when advance_to, step or the other change has returned, or "
+                       "schedule it");
+  check_is_whole();
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::check_is_whole() const {
+  KINETRI_PRECONDITION(!is_within_contact_ || is_changing_,
+                       "an error has left the simulation within a contact; make another one, or "
+                       "restore a snapshot");
+  if (!is_changing_) detail::Plain_loop<Triangulation>::check_may_change(triangulation_);
+}
+
 // ---- time ----
 
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::advance_to(const Time& time,
                                              const std::function<bool()>& may_go_on) {
+  const detail::Flag_while changing = start_change();
   KINETRI_PRECONDITION(
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one");
@@ -342,12 +362,14 @@ void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postpone
           note_contact(entry, [this] { return is_contact_due(); })) {
         continue;
       }
+      is_within_contact_ = true;
       check_limit(entry, ++contacts);
       if (entry.kind == Entry_kind::wall) {
         hit_wall(entry.point_a, entry.point_b);
       } else {
         collide(entry.point_a, entry.point_b, entry.is_edge);
       }
+      is_within_contact_ = false;
     }
   };
   execute_due();

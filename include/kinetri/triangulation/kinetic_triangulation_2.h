@@ -28,9 +28,12 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/base/check.h"
 #include "kinetri/base/compiler.h"
 #include "kinetri/base/error.h"
+#include "kinetri/base/flag_while.h"
 #include "kinetri/base/ids.h"
+#include "kinetri/events/detail/observer_list.h"
 #include "kinetri/events/divided_scheduler.h"
 #include "kinetri/events/event.h"
 #include "kinetri/events/event_scheduler.h"
@@ -85,6 +88,12 @@ struct Triangulation_of<Traits> {
 /// memory is O(points), with one entry of the queue for each edge. Several threads may call const
 /// functions of one object at once. Copies are not made: handles and observers belong to one
 /// object.
+///
+/// Functions that are not const change the object, except set_threads and remove_observer. They
+/// throw Precondition_error if they are called while another one of them runs: by an observer, or
+/// by the function `may_go_on`. So they do when an observer has thrown within an event, since the
+/// change of that event may not have been made, and other observers have not been told of it: make
+/// another object then, or restore a snapshot. Until then only what is const may be called.
 template <KineticTraits_2 Traits>
 class Kinetic_triangulation_2 {
  public:
@@ -308,10 +317,14 @@ class Kinetic_triangulation_2 {
   // ---- watching ----
 
   /// Calls `observer` before and after each event from now on. It must outlive this object or be
-  /// removed. Costs nothing where there is none. No observer may call this function or the next.
-  void add_observer(Observer& observer) { observers_.push_back(&observer); }
-  /// Calls `observer` no more. Does nothing if it was not called.
-  void remove_observer(Observer& observer) { std::erase(observers_, &observer); }
+  /// removed. Costs nothing where there is none.
+  void add_observer(Observer& observer) {
+    check_may_change();
+    observers_.add(observer);
+  }
+  /// Calls `observer` no more. Does nothing if it was not called. An observer may remove itself and
+  /// others within an event, of which those are told no more.
+  void remove_observer(Observer& observer) { observers_.remove(observer); }
 
   /// Counts since the start, those of the snapshot included.
   const Triangulation_counters& counters() const { return counters_; }
@@ -459,6 +472,13 @@ class Kinetic_triangulation_2 {
     Time after;                    // a copy of its own
     Certificate_counters counters;
   };
+
+  // Calls within calls.
+  void check_may_change() const;
+  [[nodiscard]] detail::Flag_while start_change() {
+    check_may_change();
+    return detail::Flag_while(is_changing_);
+  }
 
   // Construction.
   Triangulation build_now(std::span<const Point_2> points) const;
@@ -612,6 +632,7 @@ class Kinetic_triangulation_2 {
     std::vector<Jump> jumps;               ///< the others
     std::optional<Triangulation> rebuilt;  ///< where all of it is built anew
   };
+  Point_id give_id();
   void change_all(Event_kind kind, std::vector<Change> changes);
   void perform(std::span<const Event> events, std::span<const Change> changes);
   Change_plan plan(std::span<const Change> changes);
@@ -664,7 +685,7 @@ class Kinetic_triangulation_2 {
   detail::Region_division division_;  // of the vertices, while the queue is in parts
   std::size_t threads_ = 1;           // of advance_to; 0: those of oneTBB's arena
   Certificate_counters certificate_counters_;
-  std::vector<Observer*> observers_;
+  detail::Observer_list<Observer> observers_;
   std::vector<Point_set_aside> points_set_aside_;
   /// Whether all weights are equal at all times, as without weights: then the triangulation is the
   /// Delaunay triangulation, and no point is hidden.
@@ -678,7 +699,8 @@ class Kinetic_triangulation_2 {
   std::vector<Point_id> moved_hidden_;   // hidden points that may have other triangles since then
   std::uint64_t events_in_instant_ = 0;  // of the last run_instant
   bool hull_is_flat_ = false;            // at the present time
-  bool is_in_event_ = false;             // observers are being called
+  bool is_changing_ = false;             // a function that changes this runs
+  bool is_in_event_ = false;             // and stays so if an observer throws
   Triangulation_counters counters_;
   Construction_seconds construction_seconds_;
 };

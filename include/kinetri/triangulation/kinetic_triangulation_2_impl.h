@@ -62,6 +62,18 @@ bool Kinetic_triangulation_2<Traits>::have_equal_weights(std::span<const Point_2
   return true;
 }
 
+// ---- calls within calls ----
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::check_may_change() const {
+  KINETRI_PRECONDITION(!is_changing_,
+                       "a change of the triangulation within an event, or while another change is "
+                       "made; make it when advance_to, step or the other change has returned");
+  KINETRI_PRECONDITION(!is_in_event_,
+                       "an observer has thrown, and left the triangulation within an event; make "
+                       "another one, or restore a snapshot");
+}
+
 // ---- the present ----
 
 template <KineticTraits_2 Traits>

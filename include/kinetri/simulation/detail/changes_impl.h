@@ -14,6 +14,7 @@
 #include "kinetri/base/check.h"
 #include "kinetri/simulation/detail/disc_numbers.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "kinetri/triangulation/detail/plain_loop.h"
 #include "kinetri/triangulation/detail/point_problems.h"
 
 namespace kinetri {
@@ -21,6 +22,7 @@ namespace kinetri {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule(const Time& time, Entry_kind kind, Point_id id,
                                     const std::optional<Motion>& motion) {
+  check_is_whole();
   KINETRI_PRECONDITION(time >= current_time(),
                        "a change in the past; take the present time or a later one");
   KINETRI_PRECONDITION(id < triangulation_.next_id(),
@@ -54,7 +56,8 @@ Point_id Simulation_2<Traits>::schedule_insert(const Time& time, const Motion& m
                                                double mass) {
   const Point_id id = triangulation_.next_id();
   KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
-  triangulation_.reserve_id();
+  check_is_whole();
+  detail::Plain_loop<Triangulation>::give_id(triangulation_);
   schedule(time, Entry_kind::insert, id, motion);
   keep_mass(id, mass);
   return id;
@@ -74,11 +77,11 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::execute_change(const Due_change& change) {
   const Point_id id = change.entry.point_a;
   if (change.entry.kind == Entry_kind::erase) {
-    erase(id);
+    take_away(id);
   } else if (change.entry.kind == Entry_kind::insert) {
     insert_checked(*change.motion, id, [&] { triangulation_.insert(*change.motion, id); });
   } else if (triangulation_.contains(id)) {  // else it has left while the change was postponed
-    set_motion(id, *change.motion);
+    turn({&id, 1}, {&*change.motion, 1});
   }
 }
 
@@ -105,6 +108,7 @@ bool Simulation_2<Traits>::try_change(const Due_change& change) {
 
 template <ContactKineticTraits_2 Traits>
 Point_id Simulation_2<Traits>::insert(const Motion& motion, double mass) {
+  const detail::Flag_while changing = start_change();
   const Point_id id = triangulation_.next_id();
   KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
   insert_checked(motion, id, [&] { triangulation_.insert(motion); });
@@ -120,6 +124,13 @@ void Simulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_motions(std::span<const Point_id> ids,
                                        std::span<const Motion> motions) {
+  const detail::Flag_while changing = start_change();
+  turn(ids, motions);
+}
+
+// What set_motions does, also within an instant.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::turn(std::span<const Point_id> ids, std::span<const Motion> motions) {
   for (std::size_t i = 0; i < std::min(ids.size(), motions.size()); ++i) {
     check_place(Point_2(motions[i], ids[i]));
   }
@@ -135,6 +146,7 @@ void Simulation_2<Traits>::set_motions(std::span<const Point_id> ids,
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
                                           std::span<const Vector_2> velocities) {
+  const detail::Flag_while changing = start_change();
   KINETRI_PRECONDITION(ids.size() == velocities.size(),
                        std::to_string(ids.size()) + " ids and " +
                            std::to_string(velocities.size()) +
@@ -148,16 +160,24 @@ void Simulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
                              " is not finite; expected two finite numbers");
     motions.push_back(with_velocity(ids[i], velocities[i], current_time()));
   }
-  set_motions(ids, motions);
+  turn(ids, motions);
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::erase(Point_id id) {
+  const detail::Flag_while changing = start_change();
+  take_away(id);
+}
+
+// What erase does, also within an instant.
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::take_away(Point_id id) {
   change({&id, 1}, [&] { triangulation_.erase(id); });
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_mass(Point_id id, double mass) {
+  const detail::Flag_while changing = start_change();
   KINETRI_PRECONDITION(triangulation_.contains(id), detail::unknown_id_problem(id));
   KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
   keep_mass(id, mass);
@@ -199,7 +219,7 @@ bool Simulation_2<Traits>::try_turns(std::span<const Due_change> turns) {
     motions.push_back(*motion);
   }
   try {
-    set_motions(ids, motions);
+    turn(ids, motions);
     return true;
   } catch (const Outside_box_error&) {
     return false;

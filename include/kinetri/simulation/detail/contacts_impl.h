@@ -159,7 +159,7 @@ void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes
     }
     schedule_pairs(points,
                    [this](Point_id id, const auto& function) { for_each_neighbor(id, function); });
-    for (Overlap_observer* const observer : overlap_observers_) observer->after_change(points);
+    overlap_observers_.call([&](Overlap_observer& observer) { observer.after_change(points); });
   };
   changing_points_ = points;
   try {

@@ -41,6 +41,7 @@ template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::apply(Event_kind kind, std::optional<Point_id> point_a,
                                             std::optional<Point_id> point_b,
                                             std::span<const Change> changes) {
+  const detail::Flag_while changing = start_change();
   for (const auto& [id, motion] : changes) {
     KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
     KINETRI_PRECONDITION(!motion || is_finite(*motion), detail::not_finite_problem(id));
@@ -54,6 +55,12 @@ void Kinetic_triangulation_2<Traits>::apply(Event_kind kind, std::optional<Point
 
 template <KineticTraits_2 Traits>
 Point_id Kinetic_triangulation_2<Traits>::reserve_id() {
+  const detail::Flag_while changing = start_change();
+  return give_id();
+}
+
+template <KineticTraits_2 Traits>
+Point_id Kinetic_triangulation_2<Traits>::give_id() {
   KINETRI_PRECONDITION(vertices_.size() + 1 < no_point, detail::too_many_points);
   vertices_.emplace_back();
   return static_cast<Point_id>(vertices_.size() - 1);
@@ -66,6 +73,7 @@ Point_id Kinetic_triangulation_2<Traits>::insert(const Motion& motion) {
 
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::insert(const Motion& motion, Point_id id) {
+  const detail::Flag_while changing = start_change();
   KINETRI_PRECONDITION(id < vertices_.size() && !contains(id),
                        "the id " + std::to_string(id) +
                            " is not one that waits for its point; take one that reserve_id gives");
@@ -78,6 +86,7 @@ void Kinetic_triangulation_2<Traits>::insert(const Motion& motion, Point_id id) 
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::set_motions(std::span<const Point_id> ids,
                                                   std::span<const Motion> motions) {
+  const detail::Flag_while changing = start_change();
   KINETRI_PRECONDITION(ids.size() == motions.size(), std::to_string(ids.size()) + " ids and " +
                                                          std::to_string(motions.size()) +
                                                          " motions; expected a motion for each id");
@@ -93,6 +102,7 @@ void Kinetic_triangulation_2<Traits>::set_motions(std::span<const Point_id> ids,
 
 template <KineticTraits_2 Traits>
 Point_id Kinetic_triangulation_2<Traits>::insert(std::span<const Motion> motions) {
+  const detail::Flag_while changing = start_change();
   const auto first = next_id();
   KINETRI_PRECONDITION(motions.size() < no_point - vertices_.size(), detail::too_many_points);
   std::vector<Change> changes;
@@ -114,6 +124,7 @@ Point_id Kinetic_triangulation_2<Traits>::insert(std::span<const Motion> motions
 
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::erase(std::span<const Point_id> ids) {
+  const detail::Flag_while changing = start_change();
   std::vector<Change> changes;
   changes.reserve(ids.size());
   for (const Point_id id : ids) {

@@ -65,6 +65,7 @@ void Kinetic_triangulation_2<Traits>::recheck(std::span<const Entry> entries) {
 
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::next_event_time() -> std::optional<Time> {
+  const detail::Flag_while changing = start_change();
   if (!settle(nullptr)) return std::nullopt;
   return queue_.time(queue_.top());
 }
@@ -109,6 +110,7 @@ std::size_t Kinetic_triangulation_2<Traits>::step(const Time& until) {
 // Points may meet, and part, without an event.
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_triangulation_2<Traits>::step_until(const Time* until) {
+  const detail::Flag_while changing = start_change();
   join_parts();
   return step_in_parts(until);
 }
@@ -132,6 +134,7 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time) {
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time,
                                                         const std::function<bool()>& may_go_on) {
+  const detail::Flag_while changing = start_change();
   KINETRI_PRECONDITION(
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one, "
@@ -376,10 +379,10 @@ void Kinetic_triangulation_2<Traits>::report(Event event, Change_edges change_ed
   event.number = counters_.number_of_events();
   if (!observers_.empty()) event.time = current_time();
   is_in_event_ = true;
-  for (Observer* observer : observers_) observer->before_event(event);
+  observers_.call([&](Observer& observer) { observer.before_event(event); });
   change_edges();
   count_event(event.kind);
-  for (Observer* observer : observers_) observer->after_event(event);
+  observers_.call([&](Observer& observer) { observer.after_event(event); });
   is_in_event_ = false;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 
+#include "kinetri/base/ids.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {
@@ -25,6 +26,10 @@ class Plain_loop {
   static void run_to(KineticTriangulation& kinetic, const Time& time) {
     kinetic.run_to(time, nullptr);
   }
+  /// Throws Precondition_error if an observer has thrown, and left the triangulation in an event.
+  static void check_may_change(const KineticTriangulation& kinetic) { kinetic.check_may_change(); }
+  /// As reserve_id(), also within an event.
+  static Point_id give_id(KineticTriangulation& kinetic) { return kinetic.give_id(); }
   /// Puts the queue into one part again.
   static void join(KineticTriangulation& kinetic) { kinetic.join_parts(); }
   /// How vertices belong to regions.

@@ -91,6 +91,7 @@ void Kinetic_triangulation_2<Traits>::rebuild() {
 // as in `run_instant`. A flat triangle, as there is also where points meet, is rebuilt instead.
 template <KineticTraits_2 Traits>
 std::size_t Kinetic_triangulation_2<Traits>::reverse() {
+  const detail::Flag_while changing = start_change();
   const std::uint64_t before = counters_.number_of_events();
   queue_.clear();
   set_current_time(-current_time());
@@ -202,7 +203,7 @@ void Kinetic_triangulation_2<Traits>::report_rebuild() {
   touched.reserve(edges.size());
   for (const auto& [edge, net_change] : edges) touched.push_back(edge);
   is_in_event_ = true;
-  for (Observer* observer : observers_) observer->after_rebuild(current_time(), touched);
+  observers_.call([&](Observer& observer) { observer.after_rebuild(current_time(), touched); });
   is_in_event_ = false;
 }
 

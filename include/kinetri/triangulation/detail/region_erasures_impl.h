@@ -240,9 +240,9 @@ void Region_run<Kinetic, Turns>::report_edges(std::span<const Edge_changes::Chan
   }
   std::vector<Edge_ids> touched;
   for (const auto& [edge, net] : edges) touched.push_back(edge);
-  for (Event_observer* observer : kinetic_.observers_) {
-    if (is_told(observer)) observer->after_rebuild(kinetic_.current_time(), touched);
-  }
+  kinetic_.observers_.call([&](Event_observer& observer) {
+    if (is_told(observer)) observer.after_rebuild(kinetic_.current_time(), touched);
+  });
 }
 
 // Counts the event of a key, and those of the edges that it has changed if it is an erasure.

@@ -234,8 +234,7 @@ void Region_run<Kinetic, Turns>::cut_off() {
 // Whether there are observers to tell.
 template <class Kinetic, class Turns>
 bool Region_run<Kinetic, Turns>::are_events_told() const {
-  return std::ranges::any_of(kinetic_.observers_,
-                             [this](const Event_observer* o) { return is_told(o); });
+  return kinetic_.observers_.any_of([this](const Event_observer& o) { return is_told(o); });
 }
 
 // Counts what the flips of the window have in common, and its turns.
@@ -337,13 +336,13 @@ void Region_run<Kinetic, Turns>::tell(Event event, std::uint64_t number,
                                       const Make_change& make_change) {
   event.number = number;
   event.time = kinetic_.current_time();
-  for (Event_observer* observer : kinetic_.observers_) {
-    if (is_told(observer)) observer->before_event(event);
-  }
+  kinetic_.observers_.call([&](Event_observer& observer) {
+    if (is_told(observer)) observer.before_event(event);
+  });
   make_change();
-  for (Event_observer* observer : kinetic_.observers_) {
-    if (is_told(observer)) observer->after_event(event);
-  }
+  kinetic_.observers_.call([&](Event_observer& observer) {
+    if (is_told(observer)) observer.after_event(event);
+  });
 }
 
 }  // namespace kinetri::detail

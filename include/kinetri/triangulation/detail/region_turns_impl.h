@@ -618,8 +618,8 @@ Event Region_run<Kinetic, Turns>::turn_event(const Key& key) {
 
 // Whether an observer is told of the events of a window: whoever has the turns knows them.
 template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_told(const Event_observer* observer) const {
-  if constexpr (has_turns) return !turns_.is_observer(observer);
+bool Region_run<Kinetic, Turns>::is_told(const Event_observer& observer) const {
+  if constexpr (has_turns) return !turns_.is_observer(&observer);
   return true;
 }
 

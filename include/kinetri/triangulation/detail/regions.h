@@ -536,7 +536,7 @@ class Region_run {
   void go_through(const Key& key);
   void go_through_turns();
   Event turn_event(const Key& key);
-  bool is_told(const Event_observer* observer) const;
+  bool is_told(const Event_observer& observer) const;
   void settle_turns_of_window();
 
   // Passes.

@@ -59,7 +59,8 @@ bool Region_run<Kinetic, Turns>::can_run() const {
   return HasRoundedPlace<typename Kinetic::Motion> && kinetic_.triangulation_.dimension() == 2 &&
          static_cast<double>(kinetic_.number_of_hidden_points()) * options_.points_per_hidden_one <=
              static_cast<double>(kinetic_.number_of_points_) &&
-         std::ranges::none_of(kinetic_.observers_, &Event_observer::looks_at_triangulation);
+         !kinetic_.observers_.any_of(
+             [](const Event_observer& observer) { return observer.looks_at_triangulation(); });
 }
 
 template <class Kinetic, class Turns>

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What observers and responses call within an event, and what may be called after they have thrown.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/disc_runs.h"
+#include "support/precondition_error.h"
+
+namespace kinetri {
+namespace {
+
+using test::Recorder;
+using test::Simulation;
+using Call = std::function<void(Simulation&)>;
+
+constexpr const char* within =
+    "a change of the simulation within an event, or while another change is made; make it when "
+    "advance_to, step or the other change has returned, or schedule it";
+constexpr const char* left =
+    "an error has left the simulation within a contact; make another one, or restore a snapshot";
+constexpr const char* left_by_observer =
+    "an observer has thrown, and left the triangulation within an event; make another one, or "
+    "restore a snapshot";
+
+struct Nothing : Overlap_observer {
+  void after_change(std::span<const Point_id> /*points*/) override {}
+};
+
+const Linear_motion_2 motion = {{5, 5}, {1, 0}, 0};
+
+// Every function that changes a simulation, but for those that schedule changes.
+std::map<std::string, Call> all_changes() {
+  static Event_observer observer;
+  static Nothing overlap_observer;
+  const std::vector<Point_id> ids = {0, 2};
+  return {{"advance_to", [](auto& simulation) { simulation.advance_to(9.0); }},
+          {"advance_to, asking",
+           [](auto& simulation) { simulation.advance_to(9.0, [] { return true; }); }},
+          {"step", [](auto& simulation) { simulation.step(); }},
+          {"step until", [](auto& simulation) { simulation.step(9.0); }},
+          {"insert", [](auto& simulation) { simulation.insert(motion); }},
+          {"set_motion", [](auto& simulation) { simulation.set_motion(0, motion); }},
+          {"set_motions",
+           [=](auto& simulation) {
+             simulation.set_motions(ids, std::vector<Linear_motion_2>{motion, {{8, 5}, {}, 0}});
+           }},
+          {"set_velocities",
+           [=](auto& simulation) {
+             simulation.set_velocities(ids, std::vector<Vector_2>{{0, 0}, {0, 0}});
+           }},
+          {"set_mass", [](auto& simulation) { simulation.set_mass(0, 2); }},
+          {"erase", [](auto& simulation) { simulation.erase(0); }},
+          {"add_observer", [](auto& simulation) { simulation.add_observer(observer); }},
+          {"add_overlap_observer",
+           [](auto& simulation) { simulation.add_overlap_observer(overlap_observer); }}};
+}
+
+void expect_refused(Simulation& simulation, const char* message) {
+  for (const auto& change : all_changes()) {
+    SCOPED_TRACE(change.first);
+    EXPECT_PRECONDITION_ERROR(change.second(simulation), message);
+  }
+}
+
+std::vector<Linear_motion_2> motions() {
+  return test::discs_in_a_box(16, 0.2, 4);
+}
+
+Simulation_options options_with(Collision_response response) {
+  return test::discs(test::box_of(16), 3, std::move(response));
+}
+
+// Makes calls within the first of each kind of its calls.
+class Changer : public Event_observer, public Overlap_observer {
+ public:
+  explicit Changer(Simulation& simulation) : simulation_(simulation) {}
+  void before_event(const Event& event) override { make_calls(event.kind, 'b'); }
+  void after_event(const Event& event) override { make_calls(event.kind, 'a'); }
+  void after_change(std::span<const Point_id> /*points*/) override {
+    make_calls(Event_kind::collision, 'o');
+  }
+  std::map<std::pair<Event_kind, char>, int> called;
+
+ private:
+  void make_calls(Event_kind kind, char which) {
+    if (called[{kind, which}]++ == 0) expect_refused(simulation_, within);
+  }
+
+  Simulation& simulation_;
+};
+
+TEST(Changes_within_events_of_simulations, are_refused_and_the_run_goes_on) {
+  Simulation plain(motions(), options_with(collide_elastically));
+  int calls = 0;
+  Simulation* of_response = nullptr;
+  Simulation simulation(motions(), options_with([&](const Contact_2& contact) {
+                          if (calls++ == 0) expect_refused(*of_response, within);
+                          return collide_elastically(contact);
+                        }));
+  of_response = &simulation;
+  Changer changer(simulation);
+  simulation.add_observer(changer);
+  simulation.add_overlap_observer(changer);
+  Recorder one;
+  Recorder other;
+  plain.add_observer(one);
+  simulation.add_observer(other);
+  for (Simulation* const each : {&plain, &simulation}) {
+    each->advance_to(2.0);
+    each->erase(3);
+    each->schedule_erase(2.5, 4);
+    each->advance_to(3.0);
+  }
+  EXPECT_GT(calls, 5);
+  for (const Event_kind kind :
+       {Event_kind::flip, Event_kind::wall, Event_kind::collision, Event_kind::erase}) {
+    EXPECT_GT((changer.called[{kind, 'a'}]), 0) << name(kind);
+    EXPECT_GT((changer.called[{kind, 'b'}]), 0) << name(kind);
+  }
+  EXPECT_GT((changer.called[{Event_kind::collision, 'o'}]), 0);
+  ASSERT_EQ(one.events.size(), other.events.size());
+  for (std::size_t i = 0; i < one.events.size(); ++i) {
+    EXPECT_EQ(one.events[i].kind, other.events[i].kind);
+    EXPECT_EQ(one.events[i].time, other.events[i].time);
+  }
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).failures.empty());
+}
+
+TEST(Changes_within_events_of_simulations, are_refused_while_a_run_asks_whether_it_may_go_on) {
+  Simulation simulation(motions(), options_with(collide_elastically));
+  int asked = 0;
+  simulation.advance_to(1.0, [&] {
+    if (++asked < 4) expect_refused(simulation, within);
+    return true;
+  });
+  EXPECT_GT(asked, 4);
+  EXPECT_TRUE(simulation.is_valid(true, 1));
+}
+
+// At the contact of 0 and 1 at t = 2 the response has 2 erased at t = 3, and one inserted at t = 4.
+TEST(Changes_within_events_of_simulations, may_be_scheduled_by_a_response) {
+  Simulation* of_response = nullptr;
+  Simulation simulation(
+      {{{0, 0}, {1, 0}, 0}, {{4, 0}, {0, 0}, 0}, {{9, 9}, {0, 0}, 0}},
+      test::discs(1, [&](const Contact_2& contact) {
+        of_response->schedule_erase(contact.time + 1, 2);
+        EXPECT_EQ(of_response->schedule_insert(contact.time + 2, {{0, 20}, {0, 0}, 0}, 5), 3u);
+        return swap_velocities(contact);
+      }));
+  of_response = &simulation;
+  simulation.advance_to(2.5);
+  EXPECT_TRUE(simulation.triangulation().contains(2));
+  simulation.advance_to(3.5);
+  EXPECT_FALSE(simulation.triangulation().contains(2));
+  EXPECT_FALSE(simulation.triangulation().contains(3));
+  simulation.advance_to(4.0);
+  EXPECT_TRUE(simulation.triangulation().contains(3));
+  EXPECT_EQ(simulation.mass(3), 5);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).failures.empty());
+}
+
+TEST(Changes_within_events_of_simulations, are_refused_for_ever_when_a_response_has_thrown) {
+  Simulation simulation(motions(), options_with([](const Contact_2&) -> Contact_response_2 {
+                          throw std::runtime_error("enough");
+                        }));
+  const Simulation::Snapshot snapshot = simulation.snapshot();
+  EXPECT_THROW(simulation.advance_to(3.0), std::runtime_error);
+  expect_refused(simulation, left);
+  EXPECT_PRECONDITION_ERROR(simulation.schedule_erase(9.0, 0), left);
+  EXPECT_PRECONDITION_ERROR(simulation.schedule_motion(9.0, 0, motion), left);
+  EXPECT_PRECONDITION_ERROR(simulation.schedule_insert(9.0, motion), left);
+  EXPECT_EQ(simulation.triangulation().next_id(), 16u);
+  // What the message advises.
+  Simulation restored = Simulation::restore(snapshot, collide_elastically);
+  restored.advance_to(3.0);
+  EXPECT_TRUE(restored.is_valid(true, 1));
+}
+
+// Two points in a corner between walls that meet there: more contacts than are allowed.
+TEST(Changes_within_events_of_simulations, are_refused_for_ever_after_endless_contacts) {
+  Simulation_options options = test::in_box({0, 0, 10, 10});
+  options.max_contacts_per_instant = 1;
+  Simulation simulation({{{1, 1}, {-1, -1}, 0}, {{2, 3}, {0, 0}, 0}}, options);
+  EXPECT_THROW(simulation.advance_to(3.0), Endless_contacts_error);
+  expect_refused(simulation, left);
+}
+
+TEST(Changes_within_events_of_simulations, are_refused_for_ever_when_an_observer_has_thrown) {
+  struct Thrower : Event_observer {
+    explicit Thrower(Event_kind kind) : kind_(kind) {}
+    void after_event(const Event& event) override {
+      if (event.kind == kind_) throw std::runtime_error("enough");
+    }
+    Event_kind kind_;
+  };
+  for (const Event_kind kind :
+       {Event_kind::flip, Event_kind::wall, Event_kind::collision, Event_kind::erase}) {
+    SCOPED_TRACE(name(kind));
+    Simulation simulation(motions(), options_with(collide_elastically));
+    simulation.schedule_erase(1.0, 5);
+    Thrower thrower(kind);
+    simulation.add_observer(thrower);
+    EXPECT_THROW(simulation.advance_to(3.0), std::runtime_error);
+    simulation.remove_observer(thrower);
+    const bool is_contact = kind == Event_kind::wall || kind == Event_kind::collision;
+    expect_refused(simulation, is_contact ? left : left_by_observer);
+    EXPECT_PRECONDITION_ERROR(simulation.schedule_erase(9.0, 0),
+                              is_contact ? left : left_by_observer);
+  }
+}
+
+// A change that is refused leaves a simulation as it is.
+TEST(Changes_within_events_of_simulations, may_follow_a_change_that_has_been_refused) {
+  Simulation simulation({{{5, 5}, {1, 0}, 0}, {{6, 6}, {0, 0}, 0}}, test::in_box({0, 0, 10, 10}));
+  EXPECT_THROW(simulation.set_motion(0, {{50, 5}, {}, 0}), Outside_box_error);
+  simulation.schedule_motion(1.0, 1, {{50, 5}, {}, 0});
+  EXPECT_THROW(simulation.advance_to(2.0), Outside_box_error);
+  simulation.advance_to(2.0);
+  simulation.set_motion(0, {{5, 5}, {}, 0});
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).failures.empty());
+}
+
+TEST(Changes_within_events_of_simulations, may_remove_observers) {
+  struct Remover : Event_observer, Overlap_observer {
+    explicit Remover(Simulation& observed) : simulation(observed) {
+      simulation.add_observer(*this);
+      simulation.add_overlap_observer(*this);
+    }
+    void after_event(const Event& /*event*/) override {
+      ++events;
+      simulation.remove_observer(*this);
+    }
+    void after_change(std::span<const Point_id> /*points*/) override {
+      ++changes;
+      simulation.remove_overlap_observer(*this);
+    }
+    Simulation& simulation;
+    int events = 0;
+    int changes = 0;
+  };
+  Simulation simulation(motions(), options_with(collide_elastically));
+  Remover one(simulation);
+  Remover other(simulation);
+  simulation.advance_to(3.0);
+  for (const Remover* const remover : {&one, &other}) {
+    EXPECT_EQ(remover->events, 1);
+    EXPECT_EQ(remover->changes, 1);
+  }
+  EXPECT_TRUE(simulation.is_valid(true, 1));
+}
+
+}  // namespace
+}  // namespace kinetri
