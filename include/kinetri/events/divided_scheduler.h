@@ -434,18 +434,27 @@ class Divided_scheduler {
 
   void find_first() {
     if (is_first_known()) return;
-    winners_.resize(parts_.size());
-    for (std::size_t match = parts_.size(); --match > 0;) set_winner(match);
+    try {
+      winners_.resize(parts_.size());
+      for (std::size_t match = parts_.size(); --match > 0;) set_winner(match);
+    } catch (...) {  // a time needs memory
+      forget_first();
+      throw;
+    }
   }
 
-  // A part has changed.
-  void follow(std::size_t changed) {
+  // A part has changed. Where memory is missing, the first entry is found again later.
+  void follow(std::size_t changed) noexcept {
     if (!is_first_known()) return;
-    for (std::size_t match = (parts_.size() + changed) / 2; match > 0; match /= 2) {
-      const std::size_t before = winners_[match];
-      set_winner(match);
-      // Nothing that it has changed goes further.
-      if (winners_[match] == before && before != changed) return;
+    try {
+      for (std::size_t match = (parts_.size() + changed) / 2; match > 0; match /= 2) {
+        const std::size_t before = winners_[match];
+        set_winner(match);
+        // Nothing that it has changed goes further.
+        if (winners_[match] == before && before != changed) return;
+      }
+    } catch (...) {
+      forget_first();
     }
   }
 

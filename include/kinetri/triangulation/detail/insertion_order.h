@@ -9,6 +9,7 @@
 #define KINETRI_TRIANGULATION_DETAIL_INSERTION_ORDER_H
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/enum.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
