@@ -9,8 +9,6 @@ BUILD_DIR has been built for the Python that runs this; its module is put into t
 where the tools that make wheels are not installed.
 """
 import email
-import importlib.util
-import os
 import pathlib
 import re
 import shutil
@@ -21,32 +19,12 @@ import tarfile
 import unittest
 import zipfile
 
-SKIPPED = 77
+sys.dont_write_bytecode = True
+from pip_support import USE, checkout_of, environment, run, skip_without_tools  # noqa: E402
+
 MODULE = "_kinetri" + sysconfig.get_config_var("EXT_SUFFIX")
-# What a program says that finds its way with the package.
-USE = """if True:
-    import kinetri
-    kd = kinetri.KineticDelaunay(*kinetri.scenario("uniform", 50, seed=1))
-    print(kinetri.__file__, kinetri.__version__, len(kd.record(1)) > 5, bool(kd.audit()))"""
 # Runs the rest of its arguments where the files before -- cannot be read: each is empty there.
 HIDE = 'while [ "$1" != -- ]; do mount --bind /dev/null "$1"; shift; done; shift; exec "$@"'
-
-
-def run(*command, **settings):
-    """What the command prints. It reads no code but that in its working directory."""
-    settings.setdefault("env", environment())
-    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True, **settings)
-    if done.returncode != 0:
-        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
-    return done.stdout
-
-
-def environment(**more):
-    """That of a user, with more variables."""
-    kept = {name: value for name, value in os.environ.items()
-            if not name.startswith(("PYTHON", "LD_", "KINETRI_", "CMAKE_"))}
-    return {**kept, "PYTHONDONTWRITEBYTECODE": "1", **more}
 
 
 def libraries_of(module):
@@ -58,12 +36,7 @@ class Wheel(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         shutil.rmtree(WORK, ignore_errors=True)
-        checkout = WORK / "checkout"  # setuptools writes beside the sources.
-        # What is not of the project, and the largest folders of what the package does not need.
-        shutil.copytree(SOURCE, checkout, ignore=lambda folder, names: [
-            name for name in names if name.startswith(".") or name == "__pycache__" or (
-                pathlib.Path(folder) == SOURCE
-                and (name.startswith("build") or name in ("bench", "data", "out", "test")))])
+        checkout = checkout_of(SOURCE, WORK)
         run(sys.executable, "setup.py", "--quiet", "sdist", "--dist-dir", WORK, cwd=checkout)
         cls.archive = WORK / f"kinetri-{VERSION}.tar.gz"
         with tarfile.open(cls.archive) as archive:
@@ -177,9 +150,5 @@ class Wheel(unittest.TestCase):
 if __name__ == "__main__":
     BUILD, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
     VERSION, WORK = sys.argv[3], pathlib.Path(sys.argv[4]).resolve()
-    missing = [name for name in ("pip", "setuptools", "wheel", "venv") if not importlib.util.find_spec(name)]
-    if missing:
-        print(f"skipped: {', '.join(missing)} not installed (Debian: python3-pip, python3-setuptools, "
-              "python3-wheel, python3-venv)")
-        sys.exit(SKIPPED)
+    skip_without_tools()
     unittest.main(argv=sys.argv[:1])

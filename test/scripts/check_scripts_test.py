@@ -392,6 +392,15 @@ class Shell_scripts(Tree):
                 run = self.run_script(self.root / "scripts/test.sh")
                 self.assertEqual((run.stdout.splitlines()[-1], run.returncode), (last, code), run)
 
+    def test_the_tests_say_how_long_they_take_before_they_begin(self):
+        self.program("cmake", "exit 0")
+        self.program("ctest", "echo '100% tests passed, 0 tests failed out of 9'")
+        run = self.run_script(self.root / "scripts/test.sh")
+        self.assertRegex(run.stdout, r"^To build everything .* about forty minutes of processor time, twenty minutes")
+        self.assertLess(run.stdout.index("forty minutes"), run.stdout.index("Building in "))
+        some = self.run_script(self.root / "scripts/test.sh", "-R", "kinetic")
+        self.assertTrue(some.stdout.startswith("Building in "), some.stdout)
+
     def test_what_takes_long_says_how_far_it_is(self):
         for step in ("[12/87] Building CXX object", "[ 34%] Building CXX object", " 5/9 Test  #1: a"):
             with self.subTest(step):
