@@ -412,6 +412,9 @@ class Checker : Certified_triangulation {
         refute("it has a motion of point " + std::to_string(change.id));
       }
       const Course* old = courses_[change.id];
+      if (!is_contact(row) && row.kind != "insert" && hits_wall(change.id)) {
+        refute("it has no row of a wall that point " + std::to_string(change.id) + " hits first");
+      }
       if (row.kind == "trajectory") {  // maybe it jumps
         touched_.insert(change.id);
         touched_.insert(neighbors_[change.id].begin(), neighbors_[change.id].end());
@@ -454,7 +457,11 @@ class Checker : Certified_triangulation {
       std::optional<Time> first = first_contact({row.points.front(), row.points.back()}, row.hi);
       return first && compare(*first, now_) == 0;
     }
-    const auto sides = certifier_.clearances(course(row.points.front()));
+    return hits_wall(row.points.front());
+  }
+
+  bool hits_wall(Id v) {
+    const auto sides = certifier_.clearances(course(v));
     return std::ranges::any_of(
         sides, [&](const auto& side) { return verify::is_contact(side.second, now_); });
   }

@@ -84,6 +84,8 @@ LOGS = (
     Log("a false collision in a log of --regular", "row 0", [row("collision", 0.0, points="0-1")], NEAR, SIDES, 0.25),
     Log("a collision in a run without any", "row 0", [row("collision", 0.0, points="0-1")], NEAR, SIDES, 0.25,
         ("--collisions", "none")),
+    Log("a point turns at a wall, at the time of a contact", "row 0", [row("trajectory", 1.0, points="0-")],
+        [motion(0, 8.0, 0.0, 1.0), motion(0, 9.0, 0.0, -1.0, event=0, epoch=1.0)], [], 2.0, BOX),
     Log("three points at rest", "", [], TRIANGLE, SIDES, 1.0),
     Log("a vertex is hidden", "row 0", [row("hide", 0.5, points="1-")], TRIANGLE, SIDES, 1.0),
     Log("two points leave, before all would be on a line", "", [*LEAVING, *SIDES_GO],
