@@ -595,7 +595,7 @@ TEST(Neighbor_lives, of_points_that_meet_are_those_of_the_places_at_many_times) 
 }
 
 TEST(Neighbor_lives, of_points_that_meet_are_those_of_the_triangulation) {
-  for (unsigned seed = 0; seed < seeds(12); ++seed) {
+  for (unsigned seed = 0; seed < seeds(4); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::vector<Linear_motion_2> motions = motions_that_meet(seed);
     Simulation_2<> simulation(motions, {});
