@@ -321,7 +321,7 @@ class Divided_scheduler {
       Queue_handle handle;  // before
       std::size_t to;
       Entry entry = {};
-      std::unique_ptr<Algebraic_number> exact = nullptr;
+      std::unique_ptr<Algebraic_number> exact = {};
     };
     forget_first();
     struct Share {
