@@ -26,6 +26,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Face = Static_delaunay::Face;
+using Numbered = std::pair<Kernel::Point_2, Point_id>;
 
 constexpr std::uint32_t no_face = std::numeric_limits<std::uint32_t>::max();
 
@@ -52,7 +53,6 @@ Face as_plain(Face_handle face) {
 // Inserts the places with these numbers. Of equal places one has a vertex.
 void insert(std::span<const Vector_2> places, std::span<const Point_id> numbers,
             Triangulation& triangulation) {
-  using Numbered = std::pair<Kernel::Point_2, Point_id>;
   std::vector<Numbered> numbered;
   numbered.reserve(numbers.size());
   for (const Point_id id : numbers) {

@@ -267,7 +267,7 @@ TEST(Closest_approaches, of_many_that_leave_and_many_that_come_are_the_nearest_p
       }
     }
     std::sort(expected.begin(), expected.end());
-    for (const std::size_t number : {1, 7, 30}) {
+    for (const std::size_t number : {1u, 7u, 30u}) {
       const auto simulation = simulate_tracks(tracks, stays, 0);
       Closest_approaches closest(*simulation, number);
       simulation->advance_to(2.0);

@@ -30,7 +30,7 @@ detail::Region_options usual_options() {
   return options;
 }
 
-struct Run {
+struct Outcome {
   std::string problem;  ///< what differs from the loop
   std::uint64_t events = 0;
   Region_counters counters;
@@ -42,8 +42,8 @@ struct Run {
   }
 };
 
-Run run_to(double until, const std::vector<Linear_motion_2>& motions,
-           const Simulation_options& options, const detail::Region_options& regions) {
+Outcome run_to(double until, const std::vector<Linear_motion_2>& motions,
+               const Simulation_options& options, const detail::Region_options& regions) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
   Simulation plain(motions, options);
   Simulation by_regions(motions, options);
@@ -52,7 +52,7 @@ Run run_to(double until, const std::vector<Linear_motion_2>& motions,
   plain.add_observer(expected);
   by_regions.add_observer(log);
   auto run = detail::Contact_turns<Simulation>::run_of(by_regions, regions);
-  Run result;
+  Outcome result;
   result.events = plain.advance_to(until);
   if (run.advance_to(until) != result.events) result.problem = "another number of events";
   if (result.problem.empty()) result.problem = test::difference(expected.events, log.events);
@@ -79,7 +79,7 @@ Simulation_options discs_in_box(double side, double radius,
 
 // An account begins with a quarter of an event for each point and an eighth of a window, and gets a
 // sixteenth of all events.
-double most_undone(const Run& run, std::size_t points) {
+double most_undone(const Outcome& run, std::size_t points) {
   return static_cast<double>(run.events) / 16 + 0.4 * static_cast<double>(points);
 }
 
@@ -89,7 +89,7 @@ TEST(Region_decisions, leave_discs_on_a_lattice_to_the_loop) {
   for (const auto response : {collide_elastically, swap_velocities}) {
     const auto options = discs_in_box(295, 2, response);
     const auto motions = scenario(Scenario::lattice, n);
-    const Run run = run_to(4, motions, options, usual_options());
+    const Outcome run = run_to(4, motions, options, usual_options());
     EXPECT_EQ(run.problem, "");
     EXPECT_GT(run.events, 3 * n);
     EXPECT_LT(static_cast<double>(run.undone()), most_undone(run, n));
@@ -98,7 +98,7 @@ TEST(Region_decisions, leave_discs_on_a_lattice_to_the_loop) {
 
 TEST(Region_decisions, leave_contacts_that_erase_on_a_lattice_to_the_loop) {
   constexpr std::size_t n = 900;
-  const Run run =
+  const Outcome run =
       run_to(4, scenario(Scenario::lattice, n), discs_in_box(295, 1, erase_both), usual_options());
   EXPECT_EQ(run.problem, "");
   EXPECT_LT(static_cast<double>(run.undone()), most_undone(run, n));
@@ -107,8 +107,8 @@ TEST(Region_decisions, leave_contacts_that_erase_on_a_lattice_to_the_loop) {
 // Where each event is alone, nearly all are executed in windows.
 TEST(Region_decisions, take_windows_for_discs_that_move_at_random) {
   constexpr std::size_t n = 900;
-  const Run run = run_to(6, test::gas(n, 300, 4, 5, 1), discs_in_box(305, 2, collide_elastically),
-                         usual_options());
+  const Outcome run = run_to(6, test::gas(n, 300, 4, 5, 1),
+                             discs_in_box(305, 2, collide_elastically), usual_options());
   EXPECT_EQ(run.problem, "");
   EXPECT_GT(run.by_windows(), run.events * 3 / 4);
   EXPECT_GT(run.counters.windows, 10u);

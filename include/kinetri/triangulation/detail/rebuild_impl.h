@@ -216,7 +216,7 @@ void Kinetic_triangulation_2<Traits>::report_hiding() {
   std::ranges::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   is_in_event_ = true;
-  for (Observer* observer : observers_) observer->after_hiding(current_time(), points);
+  observers_.call([&](Observer& observer) { observer.after_hiding(current_time(), points); });
   is_in_event_ = false;
 }
 
