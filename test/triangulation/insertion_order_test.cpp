@@ -172,8 +172,8 @@ TEST(Start_of_a_line, with_points_beside_it_is_delaunay) {
   for (const std::size_t beside : {1u, 2u, 40u}) {
     auto motions = motions_on_line(300, {1, 0}, [](std::size_t) { return Vector_2{}; });
     for (std::size_t k = 0; k < beside; ++k) {
+      motions.insert(motions.begin() + static_cast<std::ptrdiff_t>(5 * k),
                      Linear_motion_2{{static_cast<double>(7 * k), 1}, {0, 1}});
-                     {{static_cast<double>(7 * k), 1}, {0, 1}});
     }
     const Kinetic_delaunay kinetic(motions);
     EXPECT_EQ(test::audit_problem(kinetic, Audit_level::reference), "") << beside;
