@@ -415,11 +415,20 @@ class Certified_triangulation {
     return std::nullopt;
   }
 
+  // Whether the log may be that of the second part of a run, before which discs have come into
+  // contact that pass through each other at the start.
+  bool continues() const { return rows_.empty() || rows_.front().number != 0; }
+
   // Two discs that become neighbors, and overlap, have not come into contact without a row.
   void check_contact_before(const Edge& pair) {
     if (sign_at(gap(course(pair.first), course(pair.second)), now_) > 0) return;
     std::optional<Time> first = first_contact(pair, now_.hi);
     if (!first || compare(*first, now_) > 0) return;
+    Time start = exactly(options_.from);
+    if (continues() && compare(*first, start) == 0) {
+      passing_.insert_or_assign(pair, start);
+      return;
+    }
     refute("the contact of " + std::to_string(pair.first) + " and " + std::to_string(pair.second) +
            " is missing");
   }
@@ -487,7 +496,9 @@ class Certified_triangulation {
     if (kind == edge_life && is_new_pair && b != nullptr) {
       const auto [dx, dy] = minus(*a, *b);
       add_specials(greatest_common_divisor(dx, dy), (*points)[0], (*points)[1]);
-      if (options_.has_contacts) check_contact_before({(*points)[0], (*points)[1]});
+      const Edge pair = {(*points)[0], (*points)[1]};
+      if (options_.has_contacts) check_contact_before(pair);
+      life->passes = passing_.contains(pair);
     }
     alive_[kind].emplace(id, std::move(*life));
   }

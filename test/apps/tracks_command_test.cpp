@@ -111,8 +111,8 @@ TEST_F(Tracks, tell_the_same_of_things_that_are_together_for_one_moment) {
   EXPECT_EQ(answer({"--closest", "1", "--quiet"}),
             "id_a,id_b,time,time_lo,time_hi,distance\na,b,2,2,2,1\n");
   EXPECT_EQ(answer({"--encounters", "-", "--range", "1", "--quiet"}),
-            "a,b,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance\n"
-            "0,2,2,2,2,2,2,2,1\n");
+            "a,b,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance,label_a,label_b\n"
+            "0,2,2,2,2,2,2,2,1,a,b\n");
   EXPECT_EQ(answer({"--connected", "-", "--range", "1", "--between", "a,b", "--quiet"}),
             "a,b,begin_lo,begin_hi,end_lo,end_hi\na,b,2,2,2,2\n");
   EXPECT_NE(answer({"--components", "-", "--range", "1", "--quiet"}).find("2,2,merge,0,2"),

@@ -221,7 +221,7 @@ TEST(Regions, put_times_in_order_across_slices) {
       motions.push_back({{whole(0, 4095) - velocity.x, whole(0, 4095) - velocity.y}, velocity});
     }
     ASSERT_EQ(difference_from_loop(motions, {1 - std::ldexp(1, -39), 1 + std::ldexp(1, -39), 2},
-                                   options_of(2 + 3 * (seed % 4), 4), sum),
+                                   options_of(2 + 3 * (seed % 4), 0.1), sum),
               "")
         << "seed " << seed;
   }
