@@ -104,7 +104,7 @@ double Region_run<Kinetic, Turns>::events_in_window() const {
 }
 
 // What a division of the queue costs, and to put it together again, in events; and a window,
-// besides its events. Measured (bench/README.md).
+// besides its events. Estimates.
 template <class Kinetic, class Turns>
 double Region_run<Kinetic, Turns>::cost_of_division() const {
   return 0.25 * static_cast<double>(kinetic_.number_of_points_);
