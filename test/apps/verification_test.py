@@ -110,6 +110,7 @@ class Verification(unittest.TestCase):
             self.assertEqual(points, expected.pop("points"))
         else:
             self.assertEqual(files[points], logs["--motions"])
+        expected.setdefault("collisions", "none")
         self.assertEqual(options, {"--" + name: value for name, value in expected.items()})
 
     def test_gets_the_points_the_logs_and_the_options(self):
