@@ -95,7 +95,7 @@ TEST(Missing_memory, in_a_window_of_flips) {
 TEST(Missing_memory, in_a_window_of_flips_of_discs) {
   std::vector<Disc_motion_2> discs;
   for (const Linear_motion_2& motion : test::random_motions(120, 100, 5, 2)) {
-    discs.push_back({motion, discs.size() % 4 == 0 ? 6.0 : 1.0, 0, 0});
+    discs.push_back({motion, discs.size() % 4 == 0 ? 3.0 : 1.0, 0, 0});
   }
   expect_goes_on<Disc_kinetic_traits_2>(discs, 6);
 }

@@ -129,8 +129,8 @@ def main():
         text, command = kind(random.Random(seed))
         file = folder / f"{seed}.csv"
         file.write_text(text, encoding="utf-8")
-        command = [kinetri, *command.replace("FILE", str(file)).split(), "--quiet", "--verify"]
-        command += ["--max-events", "20000"]
+        words = [str(file) if word == "FILE" else word for word in command.split()]
+        command = [kinetri, *words, "--quiet", "--verify", "--max-events", "20000"]
         result = subprocess.run(command, capture_output=True, text=True, check=False, timeout=600)
         answer = result.stdout + result.stderr
         if answer.startswith("verified"):
@@ -144,7 +144,7 @@ def main():
         if result.returncode in (0, 2):
             file.unlink()
         seed += 1
-        if verified.total() % 1000 == 0:
+        if verified.total() and verified.total() % 1000 == 0:
             print(f"{verified.total()} runs verified, up to seed {seed}", flush=True)
     print(f"{verified.total()} runs verified, {events} events; by kind: {dict(verified)}; refused: {dict(refused)}")
     assert not faults, f"{len(faults)} runs were not verified"

@@ -31,6 +31,7 @@ struct Interval_end {
 /// whose roots are the multiple roots of f with multiplicity less one.
 ///
 /// Cost, with the degree d: O(d^2) integer operations to make it, and as many to count at one end.
+/// Up to degree 4 the terms have a closed form of 17 multiplications at most (MATH.md, section 3).
 class Sturm_sequence {
  public:
   /// The sequence of f and f'. Precondition: f is not zero.
@@ -57,6 +58,7 @@ class Sturm_sequence {
             const std::optional<Interval_end>& upper = std::nullopt) const;
 
  private:
+  void divide(const Polynomial& f);
   const std::vector<Polynomial>& counted() const;
   bool is_root(const Rational& t) const;
 
