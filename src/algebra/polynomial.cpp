@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polynomials with integer coefficients: arithmetic, signs, remainder sequences and square-free
-// decomposition. The inner loops call GMP directly, to work in place.
+// Polynomials with integer coefficients: arithmetic, signs and division. The inner loops call GMP
+// directly, to work in place.
 #include "kinetri/algebra/polynomial.h"
 
 #include <algorithm>
@@ -357,51 +357,6 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   }
   if (!x.is_zero() && x.leading_coefficient().sign() < 0) x = -std::move(x);
   return x;
-}
-
-// --- Multiplicities ---------------------------------------------------------------------------
-
-Polynomial square_free_part(const Polynomial& p) {
-  KINETRI_PRECONDITION(!p.is_zero(), "every number is a root of the zero polynomial");
-  const Polynomial primitive = primitive_part(p);
-  const Polynomial repeated = gcd(primitive, derivative(primitive));
-  return repeated.degree() <= 0 ? primitive : exact_quotient(primitive, repeated);
-}
-
-std::vector<Square_free_factor> square_free_decomposition(const Polynomial& p) {
-  KINETRI_PRECONDITION(!p.is_zero(), "every number is a root of the zero polynomial");
-  Polynomial f = primitive_part(p);
-  if (f.leading_coefficient().sign() < 0) f = -std::move(f);
-  if (f.degree() == 0) return {};
-
-  // Invariant at the head of step k: b is the product of f_j over j >= k, and c - b' is the sum of
-  // (j - k) f_j' * (product of the others), up to one common factor. So gcd(b, c - b') = f_k.
-  const Polynomial slope = derivative(f);
-  const Polynomial repeated = gcd(f, slope);
-  Polynomial b = exact_quotient(f, repeated);
-  Polynomial c = exact_quotient(slope, repeated);
-  std::vector<Square_free_factor> result;
-  for (int k = 1; b.degree() > 0; ++k) {
-    const Polynomial d = c - derivative(b);
-    Polynomial factor = gcd(b, d);
-    b = exact_quotient(b, factor);
-    c = exact_quotient(d, factor);
-    if (factor.degree() > 0) result.push_back({std::move(factor), k});
-  }
-  return result;
-}
-
-Polynomial odd_part(const Polynomial& p) {
-  KINETRI_PRECONDITION(!p.is_zero(), "the zero polynomial has no sign");
-  const Polynomial primitive = primitive_part(p);
-  // Nearly every polynomial that geometry brings is square-free.
-  if (gcd(primitive, derivative(primitive)).degree() <= 0) return primitive;
-
-  Polynomial result{p.leading_coefficient().sign()};
-  for (const Square_free_factor& f : square_free_decomposition(primitive)) {
-    if (f.multiplicity % 2 != 0) result = result * f.factor;
-  }
-  return result;
 }
 
 }  // namespace kinetri

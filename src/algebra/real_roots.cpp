@@ -9,11 +9,23 @@
 #include <utility>
 
 #include "gmp_access.h"
+#include "kinetri/algebra/sturm_sequence.h"
 #include "kinetri/base/check.h"
 #include "root_isolation.h"
 
 namespace kinetri {
 namespace {
+
+// Descartes' rule proposes where roots are, and Sturm's theorem certifies it: as many sign changes
+// as given before the isolating interval of the root, and one less after it.
+void certify(const Sturm_sequence& sequence, int changes, const Algebraic_number& root) {
+  const Rational_interval around = root.isolating_interval();
+  KINETRI_ASSERT(around.is_point() ? sequence.terms().front().sign_at(around.lower) == CGAL::ZERO
+                                   : sequence.sign_changes_at(around.lower) == changes,
+                 "there is a root before the interval of a root");
+  KINETRI_ASSERT(sequence.sign_changes_at(around.upper) == changes - 1,
+                 "the interval of a root does not have one root");
+}
 
 // The roots of a square-free polynomial in ascending order.
 std::vector<Algebraic_number> simple_roots(const Polynomial& square_free) {
@@ -30,6 +42,11 @@ std::vector<Algebraic_number> simple_roots(const Polynomial& square_free) {
   std::ranges::reverse(result);
   if (has_root_zero) result.emplace_back();
   std::ranges::move(roots_beyond(rest, 0), std::back_inserter(result));
+
+  const Sturm_sequence sequence(square_free);
+  int changes = sequence.sign_changes_at_minus_infinity();
+  for (const Algebraic_number& root : result) certify(sequence, changes--, root);
+  KINETRI_ASSERT(changes == sequence.sign_changes_at_plus_infinity(), "there is another root");
   return result;
 }
 
@@ -47,8 +64,15 @@ void sort_by_value(std::vector<Real_root>& roots) {
 // --- The first root after a number --------------------------------------------------------------
 
 std::optional<Algebraic_number> first_root_beyond(const Polynomial& q, const Rational& from) {
+  const Sturm_sequence sequence(q);
   const std::vector<Algebraic_number> roots = roots_beyond(q, from, 1);
-  return roots.empty() ? std::nullopt : std::optional(roots.front());
+  const int changes = sequence.sign_changes_at(from);
+  if (roots.empty()) {
+    KINETRI_ASSERT(changes == sequence.sign_changes_at_plus_infinity(), "there is a root");
+    return std::nullopt;
+  }
+  certify(sequence, changes, roots.front());
+  return roots.front();
 }
 
 // The least root of the square-free polynomial q greater than t.
@@ -67,12 +91,7 @@ std::optional<Algebraic_number> first_simple_root_after(const Polynomial& q,
       around = t.isolating_interval();
     }
   }
-  if (!around.is_point()) return first_root_beyond(q, around.upper);
-
-  const Rational& from = around.upper;
-  if (q.sign_at(from) != CGAL::ZERO) return first_root_beyond(q, from);
-  const Polynomial rest = exact_quotient(q, t.polynomial());
-  return first_root_beyond(rest, from);
+  return first_root_beyond(q, around.upper);
 }
 
 }  // namespace

@@ -144,6 +144,8 @@ class Search {
     Integers shifted(q.coefficients().begin(), q.coefficients().end());
     divide_argument(shifted, d);
     shift(shifted, numerator(from));
+    // A root at `from` itself, of which there is one at most, is none beyond it.
+    if (shifted.front().is_zero()) shifted.erase(shifted.begin());
     variations_ = sign_variations(shifted);
     if (variations_ == 0) return;
     least_exponent_ = least_positive_root_exponent(shifted) - bit_length(d);

@@ -14,7 +14,7 @@
 namespace kinetri {
 
 /// The roots of `q` greater than `from` in ascending order; of more than `most` only the first
-/// ones. Precondition: `q` is square-free and does not vanish at `from`.
+/// ones. Precondition: `q` is square-free.
 ///
 /// Cost, with the degree n: n^2 additions, and as many multiplications by an end, for each interval
 /// that is looked at. Their number hardly depends on how far apart the magnitudes of the roots are,

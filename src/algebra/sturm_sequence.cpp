@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
+#include "static_sturm_sequence.h"
 
 namespace kinetri {
 namespace {
@@ -28,6 +29,20 @@ int sign_changes(const std::vector<Polynomial>& terms, const Sign_of& sign_of) {
 
 Sturm_sequence::Sturm_sequence(const Polynomial& f) {
   KINETRI_PRECONDITION(!f.is_zero(), "the zero polynomial has no Sturm sequence");
+  if (f.degree() <= Static_polynomial<Integer>::most) {
+    const Static_sturm_sequence<Integer> sequence{Static_polynomial<Integer>(f)};
+    for (const auto& term : sequence.terms()) terms_.push_back(primitive_part(to_polynomial(term)));
+  } else {
+    divide(f);
+  }
+  const Polynomial& last = terms_.back();
+  if (last.degree() == 0) return;
+  quotients_.reserve(terms_.size());
+  for (const Polynomial& term : terms_) quotients_.push_back(exact_quotient(term, last));
+}
+
+// Euclid's algorithm, with the sign of each remainder changed.
+void Sturm_sequence::divide(const Polynomial& f) {
   terms_.push_back(primitive_part(f));
   Polynomial next = primitive_part(derivative(f));
   while (!next.is_zero()) {
@@ -36,10 +51,6 @@ Sturm_sequence::Sturm_sequence(const Polynomial& f) {
     if (divisor.degree() == 0) break;
     next = primitive_part(-positive_pseudo_remainder(terms_[terms_.size() - 2], divisor));
   }
-  const Polynomial& last = terms_.back();
-  if (last.degree() == 0) return;
-  quotients_.reserve(terms_.size());
-  for (const Polynomial& term : terms_) quotients_.push_back(exact_quotient(term, last));
 }
 
 const std::vector<Polynomial>& Sturm_sequence::counted() const {

@@ -7,14 +7,18 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <utility>
 
+#include "algebra/count_failure.h"
+#include "certificate_formulas.h"
 #include "filter/disc_filter.h"
 #include "filter/filter.h"
 #include "filter/precise_filter.h"
 #include "filter/weighted_differences.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
+#include "scaled_coordinates.h"
 
 namespace kinetri {
 namespace {
@@ -168,6 +172,38 @@ Certificate exact_certificate(const Polynomial& certificate, const Time& t) {
   return exact_certificate(failure_time(certificate, t), certificate.degree() > 0);
 }
 
+// The certificate of points in linear motion that `formula` makes from their trajectories, by Sturm
+// counts in numbers on the stack; none if that does not decide.
+template <class Formula, class... Motion>
+std::optional<Certificate> counted_certificate(const Time& t, Certificate_state state,
+                                               const Formula& formula, const Motion&... motions) {
+  if constexpr ((is_linear<Motion> && ...)) {
+    // Of coordinates, so that formulas of degree 4 in them have no more than 1024.
+    constexpr int most_bits = 250;
+    std::array<Basic_trajectory_2<Narrow_polynomial>, sizeof...(Motion)> paths;
+    if (!make_common_trajectories(std::array{&motions...}, most_bits, paths)) return std::nullopt;
+    const Narrow_polynomial p = std::apply(formula, paths);
+    if (p.is_zero()) return exact_certificate(std::nullopt, false);
+    constexpr auto means = Certificate::Means::exact;
+    const bool is_root_solved = p.degree() > 0;
+    const Counted_failure failure =
+        count_failure(p, t.interval(), state == Certificate_state::vanishes);
+    switch (failure.kind) {
+      case Counted_failure::Kind::fails:
+        return Certificate{
+            Certificate::Kind::fails, failure.bounds, nullptr, false, means, is_root_solved};
+      case Counted_failure::Kind::never_fails:
+        return Certificate{
+            Certificate::Kind::never_fails, {}, nullptr, false, means, is_root_solved};
+      case Counted_failure::Kind::at_once:
+        return exact_certificate(t, is_root_solved);
+      case Counted_failure::Kind::unknown:
+        break;
+    }
+  }
+  return std::nullopt;
+}
+
 // Where the filter knows nothing of what `certificate` says after t. Just after a failure of its
 // negation it vanishes at t: then that is all that the filter has to be told, `filter` being what
 // it says.
@@ -249,6 +285,11 @@ Certificate Basic_kinetic_traits_2<Motion>::in_circle_certificate(const Point_2&
       return failure_at_once(t);
     }
   }
+  const auto formula = [](const auto&... paths) { return -in_circle_of(paths...); };
+  if (auto counted =
+          counted_certificate(t, state, formula, p.motion(), q.motion(), r.motion(), s.motion())) {
+    return std::move(*counted);
+  }
   return exact_certificate(-in_circle_polynomial(p, q, r, s), t);
 }
 
@@ -273,6 +314,10 @@ Certificate Basic_kinetic_traits_2<Motion>::orientation_certificate(const Point_
                                                                     const Point_2& r, const Time& t,
                                                                     Certificate_state state) const {
   if (auto known = filtered_orientation(p, q, r, t, state)) return std::move(*known);
+  const auto formula = [](const auto&... paths) { return orientation_of(paths...); };
+  if (auto counted = counted_certificate(t, state, formula, p.motion(), q.motion(), r.motion())) {
+    return std::move(*counted);
+  }
   return exact_certificate(orientation_polynomial(p, q, r), t);
 }
 

@@ -4,49 +4,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "certificate_formulas.h"
 #include "kinetri/base/check.h"
 
 namespace kinetri {
 namespace {
-
-// The vector from one point to another, in homogeneous coordinates, and by how much the weight of
-// the other is greater, times w^2.
-struct Vector {
-  Polynomial x;
-  Polynomial y;
-  Polynomial w;
-  Polynomial weight;
-};
-
-bool is_one(const Polynomial& w) {
-  return w.degree() == 0 && w[0] == 1;
-}
-
-// Products with a denominator: denominators are 1 for linear motion, and then cost nothing.
-Polynomial times(const Polynomial& a, const Polynomial& w) {
-  return is_one(w) ? a : a * w;
-}
-
-Vector difference(const Trajectory_2& to, const Trajectory_2& from) {
-  return {times(to.x, from.w) - times(from.x, to.w), times(to.y, from.w) - times(from.y, to.w),
-          times(to.w, from.w),
-          times(times(to.weight, from.w), from.w) - times(times(from.weight, to.w), to.w)};
-}
-
-Polynomial cross(const Vector& a, const Vector& b) {
-  return a.x * b.y - a.y * b.x;
-}
-Polynomial dot(const Vector& a, const Vector& b) {
-  return a.x * b.x + a.y * b.y;
-}
-Polynomial squared_length(const Vector& a) {
-  return dot(a, a);
-}
-// The height of the end of the vector, lifted by x^2 + y^2 - weight, above the plane that touches
-// the lifted paraboloid over its beginning.
-Polynomial lift(const Vector& a) {
-  return squared_length(a) - a.weight;
-}
 
 // A polynomial with dyadic coefficients: the numerator divided by the denominator.
 struct Fraction {
@@ -86,36 +48,27 @@ Radius radius(const Point& p) {
 template <class Point>
 Polynomial x_difference(const Point& p, const Point& q) {
   const auto [a, b] = common_trajectories<2, typename Point::Motion>({&p, &q});
-  const Vector v = difference(a, b);
+  const Vector<Polynomial> v = difference(a, b);
   return times(v.x, v.w);
 }
 
 template <class Point>
 Polynomial y_difference(const Point& p, const Point& q) {
   const auto [a, b] = common_trajectories<2, typename Point::Motion>({&p, &q});
-  const Vector v = difference(a, b);
+  const Vector<Polynomial> v = difference(a, b);
   return times(v.y, v.w);
 }
 
 template <class Point>
 Polynomial orientation_polynomial(const Point& p, const Point& q, const Point& r) {
   const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
-  const Vector u = difference(b, a);
-  const Vector v = difference(c, a);
-  return times(times(cross(u, v), u.w), v.w);
+  return orientation_of(a, b, c);
 }
 
 template <class Point>
 Polynomial in_circle_polynomial(const Point& p, const Point& q, const Point& r, const Point& s) {
   const auto [a, b, c, d] = common_trajectories<4, typename Point::Motion>({&p, &q, &r, &s});
-  const Vector u = difference(a, d);
-  const Vector v = difference(b, d);
-  const Vector w = difference(c, d);
-  // With row i times w_i^2 (a positive factor) the columns are x w, y w and x^2 + y^2, so that each
-  // cofactor carries the product of its two denominators.
-  return lift(u) * times(times(cross(v, w), v.w), w.w) +
-         lift(v) * times(times(cross(w, u), w.w), u.w) +
-         lift(w) * times(times(cross(u, v), u.w), v.w);
+  return in_circle_of(a, b, c, d);
 }
 
 template <class Point>
@@ -147,8 +100,8 @@ Polynomial power_distance_difference(const Point& p, const Point& q, const Point
 template <class Point>
 Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r) {
   const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
-  const Vector u = difference(a, b);
-  const Vector v = difference(c, b);
+  const Vector<Polynomial> u = difference(a, b);
+  const Vector<Polynomial> v = difference(c, b);
   const Polynomial uu = times(squared_length(u), v.w);
   const Polynomial uv = dot(u, v);
   const Polynomial vv = times(squared_length(v), u.w);
@@ -160,14 +113,14 @@ Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r) {
 template <class Point>
 Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point& r) {
   const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
-  const Vector u = difference(a, b);
-  const Vector v = difference(c, b);
+  const Vector<Polynomial> u = difference(a, b);
+  const Vector<Polynomial> v = difference(c, b);
   return times(times(dot(u, v), u.w), v.w);
 }
 
 template <class Point>
 Polynomial contact_polynomial(const Point& p, const Point& q, double diameter) {
-  const Vector v = difference(p.trajectory(), q.trajectory());
+  const Vector<Polynomial> v = difference(p.trajectory(), q.trajectory());
   const Radius of_p = radius(p);
   const Radius of_q = radius(q);
   const auto [reach, denominator] =
@@ -178,8 +131,8 @@ Polynomial contact_polynomial(const Point& p, const Point& q, double diameter) {
 template <class Point>
 Polynomial distance_comparison_polynomial(const Point& p, const Point& q, const Point& r,
                                           const Point& s) {
-  const Vector v = difference(p.trajectory(), q.trajectory());
-  const Vector u = difference(r.trajectory(), s.trajectory());
+  const Vector<Polynomial> v = difference(p.trajectory(), q.trajectory());
+  const Vector<Polynomial> u = difference(r.trajectory(), s.trajectory());
   return squared_length(u) * (v.w * v.w) - squared_length(v) * (u.w * u.w);
 }
 
@@ -199,8 +152,9 @@ namespace {
 
 // The center of the circle through the point a, a + u and a + v, of which the squared distances
 // from a, or their powers, are given, times the squares of the denominators.
-Trajectory_2 circle_center(const Trajectory_2& a, const Vector& u, const Vector& v,
-                           const Polynomial& square_of_u, const Polynomial& square_of_v) {
+Trajectory_2 circle_center(const Trajectory_2& a, const Vector<Polynomial>& u,
+                           const Vector<Polynomial>& v, const Polynomial& square_of_u,
+                           const Polynomial& square_of_v) {
   // center - a = (v.y |u|^2 - u.y |v|^2, u.x |v|^2 - v.x |u|^2) / (2 cross(u, v)) with u and v
   // divided by their denominators; here everything is multiplied by (u.w v.w)^2.
   const Polynomial uu = times(square_of_u, v.w);
@@ -217,16 +171,16 @@ Trajectory_2 circle_center(const Trajectory_2& a, const Vector& u, const Vector&
 template <class Point>
 Trajectory_2 circumcenter_trajectory(const Point& p, const Point& q, const Point& r) {
   const Trajectory_2 a = p.trajectory();
-  const Vector u = difference(q.trajectory(), a);
-  const Vector v = difference(r.trajectory(), a);
+  const Vector<Polynomial> u = difference(q.trajectory(), a);
+  const Vector<Polynomial> v = difference(r.trajectory(), a);
   return circle_center(a, u, v, squared_length(u), squared_length(v));
 }
 
 template <class Point>
 Trajectory_2 weighted_circumcenter_trajectory(const Point& p, const Point& q, const Point& r) {
   const Trajectory_2 a = p.trajectory();
-  const Vector u = difference(q.trajectory(), a);
-  const Vector v = difference(r.trajectory(), a);
+  const Vector<Polynomial> u = difference(q.trajectory(), a);
+  const Vector<Polynomial> v = difference(r.trajectory(), a);
   return circle_center(a, u, v, lift(u), lift(v));
 }
 

@@ -270,11 +270,14 @@ TEST_F(Deciding_stage, of_the_root_after_a_known_one_is_the_filter) {
 }
 
 TEST_F(Deciding_stage, of_magnitudes_beyond_the_filter_is_exact) {
-  const auto distant = counted(traits.in_circle_certificate(
-      resting(-0x1p300, 0), resting(0, -0x1p300), resting(0x1p300, 0),
-      moving(0, 3 * 0x1p300, 0, -0x1p300), 0.0, Certificate_state::any));
-  ASSERT_TRUE(distant.failure);
-  EXPECT_EQ(*distant.failure, Algebraic_number(2.0));
+  const Moving_point_2 p = resting(-0x1p300, 0);
+  const Moving_point_2 q = resting(0, -0x1p300);
+  const Moving_point_2 r = resting(0x1p300, 0);
+  const Moving_point_2 s = moving(0, 3 * 0x1p300, 0, -0x1p300);
+  const auto distant =
+      counted(traits.in_circle_certificate(p, q, r, s, 0.0, Certificate_state::any));
+  ASSERT_EQ(distant.kind, Certificate::Kind::fails);
+  EXPECT_EQ(traits.in_circle_failure(p, q, r, s, distant.bounds), Algebraic_number(2.0));
   expect_stage(0, 1, 1);
 }
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The first failure of a certificate by Sturm counts in integers on the stack: what the exact stage
+// does for points in linear motion.
+#ifndef KINETRI_SRC_ALGEBRA_COUNT_FAILURE_H
+#define KINETRI_SRC_ALGEBRA_COUNT_FAILURE_H
+
+#include <cstdint>
+
+#include "kinetri/base/double_interval.h"
+#include "stack_integer.h"
+#include "static_polynomial.h"
+
+namespace kinetri {
+
+/// A polynomial whose coefficients have at most 1024 binary digits.
+using Narrow_polynomial = Static_polynomial<Stack_integer<16>>;
+
+/// What Sturm counts say of the certificate p >= 0 from a time on.
+struct Counted_failure {
+  enum class Kind : std::uint8_t {
+    unknown,      ///< p has a multiple root, or more roots near the time than binary64 numbers
+                  ///< separate, or its numbers are too wide: general algebraic numbers are needed
+    never_fails,  ///< p is positive just after the time, and has no root after it
+    at_once,      ///< p is negative just after the time
+    fails,        ///< p is positive just after the time and up to bounds.lower; it has exactly one
+                  ///< root between the bounds, a simple one, and is no root there
+  };
+  Kind kind = Kind::unknown;    ///< how much is known
+  Double_interval bounds = {};  ///< of `fails`
+};
+
+/// The first failure after a time t within `now`, of which nothing else is known; except that p
+/// vanishes at t if `vanishes` says so. Every answer but `unknown` is exact: a floating-point root
+/// finder proposes where the failure is, and the counts of the Sturm sequence certify it. Cost: the
+/// sequence, one Taylor expansion, and two evaluations of p or of the sequence, without allocation.
+Counted_failure count_failure(const Narrow_polynomial& p, const Double_interval& now,
+                              bool vanishes);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_ALGEBRA_COUNT_FAILURE_H

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The coordinates of motions, scaled to polynomials with integer coefficients: on the heap, or of
+// numbers on the stack.
+#ifndef KINETRI_SRC_KINETIC_SCALED_COORDINATES_H
+#define KINETRI_SRC_KINETIC_SCALED_COORDINATES_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+#include "algebra/static_polynomial.h"
+#include "kinetri/kinetic/moving_point_2.h"
+
+namespace kinetri {
+
+/// A trajectory of which the coordinates are such polynomials; see Trajectory_2.
+template <class Poly>
+struct Basic_trajectory_2 {
+  Poly x;       ///< w times the x coordinate
+  Poly y;       ///< w times the y coordinate
+  Poly w;       ///< the common denominator
+  Poly weight;  ///< w^2 times the weight
+};
+
+/// The type of the coefficients of polynomials.
+template <class Poly>
+using Coefficient_of = std::remove_cvref_t<decltype(std::declval<Poly>()[0])>;
+
+/// mantissa * 2^exponent; the mantissa of zero is 0, and its exponent does not matter.
+template <class Number>
+struct Dyadic {
+  Number mantissa = 0;
+  int exponent = 0;
+};
+
+template <class Number>
+Dyadic<Number> dyadic(double x) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  constexpr int digits = 53;
+  return {Number(static_cast<long>(std::ldexp(fraction, digits))), exponent - digits};
+}
+
+/// The exponents of numbers that are not zero: the least one, and that of a power of two that is
+/// greater than every absolute value.
+struct Exponents {
+  static constexpr int none = 1 << 20;  ///< above that of every product of binary64 numbers here
+  int least = none;
+  int above = -none;
+
+  template <class Number>
+  void add(const Dyadic<Number>& x) {
+    if (x.mantissa.is_zero()) return;
+    least = std::min(least, x.exponent);
+    above = std::max(above, x.exponent + static_cast<int>(bit_length(x.mantissa)));
+  }
+};
+
+template <class Number>
+Number shifted(const Dyadic<Number>& term, int exponent) {
+  return term.mantissa.is_zero()
+             ? Number(0)
+             : Number(term.mantissa << static_cast<unsigned long>(term.exponent - exponent));
+}
+
+template <class Number>
+Dyadic<Number> product(const Dyadic<Number>& a, const Dyadic<Number>& b) {
+  return {a.mantissa * b.mantissa, a.exponent + b.exponent};
+}
+
+// A coordinate has `denominator`, the exponents of its terms, and itself, times its denominator,
+// divided by 2^exponent. Precondition of that: no term that is not zero has a lesser exponent.
+
+/// (position - velocity * epoch) + velocity * t, each term of it a dyadic number.
+template <class Poly>
+class Linear_coordinate {
+ public:
+  using Number = Coefficient_of<Poly>;
+  static constexpr int denominator = 1;
+
+  Linear_coordinate(const Linear_motion_2& motion, double Vector_2::*axis)
+      : Linear_coordinate(motion.position.*axis, motion.velocity.*axis, motion.epoch) {}
+  Linear_coordinate(double position, double velocity, double epoch)
+      : position_(dyadic<Number>(position)), velocity_(dyadic<Number>(velocity)) {
+    if (epoch != 0) drift_ = product(velocity_, dyadic<Number>(epoch));
+  }
+
+  void add_to(Exponents& exponents) const {
+    exponents.add(position_);
+    exponents.add(velocity_);
+    exponents.add(drift_);
+  }
+  Poly scaled(int exponent) const {
+    return {shifted(position_, exponent) - shifted(drift_, exponent), shifted(velocity_, exponent)};
+  }
+
+ private:
+  Dyadic<Number> position_;
+  Dyadic<Number> velocity_;
+  Dyadic<Number> drift_;  // velocity * epoch
+};
+
+/// 6 p + 6 v s + 3 a s^2 + j s^3 with s = t - epoch, by powers of t.
+class Polynomial_coordinate {
+ public:
+  static constexpr int denominator = 6;
+
+  Polynomial_coordinate(const Polynomial_motion_2& motion, double Vector_2::*axis) {
+    const std::array<Dyadic<Integer>, 4> derivatives = {
+        dyadic<Integer>(motion.position.*axis), dyadic<Integer>(motion.velocity.*axis),
+        dyadic<Integer>(motion.acceleration.*axis), dyadic<Integer>(motion.jerk.*axis)};
+    const Dyadic<Integer> back = dyadic<Integer>(-motion.epoch);
+    // Of (t - epoch)^k / k! the coefficient of t^i is (-epoch)^(k-i) / (i! (k-i)!).
+    constexpr std::array<int, 4> factorials = {1, 1, 2, 6};
+    for (std::size_t k = 0; k < 4; ++k) {
+      Dyadic<Integer> term = derivatives[k];
+      for (std::size_t i = k + 1; i-- > 0;) {
+        const int factor = denominator / (factorials[i] * factorials[k - i]);
+        terms_[i].push_back({term.mantissa * factor, term.exponent});
+        term = product(term, back);
+      }
+    }
+  }
+
+  void add_to(Exponents& exponents) const {
+    for (const std::vector<Dyadic<Integer>>& power : terms_) {
+      for (const Dyadic<Integer>& term : power) exponents.add(term);
+    }
+  }
+  Polynomial scaled(int exponent) const {
+    std::vector<Integer> coefficients(terms_.size());
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      for (const Dyadic<Integer>& term : terms_[i]) coefficients[i] += shifted(term, exponent);
+    }
+    return Polynomial(std::move(coefficients));
+  }
+
+ private:
+  std::array<std::vector<Dyadic<Integer>>, 4> terms_;  // by power of t
+};
+
+/// Both coordinates of a motion.
+template <class Poly, class Coordinate>
+struct Coordinates {
+  static constexpr int denominator = Coordinate::denominator;
+  Coordinate x;
+  Coordinate y;
+
+  template <class Motion>
+  explicit Coordinates(const Motion& motion) : x(motion, &Vector_2::x), y(motion, &Vector_2::y) {}
+
+  void add_to(Exponents& exponents) const {
+    x.add_to(exponents);
+    y.add_to(exponents);
+  }
+  Basic_trajectory_2<Poly> scaled(int exponent, Coefficient_of<Poly> w) const {
+    return {x.scaled(exponent), y.scaled(exponent), Poly{std::move(w)}, {}};
+  }
+};
+
+/// The same with the weight of a disc, scaled by the square of what scales the coordinates, to
+/// which `Centre` belongs.
+template <class Poly, class Centre>
+struct Weighted_coordinates {
+  using Number = Coefficient_of<Poly>;
+  static constexpr int denominator = Centre::denominator;
+  Centre centre;
+  Linear_coordinate<Poly> radius;
+  Dyadic<Number> weight;
+
+  template <class Disc>
+  explicit Weighted_coordinates(const Disc& disc)
+      : centre(kinetri::centre(disc)),
+        radius(disc.radius, disc.growth, disc.epoch),
+        weight(dyadic<Number>(disc.weight)) {}
+
+  void add_to(Exponents& exponents) const {
+    centre.add_to(exponents);
+    radius.add_to(exponents);
+    if (weight.mantissa.is_zero()) return;
+    // Twice the exponent of the result must not be above that of the weight.
+    exponents.least = std::min(exponents.least, floor_of_half(weight.exponent));
+    exponents.above = std::max(
+        exponents.above,
+        floor_of_half(weight.exponent + static_cast<int>(bit_length(weight.mantissa))) + 1);
+  }
+  Basic_trajectory_2<Poly> scaled(int exponent, Number w) const {
+    const Poly scaled_radius = radius.scaled(exponent) * Number(denominator);
+    const Number scaled_weight = shifted(weight, 2 * exponent) * Number(denominator * denominator);
+    Basic_trajectory_2<Poly> result = centre.scaled(exponent, std::move(w));
+    result.weight = scaled_radius * scaled_radius + Poly{scaled_weight};
+    return result;
+  }
+
+ private:
+  static int floor_of_half(int x) { return x >= 0 ? x / 2 : -((1 - x) / 2); }
+};
+
+template <class Poly>
+auto coordinates(const Linear_motion_2& motion) {
+  return Coordinates<Poly, Linear_coordinate<Poly>>(motion);
+}
+template <std::same_as<Polynomial> Poly>
+auto coordinates(const Polynomial_motion_2& motion) {
+  return Coordinates<Poly, Polynomial_coordinate>(motion);
+}
+template <class Poly, class Centre>
+auto coordinates(const Basic_disc_motion_2<Centre>& disc) {
+  return Weighted_coordinates<Poly, decltype(coordinates<Poly>(kinetri::centre(disc)))>(disc);
+}
+
+/// The trajectories of motions, times one common positive number, weights times its square, so that
+/// w is 1. Whether none of their coefficients has more than `most_bits` binary digits, in which
+/// case `result` is made; coefficients of weights may have twice as many, and one.
+template <class Poly, std::size_t N, class Motion>
+bool make_common_trajectories(const std::array<const Motion*, N>& motions, int most_bits,
+                              std::array<Basic_trajectory_2<Poly>, N>& result) {
+  using One = decltype(coordinates<Poly>(Motion()));
+  std::array<One, N> all = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<One, N>{coordinates<Poly>(*motions[I])...};
+  }
+  (std::make_index_sequence<N>());
+  Exponents exponents;
+  for (const One& one : all) one.add_to(exponents);
+  // The sum of two terms of a coordinate has a digit more.
+  if (exponents.above - exponents.least + 1 > most_bits) return false;
+  for (std::size_t i = 0; i < N; ++i) {
+    result[i] = all[i].scaled(exponents.least, Coefficient_of<Poly>(1));
+  }
+  return true;
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_KINETIC_SCALED_COORDINATES_H
