@@ -15,7 +15,6 @@ namespace {
 
 using Wide = Stack_integer<64>;
 using Wide_polynomial = Static_polynomial<Wide>;
-using Sequence = Static_sturm_sequence<Wide>;
 using Point = Dyadic_point<Wide>;
 using Kind = Counted_failure::Kind;
 
@@ -174,19 +173,50 @@ std::optional<double> guess_first_root(const Approximation& f, int count) {
   return roots[0];
 }
 
-class Count {
+// The first sign that is not zero of the k-th terms, from the first one on, each times side^k: that
+// of the polynomial just before, or after, the number at which it has the expansion `f`.
+Sign sign_beside(const Wide_polynomial& f, Sign side) {
+  Sign factor = CGAL::POSITIVE;
+  for (int i = 0; i <= f.degree(); ++i, factor = factor * side) {
+    if (!f[i].is_zero()) return sign(f[i]) * factor;
+  }
+  return CGAL::ZERO;
+}
+
+// Whether the k-th derivative certainly has no root in [lower, upper], given the expansion `f` at
+// `from`, the point upper: its value at upper exceeds what the others can change on the way. The
+// numbers of binary digits tell.
+bool keeps_sign(const Wide_polynomial& f, int k, const Double_interval& interval,
+                const Point& from) {
+  if (f[k].is_zero()) return false;
+  int width = 0;
+  std::frexp(std::nextafter(interval.upper - interval.lower, infinity), &width);
+  const long distance = width + static_cast<long>(from.exponent);
+  long change = std::numeric_limits<long>::min();
+  for (int i = k + 1; i <= f.degree(); ++i) {
+    if (!f[i].is_zero()) change = std::max(change, f[i].bit_length() + (i - k) * distance);
+  }
+  // Four terms at most, with binomial coefficients less than 8.
+  return f[k].bit_length() - 1 > change + 5;
+}
+
+// Whether numbers of such a size have room when the terms of the sequence are evaluated.
+bool has_room(long coefficient_bits, double x) {
+  return std::isfinite(x) &&
+         4 * (coefficient_bits + Point_of_double(x).bits()) + 32 <= Wide::capacity;
+}
+
+// The failure of one polynomial, of which the coefficients have no more than the given number of
+// binary digits.
+class Failure_search {
  public:
-  Count(const Wide_polynomial& p, long coefficient_bits)
+  Failure_search(const Wide_polynomial& p, long coefficient_bits)
       : p_(p), sequence_(p), coefficient_bits_(coefficient_bits) {}
 
-  Counted_failure failure_after(const Double_interval& now, bool vanishes);
+  Counted_failure failure_after(const Double_interval& now, bool vanishes) const;
 
  private:
-  // Whether the terms can be evaluated there.
-  bool has_room(double x) const {
-    return std::isfinite(x) &&
-           4 * (coefficient_bits_ + Point_of_double(x).bits()) + 32 <= Wide::capacity;
-  }
+  bool can_evaluate_at(double x) const { return has_room(coefficient_bits_, x); }
   int changes_at(double x) const { return sequence_.changes_at(Point_of_double(x).point()); }
   Sign sign_at(double x) const { return sign(scaled_value(p_, Point_of_double(x).point())); }
 
@@ -200,31 +230,26 @@ class Count {
   }
 
   const Wide_polynomial& p_;
-  Sequence sequence_;
+  Static_sturm_sequence<Wide> sequence_;
   long coefficient_bits_;
 };
 
-// The sign just after the number at which p has the expansion `f`.
-Sign sign_after(const Wide_polynomial& f) {
-  for (int i = 0; i <= f.degree(); ++i) {
-    if (!f[i].is_zero()) return sign(f[i]);
-  }
-  return CGAL::ZERO;
-}
-
-Counted_failure Count::failure_after(const Double_interval& now, bool vanishes) {
-  if (!has_room(now.lower) || !has_room(now.upper)) return {};
+Counted_failure Failure_search::failure_after(const Double_interval& now, bool vanishes) const {
+  if (!can_evaluate_at(now.lower) || !can_evaluate_at(now.upper)) return {};
   if (!sequence_.is_square_free()) return {};
   const Point from = Point_of_double(now.upper).point();
   const Wide_polynomial f = expanded_at(p_, from);
   const int at_from = changes_at(from, f);
   if (now.lower != now.upper) {
     // Only t itself may be a root near it. It is one if p vanishes there.
-    if (f[0].is_zero() || sign_at(now.lower) == CGAL::ZERO) return {};
-    if (changes_at(now.lower) - at_from != (vanishes ? 1 : 0)) return {};
+    if (f[0].is_zero()) return {};
+    if (!keeps_sign(f, vanishes ? 1 : 0, now, from) &&
+        (sign_at(now.lower) == CGAL::ZERO ||
+         changes_at(now.lower) - at_from != (vanishes ? 1 : 0))) {
+      return {};
+    }
   }
-  const Sign after = sign_after(f);
-  if (after == CGAL::NEGATIVE) return {Kind::at_once, {}};
+  if (sign_beside(f, CGAL::POSITIVE) == CGAL::NEGATIVE) return {Kind::at_once, {}};
   const int roots = at_from - sequence_.changes_at_plus_infinity();
   if (roots == 0) return {Kind::never_fails, {}};
 
@@ -243,7 +268,7 @@ Counted_failure Count::failure_after(const Double_interval& now, bool vanishes) 
     const double lower = std::max(guess - margin, now.upper);
     const double upper = guess + margin;
     if (lower == now.upper && f[0].is_zero()) return {};
-    if (!has_room(lower) || !has_room(upper)) return {};
+    if (!can_evaluate_at(lower) || !can_evaluate_at(upper)) return {};
     if (roots == 1) {
       // The only root is where the sign changes.
       if (sign_at(lower) == CGAL::POSITIVE && sign_at(upper) == CGAL::NEGATIVE) {
@@ -266,8 +291,19 @@ Counted_failure count_failure(const Narrow_polynomial& p, const Double_interval&
     return {sign(p[0]) == CGAL::POSITIVE ? Kind::never_fails : Kind::at_once, {}};
   }
   const long bits = p.coefficient_bits();
-  if (Sequence::bits_needed(p.degree(), bits) > Wide::capacity) return {};
-  return Count(Wide_polynomial(p), bits).failure_after(now, vanishes);
+  if (Static_sturm_sequence<Wide>::bits_needed(p.degree(), bits) > Wide::capacity) return {};
+  const Wide_polynomial wide(p);
+  return Failure_search(wide, bits).failure_after(now, vanishes);
+}
+
+std::optional<Sign> count_sign(const Narrow_polynomial& p, const Double_interval& now, Sign side) {
+  if (p.degree() < 1) return p.is_zero() ? CGAL::ZERO : sign(p[0]);
+  if (!has_room(p.coefficient_bits(), now.upper)) return std::nullopt;
+  const Point from = Point_of_double(now.upper).point();
+  const Wide_polynomial f = expanded_at(Wide_polynomial(p), from);
+  if (now.lower == now.upper) return side == CGAL::ZERO ? sign(f[0]) : sign_beside(f, side);
+  if (!f[0].is_zero() && keeps_sign(f, 0, now, from)) return sign(f[0]);
+  return std::nullopt;
 }
 
 }  // namespace kinetri

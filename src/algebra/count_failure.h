@@ -6,7 +6,9 @@
 #define KINETRI_SRC_ALGEBRA_COUNT_FAILURE_H
 
 #include <cstdint>
+#include <optional>
 
+#include "kinetri/algebra/sign.h"
 #include "kinetri/base/double_interval.h"
 #include "stack_integer.h"
 #include "static_polynomial.h"
@@ -36,6 +38,11 @@ struct Counted_failure {
 /// sequence, one Taylor expansion, and two evaluations of p or of the sequence, without allocation.
 Counted_failure count_failure(const Narrow_polynomial& p, const Double_interval& now,
                               bool vanishes);
+
+/// The sign of p at a time t within `now`, or just before it, or after it, if `side` is negative or
+/// positive. None if that is not certain: p may vanish near a time that is not a binary64 number,
+/// or the numbers are too wide. Exact. Cost: one Taylor expansion.
+std::optional<Sign> count_sign(const Narrow_polynomial& p, const Double_interval& now, Sign side);
 
 }  // namespace kinetri
 

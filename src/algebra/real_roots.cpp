@@ -9,21 +9,21 @@
 #include <utility>
 
 #include "gmp_access.h"
-#include "kinetri/algebra/sturm_sequence.h"
 #include "kinetri/base/check.h"
 #include "root_isolation.h"
+#include "sturm_counter.h"
 
 namespace kinetri {
 namespace {
 
 // Descartes' rule proposes where roots are, and Sturm's theorem certifies it: as many sign changes
 // as given before the isolating interval of the root, and one less after it.
-void certify(const Sturm_sequence& sequence, int changes, const Algebraic_number& root) {
+void certify(Sturm_counter& counter, int changes, const Algebraic_number& root) {
   const Rational_interval around = root.isolating_interval();
-  KINETRI_ASSERT(around.is_point() ? sequence.terms().front().sign_at(around.lower) == CGAL::ZERO
-                                   : sequence.sign_changes_at(around.lower) == changes,
+  KINETRI_ASSERT(around.is_point() ? counter.sign_at(around.lower) == CGAL::ZERO
+                                   : counter.changes_at(around.lower) == changes,
                  "there is a root before the interval of a root");
-  KINETRI_ASSERT(sequence.sign_changes_at(around.upper) == changes - 1,
+  KINETRI_ASSERT(counter.changes_at(around.upper) == changes - 1,
                  "the interval of a root does not have one root");
 }
 
@@ -43,10 +43,10 @@ std::vector<Algebraic_number> simple_roots(const Polynomial& square_free) {
   if (has_root_zero) result.emplace_back();
   std::ranges::move(roots_beyond(rest, 0), std::back_inserter(result));
 
-  const Sturm_sequence sequence(square_free);
-  int changes = sequence.sign_changes_at_minus_infinity();
-  for (const Algebraic_number& root : result) certify(sequence, changes--, root);
-  KINETRI_ASSERT(changes == sequence.sign_changes_at_plus_infinity(), "there is another root");
+  Sturm_counter counter(square_free);
+  int changes = counter.changes_at_minus_infinity();
+  for (const Algebraic_number& root : result) certify(counter, changes--, root);
+  KINETRI_ASSERT(changes == counter.changes_at_plus_infinity(), "there is another root");
   return result;
 }
 
@@ -64,14 +64,14 @@ void sort_by_value(std::vector<Real_root>& roots) {
 // --- The first root after a number --------------------------------------------------------------
 
 std::optional<Algebraic_number> first_root_beyond(const Polynomial& q, const Rational& from) {
-  const Sturm_sequence sequence(q);
+  Sturm_counter counter(q);
   const std::vector<Algebraic_number> roots = roots_beyond(q, from, 1);
-  const int changes = sequence.sign_changes_at(from);
+  const int changes = counter.changes_at(from);
   if (roots.empty()) {
-    KINETRI_ASSERT(changes == sequence.sign_changes_at_plus_infinity(), "there is a root");
+    KINETRI_ASSERT(changes == counter.changes_at_plus_infinity(), "there is a root");
     return std::nullopt;
   }
-  certify(sequence, changes, roots.front());
+  certify(counter, changes, roots.front());
   return roots.front();
 }
 

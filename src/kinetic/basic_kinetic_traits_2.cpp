@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <limits>
 #include <memory>
 #include <span>
-#include <tuple>
 #include <utility>
 
-#include "algebra/count_failure.h"
 #include "certificate_formulas.h"
 #include "filter/disc_filter.h"
 #include "filter/filter.h"
@@ -18,15 +15,12 @@
 #include "filter/weighted_differences.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
-#include "scaled_coordinates.h"
+#include "polynomial_on_stack.h"
 
 namespace kinetri {
 namespace {
 
 using Time = Algebraic_number;
-
-template <class Motion>
-constexpr bool is_linear = std::same_as<Centre_motion_of<Motion>, Linear_motion_2>;
 
 // The polynomials of failures that the filter has bracketed, made when an exact decision needs
 // them.
@@ -178,16 +172,13 @@ template <class Formula, class... Motion>
 std::optional<Certificate> counted_certificate(const Time& t, Certificate_state state,
                                                const Formula& formula, const Motion&... motions) {
   if constexpr ((is_linear<Motion> && ...)) {
-    // Of coordinates, so that formulas of degree 4 in them have no more than 1024.
-    constexpr int most_bits = 250;
-    std::array<Basic_trajectory_2<Narrow_polynomial>, sizeof...(Motion)> paths;
-    if (!make_common_trajectories(std::array{&motions...}, most_bits, paths)) return std::nullopt;
-    const Narrow_polynomial p = std::apply(formula, paths);
-    if (p.is_zero()) return exact_certificate(std::nullopt, false);
+    const auto p = polynomial_on_stack(formula, motions...);
+    if (!p) return std::nullopt;
+    if (p->is_zero()) return exact_certificate(std::nullopt, false);
     constexpr auto means = Certificate::Means::exact;
-    const bool is_root_solved = p.degree() > 0;
+    const bool is_root_solved = p->degree() > 0;
     const Counted_failure failure =
-        count_failure(p, t.interval(), state == Certificate_state::vanishes);
+        count_failure(*p, t.interval(), state == Certificate_state::vanishes);
     switch (failure.kind) {
       case Counted_failure::Kind::fails:
         return Certificate{

@@ -4,6 +4,8 @@
 #ifndef KINETRI_SRC_KINETIC_CERTIFICATE_FORMULAS_H
 #define KINETRI_SRC_KINETIC_CERTIFICATE_FORMULAS_H
 
+#include <type_traits>
+
 #include "algebra/static_polynomial.h"
 #include "kinetri/algebra/polynomial.h"
 
@@ -82,6 +84,68 @@ auto in_circle_of(const Trajectory& a, const Trajectory& b, const Trajectory& c,
   return lift(u) * times(times(cross(v, w), v.w), w.w) +
          lift(v) * times(times(cross(w, u), w.w), u.w) +
          lift(w) * times(times(cross(u, v), u.w), v.w);
+}
+
+/// @{
+/// Positive if the coordinate of a is greater than that of b.
+template <class Trajectory>
+auto x_difference_of(const Trajectory& a, const Trajectory& b) {
+  const auto v = difference(a, b);
+  return std::remove_cvref_t<decltype(v.x)>(times(v.x, v.w));
+}
+template <class Trajectory>
+auto y_difference_of(const Trajectory& a, const Trajectory& b) {
+  const auto v = difference(a, b);
+  return std::remove_cvref_t<decltype(v.x)>(times(v.y, v.w));
+}
+/// @}
+
+/// Positive if b is farther from a than c is.
+template <class Trajectory>
+auto distance_difference_of(const Trajectory& a, const Trajectory& b, const Trajectory& c) {
+  // |b-a|^2 / (wb wa)^2 - |c-a|^2 / (wc wa)^2, times the positive (wa wb wc)^2.
+  const auto to_b = squared_length(difference(b, a));
+  const auto to_c = squared_length(difference(c, a));
+  return times(times(to_b, c.w), c.w) - times(times(to_c, b.w), b.w);
+}
+
+/// Positive if the weight of a is greater than that of b.
+template <class Trajectory>
+auto weight_difference_of(const Trajectory& a, const Trajectory& b) {
+  return times(times(a.weight, b.w), b.w) - times(times(b.weight, a.w), a.w);
+}
+
+/// Positive if the power of a to b is greater than that to c.
+template <class Trajectory>
+auto power_distance_difference_of(const Trajectory& a, const Trajectory& b, const Trajectory& c) {
+  // As distance_difference_of.
+  const auto to_b = squared_length(difference(b, a)) - times(times(b.weight, a.w), a.w);
+  const auto to_c = squared_length(difference(c, a)) - times(times(c.weight, a.w), a.w);
+  return times(times(to_b, c.w), c.w) - times(times(to_c, b.w), b.w);
+}
+
+/// The scalar product of the vectors from b to a and to c.
+template <class Trajectory>
+auto scalar_product_of(const Trajectory& a, const Trajectory& b, const Trajectory& c) {
+  const auto u = difference(a, b);
+  const auto v = difference(c, b);
+  using Poly = std::remove_cvref_t<decltype(u.x)>;
+  return Poly(times(times(dot(u, v), u.w), v.w));
+}
+
+/// With u = a - b and v = c - b the determinant of the coordinates of u and v along the line and of
+/// their lifts, times the length of u - v. Everything is multiplied by (u.w v.w)^4.
+template <class Trajectory>
+auto segment_of(const Trajectory& a, const Trajectory& b, const Trajectory& c) {
+  const auto u = difference(a, b);
+  const auto v = difference(c, b);
+  using Poly = std::remove_cvref_t<decltype(u.x)>;
+  const Poly uu = times(squared_length(u), v.w);
+  const Poly uv = dot(u, v);
+  const Poly vv = times(squared_length(v), u.w);
+  const Poly along_u = times(uu - times(uv, u.w), u.w);
+  const Poly along_v = times(times(uv, v.w) - vv, v.w);
+  return times(times(along_u * lift(v), u.w), v.w) - times(times(along_v * lift(u), u.w), v.w);
 }
 
 }  // namespace kinetri

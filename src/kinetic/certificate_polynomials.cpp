@@ -48,15 +48,13 @@ Radius radius(const Point& p) {
 template <class Point>
 Polynomial x_difference(const Point& p, const Point& q) {
   const auto [a, b] = common_trajectories<2, typename Point::Motion>({&p, &q});
-  const Vector<Polynomial> v = difference(a, b);
-  return times(v.x, v.w);
+  return x_difference_of(a, b);
 }
 
 template <class Point>
 Polynomial y_difference(const Point& p, const Point& q) {
   const auto [a, b] = common_trajectories<2, typename Point::Motion>({&p, &q});
-  const Vector<Polynomial> v = difference(a, b);
-  return times(v.y, v.w);
+  return y_difference_of(a, b);
 }
 
 template <class Point>
@@ -74,48 +72,31 @@ Polynomial in_circle_polynomial(const Point& p, const Point& q, const Point& r, 
 template <class Point>
 Polynomial distance_difference(const Point& p, const Point& q, const Point& r) {
   const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
-  // |q-p|^2 / (wq wp)^2 - |r-p|^2 / (wr wp)^2, times the positive (wp wq wr)^2.
-  const Polynomial to_q = squared_length(difference(b, a));
-  const Polynomial to_r = squared_length(difference(c, a));
-  return times(times(to_q, c.w), c.w) - times(times(to_r, b.w), b.w);
+  return distance_difference_of(a, b, c);
 }
 
 template <class Point>
 Polynomial weight_difference(const Point& p, const Point& q) {
   const auto [a, b] = common_trajectories<2, typename Point::Motion>({&p, &q});
-  return times(times(a.weight, b.w), b.w) - times(times(b.weight, a.w), a.w);
+  return weight_difference_of(a, b);
 }
 
 template <class Point>
 Polynomial power_distance_difference(const Point& p, const Point& q, const Point& r) {
   const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
-  // As distance_difference.
-  const Polynomial to_q = squared_length(difference(b, a)) - times(times(b.weight, a.w), a.w);
-  const Polynomial to_r = squared_length(difference(c, a)) - times(times(c.weight, a.w), a.w);
-  return times(times(to_q, c.w), c.w) - times(times(to_r, b.w), b.w);
+  return power_distance_difference_of(a, b, c);
 }
 
-// With u = p - q and v = r - q the determinant of the coordinates of u and v along the line and of
-// their lifts, times the length of u - v. Everything is multiplied by (u.w v.w)^4.
 template <class Point>
 Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r) {
   const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
-  const Vector<Polynomial> u = difference(a, b);
-  const Vector<Polynomial> v = difference(c, b);
-  const Polynomial uu = times(squared_length(u), v.w);
-  const Polynomial uv = dot(u, v);
-  const Polynomial vv = times(squared_length(v), u.w);
-  const Polynomial along_u = times(uu - times(uv, u.w), u.w);
-  const Polynomial along_v = times(times(uv, v.w) - vv, v.w);
-  return times(times(along_u * lift(v), u.w), v.w) - times(times(along_v * lift(u), u.w), v.w);
+  return segment_of(a, b, c);
 }
 
 template <class Point>
 Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point& r) {
   const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
-  const Vector<Polynomial> u = difference(a, b);
-  const Vector<Polynomial> v = difference(c, b);
-  return times(times(dot(u, v), u.w), v.w);
+  return scalar_product_of(a, b, c);
 }
 
 template <class Point>

@@ -1,43 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/instantaneous_traits_2.h"
 
+#include <tuple>
+
+#include "certificate_formulas.h"
 #include "filter/disc_filter.h"
 #include "filter/filter.h"
-#include "kinetri/kinetic/certificate_polynomials.h"
+#include "polynomial_on_stack.h"
 
 namespace kinetri {
 
-// A sign that the filter knows is not zero, so that it is the same just before, at and just after.
-template <class Motion>
-template <class Filter, class Exact, class... Points>
-Sign Basic_instantaneous_traits_2<Motion>::Predicate::sign(const Filter& filter,
-                                                           const Exact& polynomial,
-                                                           const Points&... points) const {
-  if (arithmetic_ == Arithmetic::filtered && (points.has_motion() && ...)) {
-    const Sign s = filter(points.motion()..., instant_->time.interval());
-    if (s != CGAL::ZERO) return s;
+namespace {
+
+// The side of a time as a sign: negative before it.
+Sign sign_of(Time_side side) {
+  switch (side) {
+    case Time_side::before:
+      return CGAL::NEGATIVE;
+    case Time_side::at:
+      return CGAL::ZERO;
+    case Time_side::after:
+      break;
   }
-  return sign_at(polynomial(points...), *instant_);
+  return CGAL::POSITIVE;
+}
+
+}  // namespace
+
+// The sign of what `formula` makes of the trajectories of the points. A sign that the filter knows
+// is not zero, so that it is the same just before, at and just after.
+template <class Motion>
+template <class Filter, class Formula, class... Points>
+Sign Basic_instantaneous_traits_2<Motion>::Predicate::sign(const Filter& filter,
+                                                           const Formula& formula,
+                                                           const Points&... points) const {
+  if ((points.has_motion() && ...)) {
+    const Double_interval now = instant_->time.interval();
+    if (arithmetic_ == Arithmetic::filtered) {
+      const Sign s = filter(points.motion()..., now);
+      if (s != CGAL::ZERO) return s;
+    }
+    if constexpr (is_linear<Motion>) {
+      if (const auto p = polynomial_on_stack(formula, points.motion()...)) {
+        if (const auto s = count_sign(*p, now, sign_of(instant_->side))) return *s;
+      }
+    }
+  }
+  const auto paths = common_trajectories<sizeof...(Points), Motion>({&points...});
+  return sign_at(std::apply(formula, paths), *instant_);
 }
 
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::x_order(const Point_2& p,
                                                               const Point_2& q) const {
-  return sign(certain_x_order<Centre_motion_of<Motion>>, x_difference<Point_2>, p, q);
+  const auto formula = [](const auto&... paths) { return x_difference_of(paths...); };
+  return sign(certain_x_order<Centre_motion_of<Motion>>, formula, p, q);
 }
 
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::y_order(const Point_2& p,
                                                               const Point_2& q) const {
-  return sign(certain_y_order<Centre_motion_of<Motion>>, y_difference<Point_2>, p, q);
+  const auto formula = [](const auto&... paths) { return y_difference_of(paths...); };
+  return sign(certain_y_order<Centre_motion_of<Motion>>, formula, p, q);
 }
 
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::orientation(const Point_2& p,
                                                                   const Point_2& q,
                                                                   const Point_2& r) const {
-  return sign(certain_orientation<Centre_motion_of<Motion>>, orientation_polynomial<Point_2>, p, q,
-              r);
+  const auto formula = [](const auto&... paths) { return orientation_of(paths...); };
+  return sign(certain_orientation<Centre_motion_of<Motion>>, formula, p, q, r);
 }
 
 template <class Motion>
@@ -45,30 +77,32 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::in_circle(const Point_2& p
                                                                 const Point_2& r,
                                                                 const Point_2& s) const {
   const auto filter = [](const auto&... arguments) { return certain_in_circle(arguments...); };
-  return sign(filter, in_circle_polynomial<Point_2>, p, q, r, s);
+  const auto formula = [](const auto&... paths) { return in_circle_of(paths...); };
+  return sign(filter, formula, p, q, r, s);
 }
 
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::distance_order(const Point_2& p,
                                                                      const Point_2& q,
                                                                      const Point_2& r) const {
-  return sign(certain_distance_order<Centre_motion_of<Motion>>, distance_difference<Point_2>, p, q,
-              r);
+  const auto formula = [](const auto&... paths) { return distance_difference_of(paths...); };
+  return sign(certain_distance_order<Centre_motion_of<Motion>>, formula, p, q, r);
 }
 
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::scalar_product(const Point_2& p,
                                                                      const Point_2& q,
                                                                      const Point_2& r) const {
-  return sign(certain_scalar_product<Centre_motion_of<Motion>>, scalar_product_polynomial<Point_2>,
-              p, q, r);
+  const auto formula = [](const auto&... paths) { return scalar_product_of(paths...); };
+  return sign(certain_scalar_product<Centre_motion_of<Motion>>, formula, p, q, r);
 }
 
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::weight_order(const Point_2& p,
                                                                    const Point_2& q) const {
   if constexpr (HasWeight<Motion>) {
-    return sign(certain_weight_order<Motion>, weight_difference<Point_2>, p, q);
+    const auto formula = [](const auto&... paths) { return weight_difference_of(paths...); };
+    return sign(certain_weight_order<Motion>, formula, p, q);
   }
   return CGAL::ZERO;
 }
@@ -78,7 +112,10 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::power_distance_order(const
                                                                            const Point_2& q,
                                                                            const Point_2& r) const {
   if constexpr (HasWeight<Motion>) {
-    return sign(certain_power_distance_order<Motion>, power_distance_difference<Point_2>, p, q, r);
+    const auto formula = [](const auto&... paths) {
+      return power_distance_difference_of(paths...);
+    };
+    return sign(certain_power_distance_order<Motion>, formula, p, q, r);
   }
   return distance_order(p, q, r);
 }
@@ -87,7 +124,9 @@ template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::below_segment(const Point_2& p,
                                                                     const Point_2& q,
                                                                     const Point_2& r) const {
-  return sign_at(segment_polynomial(p, q, r), *instant_);
+  const auto no_filter = [](const auto&...) { return CGAL::ZERO; };
+  const auto formula = [](const auto&... paths) { return segment_of(paths...); };
+  return sign(no_filter, formula, p, q, r);
 }
 
 template class Basic_instantaneous_traits_2<Linear_motion_2>;

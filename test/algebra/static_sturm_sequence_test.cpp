@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "algebra/count_failure.h"
+#include "algebra/sturm_counter.h"
 #include "kinetri/algebra/real_roots.h"
 #include "support/random_polynomials.h"
 
@@ -168,6 +169,45 @@ TEST(Static_sturm_sequence, has_the_multiple_roots_in_its_last_term) {
       EXPECT_EQ(sequence.changes_at_minus_infinity() - sequence.changes_at_plus_infinity(),
                 static_cast<int>(pattern.size()))
           << f;
+    }
+  }
+}
+
+// ---- counts of any degree ----
+
+// In intervals of numbers: with coefficients whose exponents lie far apart, roots that lie
+// together, gaps of the remainders, and where terms vanish.
+TEST(Sturm_counter, counts_as_the_exact_sequence_does) {
+  Random random(7);
+  for (unsigned long round = 0; round < test::scaled_count(300); ++round) {
+    std::vector<Integer> c;
+    const long degree = random.integer(1, 12);
+    const bool is_even = random.integer(0, 9) == 0;
+    const auto spread = static_cast<long>(random.integer(0, 2) * 200);
+    for (long i = 0; i <= degree; ++i) {
+      c.push_back(is_even && i % 2 != 0
+                      ? Integer(0)
+                      : random.big_integer(40) << static_cast<unsigned>(random.integer(0, spread)));
+    }
+    Polynomial f(c);
+    if (f.is_zero()) continue;
+    if (random.coin()) {  // two roots more, that lie together
+      const Integer scale = Integer(1) << static_cast<unsigned>(random.integer(1, 90));
+      const Integer place = random.big_integer(80);
+      f = f * Polynomial{-place, scale} * Polynomial{-place - 1, scale};
+    }
+    f = square_free_part(f);
+    const Sturm_sequence expected(f);
+    Sturm_counter counter(f);
+    ASSERT_EQ(counter.changes_at_minus_infinity(), expected.sign_changes_at_minus_infinity()) << f;
+    ASSERT_EQ(counter.changes_at_plus_infinity(), expected.sign_changes_at_plus_infinity()) << f;
+    std::vector<Rational> places = {0, random.any_rational(), random.any_rational()};
+    for (const Real_root& root : real_roots(f)) {
+      const Rational_interval around = root.value.isolating_interval();
+      places.insert(places.end(), {around.lower, around.upper});
+    }
+    for (const Rational& t : places) {
+      ASSERT_EQ(counter.changes_at(t), expected.sign_changes_at(t)) << f << " at " << t;
     }
   }
 }

@@ -99,9 +99,10 @@ class Basic_instantaneous_traits_2 {
     Sign below_segment(const Point_2& p, const Point_2& q, const Point_2& r) const;
 
    private:
-    // What `filter` knows of the motions of the points, and else the sign of their polynomial.
-    template <class Filter, class Exact, class... Points>
-    Sign sign(const Filter& filter, const Exact& polynomial, const Points&... points) const;
+    // What `filter` knows of the motions of the points, and else the sign of the polynomial that
+    // `formula` makes of their trajectories.
+    template <class Filter, class Formula, class... Points>
+    Sign sign(const Filter& filter, const Formula& formula, const Points&... points) const;
 
     const Instant* instant_;
     Arithmetic arithmetic_;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sign changes of Sturm sequences at less cost than that of the terms, for polynomials of any
+// degree.
+#ifndef KINETRI_SRC_ALGEBRA_STURM_COUNTER_H
+#define KINETRI_SRC_ALGEBRA_STURM_COUNTER_H
+
+#include <memory>
+#include <optional>
+
+#include "kinetri/algebra/polynomial.h"
+#include "kinetri/algebra/sturm_sequence.h"
+
+namespace kinetri {
+
+class Interval_sturm_sequence;
+
+/// V of a square-free polynomial, exactly. Up to degree 4 the terms are exact, in closed form.
+/// Those of a higher degree have coefficients with very many digits, of which only signs matter: so
+/// the sequence is computed with intervals that enclose the coefficients, with more and more digits
+/// until the signs are certain. The exact terms are made only if even 4096 digits do not decide.
+class Sturm_counter {
+ public:
+  /// Precondition: f is square-free and not zero.
+  explicit Sturm_counter(const Polynomial& f);
+  ~Sturm_counter();
+  Sturm_counter(const Sturm_counter&) = delete;
+  Sturm_counter& operator=(const Sturm_counter&) = delete;
+
+  /// The number of sign changes at t, zeros left out.
+  int changes_at(const Rational& t);
+  int changes_at_plus_infinity();   ///< V for all sufficiently large t
+  int changes_at_minus_infinity();  ///< V for all sufficiently small t
+  /// The sign of f at t.
+  Sign sign_at(const Rational& t) const { return f_.sign_at(t); }
+
+ private:
+  template <class Certain, class Exact>
+  int changes(const Certain& certain, const Exact& exact);
+
+  const Polynomial& f_;
+  std::unique_ptr<Interval_sturm_sequence> intervals_;  // none: the exact terms are made
+  std::optional<Sturm_sequence> exact_;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_ALGEBRA_STURM_COUNTER_H
