@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Certificates of contacts and of distances for the pairs of points that are neighbors: those that
-// never fail and those that fail, apart. Beside those of exact arithmetic alone.
+// Certificates of the quadrilaterals around edges, and of contacts and of distances for the pairs
+// of points that are neighbors: those that never fail and those that fail, apart. Beside those of
+// exact arithmetic alone.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -29,8 +31,19 @@ struct Neighbors {
   Algebraic_number from;  // the time from which on
 };
 
-std::vector<Neighbors> neighbors(const std::vector<Moving_point_2>& points,
-                                 const std::vector<Linear_motion_2>& motions) {
+// The corners of two triangles that share an edge, those of the first one counterclockwise.
+struct Quadrilateral {
+  std::array<const Moving_point_2*, 4> corners;
+};
+
+// The pairs of points that have an edge, and the quadrilaterals around edges.
+struct Edges {
+  std::vector<Neighbors> neighbors;
+  std::vector<Quadrilateral> quadrilaterals;
+};
+
+Edges edges_of(const std::vector<Moving_point_2>& points,
+               const std::vector<Linear_motion_2>& motions) {
   std::vector<std::pair<Static_kernel::Point_2, std::size_t>> places;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     places.emplace_back(Static_kernel::Point_2(motions[i].position.x, motions[i].position.y), i);
@@ -45,26 +58,31 @@ std::vector<Neighbors> neighbors(const std::vector<Moving_point_2>& points,
   std::vector<Static_kernel::Point_2> positions;
   for (const auto& [place, id] : places) positions.push_back(place);
   const Static_triangulation triangulation(positions.begin(), positions.end());
-  std::vector<Neighbors> result;
+  Edges edges;
+  std::vector<Neighbors>& result = edges.neighbors;
   for (const auto& [face, i] : triangulation.finite_edges()) {
-    result.push_back({point_at(face->vertex((i + 1) % 3)->point()),
-                      point_at(face->vertex((i + 2) % 3)->point()), nullptr, nullptr, 0.0});
+    const auto corner = [&](int k) { return point_at(face->vertex((i + k) % 3)->point()); };
+    result.push_back({corner(1), corner(2), nullptr, nullptr, 0.0});
+    const auto opposite = triangulation.mirror_vertex(face, i);
+    if (triangulation.is_infinite(face) || triangulation.is_infinite(opposite)) continue;
+    edges.quadrilaterals.push_back(
+        {{corner(0), corner(1), corner(2), point_at(opposite->point())}});
   }
   for (std::size_t i = 0; i < result.size(); ++i) {
     const Neighbors& next = result[(i + 1) % result.size()];
     result[i].r = next.p;
     result[i].s = next.q;
   }
-  return result;
+  return edges;
 }
 
 // Nanoseconds of a certificate, the shortest of several passes over all that do `fail` or do not.
-template <class Make>
-json nanoseconds(const std::vector<Neighbors>& all, const Make& make) {
+template <class Case, class Make>
+json nanoseconds(const std::vector<Case>& all, const Make& make) {
   json result = json::object();
   for (const bool fails : {false, true}) {
-    std::vector<const Neighbors*> chosen;
-    for (const Neighbors& n : all) {
+    std::vector<const Case*> chosen;
+    for (const Case& n : all) {
       const Certificate certificate = make(n);
       if ((certificate.kind == Kind::fails) == fails) chosen.push_back(&n);
     }
@@ -74,7 +92,7 @@ json nanoseconds(const std::vector<Neighbors>& all, const Make& make) {
     for (int pass = 0; pass < 5; ++pass) {
       exact = 0;
       const Stopwatch watch;
-      for (const Neighbors* n : chosen) exact += make(*n).means == Certificate::Means::exact;
+      for (const Case* n : chosen) exact += make(*n).means == Certificate::Means::exact;
       least = std::min(least, watch.seconds());
     }
     const auto number = static_cast<double>(chosen.size());
@@ -86,7 +104,8 @@ json nanoseconds(const std::vector<Neighbors>& all, const Make& make) {
 }
 
 template <class Traits>
-json certificates(const Traits& traits, const std::vector<Neighbors>& all) {
+json certificates(const Traits& traits, const Edges& edges) {
+  const std::vector<Neighbors>& all = edges.neighbors;
   // From the time on at which they have come within the range: as known by a bracket. Not made
   // before, as a number keeps what it has been asked.
   std::vector<Neighbors> within;
@@ -101,7 +120,14 @@ json certificates(const Traits& traits, const std::vector<Neighbors>& all) {
       entering.push_back(std::move(n));
     }
   }
-  json result = {{"contact", nanoseconds(all,
+  const Algebraic_number zero;
+  json result = {{"in_circle", nanoseconds(edges.quadrilaterals,
+                                           [&](const Quadrilateral& q) {
+                                             const auto& [a, b, c, d] = q.corners;
+                                             return traits.in_circle_certificate(
+                                                 *a, *b, *c, *d, zero, Certificate_state::any);
+                                           })},
+                 {"contact", nanoseconds(all,
                                          [&](const Neighbors& n) {
                                            return traits.contact_certificate(*n.p, *n.q, range,
                                                                              n.from);
@@ -135,7 +161,7 @@ json measure_certificates(const Setup& setup) {
   for (std::size_t i = 0; i < motions.size(); ++i) {
     points.emplace_back(motions[i], static_cast<Point_id>(i));
   }
-  const std::vector<Neighbors> all = neighbors(points, motions);
+  const Edges all = edges_of(points, motions);
   return {{"filtered", certificates(Linear_kinetic_traits_2(), all)},
           {"exact", certificates(Linear_kinetic_traits_2::exact(), all)}};
 }
