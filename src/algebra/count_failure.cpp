@@ -269,13 +269,9 @@ Counted_failure Failure_search::failure_after(const Double_interval& now, bool v
     const double upper = guess + margin;
     if (lower == now.upper && f[0].is_zero()) return {};
     if (!can_evaluate_at(lower) || !can_evaluate_at(upper)) return {};
-    if (roots == 1) {
-      // The only root is where the sign changes.
-      if (sign_at(lower) == CGAL::POSITIVE && sign_at(upper) == CGAL::NEGATIVE) {
-        return {Kind::fails, {lower, upper}};
-      }
-    } else if (sign_at(lower) == CGAL::POSITIVE && changes_at(lower) == at_from &&
-               sign_at(upper) == CGAL::NEGATIVE && changes_at(upper) == at_from - 1) {
+    // A sign that changes between the two, and one root up to the greater one: so it is there.
+    if (sign_at(lower) == CGAL::POSITIVE && sign_at(upper) == CGAL::NEGATIVE &&
+        (roots == 1 || changes_at(upper) == at_from - 1)) {
       return {Kind::fails, {lower, upper}};
     }
   }

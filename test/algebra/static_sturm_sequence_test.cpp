@@ -15,6 +15,7 @@
 #include "algebra/count_failure.h"
 #include "algebra/sturm_counter.h"
 #include "kinetri/algebra/real_roots.h"
+#include "kinetri/base/error.h"
 #include "support/random_polynomials.h"
 
 namespace kinetri {
@@ -307,6 +308,27 @@ TEST(Count_failure, does_not_guess_among_roots_that_are_close) {
   }
   EXPECT_GT(decided, 500u);
   EXPECT_GT(unknown, 100u);
+}
+
+// The guess in binary64 sees no root where there are two, or one where there are three.
+TEST(Count_failure, is_not_misled_by_the_guess) {
+  const Integer scale = Integer(1) << 70;
+  for (long place = 1; place < 200; ++place) {
+    // A root at place / 8 and so many parts, or at a whole number.
+    const auto near = [&](long parts) {
+      return Polynomial{-(place * scale + 8 * parts), 8 * scale};
+    };
+    const auto far = [](long whole) { return Polynomial{-whole, 1}; };
+    const std::vector<Polynomial> all = {
+        -(near(1) * near(-1) * far(100)), near(1) * near(-1) * far(100) * far(200),
+        -(near(1) * near(0) * near(-1)), near(1) * near(0) * near(-1) * far(100)};
+    for (const Polynomial& p : all) {
+      ASSERT_NE(sign(p[0]), CGAL::ZERO);
+      for (const double from : {0.0, -1.0, static_cast<double>(place) / 16}) {
+        expect_failure(p, from, false);
+      }
+    }
+  }
 }
 
 TEST(Count_failure, leaves_what_is_too_wide) {
