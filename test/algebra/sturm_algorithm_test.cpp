@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "kinetri/algebra/real_roots.h"
-#include "kinetri/base/error.h"
 #include "support/precondition_error.h"
 #include "support/random_polynomials.h"
 
@@ -103,11 +102,17 @@ TEST(Sturm4, has_irrational_double_roots_where_the_last_term_is_quadratic) {
 }
 
 TEST(Sturm3, and_sturm4_refuse_other_degrees) {
-  EXPECT_PRECONDITION_ERROR(sturm3(Polynomial()), "degree 3; this one has degree -1");
-  EXPECT_PRECONDITION_ERROR(sturm3(Polynomial{1, 2, 3}), "degree 3; this one has degree 2");
-  EXPECT_PRECONDITION_ERROR(sturm3(Polynomial{1, 2, 3, 4, 5}), "call real_roots");
-  EXPECT_PRECONDITION_ERROR(sturm4(Polynomial{1, 2, 3, 4}), "degree 4; this one has degree 3");
-  EXPECT_PRECONDITION_ERROR(sturm4(Polynomial{1, 2, 3, 4, 0}), "degree 4; this one has degree 3");
+  const auto message = [](const std::string& begin, const std::string& degree) {
+    return begin + "; this one has degree " + degree +
+           ": call real_roots, which solves those of any degree";
+  };
+  const std::string cubics = "sturm3 solves polynomials of degree 3";
+  const std::string quartics = "sturm4 solves polynomials of degree 4";
+  EXPECT_PRECONDITION_ERROR(sturm3(Polynomial()), message(cubics, "-1"));
+  EXPECT_PRECONDITION_ERROR(sturm3(Polynomial{1, 2, 3}), message(cubics, "2"));
+  EXPECT_PRECONDITION_ERROR(sturm3(Polynomial{1, 2, 3, 4, 5}), message(cubics, "4"));
+  EXPECT_PRECONDITION_ERROR(sturm4(Polynomial{1, 2, 3, 4}), message(quartics, "3"));
+  EXPECT_PRECONDITION_ERROR(sturm4(Polynomial{1, 2, 3, 4, 0}), message(quartics, "3"));
 }
 
 }  // namespace
