@@ -49,7 +49,7 @@ class SturmTable {
     now.cells.forEach((cell, k) => {
       cell.textContent = k < now.signs.length ? SIGN_TEXTS[now.signs[k]] : now.changes;
     });
-    this.says.textContent = this.conclusions().join(' ');
+    this.says.textContent = this.conclusions().join('\n');
   }
 
   evaluate(column) {
@@ -103,10 +103,10 @@ class SturmTable {
     const isBefore = others.length > 0 && now.time >= certificate.from && now.time < others[0].time;
     if (isBefore && certificate.fails) {
       const touches = now.changes - others[0].changes - (others.length === 1 ? 1 : 0);
-      const until = `V(now) \u2212 V(${others[0].name}) = ${now.changes - others[0].changes}: `;
-      const rest = others.length === 1 ? 'no root before the failure.' : 'no root up to there.';
-      lines.push(until + (touches === 0 ? rest :
-        `${touches === 1 ? 'one touch' : `${touches} touches`} before the failure.`));
+      const text = touches === 0 ? 'no root before the failure' :
+        `${touches === 1 ? 'one touch' : `${touches} touches`} before the failure`;
+      lines.push(`V(now) \u2212 V(${others[0].name}) = ${now.changes - others[0].changes}: ` +
+        `${others.length === 1 ? 'the failure itself, and ' : ''}${text}.`);
     }
     if (certificate.fails) lines.push(this.failureText(others));
     if (others.length === 0) {
@@ -117,8 +117,8 @@ class SturmTable {
     }
     lines.push(sequence.hasMultipleRoots ?
       'The last term is no constant: its roots are the multiple roots of f\u2081. At a root of even ' +
-      'multiplicity the certificate touches zero and is positive before and after: the edge may be ' +
-      'replaced, and is back at once, so a touch is no event.' :
+      'multiplicity the certificate touches zero and is positive before and after. Two flips there ' +
+      'would undo each other: a touch is no event.' :
       'The last term is a constant: f\u2081 has no multiple root, and so no touch.');
     return lines;
   }

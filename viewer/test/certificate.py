@@ -119,7 +119,8 @@ class Certificate(Page):
                 ends = sorted(set(event.time[1:]))
                 times.update(zip(("end",) if len(ends) == 1 else ("lower", "upper"), ends))
                 table = self.table()
-                self.assertEqual(table.pop(""), ["f" + "".join(SUBSCRIPTS[int(digit)] for digit in str(k + 1)) for k in range(len(terms))] + ["V"])
+                self.assertEqual(table.pop(""), [
+                    "f" + "".join(SUBSCRIPTS[int(digit)] for digit in str(k + 1)) for k in range(len(terms))] + ["V"])
                 self.assertEqual(table.pop("degree"), [str(len(term) - 1) for term in terms] + [""])
                 self.assertEqual(set(table), set(times))
                 changes = {}
@@ -147,12 +148,12 @@ class Certificate(Page):
         self.assertEqual(self.table(), {
             "": [*"f\u2081 f\u2082 f\u2083 V".split()], "degree": ["3", "2", "1", ""], "now": ["+", "\u2212", "+", "2"],
             "end": ["0", "\u2212", "\u2212", "0"], "\u221e": ["\u2212", "\u2212", "\u2212", "0"]})
-        self.assertIn("V(now) \u2212 V(end) = 2: one touch before the failure.", self.says())
+        self.assertIn("V(now) \u2212 V(end) = 2: the failure itself, and one touch before the failure.", self.says())
         self.assertIn("root of multiplicity 1, odd: the failure", self.says())
         self.assertIn("a touch is no event", self.says())
         self.go_to(1)  # all terms are zero; V is right
         self.assertEqual(self.table()["now"], ["0", "0", "0", "1"])
-        self.assertIn("V(now) \u2212 V(end) = 1: no root before the failure.", self.says())
+        self.assertIn("V(now) \u2212 V(end) = 1: the failure itself, and no root before the failure.", self.says())
 
     def test_a_triple_root_is_an_event(self):
         self.open_edge("triple", 0)
