@@ -17,6 +17,7 @@ class CertificatePanel {
     this.plot = element('plot');
     this.facts = element('certificate-facts');
     this.shown = null;  // the certificate that the facts are of
+    this.sturm = new SturmTable();
     this.now = null;    // the element that says the present value
     this.facts.addEventListener('click', (event) => {
       const row = event.target.closest('button')?.dataset.row;
@@ -34,6 +35,7 @@ class CertificatePanel {
     if (this.shown !== certificate) {
       this.shown = certificate;
       this.write(certificate);
+      this.sturm.write(certificate, this.viewer.recording);
     }
     const isThere = playback.where[selected] >= 0;
     this.says.textContent = isThere ? this.meaning(certificate) :
@@ -43,6 +45,7 @@ class CertificatePanel {
     const value = evaluate(certificate.coefficients, playback.time - certificate.origin);
     this.now.textContent = sign === 0 ? 'zero, exactly' :
       `${SIGNS[sign]} (about ${shortNumber(value, 4)})`;
+    this.sturm.update(playback.time);
     this.drawPlot(certificate);
   }
 

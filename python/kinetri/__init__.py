@@ -16,6 +16,7 @@ Arrays in, arrays out::
 - `sweep`, `run_in_pieces`: many runs, and long ones, on several processes or machines
 - `scenario`, `packing`, `read_points`: points to begin with
 - `to_dataframe`: events as a table of pandas
+- `sturm_sequence`: the roots of a polynomial, counted exactly
 
 Positions and times are taken exactly, and every decision is exact. What comes back in arrays is rounded
 to nearest; a `Time` is exact.
@@ -36,15 +37,16 @@ from .errors import (CoincidentTrajectoriesError, ContactError, ContactOverflowE
 from .events import event_colors, event_dtype, event_kinds, to_dataframe
 from .pieces import run_in_pieces
 from .scenarios import packing, read_points, scenario
+from .sturm import RealRoot, SturmSequence, sturm_sequence
 from .sweeps import parameter_list, result_table, sweep
 from .tracks import Tracks
 
 __all__ = [
     "AuditReport", "CoincidentTrajectoriesError", "Contact", "ContactError", "ContactOverflowError",
-    "EndlessContactsError", "Error", "Event", "HistoryWarning", "InputError", "InternalError",
-    "KineticDelaunay", "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors",
-    "NegativeRadiusError", "OutputError", "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page",
-    "PreconditionError", "Response", "ResponseName", "Simulation", "Snapshot", "SnapshotError", "Time", "Tracks",
-    "VoronoiCell", "Watch", "WorkerError", "__version__", "event_colors", "event_dtype", "event_kinds", "packing",
-    "parameter_list", "read_points", "respond", "result_table", "run_in_pieces", "scenario", "sweep", "to_dataframe",
+    "EndlessContactsError", "Error", "Event", "HistoryWarning", "InputError", "InternalError", "KineticDelaunay",
+    "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors", "NegativeRadiusError", "OutputError",
+    "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page", "PreconditionError", "RealRoot", "Response",
+    "ResponseName", "Simulation", "Snapshot", "SnapshotError", "SturmSequence", "Time", "Tracks", "VoronoiCell",
+    "Watch", "WorkerError", "__version__", "event_colors", "event_dtype", "event_kinds", "packing", "parameter_list",
+    "read_points", "respond", "result_table", "run_in_pieces", "scenario", "sturm_sequence", "sweep", "to_dataframe",
 ]

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <compare>
-#include <ios>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,54 +12,12 @@
 #include <vector>
 
 #include "bindings.h"
+#include "exact_numbers.h"
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/base/error.h"
 
 namespace kinetri::python {
 namespace {
-
-// Both by hexadecimal digits, of which Python takes any number.
-py::object python_integer(const Integer& value) {
-  const std::string digits =
-      (value < 0 ? "-" : "") + abs(value).str(0, std::ios_base::hex | std::ios_base::showbase);
-  return py::reinterpret_steal<py::object>(PyLong_FromString(digits.c_str(), nullptr, 0));
-}
-
-Integer integer_of(py::handle value) {
-  const py::int_ number(py::reinterpret_borrow<py::object>(value));
-  std::string digits = py::cast<std::string>(py::str("{:#x}").format(number));
-  const bool is_negative = digits.front() == '-';
-  if (is_negative) digits.erase(0, 1);
-  const Integer result(digits);
-  return is_negative ? -result : result;
-}
-
-Rational rational_of(py::handle value) {
-  return Rational(integer_of(value.attr("numerator")), integer_of(value.attr("denominator")));
-}
-
-py::object fraction(const Rational& value) {
-  return py::module_::import("fractions")
-      .attr("Fraction")(python_integer(numerator(value)), python_integer(denominator(value)));
-}
-
-bool is_fraction(py::handle value) {
-  return py::hasattr(value, "numerator") && py::hasattr(value, "denominator");
-}
-
-// The infinity or NaN that the value is, if it is one: a float, or a scalar of NumPy.
-std::optional<double> not_finite(py::handle value) {
-  if (PyFloat_Check(value.ptr()) != 0) {
-    const double number = PyFloat_AS_DOUBLE(value.ptr());
-    return std::isfinite(number) ? std::nullopt : std::optional(number);
-  }
-  if (is_fraction(value) || !py::hasattr(value, "as_integer_ratio")) return std::nullopt;
-  const double rounded = py::cast<py::float_>(value);
-  if (std::isfinite(rounded)) return std::nullopt;
-  // A finite number may be beyond the range of binary64.
-  if (std::isnan(rounded) || value.equal(py::float_(rounded))) return rounded;
-  return std::nullopt;
-}
 
 // The order of a time and another number; unordered with a NaN; none with what is no number.
 std::optional<std::partial_ordering> order(const Algebraic_number& time, py::handle other) {
@@ -134,19 +91,14 @@ std::optional<Algebraic_number> exact_number(py::handle value) {
   if (py::isinstance<Algebraic_number>(value)) return py::cast<Algebraic_number>(value);
   // NumPy's binary64 scalar is a float.
   if (PyFloat_Check(value.ptr()) != 0) return Algebraic_number(PyFloat_AS_DOUBLE(value.ptr()));
-  if (is_fraction(value)) return Algebraic_number(rational_of(value));
-  // NumPy's other scalars know the integer ratio that they are.
-  if (py::hasattr(value, "as_integer_ratio")) {
-    if (const auto number = not_finite(value)) return Algebraic_number(*number);  // throws
-    const auto ratio = py::cast<py::tuple>(value.attr("as_integer_ratio")());
-    return Algebraic_number(Rational(integer_of(ratio[0]), integer_of(ratio[1])));
-  }
+  if (const auto number = not_finite(value)) return Algebraic_number(*number);  // throws
+  if (const auto number = exact_rational(value)) return Algebraic_number(*number);
   return std::nullopt;
 }
 
 Algebraic_number time_of(py::handle value) {
   if (auto result = exact_number(value)) return *std::move(result);
-  throw Precondition_error("a time is " + py::cast<std::string>(py::repr(value)) +
+  throw Precondition_error("a time is " + representation_of(value) +
                            "; expected a float, an int, a fractions.Fraction or a kinetri.Time");
 }
 

@@ -17,6 +17,7 @@ namespace py = pybind11;
 
 void bind_errors(py::module_& module);
 void bind_time(py::module_& module);
+void bind_sturm(py::module_& module);
 void bind_events(py::module_& module);
 void bind_contacts(py::module_& module);
 void bind_engine(py::module_& module);

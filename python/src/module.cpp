@@ -12,6 +12,7 @@ PYBIND11_MODULE(_kinetri, module) {
   module.attr("__version__") = kinetri::version;
   bind_errors(module);
   bind_time(module);
+  bind_sturm(module);
   bind_events(module);
   bind_contacts(module);
   bind_engine(module);

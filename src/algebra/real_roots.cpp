@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 
 #include "gmp_access.h"
@@ -61,6 +62,12 @@ void sort_by_value(std::vector<Real_root>& roots) {
   });
 }
 
+std::string wrong_degree(const char* function, int degree, const Polynomial& p) {
+  return std::string(function) + " solves polynomials of degree " + std::to_string(degree) +
+         "; this one has degree " + std::to_string(p.degree()) +
+         ": call real_roots, which solves those of any degree";
+}
+
 // --- The first root after a number --------------------------------------------------------------
 
 std::optional<Algebraic_number> first_root_beyond(const Polynomial& q, const Rational& from) {
@@ -105,6 +112,16 @@ std::vector<Real_root> real_roots(const Polynomial& p) {
   }
   if (factors.size() > 1) sort_by_value(result);
   return result;
+}
+
+std::vector<Real_root> sturm3(const Polynomial& p) {
+  KINETRI_PRECONDITION(p.degree() == 3, wrong_degree("sturm3", 3, p));
+  return real_roots(p);
+}
+
+std::vector<Real_root> sturm4(const Polynomial& p) {
+  KINETRI_PRECONDITION(p.degree() == 4, wrong_degree("sturm4", 4, p));
+  return real_roots(p);
 }
 
 std::optional<Real_root> first_root_after(const Polynomial& p, const Algebraic_number& t) {

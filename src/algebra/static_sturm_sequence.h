@@ -41,10 +41,10 @@ Number scaled_value(const Static_polynomial<Number>& p, const Dyadic_point<Numbe
 ///     P = 3 b^2 - 8 a c     Q = 2 b c - 12 a d     R = b d - 16 a e
 ///     I = 12 a e - 3 b d + c^2     J = c (72 a e + 9 b d - 2 c^2) - 27 (a d^2 + e b^2)
 ///     S2 = P t^2 + Q t + R     S1 = 2 (P I + 2 a J) t + (I Q + b J)     S0 = 4 I^3 - J^2
-/// these are identities: -rem(f, f') = S2 / (16 a), -rem(f', S2) = (16 a / 3 P^2) S1, and, if S1
-/// has degree 1, -rem(S2, S1) = (P^2 / 27 (P I + 2 a J)^2)... times S0 (see MATH.md, section 3). So
-/// the sign of a is all that is to be added to these terms, and a term ends the sequence if the
-/// next one is zero. If P = 0 and Q is not, S2 is linear and the next term is -f'(-R / Q).
+/// these are identities: -rem(f, f') = S2 / (16 a), -rem(f', S2) = (16 a / (3 P^2)) S1, and, if S1
+/// has degree 1, -rem(S2, S1) = (P^2 / (12 (P I + 2 a J)^2)) S0 (see MATH.md, section 3). So the
+/// sign of a is all that is to be added to these terms, and a term ends the sequence if the next
+/// one is zero. If P = 0 and Q is not, S2 is linear and the next term is -f'(-R / Q).
 ///
 /// Cost: 17 multiplications and no division. Source: S. Basu, R. Pollack, M.-F. Roy, Algorithms in
 /// Real Algebraic Geometry, sections 2.2 and 4.1 (signed remainders, subresultants); I. Z. Emiris,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Real roots, the first root after a time and failure times, of polynomials with chosen roots; the
-// paper's algorithm against the general one.
+// Real roots, the first root after a time and failure times, of polynomials with chosen roots.
 #include "kinetri/algebra/real_roots.h"
 
 #include <gtest/gtest.h>
@@ -19,30 +18,13 @@
 namespace kinetri {
 namespace {
 
+using test::are_the_roots;
 using test::Known_polynomial;
 using test::Known_root;
 using test::Random;
 
 Rational two_to(long exponent) {
   return scaled_by_power_of_two(1, exponent);
-}
-
-testing::AssertionResult are_the_roots(const std::vector<Real_root>& found,
-                                       const std::vector<Known_root>& truth) {
-  if (found.size() != truth.size()) {
-    return testing::AssertionFailure()
-           << found.size() << " roots found, " << truth.size() << " expected";
-  }
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const testing::AssertionResult same = test::is_the_number(found[i].value, truth[i]);
-    if (!same) return same;
-    if (found[i].multiplicity != truth[i].multiplicity) {
-      return testing::AssertionFailure()
-             << "multiplicity " << found[i].multiplicity << " of " << found[i].value
-             << ", expected " << truth[i].multiplicity;
-    }
-  }
-  return testing::AssertionSuccess();
 }
 
 // What an algebraic number promises of its isolating interval, checked by Sturm's theorem.
@@ -418,58 +400,6 @@ TEST(Failure_time, may_be_asked_for_with_the_polynomial_of_the_time_itself) {
   const std::optional<Real_root> root = first_root_after(t.polynomial(), t);
   ASSERT_TRUE(root.has_value());
   EXPECT_TRUE(root->value.is_root_of(Polynomial{-7, 0, 1}));
-}
-
-// --- Patterns of multiplicities
-// ----------------------------------------------------------------------
-
-// All ways to make up `degree` from rational roots, irrational pairs and complex pairs with
-// multiplicities, tried at random, with the patterns counted.
-Known_polynomial random_pattern(Random& random, int degree) {
-  Known_polynomial p(random.big_integer_not_zero(10));
-  while (p.degree() < degree) {
-    const int room = degree - p.degree();
-    const long kind = random.integer(0, 2);
-    const int most = kind == 0 ? room : room / 2;
-    if (most == 0) continue;
-    const int multiplicity = static_cast<int>(random.integer(1, most));
-    const Rational a = random.coin() ? Rational(random.integer(-2, 2)) : random.any_rational();
-    if (kind == 0) p.add_rational(a, multiplicity);
-    if (kind == 1) p.add_irrational_pair(a, test::random_non_square(random), multiplicity);
-    if (kind == 2) p.add_rootless(a, random.rational(6), multiplicity);
-  }
-  return p;
-}
-
-TEST(Real_roots, of_cubics_of_every_pattern_of_multiplicities_are_the_true_ones) {
-  for (unsigned long seed = 0; seed < test::scaled_count(1000); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const Known_polynomial p = random_pattern(random, 3);
-    ASSERT_TRUE(are_the_roots(real_roots(p.polynomial()), p.roots())) << p.polynomial();
-  }
-}
-
-TEST(Real_roots, of_quartics_of_every_pattern_of_multiplicities_are_the_true_ones) {
-  for (unsigned long seed = 0; seed < test::scaled_count(2000); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const Known_polynomial p = random_pattern(random, 4);
-    ASSERT_TRUE(are_the_roots(real_roots(p.polynomial()), p.roots())) << p.polynomial();
-  }
-}
-
-TEST(Real_roots, of_squares_of_quadratics_are_irrational_or_none) {
-  const std::vector<Real_root> real = real_roots(Polynomial{4, 0, -4, 0, 1});
-  ASSERT_EQ(real.size(), 2U);
-  EXPECT_EQ(real[0].multiplicity, 2);
-  EXPECT_EQ(real[1].multiplicity, 2);
-  EXPECT_EQ(real[1].value, Algebraic_number(Polynomial{-2, 0, 1}, 1, 2));
-  EXPECT_TRUE(real_roots(Polynomial{1, 0, 2, 0, 1}).empty());
-  const std::vector<Real_root> triple = real_roots(Polynomial{0, 1} * Polynomial{-1, 3, -3, 1});
-  ASSERT_EQ(triple.size(), 2U);
-  EXPECT_EQ(triple[0].multiplicity, 1);
-  EXPECT_EQ(triple[1].multiplicity, 3);
 }
 
 // Without real roots. From here the two least coefficients bound the distance of a positive root

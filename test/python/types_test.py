@@ -58,6 +58,8 @@ sim = kinetri.Simulation(**kinetri.packing(10, share=0.3), mass="area", collisio
 reveal_type(sim.energy())  # builtins.float
 reveal_type(sim.advance_to(2.5, progress=print))  # builtins.int
 reveal_type(kinetri.scenario("uniform", 10)[1].tolist)  # def () -> Any
+reveal_type(kinetri.sturm_sequence([1, 0.5, Fraction(1, 3)]).count(0, kd.time, closed="left"))  # builtins.int
+reveal_type(kinetri.sturm_sequence([1]).roots()[0].value)  # kinetri._kinetri.Time
 tracks = kinetri.Tracks.from_arrays([0, 1], ["a", "a"], [0, 1], [0, 0], max_gap=2.0)
 reveal_type(tracks.simulation(collisions="elastic"))  # kinetri.tracks.TracksSimulation
 try:

@@ -19,6 +19,7 @@
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/algebra/polynomial.h"
+#include "kinetri/algebra/real_roots.h"
 #include "support/multiplier.h"
 
 namespace kinetri::test {
@@ -250,6 +251,25 @@ inline testing::AssertionResult is_the_number(const Algebraic_number& number,
   if (mpfr_cmp_q(truth.value.backend().data(), number.lower().backend().data()) <= 0 ||
       mpfr_cmp_q(truth.value.backend().data(), number.upper().backend().data()) >= 0) {
     return failure("it is elsewhere");
+  }
+  return testing::AssertionSuccess();
+}
+
+/// Whether these are the known roots, in order and with their multiplicities.
+inline testing::AssertionResult are_the_roots(const std::vector<Real_root>& found,
+                                              const std::vector<Known_root>& truth) {
+  if (found.size() != truth.size()) {
+    return testing::AssertionFailure()
+           << found.size() << " roots found, " << truth.size() << " expected";
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const testing::AssertionResult same = is_the_number(found[i].value, truth[i]);
+    if (!same) return same;
+    if (found[i].multiplicity != truth[i].multiplicity) {
+      return testing::AssertionFailure()
+             << "multiplicity " << found[i].multiplicity << " of " << found[i].value
+             << ", expected " << truth[i].multiplicity;
+    }
   }
   return testing::AssertionSuccess();
 }

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Clicks on edges, which show their certificates."""
+import fractions
 import itertools
 
 import browser
 import runs
 from page import Page, edges
+
+
+SUBSCRIPTS = "\u2080\u2081\u2082\u2083\u2084\u2085\u2086\u2087\u2088\u2089"
 
 
 class Certificate(Page):
@@ -90,7 +94,90 @@ class Certificate(Page):
                                        ".slice(-2).map((e) => e.textContent)")
                 found = [float(line.split()[1]) for line in digits[1].splitlines()]
                 self.assertEqual(found,
-                                 runs.delaunay_coefficients(self.run_, corners, float(digits[0])))
+                                 [float(c) for c in runs.delaunay_polynomial(self.run_, corners, float(digits[0]))])
+
+    def table(self):
+        """The columns of the Sturm sequence by their names: texts from the top to V."""
+        rows = self.evaluate("[...document.getElementById('sturm').rows].map("
+                             "(row) => [...row.cells].map((cell) => cell.textContent))")
+        return {column[0]: list(column[1:]) for column in zip(*rows)}
+
+    def says(self):
+        return self.evaluate("document.getElementById('sturm-says').textContent")
+
+    def test_sturm_sequences_are_those_of_fractions(self):
+        touches = 0
+        for name, count in (("uniform", 6), ("accelerated", 3), ("square", 1), ("sizes", 4)):
+            self.open_run(name)
+            for event in itertools.islice(self.removals("flip"), count):
+                says = self.evaluate("document.getElementById('certificate-says').textContent")
+                corners = [int(id) for id in says.split("in-circle(")[1].split(")")[0].split(",")]
+                origin = float(self.evaluate("[...document.querySelectorAll('#certificate-facts .digits')]"
+                                             ".at(-2).textContent"))
+                terms = runs.sturm_sequence(runs.delaunay_polynomial(self.run_, corners, origin))
+                times = {"now": self.evaluate("kinetri.time"), "\u221e": float("inf")}
+                ends = sorted(set(event.time[1:]))
+                times.update(zip(("end",) if len(ends) == 1 else ("lower", "upper"), ends))
+                table = self.table()
+                self.assertEqual(table.pop(""), [
+                    "f" + "".join(SUBSCRIPTS[int(digit)] for digit in str(k + 1)) for k in range(len(terms))] + ["V"])
+                self.assertEqual(table.pop("degree"), [str(len(term) - 1) for term in terms] + [""])
+                self.assertEqual(set(table), set(times))
+                changes = {}
+                for column, t in times.items():
+                    signs = runs.signs(terms, t if t == float("inf") else
+                                       fractions.Fraction(t) - fractions.Fraction(origin))
+                    self.assertEqual(table[column][:-1], ["0+\u2212"[sign] for sign in signs], (name, column))
+                    kept = [sign for sign in signs if sign]
+                    changes[column] = sum(a != b for a, b in zip(kept, kept[1:]))
+                    if len(terms[-1]) == 1:
+                        self.assertEqual(table[column][-1], str(changes[column]), (name, column))
+                if len(ends) == 2:
+                    self.assertEqual(changes["lower"] - changes["upper"], 1)
+                    self.assertIn("V(lower) \u2212 V(upper) = 1: exactly one root", self.says())
+                    touches += changes["now"] - changes["lower"]
+                    self.assertIn(f"V(now) \u2212 V(lower) = {changes['now'] - changes['lower']}: ", self.says())
+        self.assertEqual(touches, 0)
+
+    def open_edge(self, name, t):
+        self.browser.open(self.run_of(name).page, f"#t={t}&edge=0-1")
+
+    def test_a_touch_is_no_event(self):
+        self.assertEqual([event.time[0] for event in self.run_of("touching").events if event.kind == "flip"], [2.0])
+        self.open_edge("touching", 0)
+        self.assertEqual(self.table(), {
+            "": [*"f\u2081 f\u2082 f\u2083 V".split()], "degree": ["3", "2", "1", ""], "now": ["+", "\u2212", "+", "2"],
+            "end": ["0", "\u2212", "\u2212", "0"], "\u221e": ["\u2212", "\u2212", "\u2212", "0"]})
+        self.assertIn("V(now) \u2212 V(end) = 2: the failure itself, and one touch before the failure.", self.says())
+        self.assertIn("root of multiplicity 1, odd: the failure", self.says())
+        self.assertIn("a touch is no event", self.says())
+        self.go_to(1)  # all terms are zero; V is right
+        self.assertEqual(self.table()["now"], ["0", "0", "0", "1"])
+        self.assertIn("V(now) \u2212 V(end) = 1: the failure itself, and no root before the failure.", self.says())
+
+    def test_a_triple_root_is_an_event(self):
+        self.open_edge("triple", 0)
+        self.assertEqual(self.table()["end"], ["0", "0", "0"])
+        self.assertIn("root of multiplicity 3, odd: the failure", self.says())
+
+    def test_points_that_stay_cocircular_have_no_sequence(self):
+        self.open_edge("cocircular", 0)
+        if self.evaluate("document.getElementById('certificate').hidden"):  # the other diagonal
+            self.browser.open(self.run_of("cocircular").page, "#t=0&edge=2-3")
+        self.assertTrue(self.evaluate("document.getElementById('sturm').hidden"))
+        self.assertIn("The zero polynomial has no Sturm sequence", self.says())
+
+    def test_an_edge_that_never_fails(self):
+        self.open_edge("touching", 2.25)
+        for edge in self.evaluate("kinetri.edges()"):
+            self.browser.open(self.run_of("touching").page, f"#t=2.25&edge={edge[0]}-{edge[1]}")
+            table = self.table()
+            if set(table) == {"", "degree", "now", "\u221e"}:
+                roots = int(table["now"][-1]) - int(table["\u221e"][-1])
+                self.assertIn(f"V(now) \u2212 V(\u221e) = {roots}: with these motions it", self.says())
+                self.assertEqual("never fails" in self.says(), roots == 0)
+                return
+        self.fail("no such edge")
 
     def test_hull_edges(self):
         self.open_run("box")

@@ -44,6 +44,13 @@ SQUARE = "x,y,vx,vy\n0,0,0,0\n2,0,0,0\n2,2,0,0\n0,3,0,-1\n"
 # 0 1 3; after, 3 is inside 0 1 2. All edges stay, and nothing is logged.
 PASSING = "x,y,vx,vy\n-4,0,0,0\n4,0,0,0\n0,2,0,1\n0,4,0,-1\n0,-50,0,0\n"
 
+# The singular cases of certificates. The edge 0-1 touches its circle at t = 1 and flips at t = 2; points that
+# stay cocircular; an edge 0-1 whose certificate has a triple root at t = 1.
+TOUCHING = "x,y,vx,vy\n0,1,0,0\n0,-1,0,0\n1.5,0,-0.5,0\n-0.5,1,-0.5,-1\n"
+COCIRCULAR = "x,y,vx,vy\n0,1,0,1\n0,-1,0,-1\n1,0,1,0\n-1,0,-1,0\n"
+TRIPLE = "x,y,vx,vy\n1,1,-1,0\n0,-1,0,0\n1,-1,0,1\n-1,0,0,0\n"
+
+
 def sizes():
     """Discs of many sizes, of which some grow and some shrink, in exact numbers; some hide others."""
     lines = ["x,y,vx,vy,radius,growth"]
@@ -91,6 +98,9 @@ RUNS = {
     "tracks": (TRACKS, 6, ()),
     "square": (SQUARE, 1.5, ()),
     "passing": (PASSING, 1.75, ()),
+    "touching": (TOUCHING, 2.5, ()),
+    "cocircular": (COCIRCULAR, 2, ()),
+    "triple": (TRIPLE, 2, ()),
     "wave": (None, 12, ("--columns", "6", "--rows", "5")),
     "thinned": ("uniform --points 130 --seed 6 --side 100", 330, ("--box", "0,0,100,100")),
 }
@@ -239,9 +249,9 @@ def total(*terms):
     return [sum(values) for values in itertools.zip_longest(*terms, fillvalue=fractions.Fraction(0))]
 
 
-def delaunay_coefficients(run, corners, origin):
+def delaunay_polynomial(run, corners, origin):
     """Minus the determinant of the rows (x, y, x^2 + y^2 - w, 1) of four points, w being the square of
-    the radius, in s = t - origin, each coefficient rounded to the nearest binary64 number; without zeros at the end."""
+    the radius, in s = t - origin: exact coefficients, without zeros at the end."""
     rows = []
     for point in corners:
         x, y = (polynomial(run, point, axis, origin) for axis in "xy")
@@ -254,9 +264,38 @@ def delaunay_coefficients(run, corners, origin):
         inversions = sum(order[i] > order[j] for i in range(4) for j in range(i + 1, 4))
         sign = [fractions.Fraction(-1 if inversions % 2 == 0 else 1)]
         result = total(result, product(sign, *(rows[i][order[i]] for i in range(4))))
-    while result and result[-1] == 0:
-        result.pop()
-    return [float(value) for value in result]
+    return without_zeros(result)
+
+
+def without_zeros(coefficients):
+    """The coefficients without zeros at the end."""
+    count = len(coefficients)
+    while count > 0 and coefficients[count - 1] == 0:
+        count -= 1
+    return coefficients[:count]
+
+
+def sturm_sequence(polynomial):
+    """The Sturm sequence of a polynomial that is not zero, by division of fractions."""
+    terms = [polynomial]
+    following = without_zeros([k * c for k, c in enumerate(polynomial)][1:])
+    while following:
+        terms.append(following)
+        rest = list(terms[-2])
+        while len(rest) >= len(following):
+            factor = rest[-1] / following[-1]
+            for k, c in enumerate(following):
+                rest[len(rest) - len(following) + k] -= factor * c
+            rest.pop()
+        following = without_zeros([-c for c in rest])
+    return terms
+
+
+def signs(terms, s):
+    """-1, 0 or 1 for each term at s, or, at infinity, after all roots."""
+    values = [term[-1] if s == math.inf else sum(c * fractions.Fraction(s)**k for k, c in enumerate(term))
+              for term in terms]
+    return [(value > 0) - (value < 0) for value in values]
 
 
 def execute(program, *words):
