@@ -46,11 +46,16 @@ done
 if ((${#chosen[@]} == 0)); then chosen=("${targets[@]}"); fi
 
 kinetri_setup fuzz
+video=OFF
+if [[ " ${chosen[*]} " == *" video "* ]]; then
+  kinetri_setup video
+  video=ON
+fi
 dir="$kinetri_root/build/fuzz"
 mkdir -p "$dir/crashes"
 programs=("${chosen[@]/#/kinetri_}")
 kinetri_build "$dir" asan-ubsan -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS=-fsanitize=fuzzer-no-link \
-  -DKINETRI_BUILD_PROGRAM=OFF -DKINETRI_FUZZ=ON -- "${programs[@]/%/_fuzzer}"
+  -DKINETRI_BUILD_PROGRAM=OFF -DKINETRI_VIDEO="$video" -DKINETRI_FUZZ=ON -- "${programs[@]/%/_fuzzer}"
 
 code=0
 for target in "${chosen[@]}"; do

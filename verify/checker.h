@@ -273,9 +273,16 @@ class Checker : Certified_triangulation {
            is_there(e.second) && is_there(apex(e.first, e.second)) &&
            is_there(apex(e.second, e.first));
   }
+  // Whether all edges that the row may flip are known. The corner that leaves the hull is one
+  // between the two ends, on either side of the hull: so these have to be known, too.
   bool are_known(const Row& row) const {
-    const std::vector<Edge> edges = candidates(row);
-    return !edges.empty() && std::ranges::all_of(edges, [&](const Edge& e) { return is_known(e); });
+    std::vector<Edge> edges = candidates(row);
+    if (edges.empty()) return false;
+    if (row.kind == "hull_remove") {
+      const auto [a, b] = row.added.front();
+      edges.insert(edges.end(), {{a, infinite}, {b, infinite}});
+    }
+    return std::ranges::all_of(edges, [&](const Edge& e) { return is_known(e); });
   }
   Polynomial decider(const Edge& e) const {
     const auto& [a, b] = e;

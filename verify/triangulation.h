@@ -130,8 +130,28 @@ class Certified_triangulation {
     }
   }
 
+  // A triangle that is flat now may turn over while all its edges stay. The triangles beyond these
+  // are then others, too, so all its corners are touched if one is (Lemma 5).
+  void touch_flat() {
+    std::vector<Id> more(touched_.begin(), touched_.end());
+    while (!more.empty()) {
+      const Id v = more.back();
+      more.pop_back();
+      for (const Id n : neighbors_[v]) {
+        for (const Id m : {apex(v, n), apex(n, v)}) {
+          if (m == absent || m == infinite) continue;
+          if (sign_at(orientation(course(v), course(n), course(m)), now_) != 0) continue;
+          for (const Id w : {n, m}) {
+            if (touched_.insert(w).second) more.push_back(w);
+          }
+        }
+      }
+    }
+  }
+
   // The triangles anew at all points that are touched.
   void remake() {
+    touch_flat();
     for (const Id v : touched_) {
       for (const Id n : neighbors_[v]) {
         if (apex(v, n) != absent) remove_triangle(v, n, apex(v, n));

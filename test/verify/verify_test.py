@@ -211,6 +211,14 @@ def check_true(case, seeds):
 # Several points leave the hull at one time, t = 2.
 LEAVING = [(0, 0, -1, -1), (0, 0, -1, 0), (2, 0, -1, 0), (2, 2, 0, 0), (-2, 1, 0, -1)]
 
+# Discs with several events at one time. A hidden point has left the hull before a corner that is in line with
+# it does, t = 5.
+HIDING = [(3, -2, 2, 1, 0, 0), (-3, -2, 2, 1, 0, 0.5), (0, 3, 1, 0, 2, 1), (0, -2, 2, 1, 0, 0.5), (2, 0, 2, 1, 2, 1)]
+# Discs 0, 5 and 6 are in line at t = 0.5, where their triangle turns over and keeps its edges; and the same in reverse.
+TURNING = [(2, 0, 2, 2, 1, 0), (2, -2, -2, 2, 0, 0), (1, -1, 1, 0, 1, 0), (0, 3, -1, -2, 2, 0), (0, 0, 2, -2, 0, 0),
+           (3, 2, 0, -1, 0.5, 0), (3, 2, 0, 2, 1, 0)]
+TURNING_BACK = [(x + vx, y + vy, -vx, -vy, radius, growth) for x, y, vx, vy, radius, growth in TURNING]
+
 
 def check_instants(case):
     """Several events of one exact time: discs of a wave meet, at times that are no binary64 numbers."""
@@ -219,6 +227,11 @@ def check_instants(case):
     assert kinds.count("hull_remove") == 2, run.rows
     code, text, _ = case.verify(run)
     assert code == 0, text
+    for discs, time in ((HIDING, "5"), (TURNING, "0.5"), (TURNING_BACK, "0.5")):
+        run = case.simulate(discs, 5, 0, ["--regular"])
+        assert len([row for row in run.rows if row[2] == time]) > 2, run.rows
+        code, text, _ = case.verify(run)
+        assert code == 0, f"{discs}: {text}"
     for columns, rows in ((3, 4), (5, 5), (8, 3), (30, 30)):
         for radius in ("0.3", "0.5", "0.7", "1", "2", "4"):
             command = [case.kinetri, "wave", "--columns", str(columns), "--rows", str(rows), "--radius", radius]
