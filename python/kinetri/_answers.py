@@ -27,6 +27,7 @@ QUESTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "neighbor_lives": ((), ("ridge",)),
     "exchanges": ((), ("ridge",)),
     "nearest_neighbor_changes": ((), ()),
+    "certificates": ((), ()),
 }
 
 
@@ -291,6 +292,33 @@ class RunAnswers:
             was shorter than that during all of the life, decided exactly.
         """
         return self._answer(self.watch("neighbor_lives", ridge=ridge), until, progress)
+
+    def certificates(self, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
+        """Goes to a time and gives for each event on the way the proof that it happened just then.
+
+        Parameters
+        ----------
+        until : time
+            As in `advance_to`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for each event, in order: event (its number), kind, and certificate: the line of JSON
+            that the program writes with --certificates. It has the polynomial whose failure the event is,
+            and signs of its Sturm sequence that prove the time; or, where nothing fails, the reason.
+
+        Examples
+        --------
+        >>> import json
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [4, 0], [0, 4], [9, 9]], [[0, 0], [0, 0], [0, 0], [-3, -3]])
+        >>> flip = json.loads(kd.certificates(until=2)["certificate"][0])
+        >>> flip["points"], flip["polynomial"], flip["lower"], flip["multiplicity"]
+        """
+        return self._answer(self.watch("certificates"), until, progress)
 
     def exchanges(self, *, until: TimeLike, ridge: float | None = None,
                   progress: Progress = False) -> pd.DataFrame:

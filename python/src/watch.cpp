@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "kinetri/base/check.h"
+#include "kinetri/io/certificate_log.h"
 #include "kinetri/observers/detail/answer_columns.h"
 #include "kinetri/simulation/simulation_2.h"
 
@@ -146,6 +147,71 @@ std::unique_ptr<Watch> mean_areas(Core& core, const Question& question) {
                                            question.tolerance);
 }
 
+template <class Traits>
+const Kinetic_triangulation_2<Traits>& triangulation_of(const Simulation_2<Traits>& simulation) {
+  return simulation.triangulation();
+}
+template <class Traits>
+const Kinetic_triangulation_2<Traits>& triangulation_of(
+    const Kinetic_triangulation_2<Traits>& triangulation) {
+  return triangulation;
+}
+
+template <class Traits>
+Simulation_options options_of(const Simulation_2<Traits>& simulation) {
+  return simulation.options();
+}
+template <class Traits>
+Simulation_options options_of(const Kinetic_triangulation_2<Traits>& /*triangulation*/) {
+  return {};
+}
+
+// A row for each event, with the line of its certificate.
+template <class Core, class Traits>
+class Certificate_watch final : public Watch {
+ public:
+  explicit Certificate_watch(Core& core)
+      : core_(core),
+        observer_(triangulation_of(core), options_of(core),
+                  [this](const Event_certificate& certificate) { add(certificate); }) {
+    core_.add_observer(observer_);
+  }
+  ~Certificate_watch() override { core_.remove_observer(observer_); }
+  Certificate_watch(const Certificate_watch&) = delete;
+  Certificate_watch& operator=(const Certificate_watch&) = delete;
+
+  Answer_table table() override {
+    Answer_table result;
+    result.add("event", rows_, &Row::event);
+    result.add("kind", rows_, &Row::kind);
+    result.add("certificate", rows_, &Row::line);
+    return result;
+  }
+
+ private:
+  struct Row {
+    std::size_t event;
+    std::string kind;
+    std::string line;
+  };
+
+  void add(const Event_certificate& certificate) {
+    std::string line = certificate_line(certificate);
+    line.pop_back();  // its end
+    rows_.push_back({static_cast<std::size_t>(certificate.event),
+                     std::string(name(certificate.kind)), std::move(line)});
+  }
+
+  Core& core_;
+  std::vector<Row> rows_;
+  Event_certificates<Traits> observer_;
+};
+
+template <class Core, class Traits>
+std::unique_ptr<Watch> certificates(Core& core, const Question& /*question*/) {
+  return std::make_unique<Certificate_watch<Core, Traits>>(core);
+}
+
 // The questions, by what they are about.
 template <class Core>
 struct Named_question {
@@ -158,7 +224,7 @@ struct Named_question {
 template <class Core>
 std::unique_ptr<Watch> watch(Core& core, const Question& question) {
   using Traits = typename Traits_of<Core>::type;
-  constexpr std::array<Named_question<Core>, 9> questions = {{
+  constexpr std::array<Named_question<Core>, 10> questions = {{
       {"closest", &closest<Core, Traits>},
       {"encounters", &encounters<Core, Traits>},
       {"components", &components<Core, Traits>},
@@ -168,6 +234,7 @@ std::unique_ptr<Watch> watch(Core& core, const Question& question) {
       {"exchanges", &exchanges<Core, Traits>},
       {"nearest_neighbor_changes", &nearest_neighbor_changes<Core, Traits>},
       {"mean_areas", &mean_areas<Core, Traits>},
+      {"certificates", &certificates<Core, Traits>},
   }};
   for (const auto& [about, follow] : questions) {
     if (about == question.about) return follow(core, question);

@@ -11,7 +11,7 @@ import pytest
 import kinetri
 
 EXAMPLES = pathlib.Path(os.environ["KINETRI_SOURCE_DIR"], "examples", "python")
-WITH_ARGUMENTS = {"gallery", "slurm_array", "video_clip"}
+WITH_ARGUMENTS = {"check_certificates", "gallery", "slurm_array", "video_clip"}
 
 
 def started(name, *arguments, **environment):

@@ -16,6 +16,7 @@ namespace kinetri::app {
 enum class Output {
   events,
   motions,
+  certificates,
   initial_edges,
   edges,
   stats,
@@ -38,7 +39,7 @@ enum class Output {
   contact_plan,
 };
 
-constexpr std::size_t number_of_outputs = 22;
+constexpr std::size_t number_of_outputs = 23;
 
 /// The commands that have an output.
 enum class Offered {
@@ -66,6 +67,9 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
     {Output::motions, "--motions", "--motions", "FILE",
      "Write the motions of the points at the start, and each change of a motion with the number of "
      "its event, here, as CSV"},
+    {Output::certificates, "--certificates", "--certificates", "FILE",
+     "Write why each event happened when it did here: its polynomial, and the signs of the Sturm "
+     "sequence that prove it, as lines of JSON"},
     {Output::initial_edges, "--initial-edges", "--initial-edges", "FILE",
      "Write the edges of the triangulation just after the start here, as CSV"},
     {Output::edges, "--edges", "--edges", "FILE",

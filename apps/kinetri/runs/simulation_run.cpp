@@ -28,6 +28,7 @@
 #include "kinetri/io/event_log.h"
 #include "kinetri/simulation/growth.h"
 #include "outputs/area_output.h"
+#include "outputs/certificate_output.h"
 #include "outputs/frame_outputs.h"
 #include "outputs/motion_output.h"
 #include "outputs/run_outputs.h"
@@ -134,6 +135,7 @@ class Simulation_run {
   Run_statistics statistics_;
   std::optional<Event_log_writer> log_;
   std::unique_ptr<Event_observer> motion_log_;
+  std::unique_ptr<Event_observer> certificate_log_;
   std::optional<Verification> verification_;
   Any_simulation simulation_;
   std::optional<Viewer_output> viewer_;
@@ -212,6 +214,9 @@ void Simulation_run::build() {
   }
   if (outputs_.has(Output::motions)) {
     motion_log_ = follow_motions(outputs_.stream(Output::motions), simulation_);
+  }
+  if (outputs_.has(Output::certificates)) {
+    certificate_log_ = follow_certificates(outputs_.stream(Output::certificates), simulation_);
   }
   if (verification_) verification_->start(simulation_);
   if (outputs_.has(Output::html)) {
@@ -396,7 +401,7 @@ bool Simulation_run::run_ahead(const Algebraic_number& until) {
 // Throws where a log cannot be written. A log that nobody reads is no error while there are other
 // outputs.
 void Simulation_run::expect_logs_are_written() {
-  for (const Output log : {Output::events, Output::motions}) {
+  for (const Output log : {Output::events, Output::motions, Output::certificates}) {
     if (outputs_.has(log) && !outputs_.stream(log)) outputs_.finish(log);
   }
 }
@@ -482,7 +487,7 @@ void Simulation_run::write_outputs() {
     void (Simulation_run::*write)(std::ostream&);
   };
   // The plot and the statistics say how long writing the others took. The edges at the start, the
-  // events and the motions have been written before.
+  // events, the motions and the certificates have been written before.
   constexpr std::array<Writer, 6> writers = {{{Output::edges, &Simulation_run::write_edges_now},
                                               {Output::ids, &Simulation_run::write_ids},
                                               {Output::checkpoint, &Simulation_run::write_state},

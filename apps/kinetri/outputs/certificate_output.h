@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The certificates of a simulation, whatever its kind of motion.
+#ifndef KINETRI_APPS_CERTIFICATE_OUTPUT_H
+#define KINETRI_APPS_CERTIFICATE_OUTPUT_H
+
+#include <iosfwd>
+#include <memory>
+
+#include "kinetri/events/event.h"
+#include "sources/any_simulation.h"
+
+namespace kinetri::app {
+
+/// Writes the certificate of each event from now on; see Certificate_log_writer. `out` and the
+/// result must stay as long as the simulation runs.
+std::unique_ptr<Event_observer> follow_certificates(std::ostream& out,
+                                                    const Any_simulation& simulation);
+
+}  // namespace kinetri::app
+
+#endif  // KINETRI_APPS_CERTIFICATE_OUTPUT_H

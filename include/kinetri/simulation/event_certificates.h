@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The certificate of each event: the polynomial that has failed, and the proof that it has failed
+// then and not before.
+#ifndef KINETRI_SIMULATION_EVENT_CERTIFICATES_H
+#define KINETRI_SIMULATION_EVENT_CERTIFICATES_H
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "kinetri/algebra/failure_certificate.h"
+#include "kinetri/events/event.h"
+#include "kinetri/simulation/simulation_options.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+
+namespace kinetri {
+
+/// Why an event has happened when it did. `points` and the polynomial that must not be negative:
+///
+/// | Kind | Points | Polynomial |
+/// |---|---|---|
+/// | `flip` | the ends of the edge, the two others | in_circle_polynomial, negated |
+/// | `hull_insert`, `hull_remove` | the corners of the triangle | orientation_polynomial |
+/// | `hide` | those of an edge of the point | as for a flip, or for `hull_insert` |
+/// | `reveal` | the triangle that hid the point, and the point | as for a flip |
+/// | `reveal` beyond the hull | a hull edge, and the point | orientation_polynomial |
+/// | `wall` | the point | wall_polynomial |
+/// | `collision` | both points | contact_polynomial |
+///
+/// For discs that overlap when one gets its motion, and at first part, the derivative of
+/// contact_polynomial decides: they collide when they cease to part. The points are in the order in
+/// which the function takes them. Of all other events nothing fails; their points are those that
+/// they name.
+struct Event_certificate {
+  std::uint64_t event = 0;                     ///< the number of the event
+  Event_kind kind = Event_kind::flip;          ///< of the event
+  std::vector<Point_id> points;                ///< see above
+  std::optional<Failure_certificate> failure;  ///< none where nothing fails, or not at a root
+  std::string_view reason;                     ///< why there is none, for people
+};
+
+/// An observer that certifies events. A certificate is asked for from the last time on at which
+/// it has become what it is: the edge got the triangles beside it, the hidden point came into its
+/// triangle, or one of the points got its motion; the start of the observation, if all of that was
+/// before. That of a contact is asked for from the last time on at which a disc got its motion, or
+/// the two discs touched, or parted. So the certificates depend on what has happened alone, not on
+/// how it was computed.
+///
+/// Cost: for each event the roots of a polynomial and a Sturm sequence; for each change of the
+/// triangulation that is no flip, a look at the triangles of the points whose edges have changed.
+/// Memory: a record for each edge. Runs with such an observer take one thread, since it looks at
+/// the triangulation.
+template <class Traits = Linear_kinetic_traits_2>
+class Event_certificates : public Event_observer {
+ public:
+  using Triangulation = Kinetic_triangulation_2<Traits>;           ///< what is observed
+  using Function = std::function<void(const Event_certificate&)>;  ///< what it calls
+
+  /// Calls `function` with the certificate of each event from now on, when it has happened.
+  /// `options` are those of the simulation that owns the triangulation. The triangulation must
+  /// outlive this object, and must not be reversed while it is observed. O(n log n).
+  Event_certificates(const Triangulation& triangulation, const Simulation_options& options,
+                     Function function);
+
+  /// Certifies the event.
+  void before_event(const Event& event) override;
+  /// Gives the certificate away.
+  void after_event(const Event& event) override;
+  /// Notes which certificates are others than before.
+  void after_rebuild(const Algebraic_number& time, std::span<const Edge_ids> edges) override;
+  /// Notes which triangles hide the points.
+  void after_hiding(const Algebraic_number& time, std::span<const Point_id> points) override;
+
+ private:
+  using Point_2 = typename Traits::Point_2;
+  using Motion = typename Traits::Motion;
+  using Cgal = typename Triangulation::Triangulation;
+  using Edge = typename Triangulation::Edge;
+  using Sides = std::array<Point_id, 2>;
+  using Triple = std::array<Point_id, 3>;
+
+  /// A time, and how many other times have been noted before it.
+  struct Moment {
+    std::uint64_t number = 0;
+    Algebraic_number time;
+  };
+  /// An edge with the points opposite it, or a hidden point with the triangle that hides it.
+  template <class Beside>
+  struct Watched {
+    Watched(const Beside& b, const Moment& m) : beside(b), since(m) {}
+    Beside beside;
+    Moment since;
+  };
+  /// A polynomial that must not be negative from a time on.
+  struct Condition {
+    std::vector<Point_id> points;
+    Polynomial polynomial;
+    Algebraic_number since;
+  };
+
+  const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
+  void set_now(const Algebraic_number& time);
+  const Moment& latest(const Moment& moment, std::span<const Point_id> points) const;
+
+  static Edge_ids ids_of(const Edge& edge);
+  Sides opposite(const Edge& edge) const;
+  std::optional<Edge> find_edge(const Edge_ids& ids) const;
+  Triple hiding_triangle(Point_id id) const;
+  void watch(const Edge& edge);
+  void watch_around(Point_id id);
+  void watch_hidden(Point_id id);
+  void replace_beside(Point_id a, Point_id b, Point_id before, Point_id after);
+  void follow_flip(const Event& event);
+  void follow_contact(const Edge_ids& pair);
+
+  Condition condition(std::vector<Point_id> points, const Moment& since) const;
+  Condition condition_of_edge(const Edge_ids& ids) const;
+  Condition condition_of_vertex(Point_id id) const;
+  std::vector<Condition> conditions_of_hidden(Point_id id) const;
+  std::vector<Condition> conditions_of_walls(Point_id id) const;
+  std::vector<Condition> conditions_of_pair(const Edge_ids& pair) const;
+  std::vector<Condition> conditions(const Event& event) const;
+
+  const Triangulation& triangulation_;
+  Function function_;
+  double diameter_;
+  std::vector<Wall_2> walls_;
+  Moment start_;
+  Moment now_;
+  // Edges of the triangulation, infinite ones too, if it has dimension 2. The infinite vertex has
+  // the id no_point.
+  std::map<Edge_ids, Watched<Sides>> edges_;
+  std::map<Point_id, Watched<Triple>> hidden_;
+  std::map<Point_id, Moment> motions_;  // since when points have theirs, if not since the start
+  std::map<Edge_ids, Moment> touched_;  // discs that have touched and kept their motions
+  Event_certificate certificate_;       // of the event that is about to happen
+  std::vector<Motion> motions_before_;  // of the discs that are about to touch
+};
+
+extern template class Event_certificates<Linear_kinetic_traits_2>;
+extern template class Event_certificates<Polynomial_kinetic_traits_2>;
+extern template class Event_certificates<Disc_kinetic_traits_2>;
+extern template class Event_certificates<Polynomial_disc_kinetic_traits_2>;
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_EVENT_CERTIFICATES_H
