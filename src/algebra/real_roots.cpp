@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Isolation of real roots. Sturm counts decide how many roots an interval holds; intervals are
-// halved, by exponent where they span several powers of two, so that roots of any size cost alike.
+// Isolation of real roots: Descartes' rule proposes intervals (root_isolation.h), and Sturm counts
+// certify them (sturm_counter.h).
 #include "kinetri/algebra/real_roots.h"
 
 #include <algorithm>
