@@ -23,6 +23,9 @@ std::string_view reason_without(Event_kind kind) {
       return "a point is erased: nothing fails";
     case Event_kind::trajectory:
       return "a point gets another motion: nothing fails";
+    case Event_kind::hide:
+    case Event_kind::reveal:
+      return "the triangulation is built anew at this time: nothing fails for one point";
     case Event_kind::collision:
       return "the discs overlap and approach from the time on at which one got its motion, which "
              "is this time";
@@ -36,7 +39,8 @@ std::string_view reason_without(Event_kind kind) {
 std::vector<Point_id> points_named(const Event& event) {
   std::vector<Point_id> result;
   for (const auto& edge : {event.removed, event.added}) {
-    if (edge) result.insert(result.end(), edge->begin(), edge->end());
+    if (!edge) continue;
+    for (const Point_id id : *edge) result.push_back(id);
   }
   for (const auto& point : {event.point_a, event.point_b}) {
     if (point) result.push_back(*point);
@@ -295,8 +299,11 @@ auto Event_certificates<Traits>::conditions(const Event& event) const -> std::ve
     case Event_kind::hull_remove:
       return {condition_of_edge({*event.apex, no_point})};
     case Event_kind::hide:
+      // Where the triangulation has been built anew, what has come of it is reported.
+      if (triangulation_.is_hidden(*event.point_a)) return {};
       return {condition_of_vertex(*event.point_a)};
     case Event_kind::reveal:
+      if (!triangulation_.is_hidden(*event.point_a)) return {};
       return conditions_of_hidden(*event.point_a);
     case Event_kind::wall:
       return conditions_of_walls(*event.point_a);
