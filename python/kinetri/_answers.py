@@ -128,8 +128,8 @@ class RunAnswers:
         ----------
         about : str
             The question: 'closest', 'encounters', 'components', 'connected', 'spanning_tree',
-            'neighbor_lives', 'exchanges' or 'nearest_neighbor_changes'. The method of that name answers
-            it.
+            'neighbor_lives', 'exchanges', 'nearest_neighbor_changes' or 'certificates'. The method of
+            that name answers it.
         number : int, optional
             How many; of 'closest' only.
         range : float, optional
@@ -316,7 +316,8 @@ class RunAnswers:
         >>> import kinetri
         >>> kd = kinetri.KineticDelaunay([[0, 0], [4, 0], [0, 4], [9, 9]], [[0, 0], [0, 0], [0, 0], [-3, -3]])
         >>> flip = json.loads(kd.certificates(until=2)["certificate"][0])
-        >>> flip["points"], flip["polynomial"], flip["lower"], flip["multiplicity"]
+        >>> flip["points"], flip["polynomial"], flip["multiplicity"]
+        ([1, 2, 0, 3], ['15', '-14', '3'], 1)
         """
         return self._answer(self.watch("certificates"), until, progress)
 

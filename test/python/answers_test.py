@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Answers about a run, against all pairs in exact arithmetic, and against a count at each time."""
+import json
 from fractions import Fraction
 
 import numpy as np
@@ -98,6 +99,23 @@ def test_exchanges_are_counted_by_point():
     assert table["id"].tolist() == list(range(12))
     assert table["gained"].tolist() == gained.tolist() and table["lost"].tolist() == lost.tolist()
     assert set(table["from"]) == {0} and set(table["until"]) == {4} and "short" not in table
+
+
+def test_certificates_are_those_of_all_events():
+    positions, velocities = scene(2)
+    kd = kinetri.KineticDelaunay(positions, velocities)
+    watch = kd.watch("certificates")
+    kd.advance_to(2)
+    table = watch.table()
+    assert table.equals(kinetri.KineticDelaunay(positions, velocities).certificates(until=2))
+    events = kinetri.KineticDelaunay(positions, velocities).record(2)
+    assert len(table) == len(events) > 0 and table["event"].tolist() == list(range(len(events)))
+    for text, low, high in zip(table["certificate"], events["time_lo"], events["time_hi"]):
+        row = json.loads(text)
+        (lower, e), (upper, f) = row["lower"], row["upper"]
+        assert low <= int(lower) * Fraction(2) ** e <= int(upper) * Fraction(2) ** f <= high
+    sim = kinetri.Simulation([[1, 1]], [[-1, 0]], box=[0, 0, 2, 2])
+    assert sim.certificates(until=1.5)["kind"].tolist() == ["wall"]
 
 
 @pytest.mark.parametrize("seed", range(4))
