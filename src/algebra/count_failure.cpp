@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "kinetri/base/check.h"
 #include "static_sturm_sequence.h"
 
 namespace kinetri {
@@ -282,7 +283,7 @@ Counted_failure Failure_search::failure_after(const Double_interval& now, bool v
 
 Counted_failure count_failure(const Narrow_polynomial& p, const Double_interval& now,
                               bool vanishes) {
-  if (p.is_zero()) return {Kind::never_fails, {}};
+  KINETRI_ASSERT(!p.is_zero(), "the zero polynomial is nowhere positive, and never fails");
   if (p.degree() == 0) {
     return {sign(p[0]) == CGAL::POSITIVE ? Kind::never_fails : Kind::at_once, {}};
   }

@@ -34,8 +34,9 @@ struct Counted_failure {
 
 /// The first failure after a time t within `now`, of which nothing else is known; except that p
 /// vanishes at t if `vanishes` says so. Every answer but `unknown` is exact: a floating-point root
-/// finder proposes where the failure is, and the counts of the Sturm sequence certify it. Cost: the
-/// sequence, one Taylor expansion, and two evaluations of p or of the sequence, without allocation.
+/// finder proposes where the failure is, and the counts of the Sturm sequence certify it.
+/// Precondition: p is not zero. Cost: the sequence, one Taylor expansion, two evaluations of p, and
+/// one or two of the sequence, without allocation.
 Counted_failure count_failure(const Narrow_polynomial& p, const Double_interval& now,
                               bool vanishes);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Multiplicities of roots: those above 1 are read off the last term of the Sturm sequence.
+// Square-free parts, and the multiplicities of roots: up to degree 4 the multiple roots are read
+// off the last term of the Sturm sequence, and beyond off the gcd with the derivative.
 #include <utility>
 
 #include "kinetri/algebra/polynomial.h"

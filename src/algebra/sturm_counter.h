@@ -18,10 +18,10 @@ class Interval_sturm_sequence;
 /// V of a square-free polynomial, exactly. Up to degree 4 the terms are exact, in closed form.
 /// Those of a higher degree have coefficients with very many digits, of which only signs matter: so
 /// the sequence is computed with intervals that enclose the coefficients, with more and more digits
-/// until the signs are certain. The exact terms are made only if even 4096 digits do not decide.
+/// until the signs are certain. The exact terms are made only if 4096 binary digits do not suffice.
 class Sturm_counter {
  public:
-  /// Precondition: f is square-free and not zero.
+  /// Precondition: f is square-free and not zero. It must outlive this object.
   explicit Sturm_counter(const Polynomial& f);
   ~Sturm_counter();
   Sturm_counter(const Sturm_counter&) = delete;
