@@ -11,6 +11,7 @@
 #include "kinetri/algebra/sign.h"
 #include "kinetri/base/check.h"
 #include "static_polynomial.h"
+#include "sturm_terms.h"
 
 namespace kinetri {
 
@@ -37,14 +38,10 @@ Number scaled_value(const Static_polynomial<Number>& p, const Dyadic_point<Numbe
 /// roots, the last term has them, with multiplicities less by one, and no other roots; else it is a
 /// constant.
 ///
-/// With f = a t^4 + b t^3 + c t^2 + d t + e and
-///     P = 3 b^2 - 8 a c     Q = 2 b c - 12 a d     R = b d - 16 a e
-///     I = 12 a e - 3 b d + c^2     J = c (72 a e + 9 b d - 2 c^2) - 27 (a d^2 + e b^2)
-///     S2 = P t^2 + Q t + R     S1 = 2 (P I + 2 a J) t + (I Q + b J)     S0 = 4 I^3 - J^2
-/// these are identities: -rem(f, f') = S2 / (16 a), -rem(f', S2) = (16 a / (3 P^2)) S1, and, if S1
-/// has degree 1, -rem(S2, S1) = (P^2 / (12 (P I + 2 a J)^2)) S0 (see MATH.md, section 3). So the
-/// sign of a is all that is to be added to these terms, and a term ends the sequence if the next
-/// one is zero. If P = 0 and Q is not, S2 is linear and the next term is -f'(-R / Q).
+/// The closed forms are in sturm_terms.h. The sign of the leading coefficient is all that is to be
+/// added to them, and a term ends the sequence if the next one is zero. If the coefficient P of the
+/// quadratic term of a quartic is zero and Q is not, that term is linear, and the next one is
+/// -f'(-R / Q).
 ///
 /// Cost: 17 multiplications and no division. Source: S. Basu, R. Pollack, M.-F. Roy, Algorithms in
 /// Real Algebraic Geometry, sections 2.2 and 4.1 (signed remainders, subresultants); I. Z. Emiris,
@@ -127,33 +124,23 @@ class Static_sturm_sequence {
 
   void add_terms_of_cubic() {
     const Term& f = terms_[0];
-    const Number &b = f[3], &c = f[2], &d = f[1], &e = f[0];
-    const Number p = c * c - b * d * 3;
-    const Number q = c * d - b * e * 9;
-    add_signed(b, {q, p * 2});
+    const Sturm_terms_of_cubic<Number> terms(f);
+    add_signed(f[3], {terms.q, terms.p * 2});
     // If p is zero, that is a constant, or zero.
-    if (!p.is_zero()) add_signed(b, {p * (d * d - c * e * 3) * 4 - q * q});
+    if (!terms.p.is_zero()) add_signed(f[3], {terms.s0(f)});
   }
 
   void add_terms_of_quartic() {
     const Term& f = terms_[0];
-    const Number &a = f[4], &b = f[3], &c = f[2], &d = f[1], &e = f[0];
-    const Number ae = a * e;
-    const Number bd = b * d;
-    const Number p = b * b * 3 - a * c * 8;
-    const Number q = b * c * 2 - a * d * 12;
-    const Number r = bd - ae * 16;
-    add_signed(a, {r, q, p});
-    if (p.is_zero()) {
-      if (!q.is_zero()) add_value_of_derivative(q, r);
+    const Sturm_terms_of_quartic<Number> terms(f);
+    add_signed(f[4], {terms.r, terms.q, terms.p});
+    if (terms.p.is_zero()) {
+      if (!terms.q.is_zero()) add_value_of_derivative(terms.q, terms.r);
       return;
     }
-    const Number cc = c * c;
-    const Number i = ae * 12 - bd * 3 + cc;
-    const Number j = c * (ae * 72 + bd * 9 - cc * 2) - (a * d * d + e * b * b) * 27;
-    const Number slope = (p * i + a * j * 2) * 2;
-    add_signed(a, {i * q + b * j, slope});
-    if (!slope.is_zero()) add_signed(a, {i * i * i * 4 - j * j});
+    const auto last = terms.last(f);
+    add_signed(f[4], {last.at_zero, last.slope});
+    if (!last.slope.is_zero()) add_signed(f[4], {last.s0()});
   }
 
   // -f'(-r / q) times |q|^3.

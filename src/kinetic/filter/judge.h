@@ -18,6 +18,7 @@
 
 #include "bernstein.h"
 #include "filter_result.h"
+#include "first_failure.h"
 #include "frame.h"
 #include "kinetri/algebra/sign.h"
 

@@ -14,6 +14,7 @@
 #include "coordinate_pair.h"
 #include "differences.h"
 #include "filter.h"
+#include "first_failure.h"
 #include "in_circle_coefficients.h"
 #include "judge.h"
 

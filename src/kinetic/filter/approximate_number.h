@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Real numbers of which a binary64 approximation is known, and a bound of its error.
+#ifndef KINETRI_SRC_KINETIC_FILTER_APPROXIMATE_NUMBER_H
+#define KINETRI_SRC_KINETIC_FILTER_APPROXIMATE_NUMBER_H
+
+#include <cmath>
+
+#include "frame.h"
+#include "kinetri/algebra/sign.h"
+
+namespace kinetri {
+
+/// A number within `error` of `value`. Sums and products keep that true in every rounding mode and
+/// with fused operations, short of under- and overflow: each takes twice the unit roundoff for each
+/// rounding of the value, and more than that for those of the error. (Running error analysis:
+/// N. Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 3.3.)
+struct Approximate_number {
+  double value;
+  double error;
+
+  friend Approximate_number operator+(const Approximate_number& a, const Approximate_number& b) {
+    return rounded(a.value + b.value, a.error + b.error);
+  }
+  friend Approximate_number operator-(const Approximate_number& a, const Approximate_number& b) {
+    return rounded(a.value - b.value, a.error + b.error);
+  }
+  friend Approximate_number operator*(const Approximate_number& a, const Approximate_number& b) {
+    return rounded(a.value * b.value,
+                   std::abs(a.value) * b.error + (std::abs(b.value) + b.error) * a.error);
+  }
+  friend Approximate_number operator*(const Approximate_number& a, int factor) {
+    return rounded(a.value * factor, a.error * std::abs(factor));
+  }
+
+  /// The sign, or zero where it is not certain.
+  friend Sign certain_sign(const Approximate_number& a) {
+    if (a.value > a.error) return CGAL::POSITIVE;
+    return a.value < -a.error ? CGAL::NEGATIVE : CGAL::ZERO;
+  }
+
+ private:
+  static Approximate_number rounded(double value, double error) {
+    return {value, error * (1 + 0x1p-49) + std::abs(value) * (4 * unit_roundoff)};
+  }
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_KINETIC_FILTER_APPROXIMATE_NUMBER_H
