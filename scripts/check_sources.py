@@ -31,7 +31,7 @@ WITHOUT_LICENCE = {".json", ".gitignore", ".clang-format"}
 
 # Every public header includes it, itself or by way of the first public header that it includes: it stops
 # a compiler that is not set to C++20 before it reads anything else of ours.
-FIRST_HEADER = "include/kinetri/base/cxx20.h"
+FIRST_HEADER = "include/kinetri/base/platform.h"
 INCLUDE_OF_OURS = re.compile(r'#include "kinetri/')
 
 PRECONDITION = re.compile(r'\bKINETRI_PRECONDITION\([^;]*?"((?:[^"\\]|\\.)*)"')

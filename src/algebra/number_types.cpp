@@ -90,7 +90,8 @@ Magnitude magnitude(const Rational& x) {
   result.unit = std::max(exponent - mantissa_bits, least_unit);
   Integer quotient;
   result.excess = divide(quotient.backend().data(), n.backend().data(), d, result.unit);
-  result.steps = mpz_get_ui(quotient.backend().data());
+  // Not mpz_get_ui, whose `unsigned long` may have 32 bits.
+  mpz_export(&result.steps, nullptr, -1, sizeof result.steps, 0, 0, quotient.backend().data());
   if ((result.steps >> mantissa_bits) != 0) {
     result.excess = with_dropped_bit((result.steps & 1) != 0, result.excess);
     result.steps >>= 1;

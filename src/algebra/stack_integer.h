@@ -19,12 +19,14 @@
 
 namespace kinetri {
 
-/// An integer of at most `Limbs` words of 64 bits: sign and magnitude, of which the words in use
-/// are computed with alone. Precondition of each operation: its result has room. The caller knows
-/// so from a bound of the bits (`Static_sturm_sequence::bits_needed`); it is asserted.
+/// An integer of at most `Limbs` times 64 bits: sign and magnitude, in words of GMP, of which those
+/// in use are computed with alone. Precondition of each operation: its result has room. The caller
+/// knows so from a bound of the bits (`Static_sturm_sequence::bits_needed`); it is asserted.
 template <std::size_t Limbs>
 class Stack_integer {
-  static_assert(GMP_NUMB_BITS == 64);
+  static constexpr int word_bits = GMP_NUMB_BITS;
+  static_assert(word_bits == 64 || word_bits == 32);
+  static constexpr std::size_t most_words = Limbs * (64 / word_bits);
 
  public:
   /// How many binary digits have room.
@@ -32,8 +34,13 @@ class Stack_integer {
 
   Stack_integer() noexcept = default;  ///< zero
   // NOLINTNEXTLINE(google-explicit-constructor): factors are written 2
-  Stack_integer(long x) noexcept : size_(x == 0 ? 0 : x < 0 ? -1 : 1) {
-    words_[0] = x < 0 ? -static_cast<mp_limb_t>(x) : static_cast<mp_limb_t>(x);
+  Stack_integer(std::int64_t x) noexcept {
+    auto magnitude = x < 0 ? -static_cast<std::uint64_t>(x) : static_cast<std::uint64_t>(x);
+    while (magnitude != 0) {
+      words_[size_++] = static_cast<mp_limb_t>(magnitude);
+      magnitude = word_bits == 64 ? 0 : magnitude >> 32;
+    }
+    if (x < 0) size_ = -size_;
   }
   explicit Stack_integer(const Integer& x) : size_(static_cast<int>(mpz_size(raw(x)))) {
     reserve(size_);
@@ -69,17 +76,20 @@ class Stack_integer {
   /// The number of binary digits of the absolute value; 0 for 0.
   long bit_length() const {
     const int n = count();
-    return n == 0 ? 0 : 64L * n - std::countl_zero(words_[n - 1]);
+    return n == 0 ? 0 : static_cast<long>(word_bits) * n - std::countl_zero(words_[n - 1]);
   }
 
   /// The number as m * 2^exponent, where m is the result: rounded to a binary64 number, by less
   /// than two units in the last place.
   double approximation(long& exponent) const {
-    const int n = count();
-    exponent = n <= 2 ? 0 : 64L * (n - 2);
-    if (n == 0) return 0;
-    double result = static_cast<double>(words_[n - 1]);
-    if (n > 1) result = result * 0x1p64 + static_cast<double>(words_[n - 2]);
+    // The words that have the first 64 digits, at least.
+    constexpr int words = 64 / word_bits + 1;
+    const int last = std::max(count() - words, 0);
+    exponent = static_cast<long>(word_bits) * last;
+    double result = 0;
+    for (int i = count() - 1; i >= last; --i) {
+      result = result * (word_bits == 64 ? 0x1p64 : 0x1p32) + static_cast<double>(words_[i]);
+    }
     return size_ < 0 ? -result : result;
   }
 
@@ -107,10 +117,13 @@ class Stack_integer {
     if (n == 0) return result;
     reserve(m + n);
     mp_limb_t high;
-    if (m == 2 && n == 2) {
+#ifdef __SIZEOF_INT128__
+    if (word_bits == 64 && m == 2 && n == 2) {
       // GMP's functions take several times as long for so few words.
       high = multiply_pairs(x->words_, y->words_, result.words_);
-    } else if (n == 1) {
+    } else
+#endif
+        if (n == 1) {
       high = result.words_[m] = mpn_mul_1(result.words_, x->words_, m, y->words_[0]);
     } else {
       high = mpn_mul(result.words_, x->words_, m, y->words_, n);
@@ -124,8 +137,8 @@ class Stack_integer {
     Stack_integer result;
     const int n = a.count();
     if (n == 0) return result;
-    const int whole = static_cast<int>(bits / 64);
-    const auto rest = static_cast<unsigned>(bits % 64);
+    const int whole = static_cast<int>(bits / word_bits);
+    const auto rest = static_cast<unsigned>(bits % word_bits);
     reserve(n + whole);
     mpn_zero(result.words_, whole);
     int size = n + whole;
@@ -146,16 +159,19 @@ class Stack_integer {
   template <std::size_t Other>
   friend class Stack_integer;
 
-  int count() const { return size_ < 0 ? -size_ : size_; }
+  int count() const {
+    return size_ < 0 ? -size_ : size_;
+  }
   static void reserve([[maybe_unused]] int words) {
-    KINETRI_ASSERT(words <= static_cast<int>(Limbs), "an integer is wider than its bound");
+    KINETRI_ASSERT(words <= static_cast<int>(most_words), "an integer is wider than its bound");
   }
   template <std::size_t Other>
   void copy(const Stack_integer<Other>& x) {
     for (int i = 0, n = count(); i < n; ++i) words_[i] = x.words_[i];
   }
 
-  // The product of numbers of two words; its highest word.
+#ifdef __SIZEOF_INT128__
+  // The product of numbers of two words of 64 bits; its highest word.
   static mp_limb_t multiply_pairs(const mp_limb_t* x, const mp_limb_t* y, mp_limb_t* result) {
     __extension__ using Pair = unsigned __int128;
     const Pair low = static_cast<Pair>(x[0]) * y[0];
@@ -170,6 +186,7 @@ class Stack_integer {
     result[3] = static_cast<mp_limb_t>(top >> 64);
     return result[3];
   }
+#endif
 
   // Adds x, where the sign of x is that of `size_of_x`.
   Stack_integer& add(const Stack_integer& x, int size_of_x) {
@@ -202,8 +219,8 @@ class Stack_integer {
     return *this;
   }
 
-  int size_ = 0;            // as many words are in use; negative for a negative number
-  mp_limb_t words_[Limbs];  // NOLINT(modernize-avoid-c-arrays): those not in use have no value
+  int size_ = 0;                 // as many words are in use; negative for a negative number
+  mp_limb_t words_[most_words];  // NOLINT(modernize-avoid-c-arrays): those not in use have no value
 };
 
 template <std::size_t Limbs>

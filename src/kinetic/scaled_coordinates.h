@@ -10,6 +10,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -44,7 +45,7 @@ Dyadic<Number> dyadic(double x) {
   int exponent = 0;
   const double fraction = std::frexp(x, &exponent);
   constexpr int digits = 53;
-  return {Number(static_cast<long>(std::ldexp(fraction, digits))), exponent - digits};
+  return {Number(static_cast<std::int64_t>(std::ldexp(fraction, digits))), exponent - digits};
 }
 
 /// The exponents of numbers that are not zero: the least one, and that of a power of two that is

@@ -18,7 +18,7 @@ import check_layers  # noqa: E402
 import check_sources  # noqa: E402
 
 LICENCE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
-FIRST_INCLUDE = '#include "kinetri/base/cxx20.h"\n'
+FIRST_INCLUDE = '#include "kinetri/base/platform.h"\n'
 
 
 class Tree(unittest.TestCase):
@@ -155,7 +155,7 @@ class Sources(Tree):
         self.assertEqual(self.problems("include/kinetri/io/points_file.h", text), [])
         found = self.problems("include/kinetri/io/points_file.h", text.replace(FIRST_INCLUDE, ""))
         self.assertEqual(found, ["include/kinetri/io/points_file.h:1: no public header included; "
-                                 "expected kinetri/base/cxx20.h"])
+                                 "expected kinetri/base/platform.h"])
 
     def test_a_wrong_guard_fails(self):
         text = LICENCE + f"#ifndef KINETRI_H\n#define KINETRI_H\n{FIRST_INCLUDE}#endif\n"

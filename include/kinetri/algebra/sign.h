@@ -7,7 +7,7 @@
 
 #include <CGAL/enum.h>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri {
 

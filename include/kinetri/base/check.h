@@ -15,7 +15,7 @@
 
 #include <string>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri::detail {
 

@@ -8,7 +8,7 @@
 
 #include <cstddef>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 /// Begins the declaration of a function that is to be inlined at every call.
 #if defined(__GNUC__) || defined(__clang__)

@@ -6,7 +6,7 @@
 #ifndef KINETRI_BASE_DOUBLE_INTERVAL_H
 #define KINETRI_BASE_DOUBLE_INTERVAL_H
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri {
 

@@ -4,7 +4,7 @@
 #ifndef KINETRI_BASE_FLAG_WHILE_H
 #define KINETRI_BASE_FLAG_WHILE_H
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri::detail {
 

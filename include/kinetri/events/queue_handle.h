@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri {
 

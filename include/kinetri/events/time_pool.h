@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "kinetri/algebra/algebraic_number.h"
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri::detail {
 

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri {
 

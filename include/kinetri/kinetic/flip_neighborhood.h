@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri {
 

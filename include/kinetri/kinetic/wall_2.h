@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri {
 

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri::detail {
 

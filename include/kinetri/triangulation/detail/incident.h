@@ -6,7 +6,7 @@
 
 #include <type_traits>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri::detail {
 

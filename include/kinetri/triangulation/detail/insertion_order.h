@@ -19,7 +19,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri::detail {
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri::detail {
 

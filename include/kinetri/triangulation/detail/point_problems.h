@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-#include "kinetri/base/cxx20.h"
+#include "kinetri/base/platform.h"
 
 namespace kinetri::detail {
 
