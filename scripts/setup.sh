@@ -4,7 +4,7 @@
 # What scripts/demo.sh, test.sh, coverage.sh, lint.sh and fuzz.sh have in common: the packages they
 # need, and the calls of CMake. Source it for its functions, or run it to install what is missing:
 #
-#   scripts/setup.sh demo|test|browser|python|video|coverage|lint|fuzz
+#   scripts/setup.sh demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx
 
 kinetri_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -54,6 +54,9 @@ kinetri_packages() {
     printf '%s\n' clang=clang++ clang-format-14 clang-tidy-14 pyflakes3=pyflakes3 \
       shellcheck=shellcheck
   fi
+  # Other platforms (scripts/platform.sh).
+  if [[ $1 == arm64 ]]; then printf '%s\n' g++-aarch64-linux-gnu qemu-user=qemu-aarch64; fi
+  if [[ $1 == libcxx ]]; then printf '%s\n' clang-19 libc++-19-dev libc++abi-19-dev; fi
   # The sanitizers' and libFuzzer's libraries.
   if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi
 }
@@ -198,8 +201,8 @@ kinetri_build() {
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
   set -euo pipefail
-  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|python|video|coverage|lint|fuzz)$ ]]; then
-    printf 'usage: %s demo|test|browser|python|video|coverage|lint|fuzz\n%s\n' "$0" \
+  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx)$ ]]; then
+    printf 'usage: %s demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx\n%s\n' "$0" \
       'Installs the Debian packages that are missing.' >&2
     exit 2
   fi

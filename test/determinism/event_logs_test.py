@@ -3,7 +3,11 @@
 """The same input gives the same event log, byte for byte.
 
 usage: event_logs_test.py builds PROGRAM OTHER_PROGRAM WORK_DIR
-         of two builds of the program, degenerate input included
+         of two builds of the program, degenerate input included; OTHER_PROGRAM is a path, or a
+         command, as one argument, that runs the program in an emulator
+       event_logs_test.py platforms PROGRAM OTHER_PROGRAM WORK_DIR
+         the same, with every kind of run, and all input of data/degenerate; motions are compared as
+         well, and a line of numbers is printed at the end
        event_logs_test.py arithmetic PROGRAM WORK_DIR
          of a run with filters and of one without, degenerate input included
        event_logs_test.py rows PROGRAM WORK_DIR
@@ -21,6 +25,7 @@ import shlex
 import subprocess
 import sys
 
+CORPUS = pathlib.Path(__file__).resolve().parents[2] / "data" / "degenerate"
 SEEDS = range(1, 1 + 2 * int(os.environ.get("KINETRI_TEST_MULTIPLIER", "1")))
 
 # Arguments of `kinetri generate`, the end of the simulation, the least number of events (a run in
@@ -44,6 +49,21 @@ DEGENERATE = [
      "--radius", "2"),
     ("lattice --points 16 --movers all", 4, 20, "--box", "-5,-5,35,35", "--collisions", "log",
      "--radius", "1"),
+]
+
+# What builds for other platforms are compared with, beside these and data/degenerate: files of points
+# by name, the end, the least number of events, and options.
+PLATFORMS = [
+    ("falling", 3, 100),
+    ("falling", 3, 100, "--box", "0,0,12,12", "--collisions", "elastic", "--radius", "0.1"),
+    ("discs", 5, 100, "--regular"),
+    ("discs", 2, 20, "--box", "0,0,60,60", "--collisions", "elastic"),
+    ("discs", 2, 20, "--box", "0,0,60,60", "--collisions", "log"),
+    ("discs", 2, 20, "--box", "0,0,60,60", "--collisions", "stop"),
+    ("discs", 2, 20, "--box", "0,0,60,60", "--collisions", "remove"),
+    ("packing", 9, 100, "--box", "0,0,20,20", "--rim", "--collisions", "elastic"),
+    ("uniform", 3, 100, "--exact-only"),
+    ("uniform", 3, 100, "--threads", "2"),
 ]
 
 # The scenarios of bench/, for both arithmetics; exact arithmetic alone is slow.
@@ -76,10 +96,12 @@ class Run:
             "--events": prefix.with_suffix(".events.csv"),
             "--initial-edges": prefix.with_suffix(".initial.csv"),
             "--edges": prefix.with_suffix(".edges.csv"),
+            "--motions": prefix.with_suffix(".motions.csv"),
         }
         for file in files.values():
             file.unlink(missing_ok=True)
-        command = [program, "simulate", points, "--until", until, "--audit", "end", "--quiet"]
+        words = [program] if pathlib.Path(program).exists() else shlex.split(program)
+        command = [*words, "simulate", points, "--until", until, "--audit", "end", "--quiet"]
         command += options
         for option, file in files.items():
             command += [option, file]
@@ -88,7 +110,7 @@ class Run:
         self.command = shlex.join(command)
         self.code = done.returncode
         self.errors = done.stderr.splitlines()
-        self.events, self.initial, self.edges = (
+        self.events, self.initial, self.edges, self.motions = (
             file.read_text().splitlines() if file.exists() else [] for file in files.values()
         )
 
@@ -119,12 +141,14 @@ def compare_with(program, folder, run_other, settings, seeds):
             one = Run(program, points, until, folder / "one", *options)
             other = run_other(points, until, options)
             one.check_done(least)
-            compare(
-                "ends", one, [str(one.code), *one.errors], other, [str(other.code), *other.errors]
-            )
-            for what in ("initial", "events", "edges"):
-                compare(what, one, getattr(one, what), other, getattr(other, what))
+            compare_runs(one, other)
             print(f"{scenario}, seed {seed}: {len(one.events) - 1} events, the same")
+
+
+def compare_runs(one, other):
+    compare("ends", one, [str(one.code), *one.errors], other, [str(other.code), *other.errors])
+    for what in ("initial", "events", "edges", "motions"):
+        compare(what, one, getattr(one, what), other, getattr(other, what))
 
 
 def compare_builds(program, other_program, folder):
@@ -132,6 +156,48 @@ def compare_builds(program, other_program, folder):
         return Run(other_program, points, until, folder / "other", *options)
 
     compare_with(program, folder, run_other, GENERIC + DEGENERATE, SEEDS)
+
+
+def uniform(random_number, low, high):
+    return low + (high - low) * random_number.random()
+
+
+def write_points(program, folder):
+    """The files that PLATFORMS names."""
+    draw = random.Random(5)
+    rows = [
+        ",".join(map(repr, (uniform(draw, 1, 11), uniform(draw, 1, 11), uniform(draw, -2, 2), uniform(draw, -2, 2),
+                            0.0, -1.0, uniform(draw, -0.2, 0.2), 0.0)))
+        for _ in range(40)
+    ]
+    (folder / "falling.csv").write_text("x,y,vx,vy,ax,ay,jx,jy\n" + "\n".join(rows) + "\n")
+    rows = [
+        ",".join(map(repr, (3 + 7.7 * (i % 8) + draw.random(), 3 + 7.7 * (i // 8) + draw.random(),
+                            uniform(draw, -5, 5), uniform(draw, -5, 5), uniform(draw, 0.2, 2.2))))
+        for i in range(64)
+    ]
+    (folder / "discs.csv").write_text("x,y,vx,vy,radius\n" + "\n".join(rows) + "\n")
+    generate(program, "uniform --points 80", 9, folder / "uniform.csv")
+    generate(program, "packing --points 40 --side 20 --share 0.1 --growth 0.02 --speed 1", 9, folder / "packing.csv")
+
+
+def compare_platforms(program, other_program, folder):
+    compare_builds(program, other_program, folder)
+    write_points(program, folder)
+    runs = [(folder / f"{name}.csv", *rest) for name, *rest in PLATFORMS]
+    for points in sorted(CORPUS.glob("*.csv")):
+        until = next((line.split()[2] for line in points.read_text().splitlines() if line.startswith("# until:")), "1e3")
+        runs += [(points, until, 0), (points, until, 0, "--exact-only")]
+    events = 0
+    for points, until, least, *options in runs:
+        one = Run(program, points, until, folder / "one", *options)
+        other = Run(other_program, points, until, folder / "other", *options)
+        one.check_done(least)
+        compare_runs(one, other)
+        events += len(one.events) - 1
+        print(f"{points.name} {' '.join(options)}: {len(one.events) - 1} events, the same")
+    more = len(SEEDS) * len(GENERIC + DEGENERATE)
+    print(f"{len(runs) + more} runs: events, edges, motions, messages and exit codes are the same")
 
 
 def compare_arithmetic(program, folder):
@@ -188,8 +254,8 @@ def compare_rows(program, folder):
 
 def main():
     arguments = sys.argv[1:]
-    modes = {"builds": (4, compare_builds), "arithmetic": (3, compare_arithmetic),
-             "rows": (3, compare_rows)}
+    modes = {"builds": (4, compare_builds), "platforms": (4, compare_platforms),
+             "arithmetic": (3, compare_arithmetic), "rows": (3, compare_rows)}
     if not arguments or arguments[0] not in modes or len(arguments) != modes[arguments[0]][0]:
         sys.exit(__doc__)
     folder = pathlib.Path(arguments.pop())
