@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -14,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/from_chars.h"
 #include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
@@ -233,11 +233,11 @@ Parsed_number parse_number(std::string_view text) {
   if (negative || digits.starts_with('+')) digits.remove_prefix(1);
   const bool hexadecimal = digits.starts_with("0x") || digits.starts_with("0X");
   if (hexadecimal) digits.remove_prefix(2);
-  // std::from_chars takes a minus sign; it would be the second one here.
+  // from_chars takes a minus sign; it would be the second one here.
   if (digits.starts_with('-')) return {0, not_a_number};
   const char* const end = digits.data() + digits.size();
   double value = 0;
-  const auto [stop, error] = std::from_chars(
+  const auto [stop, error] = from_chars(
       digits.data(), end, value, hexadecimal ? std::chars_format::hex : std::chars_format::general);
   if (error == std::errc::invalid_argument || stop != end) return {0, not_a_number};
   if (error == std::errc::result_out_of_range) return {0, out_of_range};

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 
+#include "base/from_chars.h"
 #include "kinetri/base/error.h"
 
 namespace kinetri::detail {
@@ -138,8 +138,7 @@ class Reader {
     skip_blanks();
     const std::size_t start = at_ + (at_ < text_.size() && text_[at_] == '+' ? 1 : 0);
     double result = 0;
-    const auto [end, error] =
-        std::from_chars(text_.data() + start, text_.data() + text_.size(), result);
+    const auto [end, error] = from_chars(text_.data() + start, text_.data() + text_.size(), result);
     if (error != std::errc() || !(std::abs(result) <= largest)) {
       fail(here(), "a finite coordinate of at most 1e150");
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/from_chars.h"
 #include "cli/arguments.h"
 #include "cli/text.h"
 #include "io/text.h"
@@ -41,7 +42,7 @@ std::string decoded(std::string_view text) {
 Possible<double> finite_number(std::string_view text) {
   double result = 0;
   if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
+  const auto [end, error] = from_chars(text.data(), text.data() + text.size(), result);
   const bool is_number = error == std::errc() && end == text.data() + text.size();
   return is_number && std::isfinite(result) ? Possible<double>(result) : std::nullopt;
 }
