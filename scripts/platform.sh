@@ -69,7 +69,7 @@ if [[ $platform == arm64 ]]; then
   settings+=("-DKINETRI_SYSROOT=$build_dir-libraries")
 fi
 targets=(kinetri_program kinetri_algebra_test kinetri_kinetic_test kinetri_events_test
-  kinetri_degenerate_test kinetri_property_test)
+  kinetri_degenerate_test)
 kinetri_build "$build_dir" "$platform" "${settings[@]}" -- "${targets[@]}"
 kinetri_build "$kinetri_root/build/test" test -- kinetri_program
 
@@ -83,4 +83,4 @@ python3 -B "$kinetri_root/test/determinism/event_logs_test.py" platforms \
 
 kinetri_say "Testing ..."
 ctest --test-dir "$build_dir" --parallel "$(kinetri_jobs)" --timeout 3600 --no-tests=error \
-  --output-on-failure -R '^(algebra|kinetic|events|degenerate|property)\.' "$@" </dev/null
+  --output-on-failure -R '^(algebra|kinetic|events|degenerate)\.' "$@" </dev/null

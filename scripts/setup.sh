@@ -56,7 +56,7 @@ kinetri_packages() {
   fi
   # Other platforms (scripts/platform.sh).
   if [[ $1 == arm64 ]]; then printf '%s\n' g++-aarch64-linux-gnu qemu-user=qemu-aarch64; fi
-  if [[ $1 == libcxx ]]; then printf '%s\n' clang-19 libc++-19-dev libc++abi-19-dev; fi
+  if [[ $1 == libcxx ]]; then printf '%s\n' clang-19 googletest libc++-19-dev libc++abi-19-dev; fi
   # The sanitizers' and libFuzzer's libraries.
   if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi
 }

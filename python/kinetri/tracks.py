@@ -2,6 +2,7 @@
 """Recorded tracks: things that appear, move from observation to observation, and leave."""
 from __future__ import annotations
 
+import datetime
 import math
 import re
 from collections.abc import Iterable, Mapping
@@ -74,8 +75,9 @@ class Tracks(TrackAnswers):
 
         Parameters
         ----------
-        t : array_like of float or datetime64, shape (n,)
-            Times. Dates become seconds since the first one.
+        t : array_like, shape (n,)
+            Times: numbers; dates, as `datetime64`, `datetime.datetime` or `pandas.Timestamp`, which become
+            seconds since the first one, those with an offset in UTC; or durations, which become seconds.
         id : array_like, shape (n,)
             What was observed: numbers or texts.
         x, y : array_like of float, shape (n,)
@@ -105,16 +107,7 @@ class Tracks(TrackAnswers):
         >>> tracks
         <Tracks of 2 things, 4 observations, t = 0 to 1>
         """
-        t = np.asarray(t)
-        origin = None
-        if t.dtype.kind == "M":
-            if np.any(np.isnat(t)):
-                raise PreconditionError(f"t[{int(np.argmax(np.isnat(t)))}] is not a time; expected dates")
-            if np.datetime_data(t.dtype)[0] in "YM":  # which have no length
-                t = t.astype("datetime64[s]")
-            origin = t.min() if len(t) > 0 else None
-            t = (t - origin) / np.timedelta64(1, "s") if origin is not None else np.empty(0)
-        t = _arrays.float_array("t", t, (None,))
+        t, origin = _seconds(t)
         size = len(t)
         x = _arrays.float_array("x", x, (size,))
         y = _arrays.float_array("y", y, (size,))
@@ -176,14 +169,23 @@ class Tracks(TrackAnswers):
         PreconditionError
             If there is no such column; and as `from_arrays`.
         """
+        if not hasattr(df, "columns"):
+            raise PreconditionError(
+                f"df is a {type(df).__name__}; expected a pandas.DataFrame, as pandas.DataFrame(df) makes of a "
+                "dict of columns, or Tracks.from_arrays(t, id, x, y)")
         names = {"t": t, "id": id, "x": x, "y": y}
         if radius is not None:
             names["radius"] = radius
+        columns = list(df.columns)
         for parameter, name in names.items():
-            if name not in df.columns:
+            if columns.count(name) > 1:
+                raise PreconditionError(
+                    f"df has {columns.count(name)} columns {name!r}; expected one that is {parameter}, as in "
+                    "df.loc[:, ~df.columns.duplicated()]")
+            if name not in columns:
                 raise PreconditionError(
                     f"{parameter} is {name!r}; expected one of the columns "
-                    + ", ".join(repr(column) for column in df.columns))
+                    + ", ".join(repr(column) for column in columns))
         times = df[t]
         if getattr(times.dtype, "tz", None) is not None:
             times = times.dt.tz_convert("UTC").dt.tz_localize(None)
@@ -386,6 +388,59 @@ def _values(column: Any) -> Any:
     if column.isna().any():
         return column.to_numpy(dtype=np.float64, na_value=np.nan)
     return column.to_numpy(dtype=column.dtype.numpy_dtype)
+
+
+def _seconds(t: ArrayLike) -> tuple[Floats, np.datetime64 | None]:
+    """Times as numbers; and the date of 0, where they are dates."""
+    array = np.asarray(t)
+    if array.dtype.kind == "O":
+        array = _times_of_objects(array)
+    if array.dtype.kind in "US":
+        example = array.flat[0] if array.size > 0 else ""
+        raise PreconditionError(
+            f"t has texts, such as {str(example)!r}; expected numbers, or dates, as "
+            "pandas.to_datetime(t, utc=True) makes of texts in ISO 8601")
+    if array.dtype.kind not in "mM":
+        return _arrays.float_array("t", array, (None,)), None
+    if np.any(np.isnat(array)):
+        raise PreconditionError(f"t[{int(np.argmax(np.isnat(array)))}] is not a time; expected dates or durations")
+    if np.datetime_data(array.dtype)[0] in "YM":  # which have no length
+        if array.dtype.kind == "m":
+            raise PreconditionError(f"t is an array of {array.dtype}, which have no length; expected seconds")
+        array = array.astype("datetime64[s]")
+    origin = array.min() if array.dtype.kind == "M" and array.size > 0 else None
+    durations = array if array.dtype.kind == "m" else array - origin if origin is not None else array[:0] - array[:0]
+    return _arrays.float_array("t", durations / np.timedelta64(1, "s"), (None,)), origin
+
+
+# The dtype of an array of them.
+_TYPES_OF_TIMES: dict[str, tuple[type, ...]] = {
+    "M8": (datetime.date, np.datetime64), "m8": (datetime.timedelta, np.timedelta64), "U": (str,)}
+
+
+def _times_of_objects(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Objects of Python and pandas that are dates, in UTC, or durations; other objects as they are."""
+    values = array.ravel().tolist()
+    kinds = [next((dtype for dtype, types in _TYPES_OF_TIMES.items() if isinstance(value, types)), "")
+             for value in values]
+    if not any(kinds):
+        return array
+    if len(set(kinds)) > 1:
+        i = next(i for i, kind in enumerate(kinds) if kind != kinds[0])
+        raise PreconditionError(f"t[0] is {values[0]!r}, and t[{i}] {values[i]!r}; expected times of one kind, all "
+                                "numbers, dates or durations")
+    offsets = [getattr(value, "tzinfo", None) is not None for value in values]
+    if any(offsets) and not all(offsets):
+        i = offsets.index(not offsets[0])
+        raise PreconditionError(
+            f"t[0] is a date {'with' if offsets[0] else 'without'} an offset, and t[{i}] one "
+            f"{'without' if offsets[0] else 'with'}; expected dates of one kind: all with an offset, such as UTC, or "
+            "none")
+    if any(offsets):
+        values = [value.astimezone(datetime.timezone.utc).replace(tzinfo=None) for value in values]
+    # Those of pandas have nanoseconds, which numpy does not take by itself.
+    return np.asarray([value.to_numpy() if hasattr(value, "to_numpy") else value for value in values],
+                      dtype=kinds[0]).reshape(array.shape)
 
 
 def _is_missing(name: Any) -> bool:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Recorded tracks: tables, dates, labels, gaps; the closest approaches against all pairs."""
+import datetime
 import itertools
+import re
 import sqlite3
 
 import numpy as np
@@ -154,6 +156,65 @@ def test_dates_of_tables_and_time_zones():
     assert Tracks.from_arrays(months, *list(COLUMNS.values())[1:]).end == 60 * 86400
 
 
+TWO_DAYS = [datetime.datetime(2024, 1, 1), datetime.datetime(2024, 1, 2)] * 2
+HOUR = datetime.timedelta(hours=1)
+
+
+@pytest.mark.parametrize("times, end, origin", [
+    (TWO_DAYS, 86400, "2024-01-01"),
+    ([day.date() for day in TWO_DAYS], 86400, "2024-01-01"),
+    ([pd.Timestamp(day) + pd.Timedelta(7, "ns") for day in TWO_DAYS], 86400, "2024-01-01T00:00:00.000000007"),
+    # The hour that comes twice when summer ends, with the offset of each.
+    ([pd.Timestamp("2024-10-27 02:30+02:00"), pd.Timestamp("2024-10-27 02:30+01:00")] * 2, 3600, "2024-10-27T00:30"),
+    ([day.replace(tzinfo=datetime.timezone(HOUR * 5.5)) for day in TWO_DAYS], 86400, "2023-12-31T18:30"),
+    ([0 * HOUR, 2 * HOUR] * 2, 7200, None),
+    (np.array([0, 1500, 0, 1500], dtype="timedelta64[ms]"), 1.5, None),
+    (pd.to_timedelta([0, 1, 0, 1], unit="s"), 1, None),
+])
+def test_dates_and_durations_of_python_and_pandas(times, end, origin):
+    columns = COLUMNS | {"t": times}
+    for tracks in (Tracks.from_arrays(*columns.values()), Tracks.from_dataframe(pd.DataFrame(columns)),
+                   Tracks.from_dataframe(pd.DataFrame(columns | {"t": pd.Series(list(times), dtype=object)}))):
+        assert tracks.start == 0 and tracks.end == end
+        assert tracks.origin == (None if origin is None else np.datetime64(origin))
+
+
+@pytest.mark.parametrize("times, message", [
+    (["2024-10-27T02:30:00", "2024-10-27T02:31:00"] * 2,
+     "t has texts, such as '2024-10-27T02:30:00'; expected numbers, or dates, as pandas.to_datetime(t, utc=True)"),
+    ([TWO_DAYS[0], "2024-10-27"] * 2, "and t[1] '2024-10-27'; expected times of one kind"),
+    ([TWO_DAYS[0], 3.5] * 2, "and t[1] 3.5; expected times of one kind"),
+    ([TWO_DAYS[0], TWO_DAYS[1].astimezone()] * 2, "t[0] is a date without an offset, and t[1] one with"),
+    ([pd.NaT, pd.Timestamp(0)] * 2, "t[0] is not a time; expected dates"),
+    (np.array([0, 1, 0, "NaT"], dtype="timedelta64[s]"), "t[3] is not a time; expected dates or durations"),
+    (np.array([0, 1, 0, 1], dtype="timedelta64[M]"), "t is an array of timedelta64[M], which have no length"),
+    ([object()] * 4, "t is an array of object; expected real numbers of shape (n,)"),
+])
+def test_times_that_are_none_say_what_to_do(times, message):
+    for make in (lambda: Tracks.from_arrays(*(COLUMNS | {"t": times}).values()),
+                 lambda: Tracks.from_dataframe(pd.DataFrame(COLUMNS | {"t": pd.Series(list(times), dtype=object)}))):
+        if isinstance(times, np.ndarray) and make.__code__.co_names[0] == "pd":
+            continue
+        with pytest.raises(kinetri.PreconditionError, match=re.escape(message)):
+            make()
+
+
+def test_the_advice_about_texts_works():
+    texts = pd.Series(["2024-10-27T02:30:00+02:00", "2024-10-27T02:30:00+01:00"] * 2)
+    assert Tracks.from_arrays(*(COLUMNS | {"t": pd.to_datetime(texts, utc=True)}).values()).end == 3600
+
+
+def test_what_is_no_table_is_an_error_with_the_way_out():
+    frame = pd.DataFrame(COLUMNS)
+    doubled = pd.concat([frame, frame[["x"]]], axis=1)
+    with pytest.raises(kinetri.PreconditionError, match="df has 2 columns 'x'; expected one that is x"):
+        Tracks.from_dataframe(doubled)
+    assert len(Tracks.from_dataframe(doubled.loc[:, ~doubled.columns.duplicated()])) == 2
+    with pytest.raises(kinetri.PreconditionError, match="df is a dict; expected a pandas.DataFrame"):
+        Tracks.from_dataframe(COLUMNS)
+    assert len(Tracks.from_dataframe(pd.DataFrame(COLUMNS))) == len(Tracks.from_arrays(**COLUMNS)) == 2
+
+
 def test_a_gap_ends_a_stay():
     t, x = [0, 1, 10, 11, 0, 11], [0, 1, 10, 11, 0, 11]
     id, y = ["a"] * 4 + ["b"] * 2, [0] * 4 + [5] * 2
@@ -194,7 +255,7 @@ def test_radii():
     ({"t": [0, 0, 0, 4]}, "InputError", r"rows 0 and 1: 'a' is at two places at t = 0.0; expected one"),
     ({"t": [0, 1, 2]}, "PreconditionError", r"x has the shape \(4,\); expected \(3,\)"),
     ({"x": [0, np.nan, 1, 1]}, "PreconditionError", r"x\[1\] is nan; expected finite"),
-    ({"t": ["0", "1", "2", "3"]}, "PreconditionError", "t is an array of <U1; expected real numbers"),
+    ({"t": ["0", "1", "2", "3"]}, "PreconditionError", "t has texts, such as '0'; expected numbers, or dates"),
     ({"id": ["a", "b"]}, "PreconditionError", r"id has the shape \(2,\); expected \(4,\)"),
     ({"id": ["a", 1, "b", 2]}, None, ""),
     ({"id": np.array(["a", None, "b", 2], dtype=object)}, "PreconditionError",
