@@ -170,7 +170,7 @@ class Jam(unittest.TestCase):
     def test_a_disc_whose_centre_meets_the_walls_is_not_jammed(self):
         # It meets them 37 600 times, and grows far beyond the box.
         self.write("4,3,1000,505,1,1\n")
-        result = subprocess.run([PROGRAM, *"simulate p.csv --until 200 --box 0,0,8,8 --quiet".split()],
+        result = subprocess.run([PROGRAM, *"simulate p.csv --until 200 --box 0,0,8,8 --collisions log --quiet".split()],
                                 cwd=self.folder, timeout=600, check=False, capture_output=True, text=True)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
