@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -209,9 +210,11 @@ inline bool has_root(const Polynomial& p, const Polynomial& f, const Dyadic& lo,
   return g.size() > 1 && sign_at(g, lo) * sign_at(g, hi) < 0;
 }
 
-// The order of two times (Lemma 3). Intervals are narrowed, as below.
+// The order of two times (Lemma 3). Intervals are narrowed, as below, but not for good where the
+// times are equal: with each such comparison they would have more digits.
 inline int compare(Time& a, Time& b) {
   constexpr int patience = 8;  // refining is mostly faster than a greatest common divisor
+  std::vector<Dyadic> before;
   for (int round = 0;; ++round) {
     if (a.f.empty() && b.f.empty()) return compare(a.lo, b.lo);
     if (compare(a.hi, b.lo) <= 0) return -1;
@@ -225,8 +228,13 @@ inline int compare(Time& a, Time& b) {
     if (round == (a.f == b.f || a.f == -b.f ? 0 : patience)) {
       const Dyadic& lo = compare(a.lo, b.lo) < 0 ? b.lo : a.lo;
       const Dyadic& hi = compare(a.hi, b.hi) < 0 ? a.hi : b.hi;
-      if (has_root(a.f, b.f, lo, hi)) return 0;
+      if (has_root(a.f, b.f, lo, hi)) {
+        if (!before.empty())
+          std::tie(a.lo, a.hi, b.lo, b.hi) = std::tie(before[0], before[1], before[2], before[3]);
+        return 0;
+      }
     }
+    if (before.empty()) before = {a.lo, a.hi, b.lo, b.hi};
     refine(a);
     if (!b.f.empty()) refine(b);
   }

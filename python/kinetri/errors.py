@@ -57,7 +57,11 @@ class ContactError(Error):
 
 
 class EndlessContactsError(ContactError):
-    """Contacts do not end: too many at one time, or a point that is pressed against another."""
+    """Contacts do not end: too many at one time, or a point that is pressed against another.
+
+    The simulation is as it was before the contact, which is still to come at that time: other
+    motions of its points may let it go on.
+    """
 
 
 class ContactOverflowError(ContactError):

@@ -40,7 +40,6 @@ class Enlarged_discs : private Event_observer {
     }
     Simulation_options options;
     options.response = log_contact;
-    options.max_contacts_per_instant = std::numeric_limits<std::uint64_t>::max();
     while (simulation_ == nullptr) {
       try {
         simulation_ = std::make_unique<Simulation_2<Traits>>(motions, options, start);

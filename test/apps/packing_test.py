@@ -3,7 +3,7 @@
 """Discs that grow in a box until they cover a share of it: `kinetri simulate --until-share`. That no two
 of them overlap at the end, that they are in the box and that they cover the share is checked here over all
 discs and all pairs, in integers, from the motions in the checkpoint. And discs that are jammed, with every
-response.
+response, and contacts without end.
 
 usage: packing_test.py PROGRAM [POINTS]
 """
@@ -12,6 +12,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -166,6 +167,13 @@ class Jam(unittest.TestCase):
             self.write("4,3,1,0.5,1,0.125\n")
             self.expect_end(20, response)
 
+    def test_a_disc_whose_centre_meets_the_walls_is_not_jammed(self):
+        # It meets them 37 600 times, and grows far beyond the box.
+        self.write("4,3,1000,505,1,1\n")
+        result = subprocess.run([PROGRAM, *"simulate p.csv --until 200 --box 0,0,8,8 --collisions log --quiet".split()],
+                                cwd=self.folder, timeout=600, check=False, capture_output=True, text=True)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
     def test_two_discs_between_two_walls_are_jammed(self):
         # They touch each other and the walls from 2 on, at which 4 radii are the width of the box.
         self.write("2,4,1,0,1,0.5\n6,4,-1,0,1,0.5\n")
@@ -189,6 +197,55 @@ class Jam(unittest.TestCase):
                     self.expect_end(share * time, response, "--growth 0.25")
             for response in ("none", "log", "remove"):  # the discs fill the box at 16
                 self.expect_end(12, response, "--growth 0.25")
+
+
+class Contacts_without_end(unittest.TestCase):
+    """Points that are pressed against a wall or one another: the run ends with whole outputs, as one that is jammed."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_it(self, command):
+        return subprocess.run([PROGRAM, *command.split()], cwd=self.folder, timeout=600, check=False,
+                              capture_output=True, text=True)
+
+    def check(self, rows, options, time, place, expected_events):
+        (self.folder / "p.csv").write_text("x,y,vx,vy,ax,ay,jx,jy\n" + rows, encoding="utf-8")
+        outputs = "--events e.csv --motions m.csv --edges d.csv --checkpoint c --stats s.json --html h.html --vtu v"
+        for more in ("--threads 1", "--audit events", "--fps 4"):
+            shutil.rmtree(self.folder / "v", ignore_errors=True)
+            result = self.run_it(f"simulate p.csv --until 9 {options} --quiet {outputs} {more}")
+            self.assertEqual(result.returncode, 130, result.stderr)
+            self.assertTrue(result.stderr.startswith(
+                f"p.csv:{place}: time has come to t = {time} only, of 9; results up to then are written; "), result.stderr)
+            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+            statistics = json.loads((self.folder / "s.json").read_text(encoding="utf-8"))
+            logged = (self.folder / "e.csv").read_text(encoding="utf-8").splitlines()[1:]
+            self.assertEqual(len(logged), statistics["events_total"])
+            self.assertEqual([row.split(",")[1] for row in logged if row.split(",")[2] == str(time)], expected_events)
+            for name in ("m.csv", "d.csv", "h.html"):
+                self.assertGreater((self.folder / name).stat().st_size, 0, name)
+            self.assertEqual(any((self.folder / "v").glob("*.vtu")), time > 0)
+            before = result.stderr.split("; ", 2)[2]
+            # The run goes on from its checkpoint to the same error, at once.
+            result = self.run_it("resume c --until 9 --quiet --events more.csv --audit end")
+            self.assertEqual(result.returncode, 130, result.stderr)
+            self.assertEqual(result.stderr.split("; ", 2)[2], before)
+            self.assertEqual((self.folder / "more.csv").read_text(encoding="utf-8").count("\n"), 1)
+
+    def test_at_a_wall(self):
+        # 1 rests at the lower wall at t = 1, and its jerk presses it on; 0 and 2 turn at others then.
+        rows = "1,5,-1,0,0,0,0,0\n4,1,0,-3,0,6,0,-6\n8,5,1,0,0,0,0,0\n"
+        for response in RESPONSES:
+            discs = "" if response == "none" else f"--collisions {response} --radius 0.25"
+            self.check(rows, f"--box 0,0,9,9 {discs}", 1, 3, ["wall"])
+
+    def test_at_each_other(self):
+        rows = "0,0,0,0,1,0,0,0\n4,0,0,0,-1,0,0,0\n1,9,0,0,0,0,0,0\n"
+        for response in ("swap", "elastic"):
+            self.check(rows, f"--collisions {response} --radius 2", 0, 2, [])
 
 
 if __name__ == "__main__":

@@ -152,19 +152,21 @@ def output_cases():
 def run_cases():
     def endless(content, options, most, until, **values):
         few = forged(setter("max_contacts_per_instant", most), content, f"--until 0.5 {options}")
-        return case(f"resume c --until {until} --edges old.csv", files={"c": few}, most=most, **values)
+        return case(f"resume c --until {until} --edges old.csv --quiet", files={"c": few}, most=most, until=until,
+                    writes=True, **values)
 
     yield endless("x,y,vx,vy\n2,1,0,-1\n", "--box 0,0,9,9", 0, 2, time=1, a=0)
     yield endless(DISCS, "--collisions swap", 0, 4, time=3, a=0, b=1)
 
     # The point comes to rest at the wall, and its jerk presses it on.
     at_wall = "x,y,vx,vy,ax,ay,jx,jy\n2,1,0,-3,0,6,0,-6\n"
-    yield case("simulate d.csv --until 2 --box 0,0,9,9 --edges old.csv", files={"d.csv": at_wall},
-               file="d.csv", line=2, a=0, side="lower", time=1)
+    yield case("simulate d.csv --until 2 --box 0,0,9,9 --edges old.csv --quiet", files={"d.csv": at_wall},
+               file="d.csv", line=2, a=0, side="lower", time=1, until=2, writes=True)
+    yield case("simulate d.csv --until 2 --box 0,0,9,9 --verify --quiet", files={"d.csv": at_wall}, writes=True)
     at_disc = "x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n2,0,0,0,-1,0\n"
     for response in ("swap", "elastic"):
-        yield case(f"simulate d.csv --until 2 --collisions {response} --radius 1 --edges old.csv",
-                   files={"d.csv": at_disc}, file="d.csv", line=2, a=0, b=1, time=0)
+        yield case(f"simulate d.csv --until 2 --collisions {response} --radius 1 --edges old.csv --quiet",
+                   files={"d.csv": at_disc}, file="d.csv", line=2, a=0, b=1, time=0, until=2, writes=True)
     fast = "x,y,vx,vy\n0,0,1.7e308,-1.7e308\n1,1,-1.7e308,-1.7e308\n"
     yield case("simulate d.csv --until 2 --collisions elastic --radius 1 --edges old.csv",
                files={"d.csv": fast}, file="d.csv", line=2, a=0, time=0)

@@ -63,6 +63,14 @@ TEST(Accelerated_points, pressed_against_a_wall_end_the_run_with_their_name) {
       message_of<Endless_contacts_error>([&] { simulation.advance_to(1.0); });
   EXPECT_NE(message.find("point 1 accelerates toward the lower wall at t = 0"), std::string::npos)
       << message;
+  // It is still to come, and does not if the point has another motion.
+  EXPECT_EQ(simulation.audit(Audit_level::certificates).failures, std::vector<std::string>());
+  Simulation restored = Simulation::restore(simulation.snapshot(), nullptr);
+  EXPECT_EQ(message_of<Endless_contacts_error>([&] { restored.advance_to(1.0); }), message);
+  EXPECT_EQ(message_of<Endless_contacts_error>([&] { simulation.advance_to(1.0); }), message);
+  simulation.set_motion(1, {{1, 0}, {0, 0}, {0, 1}, {0, 0}, 0});
+  simulation.advance_to(1.0);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
 }
 
 // Two discs that touch, at rest, and accelerate toward each other.

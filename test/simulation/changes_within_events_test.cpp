@@ -5,12 +5,15 @@
 
 #include <functional>
 #include <map>
+#include <memory>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "support/disc_runs.h"
+#include "support/multiplier.h"
 #include "support/precondition_error.h"
 
 namespace kinetri {
@@ -184,12 +187,91 @@ TEST(Changes_within_events_of_simulations, are_refused_for_ever_when_a_response_
 }
 
 // Two points in a corner between walls that meet there: more contacts than are allowed.
-TEST(Changes_within_events_of_simulations, are_refused_for_ever_after_endless_contacts) {
+TEST(Changes_within_events_of_simulations, may_follow_contacts_without_end) {
   Simulation_options options = test::in_box({0, 0, 10, 10});
   options.max_contacts_per_instant = 1;
   Simulation simulation({{{1, 1}, {-1, -1}, 0}, {{2, 3}, {0, 0}, 0}}, options);
   EXPECT_THROW(simulation.advance_to(3.0), Endless_contacts_error);
+  EXPECT_EQ(simulation.current_time(), Algebraic_number(1));
+  EXPECT_EQ(test::velocity(simulation, 0), (Vector_2{1, -1})) << "the second contact is to come";
+  EXPECT_EQ(simulation.audit(Audit_level::certificates).failures, std::vector<std::string>());
+  EXPECT_NO_THROW(simulation.snapshot());
+  simulation.set_motion(0, {{0, 0}, {1, 1}, 1});
+  simulation.schedule_erase(2.0, 1);
+  EXPECT_GT(simulation.advance_to(3.0), 0u);
+  EXPECT_TRUE(simulation.is_valid(true, 1));
+}
+
+// An observer that throws such an error within a contact is one that throws.
+TEST(Changes_within_events_of_simulations, are_refused_for_ever_whatever_an_observer_has_thrown) {
+  struct Thrower : Event_observer {
+    void after_event(const Event& event) override {
+      if (event.kind == Event_kind::collision) throw Endless_contacts_error(0, "made up");
+    }
+  };
+  Simulation simulation(motions(), options_with(collide_elastically));
+  Thrower thrower;
+  simulation.add_observer(thrower);
+  EXPECT_THROW(simulation.advance_to(3.0), Endless_contacts_error);
+  simulation.remove_observer(thrower);
   expect_refused(simulation, left);
+  EXPECT_THROW(simulation.snapshot(), Precondition_error);
+}
+
+// Discs of several radii and a point on a grid, with many contacts at one time. One contact at a
+// time is allowed, but the run goes on after each error, or a restored one does: it is that without
+// a limit.
+TEST(Contacts_without_end, are_left_as_they_were_before) {
+  using Discs = Simulation_2<Disc_kinetic_traits_2>;
+  std::size_t errors = 0;
+  for (unsigned seed = 1; seed <= 40u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const auto one_of = [&](int least, int most) {
+      return std::uniform_int_distribution<int>(least, most)(random);
+    };
+    std::vector<Disc_motion_2> discs;
+    for (int k = 0; k < 16; ++k) {
+      const Vector_2 place = {4.0 * (k % 4) + 2, 4.0 * (k / 4) + 2};
+      const Vector_2 velocity = {1.0 * one_of(-1, 1), 1.0 * one_of(-1, 1)};
+      discs.push_back({{place, velocity}, k == 5 ? 0 : one_of(1, 2) / 2.0, 0, 0});
+    }
+    Simulation_options options = test::in_box({0, 0, 16, 16});
+    options.rim_touches = seed % 2 == 0;
+    options.response = named_responses[1 + seed % 5].response;
+    Discs plain(discs, options);
+    options.max_contacts_per_instant = 1;
+    auto stopped = std::make_unique<Discs>(discs, options);
+    Recorder expected;
+    Recorder recorder;
+    plain.add_observer(expected);
+    stopped->add_observer(recorder);
+    plain.advance_to(4.0);
+    for (bool is_there = false; !is_there;) {
+      try {
+        stopped->advance_to(4.0);
+        is_there = true;
+      } catch (const Endless_contacts_error&) {
+        ++errors;
+        ASSERT_EQ(stopped->audit(Audit_level::certificates).failures, std::vector<std::string>());
+        if (one_of(0, 1) == 0) continue;
+        stopped.reset(new Discs(Discs::restore(stopped->snapshot(), options.response)));
+        stopped->add_observer(recorder);
+      }
+    }
+    ASSERT_EQ(expected.events.size(), recorder.events.size());
+    for (std::size_t i = 0; i < expected.events.size(); ++i) {
+      const Event& one = expected.events[i];
+      const Event& other = recorder.events[i];
+      EXPECT_EQ(one.kind, other.kind) << i;
+      EXPECT_EQ(one.number, other.number) << i;
+      EXPECT_EQ(one.time, other.time) << i;
+      EXPECT_EQ(one.point_a, other.point_a) << i;
+      EXPECT_EQ(one.point_b, other.point_b) << i;
+    }
+    EXPECT_EQ(plain.triangulation().finite_edge_ids(), stopped->triangulation().finite_edge_ids());
+  }
+  EXPECT_GT(errors, 100u);
 }
 
 TEST(Changes_within_events_of_simulations, are_refused_for_ever_when_an_observer_has_thrown) {

@@ -87,6 +87,17 @@ TEST(Region_effort, makes_losses_good_before_the_next_window) {
   EXPECT_FALSE(effort.has(10.5));
 }
 
+// Each call of advance_to opens the account of the triangulation: the advance is given once.
+TEST(Region_effort, that_is_opened_again_is_as_overdrawn_as_before) {
+  Region_effort effort;
+  effort.open(1.0 / 16, 10);
+  effort.spend(100);
+  effort.open(1.0 / 16, 10);
+  EXPECT_FALSE(effort.has(0));
+  effort.spend(-100);
+  EXPECT_TRUE(effort.has(10));
+}
+
 TEST(Region_effort, of_windows_that_pay_is_never_overdrawn) {
   Region_effort effort;
   effort.open(1.0 / 16, 10);

@@ -36,8 +36,14 @@ INFINITY = "std::numeric_limits<double>::infinity()"
 # Name, file, text that is there once, and what takes its place.
 MUTATIONS = (
     ("side on which a certificate fails", ROOTS, "(p, t) == CGAL::NEGATIVE", "(p, t) == CGAL::POSITIVE"),
-    ("a root skipped: the second is taken", ROOTS, "from, 1);\n  return roots.empty() ? std::nullopt : std::optional(roots.front())",
-     "from, 2);\n  return roots.empty() ? std::nullopt : std::optional(roots.back())"),
+    ("a root skipped: the second is taken", ROOTS, """roots_beyond(q, from, 1);
+  const int changes = counter.changes_at(from);
+  if (roots.empty()) {
+    KINETRI_ASSERT(changes == counter.changes_at_plus_infinity(), "there is a root");
+    return std::nullopt;
+  }
+  certify(counter, changes, roots.front());
+  return roots.front();""", "roots_beyond(q, from, 2);\n  return roots.empty() ? std::nullopt : std::optional(roots.back());"),
     ("roots of multiplicity 3 skipped", ROOTS, "return first_simple_root_after(odd_part(p), t);",
      "const auto factors = square_free_decomposition(p);\n  return factors[0].multiplicity == 1 ? first_simple_root_after(factors[0].factor, t) : std::nullopt;"),
     ("roots of even multiplicity taken for failures", ROOTS, "return first_simple_root_after(odd_part(p), t);",
@@ -62,7 +68,7 @@ MUTATIONS = (
     ("new epoch: one ulp later", KINETIC + "linear_motion_2.cpp", "velocity,\n          t};", f"velocity,\n          std::nextafter(t, {INFINITY})}};"),
     ("new place: one ulp to the right", KINETIC + "linear_motion_2.cpp", "{{place_rounded_correctly(position.x, old_velocity.x, epoch, t)",
      f"{{{{std::nextafter(place_rounded_correctly(position.x, old_velocity.x, epoch, t), {INFINITY})"),
-    ("growth ignored in exact weights", KINETIC + "moving_point_2.cpp", "radius(disc.radius, disc.growth, disc.epoch)", "radius(disc.radius, 0, disc.epoch)"),
+    ("growth ignored in exact weights", KINETIC + "scaled_coordinates.h", "radius(disc.radius, disc.growth, disc.epoch)", "radius(disc.radius, 0.0, disc.epoch)"),
     ("every 50th row of the log left out", "src/io/event_log.cpp", "  out_ << line;", "  if (event.number % 50 != 49) out_ << line;"),
     ("wall: velocity not turned around", "include/kinetri/simulation/detail/contacts_impl.h", "component = -component;", "component = +component;"),
     ("every 50th event left out", DETAIL + "events_impl.h", "  flip_edge(edge, event_kind(event.kind));",

@@ -9,6 +9,7 @@ row or instant. `second` compares both checkers, on small logs and on lies about
 """
 import collections
 import copy
+import math
 import pathlib
 import random
 import re
@@ -240,6 +241,30 @@ def check_instants(case):
             assert result.stdout.startswith(f"verified: {columns * rows} points, "), result.stdout
 
 
+# In the ring of Gaussian integers, of norm p: all points of the circle of the radius 5 13 17 29 37 are products of
+# squares of these and of their conjugates.
+FACTORS = {5: 2 + 1j, 13: 3 + 2j, 17: 4 + 1j, 29: 5 + 2j, 37: 6 + 1j}
+
+
+def check_circle(case):
+    """972 points that are always on one circle come to one place and part again: alone, and within a ring that
+    rests, where thousands of rows have one exact time that is no binary64 number, t = 1/3."""
+    places = {1 + 0j}
+    for p, z in FACTORS.items():
+        places = {place * factor for place in places for factor in (p, z * z, (z * z).conjugate())}
+    circle = sorted((int(turned.real), int(turned.imag)) for place in places
+                    for turned in (place, place * 1j, -place, place * -1j))
+    radius = math.prod(FACTORS)
+    assert len(set(circle)) == 972 and all(x * x + y * y == radius**2 for x, y in circle)
+    collapsing = [(x, y, -3 * x, -3 * y) for x, y in circle]
+    ring = [(2 * x, 2 * y, 0, 0) for x, y in circle[::97]] + [(radius // 3, radius // 5, 0, 0)]
+    for points, fewest in ((collapsing, 0), (collapsing + ring, 3000)):
+        run = case.simulate(points, 2)
+        assert len([row for row in run.rows if row[2] == "0.3333333333333333"]) >= fewest
+        code, text, _ = case.verify(run)
+        assert code == 0, text
+
+
 def tracks(case, generator):
     """People who come and go, on a grid that makes for degenerate times."""
     while True:
@@ -424,6 +449,7 @@ def main():
     if what == "true":
         check_true(case, 8)
         check_instants(case)
+        check_circle(case)
     elif what == "lies":
         check_lies(case, 8)
         check_false_logs(case)

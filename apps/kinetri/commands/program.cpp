@@ -21,7 +21,9 @@ Command program() {
                        {1, "An audit failed, or kinetri-verify refuted the run."},
                        {2, "Bad usage or bad input; standard error says what was expected."},
                        {3, "An internal check failed."},
-                       {130, "Interrupted, or jammed; the outputs hold what happened until then."},
+                       {130,
+                        "Interrupted, jammed, or in contacts without end; the outputs hold what "
+                        "happened until then."},
                        {141,
                         "Nobody reads the pipe to which standard output goes; outputs that are "
                         "files are complete."}};

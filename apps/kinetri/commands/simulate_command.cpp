@@ -135,7 +135,9 @@ Command simulate_command() {
       "all radii are equal it is the Delaunay triangulation of the centres, as it is where "
       "nothing touches.",
       "Discs that grow may get jammed, with any response: then they have no room left between one "
-      "another or between walls, and the run ends, with the outputs of what happened until then.",
+      "another or between walls, and the run ends, with the outputs of what happened until then. "
+      "So it "
+      "does where points are pressed against a wall or each other, and no response separates them.",
       "Ctrl-C stops the run after the events of the present time, and the outputs hold what "
       "happened until then. Where that takes longer than 0.4 s, and 5 s more for each million "
       "points, "
@@ -145,10 +147,11 @@ Command simulate_command() {
       "The outputs are the same for any N, but for what --stats and --plot tell of how the run was "
       "made.",
       "With --verify, the answer of kinetri-verify is a line on standard output; on standard error "
-      "if an output of the run goes to standard output. A run that a signal stops is not verified.",
+      "if an output of the run goes to standard output. A run that a signal stops, or contacts "
+      "without end, is not verified.",
       "Exit codes: 0 done; 1 an audit failed, or kinetri-verify refuted the run; 2 bad usage or "
       "bad "
-      "input; 3 an internal check failed; 130 interrupted, or jammed."};
+      "input; 3 an internal check failed; 130 interrupted, jammed, or in contacts without end."};
   result.examples = {"kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv",
                      "kinetri simulate points.csv --until 10 --html run.html",
                      "kinetri simulate points.csv --until 10 --verify",

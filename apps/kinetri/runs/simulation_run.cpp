@@ -70,6 +70,19 @@ std::vector<std::string> input_paths(const Run_settings& settings, const Run_sou
   return result;
 }
 
+// The line of the input that a message about a point begins with.
+std::string place_of(const Run_source& source, Point_id point) {
+  const std::size_t line = source.line_of(point);
+  return line == 0 ? "kinetri" : joined(input_name(source.path()), ":", line);
+}
+
+// About the point, in the words of the source.
+[[noreturn]] void fail(const Run_source& source, Point_id point, const char* problem) {
+  const std::size_t line = source.line_of(point);
+  if (line == 0) throw Run_error(problem);
+  throw Input_error(input_name(source.path()), line, problem);
+}
+
 class Simulation_run {
  public:
   Simulation_run(const Run_settings& settings, Run_source& source)
@@ -145,6 +158,7 @@ class Simulation_run {
   std::unique_ptr<Run_sampler> sampler_;
   std::optional<Jam_watch> jam_watch_;  // if discs grow, and may have no room left
   bool jammed_ = false;
+  std::optional<Endless_contacts_error> endless_;  // what has ended the run
   std::uint64_t executed_ = 0;
   std::uint64_t events_before_ = 0;  // of the run that this one takes up
   std::size_t failures_ = 0;
@@ -305,6 +319,9 @@ std::size_t Simulation_run::execute(const Run& run) {
     return events;
   } catch (const Coincident_trajectories_error& error) {
     throw source_.coincidence(error, time());
+  } catch (const Endless_contacts_error& error) {  // all is as before that contact
+    endless_ = error;
+    return 0;
   }
 }
 
@@ -351,12 +368,14 @@ void Simulation_run::advance() {
 // events as are allowed.
 bool Simulation_run::go_to(double end) {
   const Algebraic_number until(end);
-  while (!interrupted() && !jammed_ && executed_ <= settings_.max_events) {
+  while (!interrupted() && !jammed_ && !endless_ && executed_ <= settings_.max_events) {
     if (may_run_ahead()) {
       if (run_ahead(until)) return true;
       continue;
     }
-    if (execute([&](auto& s) { return s.step(until); }) == 0) {
+    const std::size_t events = execute([&](auto& s) { return s.step(until); });
+    if (endless_) return false;
+    if (events == 0) {
       simulation_.visit([&](auto& s) { s.advance_to(until); });
       return true;
     }
@@ -395,7 +414,7 @@ bool Simulation_run::run_ahead(const Algebraic_number& until) {
   };
   execute([&](auto& s) { return s.advance_to(until, may_go_on); });
   expect_logs_are_written();
-  return goes_on;
+  return goes_on && !endless_;
 }
 
 // Throws where a log cannot be written. A log that nobody reads is no error while there are other
@@ -445,6 +464,8 @@ void Simulation_run::report_early_end() const {
     report("kinetri", joined("the discs are jammed (", jammed_discs(), "), and ", where,
                              "expected an earlier end or a smaller share, slower growth, faster or "
                              "fewer discs, or a larger box"));
+  } else if (endless_) {
+    report(place_of(source_, endless_->point()), joined(where, endless_->what()));
   } else if (executed_ > settings_.max_events) {
     report("kinetri", joined("more than ", settings_.max_events, " events, and ", where,
                              "expected fewer events, or a greater --max-events"));
@@ -510,9 +531,14 @@ void Simulation_run::write_outputs() {
   outputs_.commit();
 }
 
-// Not where a signal has stopped the run: who sends one does not want to wait.
+// Not where a signal has stopped the run: who sends one does not want to wait. Nor where it has
+// ended within a time, since only what is so after all events of a time has to be right.
 Exit_code Simulation_run::verify() const {
   if (!verification_ || interrupted()) return Exit_code::done;
+  if (endless_) {
+    report("kinetri", "the run is not verified, as not all events of its last time have happened");
+    return Exit_code::done;
+  }
   return verification_->run(simulation_, source_,
                             outputs_.has_standard_output() ? Stream::error : Stream::output);
 }
@@ -563,6 +589,7 @@ void Simulation_run::summarize() const {
   print_error(joined(heading("kinetri:", Stream::error), " ", counted(s.points, "point"),
                      " from t = ", s.from, " to ", s.reached,
                      jammed_         ? ", jammed"
+                     : endless_      ? ", in contacts without end"
                      : s.interrupted ? ", interrupted"
                                      : "",
                      "\n"));
@@ -587,13 +614,6 @@ void Simulation_run::summarize() const {
   }
   const std::vector<std::string> paths = outputs_.paths();
   if (!paths.empty()) print("written", separated(paths, ", "));
-}
-
-// About the point, in the words of the source.
-[[noreturn]] void fail(const Run_source& source, Point_id point, const char* problem) {
-  const std::size_t line = source.line_of(point);
-  if (line == 0) throw Run_error(problem);
-  throw Input_error(input_name(source.path()), line, problem);
 }
 
 }  // namespace

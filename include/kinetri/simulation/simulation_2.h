@@ -20,9 +20,9 @@
 // first entry by itself.
 //
 // One contact's way through the code: `step` lets the triangulation execute what is before it, in
-// exact order; `execute_due_entries` takes it out of the queue; `hit_wall` or `collide` finds the
-// motions after it; `change` hands these to the triangulation, which reports the event, and
-// schedules the contacts of the points anew.
+// exact order; `execute_due_entries` takes it out of the queue; `changes_of` finds the motions
+// after it; `change` hands these to the triangulation, which reports the event, and schedules the
+// contacts of the points anew.
 #ifndef KINETRI_SIMULATION_SIMULATION_2_H
 #define KINETRI_SIMULATION_SIMULATION_2_H
 
@@ -73,7 +73,9 @@ class Contact_error : public Error {
 };
 
 /// Contacts that do not end: more at one time than allowed; or a point that is pressed against a
-/// wall or another point, so that no new velocity separates them.
+/// wall or another point, so that no new velocity separates them. The contact has not been executed
+/// and is still to come, at the present time: until it is, the simulation is as between two events,
+/// and its snapshot too. Other motions of its points may let the run go on.
 class Endless_contacts_error : public Contact_error {
  public:
   using Contact_error::Contact_error;
@@ -199,8 +201,9 @@ class Simulation_2 : private Event_observer {
   // ---- time ----
 
   /// Goes to the time of the next event and executes all events of that time, contacts included.
-  /// Returns their number; 0 if there is no next event. Throws Contact_error; the simulation is
-  /// then left within the contact, and cannot go on. Throws Negative_radius_error instead of
+  /// Returns their number; 0 if there is no next event. Throws Endless_contacts_error before
+  /// the contact that it names. After another Contact_error the simulation is left within the
+  /// contact, and cannot go on. Throws Negative_radius_error instead of
   /// passing the time at which a radius that shrinks is 0; change that motion then, or erase the
   /// point, to go on.
   std::size_t step() { return checked_step(nullptr); }
@@ -231,8 +234,8 @@ class Simulation_2 : private Event_observer {
   /// - executes the contacts of log_contact; with discs of their own radii in a box, everything;
   /// - does everything while discs overlap that collide.
   ///
-  /// The result is the same. An error that an observer throws, or Endless_contacts_error of
-  /// log_contact, then leaves the simulation as it is some events later.
+  /// The result is the same. An error that an observer throws then leaves the simulation as it is
+  /// some events later.
   void set_threads(std::size_t most) {
     threads_ = most;
     triangulation_.set_threads(most);
@@ -586,12 +589,14 @@ class Simulation_2 : private Event_observer {
   bool is_contact_due();
   template <class Is_another_due>
   bool note_contact(const Entry& contact, const Is_another_due& is_another_due);
-  void check_limit(const Entry& entry, std::uint64_t contacts) const;
+  void check_limit(const Entry& entry, std::uint64_t turning) const;
   [[noreturn]] void refuse_press(Point_id id, const std::string& who, const Time& now) const;
   using Change = typename Triangulation::Change;
-  void hit_wall(Point_id id, std::size_t wall);
+  void execute_contact(const Entry& contact, std::uint64_t& turning);
+  std::vector<Change> changes_of(const Entry& contact, std::uint64_t& turning);
+  void hit_wall(Point_id id, std::span<const Change> changes);
   Change reflection(Point_id id, std::size_t wall, const Time& now) const;
-  void collide(Point_id a, Point_id b, bool is_edge);
+  void collide(Point_id a, Point_id b, bool is_edge, std::span<const Change> changes);
   template <class Report>
   void pass(const Edge_ids& pair, bool is_edge, const Report& report);
   bool do_discs_pass() const { return detail::is_log_contact(options_.response); }

@@ -318,12 +318,19 @@ std::size_t Simulation_2<Traits>::execute_due_entries() {
   is_within_instant_ = true;  // and stays so if something throws
   const std::uint64_t events_before = triangulation_.counters().number_of_events();
   std::vector<Due_change> postponed;
-  try {
-    execute_due_entries(postponed);
-  } catch (...) {
+  const auto put_back = [&] {
     for (const Due_change& change : postponed) {
       push_change(current_time(), change.entry, change.motion);
     }
+  };
+  try {
+    execute_due_entries(postponed);
+  } catch (const Endless_contacts_error&) {
+    put_back();
+    is_within_instant_ = is_within_contact_;
+    throw;
+  } catch (...) {
+    put_back();
     throw;
   }
   is_within_instant_ = false;
@@ -334,6 +341,7 @@ std::size_t Simulation_2<Traits>::execute_due_entries() {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postponed) {
   std::uint64_t contacts = 0;
+  std::uint64_t turning = 0;
   bool may_turn_together = true;
   const auto execute_due = [&] {
     const auto is_due = [&] {
@@ -362,13 +370,9 @@ void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postpone
           note_contact(entry, [this] { return is_contact_due(); })) {
         continue;
       }
+      ++contacts;
       is_within_contact_ = true;
-      check_limit(entry, ++contacts);
-      if (entry.kind == Entry_kind::wall) {
-        hit_wall(entry.point_a, entry.point_b);
-      } else {
-        collide(entry.point_a, entry.point_b, entry.is_edge);
-      }
+      execute_contact(entry, turning);
       is_within_contact_ = false;
     }
   };
@@ -431,8 +435,8 @@ bool Simulation_2<Traits>::note_contact(const Entry& contact,
 }
 
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t contacts) const {
-  if (contacts <= options_.max_contacts_per_instant) return;
+void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t turning) const {
+  if (turning <= options_.max_contacts_per_instant) return;
   throw Endless_contacts_error(
       entry.point_a,
       "more than " + std::to_string(options_.max_contacts_per_instant) +

@@ -38,7 +38,8 @@ struct Simulation_options {
   /// The masses by point id, each positive and finite; points beyond the end, such as those that
   /// are inserted without one, have the mass 1. Empty, or one for each point at the start.
   std::vector<double> masses = {};
-  /// The most contacts, of all points together, at one time.
+  /// The most contacts at one time that change points, of all points together. Those at which both
+  /// discs keep their motions do not count: they are one for each pair.
   std::uint64_t max_contacts_per_instant = 1'000'000;
 };
 

@@ -81,7 +81,8 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
       fail(what + " have a contact at another time than scheduled, or none");
     }
   };
-  // At the start, contacts of the present time may be still to come.
+  // At the start, and after contacts without end, contacts of the present time may be still to
+  // come.
   const auto is_contact_due = [&](const Edge_ids& pair) {
     const Queue_handle event = find_pair(pair);
     return event != no_event && queue_[event].is_event &&
@@ -108,7 +109,8 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   // Every overlap is known; and discs that overlap separate, or a response has let them pass.
   for_each_exact_overlap([&](Point_id a, Point_id b) {
     const Overlap* const overlap = find_overlap({a, b});
-    if (overlap == nullptr) {
+    if (overlap == nullptr) {  // it is noted with its contact
+      if (is_contact_due({a, b})) return;
       fail(pair_name(a, b) + " overlap, of which the simulation does not know");
     } else if (overlap->is_edge != is_edge({a, b})) {
       fail("the overlap of " + pair_name(a, b) + " says wrongly whether there is an edge");

@@ -179,10 +179,6 @@ class Contact_turns {
   }
   /// Checks the certificate of a pair again, whose entry has left the queue.
   void recheck(const Entry& pass) { simulation_->recheck(pass); }
-  /// Throws if there are more contacts at one time than are allowed.
-  void check_limit(const Entry& pass, std::uint64_t contacts) const {
-    simulation_->check_limit(pass, contacts);
-  }
   /// Counts a contact, one of some at its time, and that time if nothing else happens then.
   void count_pass(std::uint64_t contacts_now, bool is_alone);
   /// Notes the overlap that begins with a contact at the present time, whose entry has left the

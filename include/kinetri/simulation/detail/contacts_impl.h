@@ -19,12 +19,39 @@
 
 namespace kinetri {
 
+// Executes a contact that has left the queue, after so many at its time that have changed points.
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::hit_wall(Point_id id, std::size_t wall) {
-  const Change reflected = reflection(id, wall, current_time());
-  change({&id, 1}, [&] {
-    triangulation_.apply(Event_kind::wall, id, std::nullopt, {&reflected, 1});
-  });
+void Simulation_2<Traits>::execute_contact(const Entry& contact, std::uint64_t& turning) {
+  const std::vector<Change> changes = changes_of(contact, turning);
+  if (contact.kind == Entry_kind::wall) {
+    hit_wall(contact.point_a, changes);
+  } else {
+    collide(contact.point_a, contact.point_b, contact.is_edge, changes);
+  }
+}
+
+// What a contact does to its points. A contact without end goes back to the queue, so that all is
+// as it was before it.
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::changes_of(const Entry& contact, std::uint64_t& turning)
+    -> std::vector<Change> {
+  try {
+    const std::vector<Change> result =
+        contact.kind == Entry_kind::wall
+            ? std::vector<Change>{reflection(contact.point_a, contact.point_b, current_time())}
+            : collision(contact.point_a, contact.point_b, current_time());
+    if (!result.empty()) check_limit(contact, ++turning);
+    return result;
+  } catch (const Endless_contacts_error&) {
+    note(contact.subject(), queue_.push(contact, current_time()));
+    is_within_contact_ = false;
+    throw;
+  }
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::hit_wall(Point_id id, std::span<const Change> changes) {
+  change({&id, 1}, [&] { triangulation_.apply(Event_kind::wall, id, std::nullopt, changes); });
 }
 
 // What a wall does to a point at the time `now`, at which they touch. Changes nothing.
@@ -49,9 +76,9 @@ auto Simulation_2<Traits>::reflection(Point_id id, std::size_t wall, const Time&
 }
 
 template <ContactKineticTraits_2 Traits>
-void Simulation_2<Traits>::collide(Point_id a, Point_id b, bool is_edge) {
+void Simulation_2<Traits>::collide(Point_id a, Point_id b, bool is_edge,
+                                   std::span<const Change> changes) {
   if (find_overlap({a, b}) != nullptr) mark_passing(a, b, false);  // they had separated
-  const std::vector<Change> changes = collision(a, b, current_time());
   const auto apply = [&] { triangulation_.apply(Event_kind::collision, a, b, changes); };
   if (changes.empty()) return pass({a, b}, is_edge, apply);
   const std::array<Point_id, 2> points = {a, b};

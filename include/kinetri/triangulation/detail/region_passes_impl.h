@@ -157,14 +157,6 @@ void Region_run<Kinetic, Turns>::execute_pass(Walk& walk, const Turn_entry& pass
   ++walk.contacts_now;
   work_.reported += 1;
   work_.serial += 1;
-  if (walk.thrown == nullptr) {
-    try {
-      turns_.check_limit(pass, walk.contacts_now);
-    } catch (...) {
-      walk.thrown = std::current_exception();
-      walk.is_told = false;
-    }
-  }
   turns_.count_pass(walk.contacts_now, std::exchange(walk.is_alone, false));
   turns_.pass(pass, [&] {
     Event event;

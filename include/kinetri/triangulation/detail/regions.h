@@ -543,7 +543,7 @@ class Region_run {
   /// What goes through the events of a window.
   struct Walk {
     bool is_told = false;            // whether observers are told of them
-    std::exception_ptr thrown = {};  // by an observer, or for too many contacts
+    std::exception_ptr thrown = {};  // by an observer
     const Key* last = nullptr;       // of the events that are no passes
     bool is_pass_last = false;       // whether a pass came after that
     std::uint64_t contacts_now = 0;  // at the time of the last event
