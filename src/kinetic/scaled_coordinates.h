@@ -13,6 +13,7 @@
 #include <initializer_list>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -276,7 +277,8 @@ auto scaled_together(int most_bits, const Given&... given) {
   const std::tuple all(coordinates<Poly>(given)...);
   return std::apply(
       [&](const auto& first, const auto&... others) {
-        static_assert(((first.denominator == others.denominator) && ...));
+        constexpr int denominator = std::remove_cvref_t<decltype(first)>::denominator;
+        static_assert(((denominator == std::remove_cvref_t<decltype(others)>::denominator) && ...));
         Exponents exponents;
         first.add_to(exponents);
         (others.add_to(exponents), ...);
