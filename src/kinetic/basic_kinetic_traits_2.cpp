@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "certificate_formulas.h"
+#include "exact_certificates.h"
+#include "failure_roots.h"
 #include "filter/disc_filter.h"
 #include "filter/filter.h"
-#include "filter/precise_filter.h"
-#include "filter/weighted_differences.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "polynomial_on_stack.h"
@@ -21,98 +21,6 @@ namespace kinetri {
 namespace {
 
 using Time = Algebraic_number;
-
-// The polynomials of failures that the filter has bracketed, made when an exact decision needs
-// them.
-template <class Motion>
-struct In_circle_root : Root_source {
-  using Point = Basic_moving_point_2<Motion>;
-  In_circle_root(const Point& a, const Point& b, const Point& c, const Point& d)
-      : p(a.motion()), q(b.motion()), r(c.motion()), s(d.motion()) {}
-  Polynomial polynomial() const override {
-    return in_circle_polynomial(Point(p), Point(q), Point(r), Point(s));
-  }
-  double certain_value_at(double high, double low) const override {
-    return precise_in_circle(p, q, r, s, high, low);
-  }
-  std::optional<Rounding> rounded(const Double_interval& bracket) const override {
-    if constexpr (is_linear<Motion>) {
-      if constexpr (HasWeight<Motion>) {
-        if (!have_same_weight_numbers(std::array{&p, &q, &r, &s})) return std::nullopt;
-      }
-      return rounded_in_circle(p, q, r, s, bracket);
-    } else {
-      return std::nullopt;
-    }
-  }
-  Motion p, q, r, s;
-};
-
-template <class Motion>
-struct Orientation_root : Root_source {
-  using Point = Basic_moving_point_2<Motion>;
-  Orientation_root(const Point& a, const Point& b, const Point& c)
-      : p(a.motion()), q(b.motion()), r(c.motion()) {}
-  Polynomial polynomial() const override {
-    return orientation_polynomial(Point(p), Point(q), Point(r));
-  }
-  double certain_value_at(double high, double low) const override {
-    return precise_orientation(p, q, r, high, low);
-  }
-  Motion p, q, r;
-};
-
-template <class Motion>
-struct Contact_root : Root_source {
-  using Point = Basic_moving_point_2<Motion>;
-  Contact_root(const Point& a, const Point& b, double d)
-      : p(a.motion()), q(b.motion()), diameter(d) {}
-  Polynomial polynomial() const override {
-    return contact_polynomial(Point(p), Point(q), diameter);
-  }
-  double certain_value_at(double high, double low) const override {
-    return precise_contact(p, q, diameter, high, low);
-  }
-  std::optional<Rounding> rounded(const Double_interval& bracket) const override {
-    if constexpr (is_linear<Motion>) {
-      return rounded_contact(p, q, diameter, bracket);
-    } else {
-      return std::nullopt;
-    }
-  }
-  Motion p, q;
-  double diameter;
-};
-
-template <class Motion>
-struct Distance_root : Root_source {
-  using Point = Basic_moving_point_2<Motion>;
-  Distance_root(const Point& a, const Point& b, const Point& c, const Point& d)
-      : p(a.motion()), q(b.motion()), r(c.motion()), s(d.motion()) {}
-  Polynomial polynomial() const override {
-    return distance_comparison_polynomial(Point(p), Point(q), Point(r), Point(s));
-  }
-  double certain_value_at(double high, double low) const override {
-    return precise_distance_comparison(centre(p), centre(q), centre(r), centre(s), high, low);
-  }
-  std::optional<Rounding> rounded(const Double_interval& bracket) const override {
-    if constexpr (is_linear<Motion>) {
-      return rounded_distance_comparison(centre(p), centre(q), centre(r), centre(s), bracket);
-    } else {
-      return std::nullopt;
-    }
-  }
-  Motion p, q, r, s;
-};
-
-template <class Motion>
-struct Wall_root : Root_source {  // of polynomial motion; else the root is rational
-  using Point = Basic_moving_point_2<Motion>;
-  Wall_root(const Point& a, const Wall_2& w) : p(a.motion()), wall(w) {}
-  Polynomial polynomial() const override { return wall_polynomial(Point(p), wall); }
-  Motion p;
-  Wall_2 wall;
-};
 
 // The certificate that a result of the filter is. Precondition: the result is not unknown.
 Certificate certificate(const Filter_result& result) {
@@ -149,63 +57,19 @@ std::array<const Motion*, N> motions(
   return result;
 }
 
-Certificate exact_certificate(std::optional<Time> failure, bool is_root_solved) {
-  using Kind = Certificate::Kind;
-  constexpr auto means = Certificate::Means::exact;
-  constexpr bool may_vanish = true;
-  if (!failure) return {Kind::never_fails, {}, nullptr, may_vanish, means, is_root_solved};
-  // The filter starts from this time's interval when the event has been executed, and knows nothing
-  // if that is wide.
-  failure->refine_to_bits(std::numeric_limits<double>::digits);
-  const Double_interval bounds = failure->interval();
-  return {Kind::fails, bounds, std::make_unique<Time>(std::move(*failure)),
-          may_vanish,  means,  is_root_solved};
-}
-
-Certificate exact_certificate(const Polynomial& certificate, const Time& t) {
-  return exact_certificate(failure_time(certificate, t), certificate.degree() > 0);
-}
-
-// The certificate of points in linear motion that `formula` makes from their trajectories, by Sturm
-// counts in numbers on the stack; none if that does not decide.
-template <class Formula, class... Motion>
-std::optional<Certificate> counted_certificate(const Time& t, Certificate_state state,
-                                               const Formula& formula, const Motion&... motions) {
-  if constexpr ((is_linear<Motion> && ...)) {
-    const auto p = polynomial_on_stack(formula, motions...);
-    if (!p) return std::nullopt;
-    if (p->is_zero()) return exact_certificate(std::nullopt, false);
-    constexpr auto means = Certificate::Means::exact;
-    const bool is_root_solved = p->degree() > 0;
-    const Counted_failure failure =
-        count_failure(*p, t.interval(), state == Certificate_state::vanishes);
-    switch (failure.kind) {
-      case Counted_failure::Kind::fails:
-        return Certificate{
-            Certificate::Kind::fails, failure.bounds, nullptr, false, means, is_root_solved};
-      case Counted_failure::Kind::never_fails:
-        return Certificate{
-            Certificate::Kind::never_fails, {}, nullptr, false, means, is_root_solved};
-      case Counted_failure::Kind::at_once:
-        return exact_certificate(t, is_root_solved);
-      case Counted_failure::Kind::unknown:
-        break;
-    }
-  }
-  return std::nullopt;
-}
-
-// Where the filter knows nothing of what `certificate` says after t. Just after a failure of its
-// negation it vanishes at t: then that is all that the filter has to be told, `filter` being what
-// it says.
+// What general algebraic numbers say of p from t on. Just after a failure of its negation p
+// vanishes at t: then that is all that the filter has to be told, `filter(true)` being what it
+// says.
 template <class Filter>
-Certificate exact_certificate(const Polynomial& certificate, const Time& t, const Filter& filter) {
+Certificate exact_or_filtered(const Polynomial& p, const Time& t, Arithmetic arithmetic,
+                              const Filter& filter) {
+  if (arithmetic == Arithmetic::exact_only) return exact_certificate(p, t);
   // In primitive form it is recognized where it is the one that has made t.
-  const Polynomial primitive = primitive_part(certificate);
+  const Polynomial primitive = primitive_part(p);
   if (sign_at(primitive, t) == CGAL::ZERO) {
-    const Filter_result result = filter();
+    const Filter_result result = filter(true);
     if (result.kind != Filter_result::Kind::unknown) {
-      Certificate known = kinetri::certificate(result);
+      Certificate known = certificate(result);
       known.means = Certificate::Means::exact;
       return known;
     }
@@ -213,33 +77,45 @@ Certificate exact_certificate(const Polynomial& certificate, const Time& t, cons
   return exact_certificate(primitive, t);
 }
 
-// The first time from t on at which the distance is not positive and falls.
-std::optional<Time> contact_time(const Polynomial& distance, const Time& t) {
-  if (sign_at(distance, t) == CGAL::POSITIVE) return failure_time(distance, t);
-  const std::optional<Time> fall = failure_time(derivative(distance), t);
-  if (!fall || sign_at(distance, *fall) != CGAL::POSITIVE) return fall;
-  return failure_time(distance, *fall);
+// The formulas of certificates, as function objects.
+constexpr auto outside_circle = [](const auto&... all) { return -in_circle_of(all...); };
+constexpr auto left_turn = [](const auto&... all) { return orientation_of(all...); };
+constexpr auto gap = [](const auto&... all) { return contact_of(all...); };
+constexpr auto nearness = [](const auto&... all) { return -contact_of(all...); };
+constexpr auto gap_growth = [](const auto&... all) { return derivative(contact_of(all...)); };
+constexpr auto comparison = [](const auto&... all) { return distance_comparison_of(all...); };
+constexpr auto below_segment = [](const auto&... all) { return segment_of(all...); };
+constexpr auto above_segment = [](const auto&... all) { return -segment_of(all...); };
+constexpr auto weight_order = [](const auto&... all) { return weight_difference_of(all...); };
+auto inside_of(const Wall_2& wall) {
+  return [&wall](const auto&... all) { return wall_of(wall, all...); };
 }
 
-// The first time strictly after t at which both coordinates of a difference vanish, and `weight`,
-// the difference of the weights.
-std::optional<Time> coincidence_time(const Polynomial& x, const Polynomial& y,
-                                     const Polynomial& weight, const Time& t) {
-  if (x.degree() > 1 || y.degree() > 1 || (x.degree() < 1 && y.degree() < 1)) {
-    const Polynomial common = gcd(gcd(x, y), weight);
-    if (common.degree() < 1) return std::nullopt;
-    std::optional<Real_root> root = first_root_after(common, t);
-    return root ? std::optional(std::move(root->value)) : std::nullopt;
+// What counts say of the polynomial that a formula makes on the stack, `certify` being one of the
+// functions counted_...; else what `general` says.
+template <class Certify, class General>
+Certificate exactly(const std::optional<Narrow_polynomial>& p, const Certify& certify,
+                    const General& general) {
+  if (p) {
+    if (std::optional<Certificate> counted = certify(*p)) return std::move(*counted);
   }
-  // Linear polynomials: a common root is a root of the one that is not constant, and of the others.
-  const Polynomial& moving = x.degree() == 1 ? x : y;
-  const Polynomial& other = x.degree() == 1 ? y : x;
-  const Rational root(-moving[0], moving[1]);
-  if (other.sign_at(root) != CGAL::ZERO || weight.sign_at(root) != CGAL::ZERO ||
-      compare(t, root) != CGAL::SMALLER) {
-    return std::nullopt;
-  }
-  return Time(root);
+  return general();
+}
+
+// The sign of that polynomial at an instant, where `general` is the same one on the heap.
+template <class General, class Formula, class... Given>
+Sign exact_sign(const Instant& instant, const General& general, const Formula& formula,
+                const Given&... given) {
+  const std::optional<Sign> on_stack = sign_on_stack(instant, formula, given...);
+  return on_stack ? *on_stack : sign_at(general(), instant);
+}
+
+// The polynomial that a formula makes from the centres of two discs and the distance at which they
+// have the gap `diameter`.
+template <class Formula, class Motion>
+std::optional<Narrow_polynomial> polynomial_of_contact(const Formula& formula, const Motion& p,
+                                                       const Motion& q, double diameter) {
+  return polynomial_on_stack(formula, centre(p), centre(q), touching_distance(p, q, diameter));
 }
 
 template <class Point>
@@ -248,14 +124,28 @@ Polynomial weight_difference_or_zero(const Point& p, const Point& q) {
   return {};
 }
 
-Certificate exact_contact_certificate(const Polynomial& distance, const Time& t) {
-  std::optional<Time> contact = contact_time(distance, t);
-  if (contact && *contact == t) {
-    return {Certificate::Kind::fails, t.interval(), std::make_unique<Time>(t), true,
-            Certificate::Means::exact};
-  }
-  const bool is_root_solved = contact.has_value();
-  return exact_certificate(std::move(contact), is_root_solved);
+// The sign of contact_polynomial.
+template <class Point>
+Sign sign_of_gap(const Point& p, const Point& q, double diameter, const Instant& instant) {
+  return exact_sign(
+      instant, [&] { return contact_polynomial(p, q, diameter); }, gap, centre(p.motion()),
+      centre(q.motion()), touching_distance(p.motion(), q.motion(), diameter));
+}
+
+// The sign of the derivative of contact_polynomial(p, q, 0).
+template <class Point>
+Sign sign_of_gap_growth(const Point& p, const Point& q, const Instant& instant) {
+  return exact_sign(
+      instant, [&] { return derivative(contact_polynomial(p, q, 0)); }, gap_growth,
+      centre(p.motion()), centre(q.motion()), touching_distance(p.motion(), q.motion(), 0));
+}
+
+// Whether counts say that the places are apart from just after t on.
+template <class Motion>
+bool never_meet(const Motion& p, const Motion& q, const Time& t) {
+  const auto distance = polynomial_of_contact(gap, centre(p), centre(q), 0);
+  return distance && !distance->is_zero() &&
+         count_failure(*distance, t.interval(), false).kind == Counted_failure::Kind::never_fails;
 }
 
 }  // namespace
@@ -276,12 +166,10 @@ Certificate Basic_kinetic_traits_2<Motion>::in_circle_certificate(const Point_2&
       return failure_at_once(t);
     }
   }
-  const auto formula = [](const auto&... paths) { return -in_circle_of(paths...); };
-  if (auto counted =
-          counted_certificate(t, state, formula, p.motion(), q.motion(), r.motion(), s.motion())) {
-    return std::move(*counted);
-  }
-  return exact_certificate(-in_circle_polynomial(p, q, r, s), t);
+  return exactly(
+      polynomial_on_stack(outside_circle, p.motion(), q.motion(), r.motion(), s.motion()),
+      [&](const auto& polynomial) { return counted_certificate(polynomial, t, state); },
+      [&] { return exact_certificate(-in_circle_polynomial(p, q, r, s), t); });
 }
 
 // What the filter knows of an orientation from t on, if it knows anything.
@@ -305,11 +193,10 @@ Certificate Basic_kinetic_traits_2<Motion>::orientation_certificate(const Point_
                                                                     const Point_2& r, const Time& t,
                                                                     Certificate_state state) const {
   if (auto known = filtered_orientation(p, q, r, t, state)) return std::move(*known);
-  const auto formula = [](const auto&... paths) { return orientation_of(paths...); };
-  if (auto counted = counted_certificate(t, state, formula, p.motion(), q.motion(), r.motion())) {
-    return std::move(*counted);
-  }
-  return exact_certificate(orientation_polynomial(p, q, r), t);
+  return exactly(
+      polynomial_on_stack(left_turn, p.motion(), q.motion(), r.motion()),
+      [&](const auto& polynomial) { return counted_certificate(polynomial, t, state); },
+      [&] { return exact_certificate(orientation_polynomial(p, q, r), t); });
 }
 
 template <class Motion>
@@ -317,15 +204,10 @@ Certificate Basic_kinetic_traits_2<Motion>::flatness_certificate(const Point_2& 
                                                                  const Point_2& r, const Time& t,
                                                                  Certificate_state state) const {
   if (auto known = filtered_orientation(p, q, r, t, state)) return std::move(*known);
-  const Polynomial orientation = orientation_polynomial(p, q, r);
-  const bool is_root_solved = orientation.degree() > 0;
-  if (sign_just_after(orientation, t) == CGAL::NEGATIVE) {
-    return exact_certificate(t, is_root_solved);
-  }
-  if (orientation.is_zero()) return exact_certificate(std::nullopt, is_root_solved);
-  std::optional<Real_root> root = first_root_after(orientation, t);
-  return exact_certificate(root ? std::optional(std::move(root->value)) : std::nullopt,
-                           is_root_solved);
+  return exactly(
+      polynomial_on_stack(left_turn, p.motion(), q.motion(), r.motion()),
+      [&](const auto& polynomial) { return counted_certificate(polynomial, t, state); },
+      [&] { return exact_touch_certificate(orientation_polynomial(p, q, r), t); });
 }
 
 template <class Motion>
@@ -385,6 +267,9 @@ Certificate Basic_kinetic_traits_2<Motion>::coincidence_certificate(
   if (arithmetic_ == Arithmetic::filtered && certainly_apart(p.motion(), q.motion(), among)) {
     return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::filter};
   }
+  if (never_meet(p.motion(), q.motion(), t)) {
+    return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::exact};
+  }
   std::optional<Time> time =
       coincidence_time(x_difference(p, q), y_difference(p, q), weight_difference_or_zero(p, q), t);
   if (!time) return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::exact};
@@ -399,14 +284,20 @@ template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::segment_certificate(
     const Point_2& p, const Point_2& q, const Point_2& r,
     const Time& t) const requires HasWeight<Motion> {
-  return exact_certificate(segment_polynomial(p, q, r), t);
+  return exactly(
+      polynomial_on_stack(below_segment, p.motion(), q.motion(), r.motion()),
+      [&](const auto& polynomial) { return counted_certificate_with_time(polynomial, t); },
+      [&] { return exact_certificate(segment_polynomial(p, q, r), t); });
 }
 
 template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::hiding_certificate(
     const Point_2& p, const Point_2& q, const Point_2& r,
     const Time& t) const requires HasWeight<Motion> {
-  return exact_certificate(-segment_polynomial(p, q, r), t);
+  return exactly(
+      polynomial_on_stack(above_segment, p.motion(), q.motion(), r.motion()),
+      [&](const auto& polynomial) { return counted_certificate_with_time(polynomial, t); },
+      [&] { return exact_certificate(-segment_polynomial(p, q, r), t); });
 }
 
 template <class Motion>
@@ -417,6 +308,7 @@ Certificate Basic_kinetic_traits_2<Motion>::meeting_certificate(
       certainly_apart(centre(p.motion()), centre(q.motion()), among)) {
     return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::filter};
   }
+  if (never_meet(p.motion(), q.motion(), t)) return exact_certificate(std::nullopt, true);
   return exact_certificate(
       coincidence_time(x_difference(p, q), y_difference(p, q), Polynomial(), t), true);
 }
@@ -424,7 +316,10 @@ Certificate Basic_kinetic_traits_2<Motion>::meeting_certificate(
 template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::weight_certificate(
     const Point_2& p, const Point_2& q, const Time& t) const requires HasWeight<Motion> {
-  return exact_certificate(weight_difference(p, q), t);
+  return exactly(
+      polynomial_on_stack(weight_order, p.motion(), q.motion()),
+      [&](const auto& polynomial) { return counted_certificate_with_time(polynomial, t); },
+      [&] { return exact_certificate(weight_difference(p, q), t); });
 }
 
 template <class Motion>
@@ -445,7 +340,10 @@ Certificate Basic_kinetic_traits_2<Motion>::contact_certificate(const Point_2& p
     const Filter_result result = filter_contact(p.motion(), q.motion(), diameter, t.interval());
     if (result.kind != Filter_result::Kind::unknown) return certificate(result);
   }
-  return exact_contact_certificate(contact_polynomial(p, q, diameter), t);
+  return exactly(
+      polynomial_of_contact(gap, p.motion(), q.motion(), diameter),
+      [&](const auto& polynomial) { return counted_contact_certificate(polynomial, t); },
+      [&] { return exact_contact_certificate(contact_polynomial(p, q, diameter), t); });
 }
 
 // On straight lines two that part never meet again: their distance is convex, and remains so less
@@ -471,7 +369,10 @@ Certificate Basic_kinetic_traits_2<Motion>::wall_certificate(const Point_2& p, c
     const Filter_result result = filter_wall_contact(p.motion(), wall, t.interval());
     if (result.kind != Filter_result::Kind::unknown) return certificate(result);
   }
-  return exact_contact_certificate(wall_polynomial(p, wall), t);
+  return exactly(
+      polynomial_on_stack(inside_of(wall), centre(p.motion()), bound_of(wall, p.motion())),
+      [&](const auto& polynomial) { return counted_contact_certificate(polynomial, t); },
+      [&] { return exact_contact_certificate(wall_polynomial(p, wall), t); });
 }
 
 template <class Motion>
@@ -491,13 +392,10 @@ Certificate Basic_kinetic_traits_2<Motion>::apart_certificate(const Point_2& p, 
       return failure_at_once(t);
     }
   }
-  const Polynomial distance = contact_polynomial(p, q, range);
-  if (sign_at(distance, t) != CGAL::POSITIVE) {
-    return {Certificate::Kind::fails, t.interval(), std::make_unique<Time>(t), true,
-            Certificate::Means::exact};
-  }
-  std::optional<Real_root> touch = first_root_after(distance, t);
-  return exact_certificate(touch ? std::optional(std::move(touch->value)) : std::nullopt, true);
+  return exactly(
+      polynomial_of_contact(gap, p.motion(), q.motion(), range),
+      [&](const auto& polynomial) { return counted_apart_certificate(polynomial, t); },
+      [&] { return exact_apart_certificate(contact_polynomial(p, q, range), t); });
 }
 
 // The next touch, of no duration or not, after a root at `t`; on straight lines there is none, as
@@ -513,8 +411,7 @@ Certificate Basic_kinetic_traits_2<Motion>::next_apart_certificate(const Point_2
       const Filter_result result = filter_apart(p.motion(), q.motion(), range, t.interval(), true);
       if (result.kind != Filter_result::Kind::unknown) return certificate(result);
     }
-    std::optional<Real_root> touch = first_root_after(contact_polynomial(p, q, range), t);
-    return exact_certificate(touch ? std::optional(std::move(touch->value)) : std::nullopt, true);
+    return exact_root_certificate(contact_polynomial(p, q, range), t);
   }
 }
 
@@ -524,15 +421,19 @@ Certificate Basic_kinetic_traits_2<Motion>::near_certificate(const Point_2& p, c
   const auto filter = [&](bool vanishes_at) {
     return filter_near(p.motion(), q.motion(), range, t.interval(), vanishes_at);
   };
-  if (arithmetic_ == Arithmetic::exact_only) {
-    return exact_certificate(-contact_polynomial(p, q, range), t);
+  if (arithmetic_ == Arithmetic::filtered) {
+    const Filter_result result = filter(false);
+    if (result.kind != Filter_result::Kind::unknown) return certificate(result);
+    if (certain_gap(p.motion(), q.motion(), range, t.interval()) == CGAL::POSITIVE) {
+      return failure_at_once(t);
+    }
   }
-  const Filter_result result = filter(false);
-  if (result.kind != Filter_result::Kind::unknown) return certificate(result);
-  if (certain_gap(p.motion(), q.motion(), range, t.interval()) == CGAL::POSITIVE) {
-    return failure_at_once(t);
-  }
-  return exact_certificate(-contact_polynomial(p, q, range), t, [&] { return filter(true); });
+  return exactly(
+      polynomial_of_contact(nearness, p.motion(), q.motion(), range),
+      [&](const auto& polynomial) {
+        return counted_certificate(polynomial, t, Certificate_state::any);
+      },
+      [&] { return exact_or_filtered(-contact_polynomial(p, q, range), t, arithmetic_, filter); });
 }
 
 template <class Motion>
@@ -542,17 +443,24 @@ Certificate Basic_kinetic_traits_2<Motion>::closer_certificate(const Point_2& p,
   const auto filter = [&](bool vanishes_at) {
     return filter_closer(p.motion(), q.motion(), r.motion(), s.motion(), t.interval(), vanishes_at);
   };
-  if (arithmetic_ == Arithmetic::exact_only) {
-    return exact_certificate(distance_comparison_polynomial(p, q, r, s), t);
+  if (arithmetic_ == Arithmetic::filtered) {
+    const Filter_result result = filter(false);
+    if (result.kind != Filter_result::Kind::unknown) return certificate(result);
+    if (certain_distance_comparison(p.motion(), q.motion(), r.motion(), s.motion(), t.interval()) ==
+        CGAL::NEGATIVE) {
+      return failure_at_once(t);
+    }
   }
-  const Filter_result result = filter(false);
-  if (result.kind != Filter_result::Kind::unknown) return certificate(result);
-  if (certain_distance_comparison(p.motion(), q.motion(), r.motion(), s.motion(), t.interval()) ==
-      CGAL::NEGATIVE) {
-    return failure_at_once(t);
-  }
-  return exact_certificate(distance_comparison_polynomial(p, q, r, s), t,
-                           [&] { return filter(true); });
+  return exactly(
+      polynomial_on_stack(comparison, centre(p.motion()), centre(q.motion()), centre(r.motion()),
+                          centre(s.motion())),
+      [&](const auto& polynomial) {
+        return counted_certificate(polynomial, t, Certificate_state::any);
+      },
+      [&] {
+        return exact_or_filtered(distance_comparison_polynomial(p, q, r, s), t, arithmetic_,
+                                 filter);
+      });
 }
 
 template <class Motion>
@@ -592,7 +500,7 @@ bool Basic_kinetic_traits_2<Motion>::do_approach(const Point_2& p, const Point_2
     const Sign certain = certain_distance_slope(p.motion(), q.motion(), t.interval());
     if (certain != CGAL::ZERO) return certain == CGAL::NEGATIVE;
   }
-  return sign_just_after(derivative(contact_polynomial(p, q, 0)), t) == CGAL::NEGATIVE;
+  return sign_of_gap_growth(p, q, {t, Time_side::after}) == CGAL::NEGATIVE;
 }
 
 template <class Motion>
@@ -602,7 +510,7 @@ bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Point_2& p, const 
     const Sign certain = certain_distance_slope(p.motion(), q.motion(), t.interval());
     if (certain != CGAL::ZERO) return certain == CGAL::NEGATIVE;
   }
-  return sign_at(derivative(contact_polynomial(p, q, 0)), t) == CGAL::NEGATIVE;
+  return sign_of_gap_growth(p, q, {t, Time_side::at}) == CGAL::NEGATIVE;
 }
 
 template <class Motion>
@@ -627,7 +535,7 @@ bool Basic_kinetic_traits_2<Motion>::do_touch(const Point_2& p, const Point_2& q
     const Sign certain = certain_gap(p.motion(), q.motion(), diameter, t.interval());
     if (certain != CGAL::ZERO) return certain == CGAL::NEGATIVE;
   }
-  return sign_at(contact_polynomial(p, q, diameter), t) != CGAL::POSITIVE;
+  return sign_of_gap(p, q, diameter, {t, Time_side::at}) != CGAL::POSITIVE;
 }
 
 template <class Motion>
@@ -635,7 +543,7 @@ bool Basic_kinetic_traits_2<Motion>::may_overlap(const Point_2& p, const Point_2
                                                  double diameter, const Time& t) const {
   return arithmetic_ == Arithmetic::filtered
              ? certain_gap(p.motion(), q.motion(), diameter, t.interval()) != CGAL::POSITIVE
-             : sign_just_after(contact_polynomial(p, q, diameter), t) == CGAL::NEGATIVE;
+             : sign_of_gap(p, q, diameter, {t, Time_side::after}) == CGAL::NEGATIVE;
 }
 
 template <class Motion>
@@ -644,7 +552,9 @@ bool Basic_kinetic_traits_2<Motion>::is_inside(const Point_2& p, const Wall_2& w
   if (arithmetic_ == Arithmetic::filtered && certainly_inside(p.motion(), wall, t.interval())) {
     return true;
   }
-  return sign_at(wall_polynomial(p, wall), t) != CGAL::NEGATIVE;
+  return exact_sign(
+             {t, Time_side::at}, [&] { return wall_polynomial(p, wall); }, inside_of(wall),
+             centre(p.motion()), bound_of(wall, p.motion())) != CGAL::NEGATIVE;
 }
 
 template class Basic_kinetic_traits_2<Linear_motion_2>;

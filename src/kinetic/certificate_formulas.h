@@ -8,6 +8,7 @@
 
 #include "algebra/static_polynomial.h"
 #include "kinetri/algebra/polynomial.h"
+#include "kinetri/kinetic/wall_2.h"
 
 namespace kinetri {
 
@@ -107,6 +108,34 @@ auto distance_difference_of(const Trajectory& a, const Trajectory& b, const Traj
   const auto to_b = squared_length(difference(b, a));
   const auto to_c = squared_length(difference(c, a));
   return times(times(to_b, c.w), c.w) - times(times(to_c, b.w), b.w);
+}
+
+/// Positive if c and d are farther apart than a and b are.
+template <class Trajectory>
+auto distance_comparison_of(const Trajectory& a, const Trajectory& b, const Trajectory& c,
+                            const Trajectory& d) {
+  const auto u = difference(a, b);
+  const auto v = difference(c, d);
+  return times(times(squared_length(v), u.w), u.w) - times(times(squared_length(u), v.w), v.w);
+}
+
+/// Positive if a and b are farther apart than a length, with members value and w, that is not
+/// negative.
+template <class Trajectory, class Reach>
+auto contact_of(const Trajectory& a, const Trajectory& b, const Reach& reach) {
+  const auto v = difference(a, b);
+  return times(times(squared_length(v), reach.w), reach.w) -
+         times(times(reach.value * reach.value, v.w), v.w);
+}
+
+/// Positive if a is on the inner side of the bound that the wall is, a coordinate with members
+/// value and w, of which w is positive.
+template <class Trajectory, class Bound>
+auto wall_of(const Wall_2& wall, const Trajectory& a, const Bound& bound) {
+  const auto& place = wall.is_vertical() ? a.x : a.y;
+  using Poly = std::remove_cvref_t<decltype(place)>;
+  const Poly above = times(times(place, bound.w) - times(bound.value, a.w), a.w);
+  return wall.is_upper() ? -above : above;
 }
 
 /// Positive if the weight of a is greater than that of b.

@@ -1,46 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/certificate_polynomials.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "certificate_formulas.h"
 #include "kinetri/base/check.h"
+#include "length.h"
+#include "scaled_coordinates.h"
 
 namespace kinetri {
 namespace {
 
-// A polynomial with dyadic coefficients: the numerator divided by the denominator.
-struct Fraction {
-  Polynomial numerator;
-  Integer denominator;
-};
-
-Fraction fraction(const Rational& constant, const Rational& slope) {
-  using boost::multiprecision::denominator;
-  using boost::multiprecision::numerator;
-  // Both are powers of two.
-  const Integer common = std::max(denominator(constant), denominator(slope));
-  return {Polynomial(std::vector<Integer>{numerator(constant) * (common / denominator(constant)),
-                                          numerator(slope) * (common / denominator(slope))}),
-          common};
-}
-
-// The radius of a point as constant + slope * t.
-struct Radius {
-  Rational constant = 0;
-  Rational slope = 0;
-};
-
+// The motion of a point; one without a radius for a constructed point, which has none.
 template <class Point>
-Radius radius(const Point& p) {
-  if constexpr (HasWeight<typename Point::Motion>) {
-    if (p.has_motion()) {
-      const Rational growth = to_rational(p.motion().growth);
-      return {to_rational(p.motion().radius) - growth * to_rational(p.motion().epoch), growth};
-    }
-  }
-  return {};
+typename Point::Motion motion_or_none(const Point& p) {
+  return p.has_motion() ? p.motion() : typename Point::Motion();
 }
 
 }  // namespace
@@ -101,32 +73,20 @@ Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point
 
 template <class Point>
 Polynomial contact_polynomial(const Point& p, const Point& q, double diameter) {
-  const Vector<Polynomial> v = difference(p.trajectory(), q.trajectory());
-  const Radius of_p = radius(p);
-  const Radius of_q = radius(q);
-  const auto [reach, denominator] =
-      fraction(to_rational(diameter) + of_p.constant + of_q.constant, of_p.slope + of_q.slope);
-  return squared_length(v) * Integer(denominator * denominator) - v.w * v.w * (reach * reach);
+  const Length reach = touching_distance(motion_or_none(p), motion_or_none(q), diameter);
+  return contact_of(p.trajectory(), q.trajectory(), scaled_alone(reach));
 }
 
 template <class Point>
 Polynomial distance_comparison_polynomial(const Point& p, const Point& q, const Point& r,
                                           const Point& s) {
-  const Vector<Polynomial> v = difference(p.trajectory(), q.trajectory());
-  const Vector<Polynomial> u = difference(r.trajectory(), s.trajectory());
-  return squared_length(u) * (v.w * v.w) - squared_length(v) * (u.w * u.w);
+  const auto [a, b, c, d] = common_trajectories<4, typename Point::Motion>({&p, &q, &r, &s});
+  return distance_comparison_of(a, b, c, d);
 }
 
 template <class Point>
 Polynomial wall_polynomial(const Point& p, const Wall_2& wall) {
-  const Trajectory_2 path = p.trajectory();
-  const Radius rim = wall.rim ? radius(p) : Radius();
-  const Rational clearance = to_rational(wall.clearance) + rim.constant;
-  const Rational position = to_rational(wall.position);
-  const auto [bound, denominator] = wall.is_upper() ? fraction(position - clearance, -rim.slope)
-                                                    : fraction(position + clearance, rim.slope);
-  const Polynomial inward = (wall.is_vertical() ? path.x : path.y) * denominator - path.w * bound;
-  return times(wall.is_upper() ? -inward : inward, path.w);
+  return wall_of(wall, p.trajectory(), scaled_alone(bound_of(wall, motion_or_none(p))));
 }
 
 namespace {

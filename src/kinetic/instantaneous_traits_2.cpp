@@ -10,23 +10,6 @@
 
 namespace kinetri {
 
-namespace {
-
-// The side of a time as a sign: negative before it.
-Sign sign_of(Time_side side) {
-  switch (side) {
-    case Time_side::before:
-      return CGAL::NEGATIVE;
-    case Time_side::at:
-      return CGAL::ZERO;
-    case Time_side::after:
-      break;
-  }
-  return CGAL::POSITIVE;
-}
-
-}  // namespace
-
 // The sign of what `formula` makes of the trajectories of the points. A sign that the filter knows
 // is not zero, so that it is the same just before, at and just after.
 template <class Motion>
@@ -35,16 +18,11 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::sign(const Filter& filter,
                                                            const Formula& formula,
                                                            const Points&... points) const {
   if ((points.has_motion() && ...)) {
-    const Double_interval now = instant_->time.interval();
     if (arithmetic_ == Arithmetic::filtered) {
-      const Sign s = filter(points.motion()..., now);
+      const Sign s = filter(points.motion()..., instant_->time.interval());
       if (s != CGAL::ZERO) return s;
     }
-    if constexpr (is_linear<Motion>) {
-      if (const auto p = polynomial_on_stack(formula, points.motion()...)) {
-        if (const auto s = count_sign(*p, now, sign_of(instant_->side))) return *s;
-      }
-    }
+    if (const auto s = sign_on_stack(*instant_, formula, points.motion()...)) return *s;
   }
   const auto paths = common_trajectories<sizeof...(Points), Motion>({&points...});
   return sign_at(std::apply(formula, paths), *instant_);

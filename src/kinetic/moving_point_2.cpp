@@ -12,7 +12,6 @@
 namespace kinetri {
 namespace {
 
-// mantissa * 2^exponent; the mantissa of zero is 0, and its exponent does not matter.
 Trajectory_2 on_heap(Basic_trajectory_2<Polynomial> path) {
   return {std::move(path.x), std::move(path.y), std::move(path.w), std::move(path.weight)};
 }
@@ -36,28 +35,19 @@ void print(std::ostream& out, const Basic_disc_motion_2<Centre>& disc) {
   out << ", radius " << disc.radius << ", growth " << disc.growth << ", weight " << disc.weight;
 }
 
-template <class Motion>
-Trajectory_2 trajectory_of(const Motion& motion) {
-  const auto c = coordinates<Polynomial>(motion);
-  Exponents exponents;
-  c.add_to(exponents);
-  const int exponent = std::min(0, exponents.least);
-  return on_heap(c.scaled(exponent, Integer(c.denominator) << -exponent));
-}
-
 }  // namespace
 
 Trajectory_2 trajectory(const Linear_motion_2& motion) {
-  return trajectory_of(motion);
+  return on_heap(scaled_alone(motion));
 }
 Trajectory_2 trajectory(const Polynomial_motion_2& motion) {
-  return trajectory_of(motion);
+  return on_heap(scaled_alone(motion));
 }
 Trajectory_2 trajectory(const Disc_motion_2& motion) {
-  return trajectory_of(motion);
+  return on_heap(scaled_alone(motion));
 }
 Trajectory_2 trajectory(const Polynomial_disc_motion_2& motion) {
-  return trajectory_of(motion);
+  return on_heap(scaled_alone(motion));
 }
 
 template <class Motion>
@@ -105,19 +95,18 @@ std::ostream& operator<<(std::ostream& out, const Basic_moving_point_2<Motion>& 
 template <std::size_t N, class Motion>
 std::array<Trajectory_2, N> common_trajectories(
     const std::array<const Basic_moving_point_2<Motion>*, N>& points) {
-  std::array<Trajectory_2, N> result;
   if (!std::ranges::all_of(points, &Basic_moving_point_2<Motion>::has_motion)) {
+    std::array<Trajectory_2, N> result;
     std::ranges::transform(points, result.begin(),
                            [](const auto* point) { return point->trajectory(); });
     return result;
   }
-  std::array<const Motion*, N> motions;
-  std::ranges::transform(points, motions.begin(),
-                         [](const auto* point) { return &point->motion(); });
-  std::array<Basic_trajectory_2<Polynomial>, N> paths;
-  make_common_trajectories(motions, std::numeric_limits<int>::max(), paths);
-  std::ranges::transform(paths, result.begin(), on_heap);
-  return result;
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    auto paths =
+        scaled_together<Polynomial>(std::numeric_limits<int>::max(), points[I]->motion()...);
+    return std::array<Trajectory_2, N>{on_heap(std::get<I>(std::move(*paths)))...};
+  }
+  (std::make_index_sequence<N>());
 }
 
 #define KINETRI_INSTANTIATE(N, Motion)                                 \

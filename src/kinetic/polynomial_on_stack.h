@@ -4,31 +4,51 @@
 #ifndef KINETRI_SRC_KINETIC_POLYNOMIAL_ON_STACK_H
 #define KINETRI_SRC_KINETIC_POLYNOMIAL_ON_STACK_H
 
-#include <array>
 #include <concepts>
 #include <optional>
 #include <tuple>
 
 #include "algebra/count_failure.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/instant.h"
+#include "length.h"
 #include "scaled_coordinates.h"
 
 namespace kinetri {
 
-/// Whether points move along straight lines.
-template <class Motion>
-constexpr bool is_linear = std::same_as<Centre_motion_of<Motion>, Linear_motion_2>;
+/// Whether `Given` is the motion of a point along a straight line, or a length.
+template <class Given>
+constexpr bool is_linear =
+    std::same_as<Given, Length> || std::same_as<Centre_motion_of<Given>, Linear_motion_2>;
 
 /// The polynomial that a formula of degree 4 at most in the coordinates makes from the trajectories
-/// of the points; none if numbers on the stack are too narrow for it. Precondition: `is_linear`.
-template <class Formula, class... Motion>
+/// of points, and from lengths; none if they are not linear, or numbers on the stack are too narrow
+/// for it.
+template <class Formula, class... Given>
 std::optional<Narrow_polynomial> polynomial_on_stack(const Formula& formula,
-                                                     const Motion&... motions) {
-  // So the coefficients of the formula have no more than 1024 binary digits.
-  constexpr int most_bits = 250;
-  std::array<Basic_trajectory_2<Narrow_polynomial>, sizeof...(Motion)> paths;
-  if (!make_common_trajectories(std::array{&motions...}, most_bits, paths)) return std::nullopt;
-  return std::apply(formula, paths);
+                                                     const Given&... given) {
+  if constexpr ((is_linear<Given> && ...)) {
+    // So the coefficients of the formula have no more than 1024 binary digits: lengths have two
+    // more than this, and formulas with lengths the degree 2.
+    constexpr int most_bits = 250;
+    if (const auto all = scaled_together<Narrow_polynomial>(most_bits, given...)) {
+      return std::apply(formula, *all);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The sign of that polynomial at an instant. None if there is no such polynomial, or that is not
+/// certain (count_sign).
+template <class Formula, class... Given>
+std::optional<Sign> sign_on_stack(const Instant& instant, const Formula& formula,
+                                  const Given&... given) {
+  const auto p = polynomial_on_stack(formula, given...);
+  if (!p) return std::nullopt;
+  const Sign side = instant.side == Time_side::before ? CGAL::NEGATIVE
+                    : instant.side == Time_side::at   ? CGAL::ZERO
+                                                      : CGAL::POSITIVE;
+  return count_sign(*p, instant.time.interval(), side);
 }
 
 }  // namespace kinetri

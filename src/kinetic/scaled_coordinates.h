@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The coordinates of motions, scaled to polynomials with integer coefficients: on the heap, or of
-// numbers on the stack.
+// The coordinates of motions, and lengths, scaled to polynomials with integer coefficients: on the
+// heap, or of numbers on the stack.
 #ifndef KINETRI_SRC_KINETIC_SCALED_COORDINATES_H
 #define KINETRI_SRC_KINETIC_SCALED_COORDINATES_H
 
@@ -12,11 +12,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "algebra/static_polynomial.h"
 #include "kinetri/kinetic/moving_point_2.h"
+#include "length.h"
 
 namespace kinetri {
 
@@ -27,6 +31,13 @@ struct Basic_trajectory_2 {
   Poly y;       ///< w times the y coordinate
   Poly w;       ///< the common denominator
   Poly weight;  ///< w^2 times the weight
+};
+
+/// A length of which numerator and denominator are such polynomials.
+template <class Poly>
+struct Basic_length {
+  Poly value;  ///< w times the length
+  Poly w;      ///< the denominator
 };
 
 /// The type of the coefficients of polynomials.
@@ -105,6 +116,32 @@ class Linear_coordinate {
   Dyadic<Number> position_;
   Dyadic<Number> velocity_;
   Dyadic<Number> drift_;  // velocity * epoch
+};
+
+/// The sum of the terms of a length.
+template <class Poly>
+class Length_coordinate {
+ public:
+  static constexpr int denominator = 1;
+
+  explicit Length_coordinate(const Length& length)
+      : terms_{coordinate(length.terms[0]), coordinate(length.terms[1]),
+               coordinate(length.terms[2])} {}
+
+  void add_to(Exponents& exponents) const {
+    for (const Linear_coordinate<Poly>& term : terms_) term.add_to(exponents);
+  }
+  Basic_length<Poly> scaled(int exponent, Coefficient_of<Poly> w) const {
+    return {terms_[0].scaled(exponent) + terms_[1].scaled(exponent) + terms_[2].scaled(exponent),
+            Poly{std::move(w)}};
+  }
+
+ private:
+  static Linear_coordinate<Poly> coordinate(const Length::Term& term) {
+    return {term.value, term.rate, term.epoch};
+  }
+
+  std::array<Linear_coordinate<Poly>, std::tuple_size_v<decltype(Length::terms)>> terms_;
 };
 
 /// 6 p + 6 v s + 3 a s^2 + j s^3 with s = t - epoch, by powers of t.
@@ -216,25 +253,45 @@ auto coordinates(const Basic_disc_motion_2<Centre>& disc) {
   return Weighted_coordinates<Poly, decltype(coordinates<Poly>(kinetri::centre(disc)))>(disc);
 }
 
-/// The trajectories of motions, times one common positive number, weights times its square, so that
-/// w is 1. Whether none of their coefficients has more than `most_bits` binary digits, in which
-/// case `result` is made; coefficients of weights may have twice as many, and one.
-template <class Poly, std::size_t N, class Motion>
-bool make_common_trajectories(const std::array<const Motion*, N>& motions, int most_bits,
-                              std::array<Basic_trajectory_2<Poly>, N>& result) {
-  using One = decltype(coordinates<Poly>(Motion()));
-  std::array<One, N> all = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<One, N>{coordinates<Poly>(*motions[I])...};
-  }
-  (std::make_index_sequence<N>());
+template <class Poly>
+auto coordinates(const Length& length) {
+  return Length_coordinate<Poly>(length);
+}
+
+/// A trajectory or length, with the least power of two as the denominator that makes its
+/// coefficients integers.
+template <class Given>
+auto scaled_alone(const Given& given) {
+  const auto one = coordinates<Polynomial>(given);
   Exponents exponents;
-  for (const One& one : all) one.add_to(exponents);
-  // The sum of two terms of a coordinate has a digit more.
-  if (exponents.above - exponents.least + 1 > most_bits) return false;
-  for (std::size_t i = 0; i < N; ++i) {
-    result[i] = all[i].scaled(exponents.least, Coefficient_of<Poly>(1));
-  }
-  return true;
+  one.add_to(exponents);
+  const int exponent = std::min(0, exponents.least);
+  return one.scaled(exponent, Integer(one.denominator) << -exponent);
+}
+
+/// The trajectories of motions, and lengths, times one common positive number, weights times its
+/// square, so that w is 1. None if the coefficient of a coordinate could have more than `most_bits`
+/// binary digits; coefficients of weights may have twice as many, and one, those of lengths two
+/// more. Precondition: the coordinates have one denominator.
+template <class Poly, class... Given>
+auto scaled_together(int most_bits, const Given&... given) {
+  const std::tuple all(coordinates<Poly>(given)...);
+  return std::apply(
+      [&](const auto& first, const auto&... others) {
+        constexpr int denominator = std::remove_cvref_t<decltype(first)>::denominator;
+        static_assert(((denominator == std::remove_cvref_t<decltype(others)>::denominator) && ...));
+        Exponents exponents;
+        first.add_to(exponents);
+        (others.add_to(exponents), ...);
+        using One = Coefficient_of<Poly>;
+        using Result =
+            std::tuple<decltype(first.scaled(0, One(1))), decltype(others.scaled(0, One(1)))...>;
+        // The sum of two terms of a coordinate has a digit more.
+        if (exponents.above - exponents.least + 1 > most_bits) return std::optional<Result>();
+        return std::optional<Result>(std::in_place, first.scaled(exponents.least, One(1)),
+                                     others.scaled(exponents.least, One(1))...);
+      },
+      all);
 }
 
 }  // namespace kinetri

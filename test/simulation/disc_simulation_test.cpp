@@ -307,11 +307,15 @@ TEST(Discs_of_any_size, have_the_first_contacts_of_all_pairs) {
     std::map<Edge_ids, Algebraic_number> expected;
     for (Point_id a = 0; a < motions.size(); ++a) {
       for (Point_id b = a + 1; b < motions.size(); ++b) {
-        const Certificate certificate = Disc_kinetic_traits_2::exact().contact_certificate(
-            Moving_disc_2(motions[a], a), Moving_disc_2(motions[b], b), 0, 0.0);
-        if (certificate.failure && *certificate.failure <= Algebraic_number(6.0)) {
-          expected.emplace(Edge_ids{a, b}, *certificate.failure);
-        }
+        const Moving_disc_2 p(motions[a], a);
+        const Moving_disc_2 q(motions[b], b);
+        const auto exact = Disc_kinetic_traits_2::exact();
+        const Certificate certificate = exact.contact_certificate(p, q, 0, 0.0);
+        if (certificate.kind == Certificate::Kind::never_fails) continue;
+        const Algebraic_number time = certificate.failure
+                                          ? *certificate.failure
+                                          : exact.contact_failure(p, q, 0, certificate.bounds);
+        if (time <= Algebraic_number(6.0)) expected.emplace(Edge_ids{a, b}, time);
       }
     }
     Discs simulation(motions, responding(log_contact));

@@ -14,6 +14,7 @@
 #include <random>
 #include <type_traits>
 
+#include "kinetic/exact_certificates.h"
 #include "kinetic/filter/filter.h"
 #include "kinetic/filter/precise_filter.h"
 #include "kinetri/algebra/real_roots.h"
@@ -206,8 +207,6 @@ bool expect_true_contact(const Filter_result& result, const Certificate& exact,
 template <class Disc>
 void expect_true_contacts(int flavor, int cases) {
   using Point = Basic_moving_point_2<Disc>;
-  using Traits = Basic_kinetic_traits_2<Disc>;
-  const Traits exact = Traits::exact();
   int decided = 0;
   int contacts = 0;
   int rounded = 0;
@@ -225,7 +224,7 @@ void expect_true_contacts(int flavor, int cases) {
     const Filter_result result =
         test::in_mode(mode, [&] { return filter_contact(m[0], m[1], diameter, now); });
     const Polynomial gap = contact_polynomial(p, q, diameter);
-    decided += expect_true_contact(result, exact.contact_certificate(p, q, diameter, t), now);
+    decided += expect_true_contact(result, exact_contact_certificate(gap, t), now);
     if (result.kind != Filter_result::Kind::unknown && !result.may_vanish) {
       EXPECT_EQ(gap.sign_at(to_rational(t)), CGAL::POSITIVE);
     }
@@ -250,7 +249,7 @@ void expect_true_contacts(int flavor, int cases) {
       const Polynomial inside = wall_polynomial(p, wall);
       const Filter_result at_wall =
           test::in_mode(mode, [&] { return filter_wall_contact(m[0], wall, now); });
-      expect_true_contact(at_wall, exact.wall_certificate(p, wall, t), now);
+      expect_true_contact(at_wall, exact_contact_certificate(inside, t), now);
       const Double_interval interval = {t, t + 0x1p-20};
       if (test::in_mode(mode, [&] { return certainly_inside(m[0], wall, interval); })) {
         EXPECT_EQ(inside.sign_at(to_rational(t)), CGAL::POSITIVE);
@@ -338,7 +337,6 @@ TEST(Disc_filter, knows_nothing_where_numbers_overflow) {
 // A point passes a growing disc, of which the radius is a small difference of large numbers, just
 // so that it touches the rim or does not.
 TEST(Disc_filter, of_discs_that_pass_at_a_touch_never_contradicts_exact_arithmetic) {
-  const Disc_kinetic_traits_2 exact = Disc_kinetic_traits_2::exact();
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> share(0.1, 0.5);
   int decided = 0;
@@ -355,7 +353,9 @@ TEST(Disc_filter, of_discs_that_pass_at_a_touch_never_contradicts_exact_arithmet
     SCOPED_TRACE(test::describe_discs(std::array{p, q}));
     const Filter_result result = filter_contact(p, q, 0, {0, 0});
     decided += expect_true_contact(
-        result, exact.contact_certificate(Moving_disc_2(p), Moving_disc_2(q), 0, 0.0), {0, 0});
+        result,
+        exact_contact_certificate(contact_polynomial(Moving_disc_2(p), Moving_disc_2(q), 0), 0.0),
+        {0, 0});
     if (HasFailure()) return;
   }
   EXPECT_GT(decided, 100);

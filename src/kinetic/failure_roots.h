@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The polynomials of failures that floating point or Sturm counts have bracketed, made when an
+// exact decision needs them.
+#ifndef KINETRI_SRC_KINETIC_FAILURE_ROOTS_H
+#define KINETRI_SRC_KINETIC_FAILURE_ROOTS_H
+
+#include <array>
+#include <optional>
+
+#include "filter/disc_filter.h"
+#include "filter/precise_filter.h"
+#include "filter/weighted_differences.h"
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
+#include "polynomial_on_stack.h"
+
+namespace kinetri {
+
+template <class Motion>
+struct In_circle_root : Root_source {
+  using Point = Basic_moving_point_2<Motion>;
+  In_circle_root(const Point& a, const Point& b, const Point& c, const Point& d)
+      : p(a.motion()), q(b.motion()), r(c.motion()), s(d.motion()) {}
+  Polynomial polynomial() const override {
+    return in_circle_polynomial(Point(p), Point(q), Point(r), Point(s));
+  }
+  double certain_value_at(double high, double low) const override {
+    return precise_in_circle(p, q, r, s, high, low);
+  }
+  std::optional<Rounding> rounded(const Double_interval& bracket) const override {
+    if constexpr (is_linear<Motion>) {
+      if constexpr (HasWeight<Motion>) {
+        if (!have_same_weight_numbers(std::array{&p, &q, &r, &s})) return std::nullopt;
+      }
+      return rounded_in_circle(p, q, r, s, bracket);
+    } else {
+      return std::nullopt;
+    }
+  }
+  Motion p, q, r, s;
+};
+
+template <class Motion>
+struct Orientation_root : Root_source {
+  using Point = Basic_moving_point_2<Motion>;
+  Orientation_root(const Point& a, const Point& b, const Point& c)
+      : p(a.motion()), q(b.motion()), r(c.motion()) {}
+  Polynomial polynomial() const override {
+    return orientation_polynomial(Point(p), Point(q), Point(r));
+  }
+  double certain_value_at(double high, double low) const override {
+    return precise_orientation(p, q, r, high, low);
+  }
+  Motion p, q, r;
+};
+
+template <class Motion>
+struct Contact_root : Root_source {
+  using Point = Basic_moving_point_2<Motion>;
+  Contact_root(const Point& a, const Point& b, double d)
+      : p(a.motion()), q(b.motion()), diameter(d) {}
+  Polynomial polynomial() const override {
+    return contact_polynomial(Point(p), Point(q), diameter);
+  }
+  double certain_value_at(double high, double low) const override {
+    return precise_contact(p, q, diameter, high, low);
+  }
+  std::optional<Rounding> rounded(const Double_interval& bracket) const override {
+    if constexpr (is_linear<Motion>) {
+      return rounded_contact(p, q, diameter, bracket);
+    } else {
+      return std::nullopt;
+    }
+  }
+  Motion p, q;
+  double diameter;
+};
+
+template <class Motion>
+struct Distance_root : Root_source {
+  using Point = Basic_moving_point_2<Motion>;
+  Distance_root(const Point& a, const Point& b, const Point& c, const Point& d)
+      : p(a.motion()), q(b.motion()), r(c.motion()), s(d.motion()) {}
+  Polynomial polynomial() const override {
+    return distance_comparison_polynomial(Point(p), Point(q), Point(r), Point(s));
+  }
+  double certain_value_at(double high, double low) const override {
+    return precise_distance_comparison(centre(p), centre(q), centre(r), centre(s), high, low);
+  }
+  std::optional<Rounding> rounded(const Double_interval& bracket) const override {
+    if constexpr (is_linear<Motion>) {
+      return rounded_distance_comparison(centre(p), centre(q), centre(r), centre(s), bracket);
+    } else {
+      return std::nullopt;
+    }
+  }
+  Motion p, q, r, s;
+};
+
+/// Of motion that is not linear: there the root is not rational.
+template <class Motion>
+struct Wall_root : Root_source {
+  using Point = Basic_moving_point_2<Motion>;
+  Wall_root(const Point& a, const Wall_2& w) : p(a.motion()), wall(w) {}
+  Polynomial polynomial() const override { return wall_polynomial(Point(p), wall); }
+  Motion p;
+  Wall_2 wall;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SRC_KINETIC_FAILURE_ROOTS_H
