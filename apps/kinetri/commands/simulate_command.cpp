@@ -136,8 +136,8 @@ Command simulate_command() {
       "nothing touches.",
       "Discs that grow may get jammed, with any response: then they have no room left between one "
       "another or between walls, and the run ends, with the outputs of what happened until then. "
-      "So it "
-      "does where points are pressed against a wall or each other, and no response separates them.",
+      "It ends in the same way if points are pressed against a wall or each other, and no response "
+      "separates them.",
       "Ctrl-C stops the run after the events of the present time, and the outputs hold what "
       "happened until then. Where that takes longer than 0.4 s, and 5 s more for each million "
       "points, "
