@@ -8,9 +8,8 @@
 #include <version>
 
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
-#include <locale.h>
-
 #include <algorithm>
+#include <clocale>
 #include <cmath>
 #include <cstdlib>
 #include <string>
