@@ -88,6 +88,12 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
     return event != no_event && queue_[event].is_event &&
            queue_.time_of(queue_[event]) == current_time();
   };
+  // Of an exact certificate; `from_bounds` makes the time where that has not been done yet.
+  const auto failure_of = [](const Certificate& certificate,
+                             const auto& from_bounds) -> std::optional<Time> {
+    if (certificate.kind == Certificate::Kind::never_fails) return std::nullopt;
+    return certificate.failure ? *certificate.failure : from_bounds(certificate.bounds);
+  };
   const Traits exact = traits_.exact();
   for (Point_id id = 0; options_.box && id < triangulation_.next_id(); ++id) {
     if (!triangulation_.contains(id)) continue;
@@ -98,9 +104,10 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
       }
       if (level < Audit_level::certificates) continue;
       const Certificate certificate = exact.wall_certificate(point(id), wall, current_time());
-      if (certificate.failure && (!first || *certificate.failure < *first)) {
-        first = *certificate.failure;
-      }
+      const std::optional<Time> failure = failure_of(certificate, [&](const auto& bounds) {
+        return exact.wall_failure(point(id), wall, bounds);
+      });
+      if (failure && (!first || *failure < *first)) first = failure;
     }
     if (level < Audit_level::certificates) continue;
     compare("point " + std::to_string(id), contacts(id).wall_event, first);
@@ -137,7 +144,9 @@ Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   for (const auto& [a, b] : watched) {
     const Certificate certificate = pair_certificate({a, b}, current_time(), exact);
     compare(pair_name(a, b), find_pair({a, b}),
-            certificate.failure ? std::optional(*certificate.failure) : std::nullopt);
+            failure_of(certificate, [&, a = a, b = b](const auto& bounds) {
+              return exact.contact_failure(point(a), point(b), diameter_, bounds);
+            }));
   }
   return report;
 }
