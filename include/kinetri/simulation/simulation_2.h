@@ -587,7 +587,8 @@ class Simulation_2 : private Event_observer {
   template <class Is_another_due>
   bool note_contact(const Entry& contact, const Is_another_due& is_another_due);
   void check_limit(const Entry& entry, std::uint64_t contacts) const;
-  [[noreturn]] void refuse_press(Point_id id, const std::string& who, const Time& now) const;
+  [[noreturn]] void refuse_press(Point_id id, const std::string& who, const std::string& remedy,
+                                 const Time& now) const;
   using Change = typename Triangulation::Change;
   void hit_wall(Point_id id, std::size_t wall);
   Change reflection(Point_id id, std::size_t wall, const Time& now) const;
