@@ -58,6 +58,7 @@ struct Points_file {
   std::vector<std::string> labels;
   /// The names of the other columns, as messages show them: in quotes, printable, not too long.
   std::vector<std::string> ignored_columns;
+  std::size_t comment_lines = 0;  ///< lines that begin with #, and are no points
 
   /// The number of points, of either kind.
   std::size_t number_of_points() const { return lines.size(); }
