@@ -57,8 +57,15 @@ void Points_source::read() {
 }
 
 std::vector<std::string> Points_source::remarks() const {
-  if (points_.ignored_columns.empty()) return {};
-  return {joined("columns that are ignored: ", separated(points_.ignored_columns, ", "))};
+  std::vector<std::string> result;
+  if (!points_.ignored_columns.empty()) {
+    result.push_back(
+        joined("columns that are ignored: ", separated(points_.ignored_columns, ", ")));
+  }
+  if (points_.comment_lines > 0) {
+    result.push_back(joined(counted(points_.comment_lines, "line"), " left out, beginning with #"));
+  }
+  return result;
 }
 
 Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
