@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "io/tracks/degrees.h"
+#include "io/tracks/projection.h"
 #include "io/tracks/transverse_mercator.h"
 #include "kinetri/io/tracks_file.h"
+#include "support/precondition_error.h"
 #include "support/tracks_text.h"
 
 namespace kinetri {
@@ -319,6 +321,16 @@ TEST(Read_tracks_projection, goes_on_over_the_antimeridian) {
       read_options(places({{178, -18}, {178.01, -18}}), projected(Tracks_projection::utm));
   EXPECT_TRUE(contains(south.remarks.back(), "UTM, zone 60 south (EPSG:32760)"));
   EXPECT_NEAR(south.tracks[0].observations[0].place.y, 8009000, 2000);
+}
+
+TEST(Read_tracks_projection, preconditions_are_checked) {
+  Tracks_file file;
+  EXPECT_PRECONDITION_ERROR(project(file, "t.csv", Tracks_projection::none),
+                            "the projection makes no metres of degrees");
+  EXPECT_PRECONDITION_ERROR(transverse_mercator(90, 0),
+                            "a place is too far from the central meridian, or not on earth");
+  EXPECT_PRECONDITION_ERROR(read_options("", {.date_format = "%H"}),
+                            "the format of dates is wrong");
 }
 
 }  // namespace

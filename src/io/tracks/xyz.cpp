@@ -40,15 +40,14 @@ std::optional<std::string_view> value_of(std::string_view comment, std::string_v
 // CP2K, `Step: 10` of i-PI.
 std::optional<double> number_behind(std::string_view comment,
                                     std::initializer_list<std::string_view> names) {
-  std::string text(comment);
+  std::string text;
   // A comma or semicolon ends a word; a colon and an equals sign are words.
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == ',' || text[i] == ';') text[i] = ' ';
-    if (text[i] == ':' || text[i] == '=') {
-      text.insert(i, " ");
-      text.insert(i + 2, " ");
-      i += 2;
-    }
+  for (const char c : comment) {
+    const bool is_word = c == ':' || c == '=';
+    const bool is_end = c == ',' || c == ';';
+    if (is_word || is_end) text += ' ';
+    if (!is_end) text += c;
+    if (is_word) text += ' ';
   }
   std::vector<std::string_view> words;
   for_each_field_between_blanks(text, [&](std::string_view word) { words.push_back(word); });
