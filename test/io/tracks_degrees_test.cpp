@@ -196,11 +196,35 @@ TEST(Read_tracks_degrees, of_ships_without_a_place_are_no_observations) {
   EXPECT_EQ(file.rows_without_place, 2U);
 }
 
-TEST(Read_tracks_degrees, of_comments_above_rows_without_a_header) {
-  EXPECT_TRUE(contains(read_options_error("# id frame lon lat\n1 0 12 55\n1 1 12 56\n", {}),
-                       "t.csv:1: the comment names places in degrees"));
-  EXPECT_EQ(read_options("# site: lat 50.9, lon 6.4\n# id frame x y\n1 0 12 55\n", {}).observations,
-            1U);
+TEST(Read_tracks_degrees, are_known_by_comments) {
+  for (const char* const comment :
+       {"# id frame lon lat", "# x: longitude, y: latitude", "# coordinates in WGS84",
+        "# EPSG:4326", "# Longitude Latitude"}) {
+    SCOPED_TRACE(comment);
+    const std::string above = std::string(comment) + "\n";
+    for (const auto& [text, options] :
+         {std::pair{above + "1 0 12 55\n1 1 12 56\n", Tracks_file_options{}},
+          {above + "t,id,x,y\n0,a,12,55\n", Tracks_file_options{}},
+          {above + "t;id;x;y\n0;a;12;55\n", named("x", "y")}}) {
+      EXPECT_TRUE(contains(read_options_error(text, options),
+                           "t.csv:1: the comment says that places are in degrees"))
+          << text;
+      Tracks_file_options as_they_are = options;
+      as_they_are.projection = Tracks_projection::none;
+      as_they_are.fps = std::nullopt;
+      if (!contains(text, "1 0 12")) {
+        EXPECT_EQ(read_options(text, as_they_are).observations, 1U);
+      }
+    }
+  }
+  for (const char* const comment :
+       {"# site: lat 50.9, lon 6.4", "# WGS 84 / UTM zone 32N", "# the lateral position", "# id"}) {
+    const std::string above = std::string(comment) + "\n";
+    EXPECT_EQ(read_options(above + "# id frame x y\n1 0 12 55\n", {}).observations, 1U);
+    EXPECT_EQ(read_options(above + "t,id,x,y\n0,a,12,55\n", {}).observations, 1U);
+  }
+  // Degrees beside places in the plane.
+  EXPECT_EQ(read_options("# t id x y lon lat\n0 a 1 2 12 55\n", named("x", "y")).observations, 1U);
 }
 
 // ---- projections ----

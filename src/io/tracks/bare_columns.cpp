@@ -102,24 +102,14 @@ class Bare_columns_reader {
   // What a comment says must agree with how the file is read.
   void heed(std::string_view comment) {
     const Comment_signs signs = signs_in_comment(comment);
-    expect_no_degrees(comment);
+    // Beside x and y there may be degrees as well.
+    if (signs.column_names.empty() && says_degrees(comment)) {
+      expect_projection(input_, table_.line(), "the comment says that places are");
+    }
     if (!signs.column_names.empty() || signs.frame_rate || signs.unit) ++used_comments_;
     if (!signs.column_names.empty()) heed_names(signs);
     if (signs.frame_rate) heed_frame_rate(*signs.frame_rate);
     if (signs.unit) heed_unit(signs);
-  }
-
-  // A comment with longitude and latitude names columns, unless it says where something is.
-  void expect_no_degrees(std::string_view comment) const {
-    if (comment.find_first_of("0123456789") != std::string_view::npos) return;
-    bool has_longitude = false;
-    bool has_latitude = false;
-    for_each_field_between_blanks(comment, [&](std::string_view word) {
-      has_longitude = has_longitude || angle_in_name(word) == Angle::longitude;
-      has_latitude = has_latitude || angle_in_name(word) == Angle::latitude;
-    });
-    if (!has_longitude || !has_latitude) return;
-    expect_projection(input_, table_.line(), "the comment names places");
   }
 
   void heed_names(const Comment_signs& signs) {

@@ -132,6 +132,23 @@ Angle angle_in_name(std::string_view name) {
   return has_degrees ? Angle::degrees : Angle::none;
 }
 
+bool says_degrees(std::string_view comment) {
+  const std::string lower = in_lower_case(comment);
+  const auto has = [&](std::string_view text) { return lower.find(text) != std::string::npos; };
+  constexpr std::array<std::string_view, 4> projections = {"utm", "mercator", "easting",
+                                                           "northing"};
+  if (contains_one(lower, projections)) return false;
+  if (has("epsg:4326") || has("wgs84") || has("wgs 84") || has("crs84")) return true;
+  if (lower.find_first_of("0123456789") != std::string::npos) return false;
+  bool has_longitude = false;
+  bool has_latitude = false;
+  for (const std::string& word : words_of(comment)) {
+    has_longitude = has_longitude || is_longitude(word);
+    has_latitude = has_latitude || is_latitude(word);
+  }
+  return has_longitude && has_latitude;
+}
+
 void Signs_of_degrees::note(const Vector_2& place, std::string_view x, std::string_view y) {
   ++rows_;
   are_in_range_ = are_in_range_ && std::abs(place.x) <= 180 && std::abs(place.y) <= 90;

@@ -28,6 +28,10 @@ enum class Angle {
 /// `longitudinal` such words.
 Angle angle_in_name(std::string_view name);
 
+/// Whether a comment says that places are longitude and latitude: it names the two, without
+/// numbers, or the reference system WGS 84 (EPSG:4326) without a projection such as UTM.
+bool says_degrees(std::string_view comment);
+
 /// What in the rows of a table shows degrees, where no name says what places are: dates as times,
 /// numbers that are in the range of degrees, at least half of which have four decimals or more, and
 /// motion that would be slow in metres, and not too fast in degrees.

@@ -33,6 +33,10 @@ class Rows_reader {
         builder_(input.name, input.options.duplicates) {}
 
   Tracks_file read() {
+    table_.watch_comments([this](std::string_view comment) {
+      if (!says_degrees(comment)) return;
+      expect_projection(input_, table_.line(), "the comment says that places are");
+    });
     const bool is_automatic = input_.options.format == Tracks_format::automatic;
     columns_ = table_.read_header(
         columns_of_rows, required_columns,

@@ -124,6 +124,13 @@ class Named_columns_reader {
                              quoted(of_y), " say");
   }
 
+  // Where the names of the columns do not say it.
+  void expect_no_degrees_in_comment(std::size_t line) {
+    if (line == 0 || !degrees_remark_.empty()) return;
+    expect_projection(input_, line, "the comment says that places are");
+    degrees_remark_ = "places are degrees, as a comment says";
+  }
+
   // ---- the header ----
 
   // The first row of a table without a header.
@@ -171,16 +178,27 @@ class Named_columns_reader {
   // The first row, if the header is a comment above it.
   std::optional<std::string_view> read_header() {
     std::string last_comment;
-    table_.watch_comments([&](std::string_view comment) { last_comment = comment; });
+    std::size_t line_of_degrees = 0;  // of a comment above the last one
+    std::size_t last_line = 0;
+    table_.watch_comments([&](std::string_view comment) {
+      if (says_degrees(last_comment)) line_of_degrees = last_line;
+      last_comment = comment;
+      last_line = table_.line();
+    });
     const auto line = table_.next();
     table_.watch_comments({});
     if (line) {
       if (take_header(*line)) {
+        if (says_degrees(last_comment)) line_of_degrees = last_line;
+        expect_no_degrees_in_comment(line_of_degrees);
         table_.watch_rows([this](std::string_view row) { return is_row(row); });
         return table_.next();
       }
       is_header_comment_ = true;
-      if (take_header(last_comment)) return line;
+      if (take_header(last_comment)) {
+        expect_no_degrees_in_comment(line_of_degrees);
+        return line;
+      }
     }
     if (!line) {
       throw Input_error(input_.name, 1,

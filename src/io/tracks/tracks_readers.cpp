@@ -107,6 +107,13 @@ bool is_word(std::string_view field) {
 
 namespace {
 
+// As 20230305235959, a number whose differences are no seconds.
+bool is_date_of_digits(std::string_view field) {
+  constexpr std::size_t digits = 14;
+  return field.size() == digits && (field.starts_with("19") || field.starts_with("20")) &&
+         parse_timestamp(field, "%Y%m%d%H%M%S").problem.empty();
+}
+
 // Of a time in a form that is not asked for.
 std::string problem_of_time(std::string_view field) {
   std::string formats;
@@ -145,7 +152,7 @@ Parsed_time parse_time(std::string_view field, std::string_view column,
   } else {
     const Parsed_number parsed = parse_number(field);
     result.value.number = parsed.value;
-    if (!parsed.problem.empty()) {
+    if (!parsed.problem.empty() || is_date_of_digits(field)) {
       const std::string of_date = problem_of_time(field);
       fail(of_date.empty() ? std::string(parsed.problem) : of_date);
     }
