@@ -98,6 +98,11 @@ void Periodic_widths::unwrap(Tracks_file& file, const std::string& name) const {
         crossings += images == 0 ? 0 : 1;
         turns[direction] -= images;
         *coordinates[direction] += turns[direction] * width;
+        if (!std::isfinite(*coordinates[direction])) {
+          fail(next.line, joined("the place of atom ", quoted(track.id),
+                                 " beyond the box is out of "
+                                 "the range of binary64; expected smaller numbers"));
+        }
       }
       last = wrapped;
     }
