@@ -199,7 +199,7 @@ TEST(Read_tracks_degrees, of_ships_without_a_place_are_no_observations) {
 TEST(Read_tracks_degrees, are_known_by_comments) {
   for (const char* const comment :
        {"# id frame lon lat", "# x: longitude, y: latitude", "# coordinates in WGS84",
-        "# EPSG:4326", "# Longitude Latitude"}) {
+        "# EPSG:4326", "# Longitude Latitude", "# x/deg y/deg", "# X [degrees], Y [degrees]"}) {
     SCOPED_TRACE(comment);
     const std::string above = std::string(comment) + "\n";
     for (const auto& [text, options] :

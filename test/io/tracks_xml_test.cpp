@@ -102,6 +102,21 @@ TEST(Read_tracks_sumo_degrees, are_known_by_the_comment) {
   }
 }
 
+TEST(Read_tracks_sumo_degrees, are_suspected_by_speeds) {
+  const auto file = [](const char* first, const char* second) {
+    const auto vehicle = [](const char* place) {
+      return "<vehicle id=\"a\" " + std::string(place) + " speed=\"10\"/></timestep>";
+    };
+    return "<fcd-export><timestep time=\"0\">" + vehicle(first) + "<timestep time=\"1\">" +
+           vehicle(second) + "</fcd-export>";
+  };
+  const std::string degrees = file("x=\"12.5\" y=\"55.5\"", "x=\"12.50015\" y=\"55.5\"");
+  EXPECT_TRUE(contains(read_options_error(degrees, {}), "the places look like degrees"));
+  EXPECT_EQ(read_options(degrees, {.projection = Tracks_projection::none}).observations, 2U);
+  EXPECT_EQ(read_options(file("x=\"12.5\" y=\"55.5\"", "x=\"22.5\" y=\"55.5\""), {}).observations,
+            2U);
+}
+
 #endif
 
 }  // namespace

@@ -51,6 +51,8 @@ bool is_among(std::string_view word, std::span<const std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+constexpr std::array<std::string_view, 4> degree_words = {"deg", "degs", "degree", "degrees"};
+
 // Words that stand before or behind lon and lat without a sign between.
 constexpr std::array<std::string_view, 51> companions = {
     "",       "gps",   "gnss",  "pos",     "position", "geo",    "dec",    "decimal", "loc",
@@ -119,12 +121,11 @@ Angle angle_in_name(std::string_view name) {
                                                         "km", "cm",    "mm",     "ft",    "feet",
                                                         "px", "pixel", "pixels"};
   constexpr std::array<std::string_view, 3> radians = {"rad", "radian", "radians"};
-  constexpr std::array<std::string_view, 4> degrees = {"deg", "degs", "degree", "degrees"};
   const std::vector<std::string> words = words_of(name);
   if (words.empty()) return Angle::none;
   const auto has = [&](auto test) { return std::any_of(words.begin(), words.end(), test); };
-  const bool has_degrees =
-      has([&](const std::string& w) { return is_among(w, degrees); }) || has_sign_of_degrees(name);
+  const bool has_degrees = has([&](const std::string& w) { return is_among(w, degree_words); }) ||
+                           has_sign_of_degrees(name);
   if (words.size() > 1 && is_among(words.back(), lengths) && !has_degrees) return Angle::none;
   if (has([&](const std::string& w) { return is_among(w, radians); })) return Angle::radians;
   if (has(is_longitude)) return Angle::longitude;
@@ -139,10 +140,14 @@ bool says_degrees(std::string_view comment) {
                                                            "northing"};
   if (contains_one(lower, projections)) return false;
   if (has("epsg:4326") || has("wgs84") || has("wgs 84") || has("crs84")) return true;
+  const std::vector<std::string> words = words_of(comment);
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if ((words[i] == "x" || words[i] == "y") && is_among(words[i + 1], degree_words)) return true;
+  }
   if (lower.find_first_of("0123456789") != std::string::npos) return false;
   bool has_longitude = false;
   bool has_latitude = false;
-  for (const std::string& word : words_of(comment)) {
+  for (const std::string& word : words) {
     has_longitude = has_longitude || is_longitude(word);
     has_latitude = has_latitude || is_latitude(word);
   }

@@ -29,7 +29,8 @@ enum class Angle {
 Angle angle_in_name(std::string_view name);
 
 /// Whether a comment says that places are longitude and latitude: it names the two, without
-/// numbers, or the reference system WGS 84 (EPSG:4326) without a projection such as UTM.
+/// numbers, or x or y in degrees (x/deg), or the reference system WGS 84 (EPSG:4326) without a
+/// projection such as UTM.
 bool says_degrees(std::string_view comment);
 
 /// What in the rows of a table shows degrees, where no name says what places are: dates as times,

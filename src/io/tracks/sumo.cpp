@@ -3,10 +3,12 @@
 // Tracks as floating-car data of SUMO (--fcd-output): <fcd-export> with elements <timestep
 // time="..">, and in these <vehicle id=".." x=".." y=".."/>, <person> and <container>. A comment
 // above shows the configuration of SUMO; with fcd-output.geo in it, places are degrees.
+#include <cmath>
 #include <map>
 
 #include "io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/io/points_file.h"
 #include "xml.h"
 
 namespace kinetri {
@@ -21,6 +23,7 @@ class Sumo_reader : public Xml_tracks {
 
   Tracks_file read() {
     parse();
+    expect_no_doubt();
     Tracks_file result = builder_.finish();
     result.format = Tracks_format::sumo;
     if (are_degrees_) {
@@ -74,14 +77,45 @@ class Sumo_reader : public Xml_tracks {
     row.line = line();
     for (const auto& [name, value] : attributes) has_third_ = has_third_ || name == "z";
     expect_kind(row, kind);
+    for (const auto& [name, value] : attributes) {
+      if (name == "speed") note_speed(row, parse_number(value));
+    }
     builder_.add(row);
+  }
+
+  // In degrees, things hardly move at the speed that they have in metres.
+  void note_speed(const Tracks_row& row, const Parsed_number& speed) {
+    if (!speed.problem.empty()) return;
+    are_in_range_ = are_in_range_ && std::abs(row.place.x) <= 180 && std::abs(row.place.y) <= 90;
+    Kind& known = kinds_.find(row.id)->second;
+    const double duration = time_ - known.time;
+    if (known.has_place && duration > 0) {
+      way_ += std::hypot(row.place.x - known.place.x, row.place.y - known.place.y);
+      way_by_speed_ += speed.value * duration;
+    }
+    known.has_place = true;
+    known.time = time_;
+    known.place = row.place;
+  }
+
+  void expect_no_doubt() const {
+    constexpr double greatest_quotient = 0.001;
+    if (input().options.projection != Tracks_projection::refused || !are_in_range_) return;
+    if (!(way_ < greatest_quotient * way_by_speed_)) return;
+    throw Input_error(
+        input().name, 0,
+        joined("the places look like degrees (fcd-output.geo): they are within 180 and 90, and "
+               "things go ",
+               way_, " where their speeds make ", way_by_speed_,
+               "; expected --projection local or --projection utm if they are longitude and "
+               "latitude, or --projection none, which takes them as they are"));
   }
 
   // A vehicle and a person with one id are two things.
   void expect_kind(const Tracks_row& row, std::string_view kind) {
     const auto found = kinds_.find(row.id);
     if (found == kinds_.end()) {
-      kinds_.emplace(row.id, Kind{std::string(kind), row.line});
+      kinds_.emplace(row.id, Kind{.name = std::string(kind), .line = row.line});
     } else if (found->second.name != kind) {
       fail(joined("id ", quoted(row.id), " is a ", kind, ", but a ", found->second.name,
                   " in line ", found->second.line, "; expected ids that differ"));
@@ -91,12 +125,18 @@ class Sumo_reader : public Xml_tracks {
   struct Kind {
     std::string name;
     std::size_t line;
+    bool has_place = false;  // the last one
+    double time = 0;
+    Vector_2 place = {};
   };
 
   Tracks_builder builder_;
   bool is_in_timestep_ = false;
   bool are_degrees_ = false;
   bool has_third_ = false;
+  bool are_in_range_ = true;
+  double way_ = 0;           // of all things
+  double way_by_speed_ = 0;  // as their speeds say
   double time_ = 0;
   std::map<std::string, Kind, std::less<>> kinds_;  // of each id
 };
