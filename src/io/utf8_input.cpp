@@ -17,8 +17,14 @@ std::optional<Byte_order> byte_order(std::string_view head) {
   using namespace std::string_view_literals;
   if (head.starts_with("\xFF\xFE"sv)) return Byte_order::little;
   if (head.starts_with("\xFE\xFF"sv)) return Byte_order::big;
-  if (head.size() < 2 || (head[0] == '\0') == (head[1] == '\0')) return std::nullopt;
-  return head[0] == '\0' ? Byte_order::big : Byte_order::little;
+  // Without a mark: two characters of ASCII.
+  if (head.size() < 4) return std::nullopt;
+  const auto are_zero = [head](std::size_t first) {
+    return head[first] == '\0' && head[first + 2] == '\0' && head[1 - first] != '\0' &&
+           head[3 - first] != '\0';
+  };
+  if (are_zero(0)) return Byte_order::big;
+  return are_zero(1) ? std::optional(Byte_order::little) : std::nullopt;
 }
 
 void append_utf8(std::string& text, std::uint32_t code) {
@@ -120,8 +126,8 @@ Replayed_buffer::int_type Replayed_buffer::underflow() {
 }
 
 Utf8_input::Utf8_input(std::istream& in) {
-  std::string head(2, '\0');
-  in.read(head.data(), 2);
+  std::string head(4, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
   // What fails now fails again when it is read.
   head.resize(static_cast<std::size_t>(in.gcount()));
   const auto order = byte_order(head);

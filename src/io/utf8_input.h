@@ -27,8 +27,8 @@ class Replayed_buffer : public std::streambuf {
 };
 
 /// A stream in UTF-8 of one in UTF-8 or another encoding of bytes, which is not changed, or in
-/// UTF-16 with a byte order mark, or without one if its first character is ASCII. Half of a pair of
-/// surrogates keeps its code; half a unit at the end is U+FFFD.
+/// UTF-16 with a byte order mark, or without one if its first two characters are ASCII. Half of a
+/// pair of surrogates keeps its code; half a unit at the end is U+FFFD.
 class Utf8_input {
  public:
   /// Takes a few bytes of `in`, which must outlive it.
