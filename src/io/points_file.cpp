@@ -289,7 +289,9 @@ Parsed_number parse_number(std::string_view text) {
 
 Points_file read_points(std::istream& in, const std::string& name) {
   Utf8_input utf8(in);
-  return Points_reader(utf8.stream(), name).read();
+  Points_file result = Points_reader(utf8.stream(), name).read();
+  result.is_utf16 = utf8.is_converted();
+  return result;
 }
 
 Points_file read_points_file(const std::string& path) {

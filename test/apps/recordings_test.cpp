@@ -106,7 +106,8 @@ TEST_F(Recordings, are_read_as_the_messages_advise) {
   const std::string many = "780 1 8 0 3 1\n786 1 9 0 3 1\n780 2 8 5 3 1\n786 2 9 5 3 1\n";
   expect_advice(many, {}, "--format table --columns t=1,id=2,x=3,y=4", by_number);
   expect_advice(many, {"--format", "frames"}, "expected 4", by_number);
-  expect_advice(many, {"--format", "ids"}, "--format table --columns t=1,id=2,x=3,y=4", by_number);
+  expect_advice("1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n", {"--format", "ids"},
+                "--format table --columns t=1,id=2,x=3,y=4", by_number);
   expect_advice("1,1,10,20,5\n2,1,11,20,5\n", {}, "--columns t=1,id=2,x=3,y=4",
                 {"--columns", "t=1,id=2,x=3,y=4"});
   expect_advice("1,1,10,20,5\n2,1,11,20,5\n", {"--format", "frames"},
@@ -162,6 +163,17 @@ TEST_F(Recordings, say_in_the_summary_what_was_left_out) {
   EXPECT_TRUE(says(points, "kinetri: 2 points")) << points.err;
   EXPECT_TRUE(says(points, "1 line left out, beginning with #")) << points.err;
   EXPECT_TRUE(says(points, "columns that are ignored: 'z', 'vz'")) << points.err;
+}
+
+TEST_F(Recordings, in_utf16_are_read_and_verified) {
+  const std::string text = "x,y,vx,vy\n0,0,1,0\n5,5,-1,0\n0,9,0,0\n";
+  std::string wide = "\xFF\xFE";
+  for (const char c : text) wide += {c, '\0'};
+  write("p.csv", wide);
+  const Outcome points = run({"simulate", "p.csv", "--until", "3"});
+  EXPECT_EQ(points.exit_code, 0) << points.err;
+  EXPECT_TRUE(says(points, "kinetri: 3 points")) << points.err;
+  EXPECT_TRUE(says(points, "the file is in UTF-16, read as UTF-8")) << points.err;
 }
 
 // ---- a ball at rest ----

@@ -61,6 +61,7 @@ struct Points_file {
   std::vector<std::string> labels;
   /// The names of the other columns, as messages show them: in quotes, printable, not too long.
   std::vector<std::string> ignored_columns;
+  bool is_utf16 = false;          ///< whether the file was in UTF-16
   std::size_t comment_lines = 0;  ///< lines that begin with #, and are no points
 
   /// The number of points, of either kind.
