@@ -284,9 +284,10 @@ TEST(Read_tracks_dates, that_do_not_fit_the_form_are_errors) {
 }
 
 TEST(Read_tracks_dates, the_message_about_another_form_gives_an_option_that_works) {
-  for (const char* const date : {"05/03/2023 00:00:00", "5/3/2023 0:00", "05.03.2023 00:00:00",
-                                 "2023/03/05 00:00:00", "20230305T000000Z", "20230305000000",
-                                 "03/05/2023 12:00:00 AM", "05 Mar 2023 00:00:00", "05/03/2023"}) {
+  for (const char* const date :
+       {"05/03/2023 00:00:00", "5/3/2023 0:00", "05.03.2023 00:00:00", "2023/03/05 00:00:00",
+        "20230305T000000Z", "20230305000000", "03/05/2023 12:00:00 AM", "05 Mar 2023 00:00:00",
+        "05/03/2023", "05-Mar-2023 00:00:00", "Sun Mar 5 00:00:00 2023"}) {
     SCOPED_TRACE(date);
     const std::string text = "t,id,x,y\n" + std::string(date) + ",a,1,2\n";
     const std::string error = read_options_error(text, {});
@@ -299,6 +300,14 @@ TEST(Read_tracks_dates, the_message_about_another_form_gives_an_option_that_work
       EXPECT_EQ(read_options_error(text, {.date_format = format}), "") << format;
     }
   }
+}
+
+TEST(Read_tracks_dates, that_no_form_fits_are_told_which_forms_there_are) {
+  EXPECT_EQ(
+      test::rows_error("t,id,x,y\n12:00:01,a,1,2\n"),
+      "t.csv:2: the column t is '12:00:01', which is neither a number nor a date in ISO 8601, "
+      "as 2024-05-01T12:00:00Z is; expected one of the two, or --date-format for dates in "
+      "another form");
 }
 
 TEST(Read_tracks_dates, the_header_of_a_comment_is_named_with_or_without_its_sign) {

@@ -121,6 +121,11 @@ std::string problem_of_time(std::string_view field) {
     if (!parse_timestamp(field, format).problem.empty()) continue;
     append(formats, formats.empty() ? "" : " or ", "--date-format '", format, "'");
   }
+  if (formats.empty() && field.find(':') != std::string_view::npos) {
+    return "is neither a number nor a date in ISO 8601, as 2024-05-01T12:00:00Z is; expected one "
+           "of "
+           "the two, or --date-format for dates in another form";
+  }
   if (formats.empty()) return {};
   return joined("is a date, but not in ISO 8601, as 2024-05-01T12:00:00Z is; expected that, or ",
                 formats);
