@@ -112,24 +112,10 @@ class Table {
     while (std::getline(in_, text)) {
       if (++line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
       if (text.ends_with('\r')) text.pop_back();
-      if (text.starts_with('#') || text.find_first_not_of(" \t") == std::string::npos) continue;
+      if (text.find_first_not_of(" \t") == std::string::npos) continue;
+      if (text.starts_with('#') && !is_row(text)) continue;
       if (header_.empty() && text.find(',') == std::string::npos) separator_ = ';';
-      fields_.assign(1, "");
-      bool is_quoted = false;
-      for (const char c : text) {
-        if (c == '"') {
-          is_quoted = !is_quoted;
-        } else if (c == separator_ && !is_quoted) {
-          fields_.emplace_back();
-        } else {
-          fields_.back() += c;
-        }
-      }
-      for (std::string& field : fields_) {  // without blanks around it
-        field.erase(0, field.find_first_not_of(" \t"));
-        field.erase(field.find_last_not_of(" \t") + 1);
-      }
-      if (is_quoted) fail("a quotation mark is not closed");
+      if (!split(text)) fail("a quotation mark is not closed");
       if (header_.empty() || fields_.size() == header_.size()) return true;
       fail("the row has " + std::to_string(fields_.size()) + " fields; expected " +
            std::to_string(header_.size()) + ", one for each column of the header");
@@ -182,6 +168,40 @@ class Table {
   }
 
  private:
+  // Takes the fields of the line. False if a quotation mark is not closed.
+  bool split(const std::string& text) {
+    fields_.assign(1, "");
+    bool is_quoted = false;
+    for (const char c : text) {
+      if (c == '"') {
+        is_quoted = !is_quoted;
+      } else if (c == separator_ && !is_quoted) {
+        fields_.emplace_back();
+      } else {
+        fields_.back() += c;
+      }
+    }
+    for (std::string& field : fields_) {  // without blanks around it
+      field.erase(0, field.find_first_not_of(" \t"));
+      field.erase(field.find_last_not_of(" \t") + 1);
+    }
+    return !is_quoted;
+  }
+
+  // Whether the line, which begins with #, is that of a point: its first column is the label, and
+  // its numbers are numbers.
+  bool is_row(const std::string& text) {
+    static const std::set<std::string_view> of_numbers = {
+        "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "growth", "mass", "z", "vz"};
+    if (header_.empty() || header_.front() != "id" || !split(text)) return false;
+    if (fields_.size() != header_.size()) return false;
+    for (std::size_t i = 0; i < header_.size(); ++i) {
+      double value = 0;
+      if (of_numbers.contains(header_[i]) && !read_number(fields_[i], value)) return false;
+    }
+    return true;
+  }
+
   std::string path_;
   std::ifstream in_;
   std::vector<std::string> header_, fields_;

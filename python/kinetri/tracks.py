@@ -195,6 +195,7 @@ class Tracks(TrackAnswers):
     @classmethod
     def read(cls, path: Path, *, format: str = "auto", fps: float | None = None,
              columns: Mapping[str, str] | None = None, projection: str | None = None,
+             date_format: str | None = None, duplicates: str | None = None, unwrap: str | None = None,
              max_gap: float | None = None) -> Tracks:
         """Tracks of a file, in the formats that the program reads.
 
@@ -205,17 +206,26 @@ class Tracks(TrackAnswers):
         format : str
             One of `auto` (what the content shows), `rows` (CSV with the columns t, id, x, y, and perhaps
             radius), `frames` (frame id x y), `ids` (id frame x y), `table` (see `columns`), `jupedsim`
-            (SQLite), `sumo` (XML), `lammps`, `xyz` and `geojson`.
+            (SQLite), `sumo` (XML), `lammps`, `xyz`, `geojson`, `gpx` and `trackmate` (XML).
         fps : float, optional
             Frames per unit of time, where times are numbers of frames; by default the rate that the file
             gives, or 1.
         columns : dict, optional
             Which columns of a table with a header are `t`, `id`, `x`, `y` and perhaps `radius`, as in
-            ``{"t": "time", "id": "name", "x": "E", "y": "N"}``; in GeoJSON, which properties are `t` and
-            `id`.
+            ``{"t": "time", "id": "name", "x": "E", "y": "N"}``; in a table without one, their numbers from
+            1 on, as texts; in GeoJSON, which properties are `t` and `id`.
         projection : str, optional
             What becomes of degrees: `none` takes them as they are; `local` makes them metres about the
-            middle of the data. Without one, files with degrees are refused.
+            middle of the data, `utm` those of a zone of UTM, and both are refused where distances can be
+            off by more than 0.1 %. Without one, files with degrees are refused.
+        date_format : str, optional
+            The form of dates that are not ISO 8601, such as ``"%d/%m/%Y %H:%M:%S"``.
+        duplicates : str, optional
+            What is taken of several places of an id at one time: `first`, `last` or `mean`; or `refuse`.
+            By default the first, but a file is refused where half of the times of an id or more have
+            several.
+        unwrap : str, optional
+            `nearest` lets atoms that leave a periodic box go on to the nearest image of their next place.
         max_gap : float, optional
             As in `from_arrays`.
 
@@ -232,7 +242,8 @@ class Tracks(TrackAnswers):
             If a format, column or projection is unknown, or `fps` is given for a file that has times.
         """
         file = _kinetri.read_tracks(str(path), format, None if fps is None else _arrays.one_number("fps", fps),
-                                    dict(columns or {}), projection or "refused")
+                                    dict(columns or {}), projection or "refused", date_format or "",
+                                    duplicates or "automatic", unwrap or "refused")
         if fps is not None and file["frame_rate"] is None:
             raise PreconditionError(f"fps is {fps}, and {path} has times, not frames; expected no fps")
         # In nanoseconds, as the dates that come of it.

@@ -66,7 +66,24 @@ Tracks_projection projection_of(const std::string& text) {
   if (text == "refused") return Tracks_projection::refused;
   if (text == "none") return Tracks_projection::none;
   if (text == "local") return Tracks_projection::local;
-  throw Precondition_error("projection is '" + text + "'; expected one of 'none', 'local'");
+  if (text == "utm") return Tracks_projection::utm;
+  throw Precondition_error("projection is '" + text + "'; expected one of 'none', 'local', 'utm'");
+}
+
+Tracks_duplicates duplicates_of(const std::string& text) {
+  if (text == "automatic") return Tracks_duplicates::automatic;
+  if (text == "refuse") return Tracks_duplicates::refuse;
+  if (text == "first") return Tracks_duplicates::first;
+  if (text == "last") return Tracks_duplicates::last;
+  if (text == "mean") return Tracks_duplicates::mean;
+  throw Precondition_error("duplicates is '" + text +
+                           "'; expected one of 'first', 'last', 'mean', 'refuse'");
+}
+
+Tracks_unwrap unwrap_of(const std::string& text) {
+  if (text == "refused") return Tracks_unwrap::refused;
+  if (text == "nearest") return Tracks_unwrap::nearest;
+  throw Precondition_error("unwrap is '" + text + "'; expected 'nearest'");
 }
 
 Track_columns columns_of(const std::map<std::string, std::string>& names) {
@@ -90,12 +107,20 @@ Track_columns columns_of(const std::map<std::string, std::string>& names) {
 // One row for each observation, by track; the ids are those of the tracks.
 py::dict tracks_file(const std::string& path, const std::string& format, std::optional<double> fps,
                      const std::map<std::string, std::string>& columns,
-                     const std::string& projection) {
+                     const std::string& projection, const std::string& date_format,
+                     const std::string& duplicates, const std::string& unwrap) {
   Tracks_file_options options;
   options.format = format_of(format);
   options.fps = fps;
   options.columns = columns_of(columns);
   options.projection = projection_of(projection);
+  options.date_format = date_format;
+  if (const std::string problem = problem_of_date_format(date_format);
+      !date_format.empty() && !problem.empty()) {
+    throw Precondition_error("date_format is '" + date_format + "', which " + problem);
+  }
+  options.duplicates = duplicates_of(duplicates);
+  options.unwrap = unwrap_of(unwrap);
   const Tracks_file file = without_gil([&] { return read_tracks_file(path, options); });
   std::vector<double> times;
   std::vector<Vector_2> places;
@@ -120,7 +145,10 @@ py::dict tracks_file(const std::string& path, const std::string& format, std::op
   result["frame_rate"] = file.frame_rate;
   result["origin"] = file.origin;
   result["walkable_area"] = file.walkable_area;
-  result["remarks"] = file.remarks;
+  std::vector<std::string> remarks = file.remarks;
+  const std::vector<std::string> on_rows = remarks_on_rows(file, options.duplicates);
+  remarks.insert(remarks.end(), on_rows.begin(), on_rows.end());
+  result["remarks"] = remarks;
   return result;
 }
 

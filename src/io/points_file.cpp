@@ -19,6 +19,7 @@
 #include "kinetri/base/ids.h"
 #include "text.h"
 #include "text_table.h"
+#include "utf8_input.h"
 
 namespace kinetri {
 namespace {
@@ -45,11 +46,13 @@ enum Column : std::size_t {
   radius,
   growth,
   mass,
+  z,
+  vz,
   label,
   column_count
 };
 constexpr std::array<std::string_view, column_count> column_names = {
-    "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "growth", "mass", "id"};
+    "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "growth", "mass", "z", "vz", "id"};
 constexpr std::size_t required_columns = ax;
 constexpr std::string_view expected_columns =
     "expected a header line with the columns x,y,vx,vy and optionally radius, growth, mass, ax,ay, "
@@ -77,9 +80,17 @@ class Points_reader {
     has_label_ = header_.has(label);
     check_pair(ax, ay);
     check_pair(jx, jy);
+    check_pair(z, vz);
     result_.is_polynomial = header_.has(ax) || header_.has(jx);
     result_.ignored_columns = std::move(header_.ignored_names);
+    table_.watch_rows([this](std::string_view line) { return is_row(line); });
     while (const auto line = table_.next()) read_row(*line);
+    result_.comment_lines = table_.comments();
+    if (header_.has(z)) {
+      for (const Column column : {z, vz}) {
+        result_.ignored_columns.push_back(quoted(column_names[column]));
+      }
+    }
     reject_equal_labels();
     if (result_.is_polynomial) {
       reject_equal_points(result_.polynomial_motions);
@@ -95,6 +106,34 @@ class Points_reader {
     table_.fail(joined("the column ", column_names[header_.has(first) ? second : first],
                        " is missing; expected both ", column_names[first], " and ",
                        column_names[second], ", or neither"));
+  }
+
+  // Whether the line, which begins with #, is no comment, but a row whose first field is the label.
+  bool is_row(std::string_view line) {
+    if (header_.columns.front() != label) return false;
+    std::size_t fields = 0;
+    bool has_numbers = true;
+    table_.for_each_csv_field(line, [&](std::string_view field) {
+      const std::size_t column =
+          fields < header_.columns.size() ? header_.columns[fields] : Csv_header::ignored;
+      if (column < label) has_numbers = has_numbers && parse_number(field).problem.empty();
+      ++fields;
+    });
+    return has_numbers && fields == header_.columns.size();
+  }
+
+  // Points move in the plane: a third coordinate may be there if it says nothing.
+  void expect_one_plane(const std::array<double, label>& values) {
+    if (!header_.has(z)) return;
+    for (const Column column : {z, vz}) {
+      double& first = column == z ? first_z_ : first_vz_;
+      if (result_.lines.empty()) first = values[column];
+      if (values[column] == first) continue;
+      table_.fail(joined("the column ", column_names[column], " is ", values[column], ", but ",
+                         first, " in line ", result_.lines.front(),
+                         ", and points move in the plane of x and y; expected one ",
+                         column_names[column], " for all, or no columns z and vz"));
+    }
   }
 
   void read_row(std::string_view line) {
@@ -113,6 +152,7 @@ class Points_reader {
       ++fields;
     });
     table_.check_number_of_fields(fields, columns.size());
+    expect_one_plane(values);
     const Vector_2 position = {values[x], values[y]};
     const Vector_2 velocity = {values[vx], values[vy]};
     if (result_.is_polynomial) {
@@ -222,6 +262,8 @@ class Points_reader {
   bool has_growth_ = false;
   bool has_mass_ = false;
   bool has_label_ = false;
+  double first_z_ = 0;
+  double first_vz_ = 0;
   Points_file result_;
 };
 
@@ -246,7 +288,10 @@ Parsed_number parse_number(std::string_view text) {
 }
 
 Points_file read_points(std::istream& in, const std::string& name) {
-  return Points_reader(in, name).read();
+  Utf8_input utf8(in);
+  Points_file result = Points_reader(utf8.stream(), name).read();
+  result.is_utf16 = utf8.is_converted();
+  return result;
 }
 
 Points_file read_points_file(const std::string& path) {

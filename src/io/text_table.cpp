@@ -76,6 +76,8 @@ Table_reader::Table_reader(std::istream& in, const std::string& name, const Tabl
 std::optional<std::string_view> Table_reader::next() {
   while (const auto line = next_line()) {
     if (line->starts_with('#')) {
+      if (is_row_ && is_row_(*line)) return line;
+      ++comments_;
       if (on_comment_) on_comment_(line->substr(1));
       continue;
     }

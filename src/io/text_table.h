@@ -95,6 +95,13 @@ class Table_reader {
     on_comment_ = std::move(function);
   }
 
+  /// Lets is_row(line) decide from now on which lines that begin with # next() gives as rows, such
+  /// as one whose first field is the id #1.
+  void watch_rows(std::function<bool(std::string_view)> is_row) { is_row_ = std::move(is_row); }
+
+  /// The number of comments that next() has skipped.
+  std::size_t comments() const { return comments_; }
+
   /// The next line; none at the end of the stream. Valid until the next call. Throws Input_error if
   /// the line is too long or the stream fails.
   std::optional<std::string_view> next();
@@ -142,6 +149,8 @@ class Table_reader {
   const std::string& name_;
   Table_kind kind_;
   std::function<void(std::string_view)> on_comment_;
+  std::function<bool(std::string_view)> is_row_;
+  std::size_t comments_ = 0;
   char separator_ = ',';
   std::string unquoted_;  // the last field that had quotation marks in it
   std::vector<char> buffer_;

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
-#include <streambuf>
 #include <utility>
 
-#include "io/tracks/local_projection.h"
+#include "io/tracks/projection.h"
 #include "io/tracks/tracks_readers.h"
 #include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
 #include "text.h"
 #include "text_table.h"
+#include "utf8_input.h"
 
 namespace kinetri {
 namespace {
@@ -23,29 +23,6 @@ constexpr std::size_t head_size = std::size_t{1} << 16U;
 [[noreturn]] void fail_to_read(const std::string& name) {
   throw Input_error(name, 1, "reading failed; expected a readable file of tracks");
 }
-
-// Gives the beginning of a stream, which was read to recognize its format, and then the rest.
-class Replayed_buffer : public std::streambuf {
- public:
-  Replayed_buffer(std::string head, std::istream& rest) : piece_(std::move(head)), rest_(rest) {
-    setg(piece_.data(), piece_.data(), piece_.data() + piece_.size());
-  }
-
- protected:
-  int_type underflow() override {
-    piece_.resize(head_size);
-    rest_.read(piece_.data(), static_cast<std::streamsize>(piece_.size()));
-    // An exception makes the stream of this buffer bad as well.
-    if (rest_.bad()) throw std::ios_base::failure("reading failed");
-    const auto end = static_cast<std::size_t>(rest_.gcount());
-    setg(piece_.data(), piece_.data(), piece_.data() + end);
-    return end == 0 ? traits_type::eof() : traits_type::to_int_type(*gptr());
-  }
-
- private:
-  std::string piece_;
-  std::istream& rest_;
-};
 
 std::string_view without_byte_order_mark(std::string_view head) {
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
@@ -81,7 +58,10 @@ const Tracks_reader& reader_of(std::string_view head, const Tracks_input& input)
 }
 
 Tracks_file projected(Tracks_file file, const Tracks_input& input) {
-  if (input.options.projection == Tracks_projection::local) project_locally(file, input.name);
+  const Tracks_projection projection = input.options.projection;
+  if (projection == Tracks_projection::local || projection == Tracks_projection::utm) {
+    project(file, input.name, projection);
+  }
   return file;
 }
 
@@ -126,6 +106,29 @@ std::span<const Tracks_format_name> tracks_formats() {
   return all;
 }
 
+std::vector<std::string> remarks_on_rows(const Tracks_file& file, Tracks_duplicates duplicates) {
+  std::vector<std::string> result;
+  const auto add = [&](std::size_t number, std::string_view what, std::string_view remark) {
+    if (number > 0) result.push_back(joined(number, what, number == 1 ? "" : "s", remark));
+  };
+  add(file.comment_lines, " line", " left out, beginning with #");
+  add(file.rows_without_place, " row", " left out, having no place");
+  add(file.rows_without_id, " row", " left out, having no id");
+  add(file.doubled_rows, " row", " left out, being a copy of another");
+  const std::string_view of_duplicates =
+      duplicates == Tracks_duplicates::mean
+          ? " averaged with an earlier one that has another place of the same id at the same time"
+      : duplicates == Tracks_duplicates::last
+          ? " left out for a later one with another place of the same id at the same time"
+      : duplicates == Tracks_duplicates::first
+          ? " left out for an earlier one with another place of the same id at the same time"
+          : " left out for an earlier one with another place of the same id at the same time "
+            "(--duplicates first, last, mean or refuse)";
+  add(file.rows_at_another_place, " row", of_duplicates);
+  add(file.rows_out_of_order, " row", " out of the order of time");
+  return result;
+}
+
 Input_error tracks_error(const std::string& name, std::string_view place_name, std::size_t line,
                          const std::string& message) {
   if (line == 0 || place_name == "line") return Input_error(name, line, message);
@@ -138,10 +141,20 @@ Tracks_file read_tracks(std::istream& in, const std::string& name,
                        "the number of frames a second is not a finite number greater than 0");
   // A stream that has failed before would look like a file without frames.
   if (in.fail()) fail_to_read(name);
-  const Tracks_input input = {in, name, options};
-  return projected(options.format == Tracks_format::automatic ? read_recognized(input)
-                                                              : read_as(options.format, input),
-                   input);
+  KINETRI_PRECONDITION(
+      options.date_format.empty() || problem_of_date_format(options.date_format).empty(),
+      "the format of dates is wrong");
+  Utf8_input utf8(in);
+  const Tracks_input input = {utf8.stream(), name, options};
+  Tracks_file file = options.format == Tracks_format::automatic ? read_recognized(input)
+                                                                : read_as(options.format, input);
+  if (utf8.is_converted()) file.remarks.emplace_back("the file is in UTF-16, read as UTF-8");
+  const bool is_of_atoms =
+      file.format == Tracks_format::lammps || file.format == Tracks_format::xyz;
+  if (options.unwrap != Tracks_unwrap::refused && !is_of_atoms) {
+    throw Input_error(name, 0, "has no periodic box; expected no --unwrap");
+  }
+  return projected(std::move(file), input);
 }
 
 Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format format,

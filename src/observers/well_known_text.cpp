@@ -79,8 +79,9 @@ class Reader {
     return result;
   }
 
-  // No deeper than one collection: what this reads is not nested further.
-  void read_geometry(bool is_in_collection = false) {
+  // Collections in collections, as deep as anyone needs and the stack allows.
+  void read_geometry(std::size_t depth = 0) {
+    constexpr std::size_t greatest_depth = 100;
     skip_blanks();
     const std::size_t start = at_;
     const std::string kind = word();
@@ -90,14 +91,15 @@ class Reader {
       if (!begins_list()) return;
       do read_polygon();
       while (goes_on());
-    } else if (kind == "GEOMETRYCOLLECTION" && !is_in_collection) {
+    } else if (kind == "GEOMETRYCOLLECTION" && depth < greatest_depth) {
       if (!begins_list()) return;
-      do read_geometry(true);
+      do read_geometry(depth + 1);
       while (goes_on());
     } else {
       at_ = start;
-      fail(here(), is_in_collection ? "POLYGON or MULTIPOLYGON"
-                                    : "POLYGON, MULTIPOLYGON, or GEOMETRYCOLLECTION of these");
+      fail(here(), depth == greatest_depth
+                       ? "POLYGON or MULTIPOLYGON, since collections are nested 100 deep here"
+                       : "POLYGON, MULTIPOLYGON, or GEOMETRYCOLLECTION of these");
     }
   }
 

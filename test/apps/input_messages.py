@@ -3,14 +3,15 @@
 from message_case import (DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, simulate, tracks,
                           walkable)
 
-FORMATS = "auto, rows, frames, ids, table, jupedsim, sumo, lammps, xyz or geojson"
+FORMATS = "auto, rows, frames, ids, table, jupedsim, sumo, lammps, xyz, geojson, gpx or trackmate"
 VIEWER_WORDS = ("t, event, show, hide, edge, point, follow, color, at, kinds, unit, legend, play, theme, list, "
                 "draw")
 COMMANDS = "generate, simulate, resume, tracks, wave, experiment, render, completion, manual or help"
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice, lattice-jitter or packing"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
 TRACKS_COLUMNS = ("t,id,x,y and optionally radius, in any order, or --columns t=NAME,id=NAME,x=NAME,y=NAME "
-                  "for the names in another table, or a file in one of the formats that --format lists")
+                  "for the names in another table, --columns t=1,id=2,x=3,y=4 for the numbers of columns of one without a "
+                  "header, or a file in one of the formats that --format lists")
 
 
 def usage_cases():
@@ -125,6 +126,8 @@ def meaning_cases():
     yield case("tracks t.csv --columns t=t,name,x=x", piece="name")
     yield case("tracks t.csv --columns t=t,t=u", column="t")
     yield case("tracks t.csv --columns ''")
+    yield case("tracks t.csv --date-format %H:%M", format="%H:%M")
+    yield case("tracks t.csv --unwrap nearest", file="t.csv")
     yield case("tracks t.csv --format rows --columns t=t,id=id,x=x,y=y", file="t.csv", format="rows")
     yield simulate("--fps 5", option="--fps,--frames-per-time")
     yield simulate("--frames-per-time 5", option="--fps,--frames-per-time")
@@ -208,7 +211,7 @@ def table_cases():
     yield tracks("", columns=TRACKS_COLUMNS)
     yield points("x,y,vx,vy\n" + "1" * (1 << 20) + ",2,3,4\n", line=2, row="point")
     yield tracks("t,id,x,y\n" + "1" * (1 << 20) + ",2,3,4\n", line=2, row="observation")
-    yield tracks("t,id,x,y,z\n", line=1, column="z", columns=TRACKS_COLUMNS)
+    yield tracks("t,id,x,y,w\n", line=1, column="w", columns=TRACKS_COLUMNS)
     yield tracks("t;id;x;y\n", line=1, column="t;id;x;y", columns=TRACKS_COLUMNS)
     yield points("x,y,vx,vy,id\n1,2,3,4,\n", line=2, column="id")
     yield points("x,y,vx,vy,id\n1,2,3,4,a\n2,2,3,4,a\n", line=3, id="a", first=2)
@@ -230,6 +233,21 @@ def table_cases():
     yield tracks("time,lon,lat\n", named + " --projection none", line=1, column="name",
                  columns="'time', 'lon', 'lat'")
     yield tracks("time,name\n", "--columns t=time,id=name", column="x")
+    by_number = "--columns t=1,id=2,x=3,y=4"
+    yield tracks("0,a,1\n", by_number, line=1, n=4)
+    yield tracks("1 2 3 4 5\n", line=1, n=5)
+    yield tracks("1,2,3,4\n", "--format frames", line=1)
+    yield tracks("t,id,x,y\ns,,deg,deg\n", "--columns t=t,id=id,x=x,y=y", line=2, what="units", x="deg", y="deg")
+    yield tracks("2024-05-01T00:00:00Z,a,8.0000,50.0000\n2024-05-01T00:16:40Z,a,8.5000,50.0000\n", by_number,
+                 speed=0.0005)
+    yield tracks("0,a,10,60\n0,b,10,0\n", by_number + " --projection local", west=10, east=10, south=0, north=60,
+                 error="73 %", other="0.036 %")
+    yield tracks("0,a,10,60\n0,b,100,0\n", by_number + " --projection utm", west=10, east=100, south=0, north=60,
+                 projection="utm", error="47 %")
+    yield tracks("t,id,x,y\n05/03/2023 00:00:00,a,1,2\n", line=2, column="t", text="05/03/2023 00:00:00",
+                 formats="--date-format '%d/%m/%Y %H:%M:%S' or --date-format '%m/%d/%Y %H:%M:%S'")
+    yield tracks("t,id,x,y\n5,a,1,2\n", "--date-format %Y-%m-%d", line=2, column="t", text="5", format="%Y-%m-%d")
+    yield points("x,y,z,vx,vy,vz\n1,2,3,4,5,6\n1,3,4,4,5,6\n", line=3, column="z", number=4, other=3, first=2)
     walk = "".join(f"{person} {frame} {frame} {9 * person}\n" for person in range(4) for frame in range(5))
     yield tracks(walk, "--format frames", distance=9, other=1)
     for option in ("--areas a", "--mean-areas a"):
@@ -241,6 +259,7 @@ def table_cases():
     yield walkable("POINT (1 2)", line=1, column=1, here="'POINT' stands here")
     yield walkable("GEOMETRYCOLLECTION (LINESTRING (0 0, 1 1))", line=1, column=21,
                    here="'LINESTRING' stands here")
+    yield walkable("GEOMETRYCOLLECTION(" * 100 + "POINT", line=1, column=1901, here="'POINT' stands here")
     yield walkable("POLYGON\nZ ((0 0, 1 0, 1 1, 0 0))", line=2, column=1, here="'Z' stands here")
     yield walkable("POLYGON ((0 0, 1 0, 1 1, 0 0)", line=1, column=30, here="the text ends here")
     yield walkable("POLYGON (0 0)", line=1, column=10, here="'0' stands here")
@@ -317,6 +336,8 @@ def table_cases():
     yield tracks("t,id,x,y\n0,a,-1e308,0\n1,a,1e308,0\n", line=3, id="a", first=2)
     yield tracks("t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n", line=6, time=1,
                  a="a", b="b", first=3)
+    yield tracks("t,id,x,y\n0,a,0,0\n9,a,0,0\n0,b,0,0\n9,b,0,0\n0,c,5,5\n5,c,7,7\n9,c,7,7\n0,d,5,6\n5,d,7,7\n9,d,7,7\n",
+                 line=4, time=0, a="a", b="b", first=2, others="'c' and 'd' from t = 5 on")
 
 
 def cases():

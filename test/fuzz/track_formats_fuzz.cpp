@@ -77,6 +77,18 @@ void check(const std::string& text) {
     options.projection = Tracks_projection::none;
     if (name.format != Tracks_format::rows) options.fps = 25;
     tracks_of(text, options, format);
+    options.projection = Tracks_projection::utm;
+    options.duplicates = Tracks_duplicates::mean;
+    options.unwrap = Tracks_unwrap::nearest;
+    options.fps = std::nullopt;
+    if (name.format == Tracks_format::table) {
+      options.columns = {.t = "1", .id = "2", .x = "3", .y = "4", .radius = ""};
+    }
+    tracks_of(text, options, format);
+    options.duplicates = Tracks_duplicates::last;
+    options.date_format = "%d/%m/%Y %H:%M:%S";
+    options.projection = Tracks_projection::none;
+    tracks_of(text, options, format);
   }
 }
 

@@ -111,5 +111,9 @@ TEST(Timestamp, numbers_do_not_look_like_dates) {
   EXPECT_TRUE(looks_like_timestamp("2024-05-"));
 }
 
+TEST(Parse_timestamp, of_a_wrong_format_is_a_precondition_error) {
+  EXPECT_PRECONDITION_ERROR(parse_timestamp("5", "%H"), "the format of dates is wrong");
+}
+
 }  // namespace
 }  // namespace kinetri

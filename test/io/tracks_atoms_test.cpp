@@ -80,7 +80,8 @@ TEST(Read_tracks_lammps, jumps_through_the_boundary_are_refused) {
   EXPECT_EQ(two("7 9.5 0", "7 0.25 0", "pp ff pp"),
             "t.csv:20: atom '7' goes 9.25 since line 10, more than half of the periodic box, which "
             "is 10 wide: it left on one side and came in on the other; expected a dump with xu yu, "
-            "or with x y ix iy, and enough frames");
+            "or with x y ix iy, and enough frames, or --unwrap nearest, which lets atoms go the "
+            "shortest way");
   EXPECT_NE(two("7 5 3.5", "7 5 -1", "ff pp pp"), "");
   EXPECT_EQ(two("7 5 3.5", "7 5 -1", "pp ff pp"), "");
   EXPECT_EQ(two("7 9.5 0", "7 0.25 0", "ff pp pp"), "");
@@ -112,7 +113,7 @@ TEST(Read_tracks_lammps, errors_name_the_line) {
             "10: the column y is 'nan', which is not finite; expected a finite number"},
            {frame(0, "id x y", {"1 2 3", "1 2 4"}),
             "11: id '1' is at two places at t = 0: at (2, 4), and at (2, 3) in line 10; expected "
-            "one"},
+            "one, or --duplicates first, last or mean, which says what to take"},
            {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 9 "
             "1\n0 "
             "9 0\n0 9 0\nITEM: ATOMS id xs ys\n1 2 3\n",
@@ -225,7 +226,8 @@ TEST(Read_tracks_xyz, errors_name_the_line) {
             "6: atom '0' goes 7 since line 3, more than half of the periodic box, which is 10 "
             "wide: "
             "it left on one side and came in on the other; expected places that go on beyond the "
-            "box, or pbc=\"F F F\" in the comments if these do"},
+            "box, or pbc=\"F F F\" in the comments if these do, or --unwrap nearest, which "
+            "lets atoms go the shortest way"},
        }) {
     EXPECT_EQ(error_of(text), "t.csv:" + std::string(message));
   }

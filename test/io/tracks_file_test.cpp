@@ -206,10 +206,10 @@ TEST(Read_tracks, zeros_of_both_signs_are_the_same) {
 TEST(Read_tracks, two_places_at_one_time_name_both_lines) {
   EXPECT_EQ(rows_error("t,id,x,y\n0.4,x,1,2\n0.4,z,1,2\n\n0.4,x,1,2.5\n"),
             "t.csv:5: id 'x' is at two places at t = 0.4: at (1, 2.5), and at (1, 2) in line 2; "
-            "expected one");
+            "expected one, or --duplicates first, last or mean, which says what to take");
   EXPECT_EQ(frames_error("20\t7.0\t1\t2\n10\t7.0\t1\t2\n10\t7.0\t3\t2\n"),
             "t.csv:3: id '7.0' is at two places at t = 0.4: at (3, 2), and at (1, 2) in line 2; "
-            "expected one");
+            "expected one, or --duplicates first, last or mean, which says what to take");
 }
 
 TEST(Read_tracks, of_several_ids_at_two_places_the_first_in_the_file_is_named) {

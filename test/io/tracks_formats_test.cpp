@@ -55,11 +55,13 @@ TEST(Recognized_tracks, rows_are_read_as_before) {
 TEST(Recognized_tracks, what_nothing_recognizes_is_refused_with_all_that_is_possible) {
   const std::string expected =
       "expected a header line with the columns t,id,x,y and optionally radius, in any order, or "
-      "--columns t=NAME,id=NAME,x=NAME,y=NAME for the names in another table, or a file in one of "
-      "the formats that --format lists";
+      "--columns t=NAME,id=NAME,x=NAME,y=NAME for the names in another table, --columns "
+      "t=1,id=2,x=3,y=4 for the numbers of columns of one without a header, or a file in one of "
+      "the "
+      "formats that --format lists";
   EXPECT_EQ(automatic_error(""), "t.csv:1: the file is empty; " + expected);
   EXPECT_EQ(automatic_error("time,name,x,y\n"), "t.csv:1: unknown column 'time'; " + expected);
-  EXPECT_EQ(automatic_error("t,id,x,y,z\n"), "t.csv:1: unknown column 'z'; " + expected);
+  EXPECT_EQ(automatic_error("t,id,x,y,w\n"), "t.csv:1: unknown column 'w'; " + expected);
   EXPECT_EQ(automatic_error("one two three four\n"),
             "t.csv:1: unknown column 'one two three four'; " + expected);
 }
@@ -127,17 +129,23 @@ TEST(Recognized_tracks, a_frame_rate_is_a_sign_of_ids) {
                               "frame rate"}));
 }
 
-TEST(Recognized_tracks, a_fifth_column_is_one_of_ids) {
-  EXPECT_EQ(shown(automatic("7 8 2 3 1.7\n7 16 4 5 1.7\n", 16.0)),
+TEST(Read_tracks_ids, may_have_more_columns) {
+  const Tracks_file_options ids = {.format = Tracks_format::ids, .fps = 16.0};
+  EXPECT_EQ(shown(read_options("7 8 2 3 1.7\n7 16 4 5 1.7\n", ids)),
             "7: 0.5 (2, 3) line 1 1 (4, 5) line 2");
-  EXPECT_EQ(automatic_error("7 8 2 3 1.7\n7 16 4 5\n"),
+  EXPECT_EQ(read_options_error("7 8 2 3 1.7\n7 16 4 5\n", ids),
             "t.csv:2: the row has 4 fields; expected 5, as in the rows above");
-  // Unless the rows contradict it.
-  EXPECT_EQ(
-      automatic_error("1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n"),
-      "t.csv: none of the 3 ids is in two frames, as if the first two columns were exchanged; "
-      "expected id, frame, x and y in this order: read the file with --format frames, or, if "
-      "this is their order, add the line '# id frame x y' above the rows");
+  // Unless the rows contradict it. What the message advises is read.
+  EXPECT_EQ(read_options_error("1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n", ids),
+            "t.csv: none of the 3 ids is in two frames, as if the first two columns were "
+            "exchanged; expected id, frame, x and y in this order: read the file with --format "
+            "table --columns t=1,id=2,x=3,y=4, with the numbers of its columns, or, if this is "
+            "their order, add the line '# id frame x y' above the rows");
+  EXPECT_EQ(read_options_error("1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n",
+                               {.format = Tracks_format::table,
+                                .columns = {.t = "1", .id = "2", .x = "3", .y = "4"}}),
+            "");
+  EXPECT_EQ(read_options_error("# id frame x y\n1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n", ids), "");
 }
 
 TEST(Recognized_tracks, places_decide) {

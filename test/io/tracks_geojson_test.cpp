@@ -151,7 +151,7 @@ TEST(Read_tracks_geojson, errors_say_where) {
            "from 4.9e-324 to 1.8e308"},
           {collection(good + "," + point("[8, 51]", R"("id": "Ada", "time": 0)")),
            "t.csv: feature 2: id 'Ada' is at two places at t = 0: at (8, 51), and at (8, 50) in "
-           "feature 1; expected one"},
+           "feature 1; expected one, or --duplicates first, last or mean, which says what to take"},
           {collection(feature("LineString", "[[8, 50]]", "")),
            "t.csv: /features/0/properties has no times of a line; expected a list coordTimes or "
            "times, or --columns t=NAME"},

@@ -132,7 +132,7 @@ TEST(Read_tracks_jupedsim, errors_name_table_and_row) {
             "t.csv: row 2: the column id is empty, or bytes; expected a number or a text");
   EXPECT_EQ(row("0, 1, 2, 4"),
             "t.csv: row 2: id '1' is at two places at t = 0: at (2, 4), and at (2, 3) in row 1; "
-            "expected one");
+            "expected one, or --duplicates first, last or mean, which says what to take");
   EXPECT_EQ(row("0, 'Ada', 2, 4"), "");
   EXPECT_EQ(error(metadata),
             "t.csv: has no table trajectory_data; expected a database as JuPedSim writes it");

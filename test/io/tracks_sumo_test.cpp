@@ -59,7 +59,7 @@ TEST(Read_tracks_sumo, errors_name_the_line) {
       const auto& [text, message] : {
           std::pair{std::string("<html/>"),
                     "1: the first element is 'html'; expected 'fcd-export', as SUMO writes it with "
-                    "--fcd-output"},
+                    "--fcd-output, 'gpx', or 'Tracks' of TrackMate"},
           {header + "<timestep/></fcd-export>",
            "5: a timestep has no attribute time; expected one"},
           {header + "<timestep time=\"00:00:01\"/></fcd-export>",
@@ -76,7 +76,8 @@ TEST(Read_tracks_sumo, errors_name_the_line) {
            "7: id 'a' is a vehicle, but a person in line 6; expected ids that differ"},
           {begin + "<vehicle id='a' x='0' y='0'/>\n<vehicle id='a' x='1' y='0'/></timestep>"
                    "</fcd-export>",
-           "7: id 'a' is at two places at t = 1: at (1, 0), and at (0, 0) in line 6; expected one"},
+           "7: id 'a' is at two places at t = 1: at (1, 0), and at (0, 0) in line 6; expected one, "
+           "or --duplicates first, last or mean, which says what to take"},
           {begin + "<vehicle id='a' x='0'",
            "6: is no XML as it should be: unclosed token; expected floating-car data of SUMO, as "
            "far as it was written"},
@@ -99,7 +100,7 @@ TEST(Read_tracks_sumo, entities_that_grow_are_refused) {
     bomb += "\">";
   }
   EXPECT_EQ(error_of(bomb + "]>\n<fcd-export>&y;</fcd-export>"),
-            "t.csv:2: has a DOCTYPE, which SUMO does not write; expected none");
+            "t.csv:2: has a DOCTYPE; expected none, as in floating-car data of SUMO");
 }
 
 TEST(Read_tracks_sumo, deep_and_long_elements_are_refused) {

@@ -43,6 +43,12 @@ TEST(WalkableArea, is_read_from_each_kind_of_text) {
   const std::string other = "((3 0, 3 2, 5 2, 5 0, 3 0))";
   EXPECT_EQ(area_of("MULTIPOLYGON (" + one + ", " + other + ")").area(), 5);
   EXPECT_EQ(area_of("GEOMETRYCOLLECTION (POLYGON " + one + ", POLYGON" + other + ")").area(), 5);
+  EXPECT_EQ(area_of("GEOMETRYCOLLECTION(GEOMETRYCOLLECTION(POLYGON " + one +
+                    ", GEOMETRYCOLLECTION "
+                    "EMPTY), MULTIPOLYGON(" +
+                    other + "))")
+                .area(),
+            5);
   EXPECT_EQ(area_of("geometrycollection(multipolygon(" + one + "),polygon empty)\n").area(), 1);
   EXPECT_EQ(area_of("POLYGON((+0.0 -0,1.e0 0,1 1,\n1 1,0 1e0,0 0))").area(), 1);
   EXPECT_EQ(area_of("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 8 1, 8 8, 1 8, 1 1)), "
@@ -65,9 +71,11 @@ TEST(WalkableArea, says_where_a_text_is_wrong) {
   EXPECT_EQ(problem_of(""),
             "room.wkt:1: column 1: the text ends here; expected POLYGON, MULTIPOLYGON, or "
             "GEOMETRYCOLLECTION of these");
-  EXPECT_EQ(problem_of("GEOMETRYCOLLECTION(GEOMETRYCOLLECTION(POLYGON EMPTY))"),
-            "room.wkt:1: column 20: 'GEOMETRYCOLLECTION' stands here; expected POLYGON or "
-            "MULTIPOLYGON");
+  std::string deep;
+  for (int i = 0; i < 101; ++i) deep += "GEOMETRYCOLLECTION(";
+  EXPECT_EQ(problem_of(deep),
+            "room.wkt:1: column 1901: 'GEOMETRYCOLLECTION' stands here; expected POLYGON or "
+            "MULTIPOLYGON, since collections are nested 100 deep here");
   EXPECT_EQ(problem_of("POLYGON ((0 0, 1 0,\n 1, 0 1, 0 0))"),
             "room.wkt:2: column 3: ',' stands here; expected a finite coordinate of at most 1e150");
   EXPECT_EQ(problem_of("POLYGON ((0 0, 1 0 7, 1 1, 0 0))"),

@@ -352,6 +352,22 @@ def test_files_of_other_formats(tmp_path):
     assert repr(people) == expected and people.walkable_area == "POLYGON ((0 0, 9 0, 9 9, 0 0))"
 
 
+def test_files_as_others_write_them(tmp_path):
+    (tmp_path / "ships.csv").write_text(
+        "# Timestamp,MMSI,Latitude,Longitude\n05/03/2023 00:00:00,1,55.0,12.0\n05/03/2023 00:10:00,1,55.02,12.0\n"
+        "05/03/2023 00:10:00,1,55.03,12.0\n05/03/2023 00:20:00,1,55.04,12.0\n05/03/2023 00:30:00,1,,\n",
+        encoding="utf-8")
+    ships = Tracks.read(tmp_path / "ships.csv", projection="utm", date_format="%d/%m/%Y %H:%M:%S", duplicates="last",
+                        columns={"t": "Timestamp", "id": "MMSI", "x": "Longitude", "y": "Latitude"})
+    assert ships.origin == np.datetime64("2023-03-05T00:00:00") and ships.end == 1200
+    assert "1 row left out, having no place" in ships.remarks
+    assert any("UTM, zone 33 north" in remark for remark in ships.remarks)
+    assert any("left out for a later one with another place" in remark for remark in ships.remarks)
+    (tmp_path / "gt.txt").write_text("1,1,10,20,5\n2,1,11,20,5\n", encoding="utf-8")
+    boxes = Tracks.read(tmp_path / "gt.txt", columns={"t": "1", "id": "2", "x": "3", "y": "4"})
+    assert repr(boxes) == "<Tracks of 1 things, 2 observations, t = 1 to 2>"
+
+
 def test_files_that_are_read_with_wrong_options(tmp_path):
     (tmp_path / "t.csv").write_text("t,id,x,y\n0,a,0,0\n1,a,1,0\n", encoding="utf-8")
     (tmp_path / "f.txt").write_text("0 1 0 0\n5 1 5 0\n", encoding="utf-8")
@@ -360,7 +376,10 @@ def test_files_that_are_read_with_wrong_options(tmp_path):
             ("t.csv", {"fps": 0}, "the number of frames a second is not a finite number greater than 0"),
             ("t.csv", {"format": "csv"}, "the format is 'csv'; expected one of 'auto', 'rows', "),
             ("t.csv", {"columns": {"z": "z"}}, "columns has 'z'; expected 't', 'id', 'x', 'y' and 'radius'"),
-            ("t.csv", {"projection": "utm"}, "projection is 'utm'; expected one of 'none', 'local'")):
+            ("t.csv", {"projection": "mercator"}, "projection is 'mercator'; expected one of 'none', 'local', 'utm'"),
+            ("t.csv", {"duplicates": "all"}, "duplicates is 'all'; expected one of 'first', 'last', 'mean', 'refuse'"),
+            ("t.csv", {"date_format": "%H"}, "date_format is '%H', which has no day"),
+            ("t.csv", {"unwrap": "all"}, "unwrap is 'all'; expected 'nearest'")):
         with pytest.raises(kinetri.PreconditionError, match=message):
             Tracks.read(tmp_path / file, **options)
     with pytest.raises(kinetri.InputError, match="with --format frames, the order frame id x y"):

@@ -54,6 +54,34 @@ TEST_F(Png_folder_test, gray_frames_come_back_as_they_are_in_the_order_of_names)
   EXPECT_FALSE(source->read(frame));
 }
 
+TEST_F(Png_folder_test, files_are_in_the_order_of_the_numbers_in_their_names) {
+  const Video_format format = format_of(Chroma::mono);
+  std::vector<Frame> frames;
+  for (int i = 0; i < 12; ++i) {
+    frames.push_back(black_frame(format));
+    for (auto& sample : frames.back().planes[0]) sample = static_cast<std::uint8_t>(20 * i);
+  }
+  write("a", format, frames);
+  for (const auto& [prefix, ending] :
+       {std::pair{"frame", ".png"}, {"Img 1-", "b.png"}, {"", ".png"}, {"7x", "-2.png"}}) {
+    SCOPED_TRACE(prefix);
+    const auto folder = std::filesystem::path(file(std::string("of ") + prefix));
+    std::filesystem::create_directory(folder);
+    for (int i = 0; i < 12; ++i) {
+      const std::string number = std::to_string(i);
+      const std::string padded = "000" + std::string(i < 10 ? "0" : "") + number + ".png";
+      std::filesystem::copy_file(std::filesystem::path(file("a")) / padded,
+                                 folder / (prefix + number + ending));
+    }
+    const auto source = open_png_folder(folder.string(), {25, 1});
+    Frame frame;
+    for (const Frame& expected : frames) {
+      ASSERT_TRUE(source->read(frame));
+      EXPECT_EQ(frame, expected);
+    }
+  }
+}
+
 // The formulas of JFIF in binary64 arithmetic.
 TEST_F(Png_folder_test, colors_are_those_of_jfif_and_come_back) {
   for (int r = 0; r < 256; r += 15) {

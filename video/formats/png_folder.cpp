@@ -79,6 +79,40 @@ std::uint8_t full_color(std::uint8_t c) {
   return rounded((c - 128) * 74606 + (128 << 16));  // 255 / 224 * 65536
 }
 
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// The order of names in which frame2 is before frame10: pieces of digits by the number that they
+// are, of any length, and the other characters by their code. Of names that differ in leading zeros
+// alone, the one that the order of texts has first.
+bool is_before(const std::string& a, const std::string& b) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  const auto digits_at = [](const std::string& text, std::size_t at) {
+    std::size_t end = at;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    while (at + 1 < end && text[at] == '0') ++at;
+    return std::pair(std::string_view(text).substr(at, end - at), end);
+  };
+  while (i < a.size() && j < b.size()) {
+    if (is_digit(a[i]) && is_digit(b[j])) {
+      const auto [of_a, end_a] = digits_at(a, i);
+      const auto [of_b, end_b] = digits_at(b, j);
+      if (of_a.size() != of_b.size()) return of_a.size() < of_b.size();
+      if (of_a != of_b) return of_a < of_b;
+      i = end_a;
+      j = end_b;
+    } else {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i;
+      ++j;
+    }
+  }
+  if (i < a.size() || j < b.size()) return j < b.size();
+  return a < b;
+}
+
 class Png_source : public Frame_source {
  public:
   Png_source(const std::string& path, const Ratio& rate) : path_(path) {
@@ -90,7 +124,7 @@ class Png_source : public Frame_source {
     if (files_.empty()) {
       throw Input_error(path, 0, "there is no file *.png in it; expected one for each frame");
     }
-    std::ranges::sort(files_);
+    std::ranges::sort(files_, is_before);
     first_ = read_png(files_.front());
     format_ = {first_.width, first_.height, first_.is_gray ? Chroma::mono : Chroma::yuv444,
                true,         rate,          {1, 1}};

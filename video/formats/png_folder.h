@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Video as PNG files of one size in a folder, in the order of their names.
+// Video as PNG files of one size in a folder, in the order of the numbers in their names:
+// frame2.png is before frame10.png.
 //
 // PNG files have red, green and blue. They become brightness and color, and back, by the formulas
 // of ITU-R BT.601 with full range, as JFIF has them, computed with whole numbers; a color that is

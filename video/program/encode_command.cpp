@@ -102,7 +102,7 @@ Command encode_command() {
   result.add_required(
       "IN", &options->input, "FILE",
       "YUV4MPEG2 video (Y4M), - for standard input, or a folder of PNG files, in the "
-      "order of their names");
+      "order of the numbers in their names");
   result.add_required("OUT", &options->output, "FILE", "The stream (.kvd), - for standard output");
   result.add("--points", &options->points, "N",
              "Points at one time, at most; 4 or more (default 2000)");

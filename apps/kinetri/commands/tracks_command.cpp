@@ -20,7 +20,10 @@ namespace kinetri::app {
 namespace {
 
 // In the order of the enumerators that they name, without the first one.
-constexpr std::array<std::string_view, 2> projections = {"none", "local"};
+constexpr std::array<std::string_view, 3> projections = {"none", "local", "utm"};
+constexpr std::array<std::string_view, 4> duplicates = {"refuse", "first", "last", "mean"};
+constexpr std::array<std::string_view, 1> unwraps = {"nearest"};
+constexpr std::array<std::string_view, 2> coincidences = {"refuse", "leave-out"};
 constexpr std::span<const Named_response> none_and_log =
     std::span<const Named_response>(named_responses).first(2);
 constexpr std::uint64_t most_approaches = 1'000'000;
@@ -31,6 +34,10 @@ struct Tracks_options {
   std::string format = "auto";
   std::optional<std::string> columns;
   std::optional<std::string> projection;
+  std::optional<std::string> date_format;
+  std::optional<std::string> duplicates;
+  std::optional<std::string> unwrap;
+  std::string coincident = "refuse";
   std::optional<std::string> fps;
   std::optional<std::string> from;
   std::optional<std::string> until;
@@ -60,7 +67,7 @@ std::string format_help() {
 
 Track_columns columns_argument(const std::string& text) {
   constexpr std::string_view expected =
-      "; expected t=NAME,id=NAME,x=NAME,y=NAME and optionally radius=NAME";
+      "; expected t=NAME,id=NAME,x=NAME,y=NAME and optionally radius=NAME, or numbers of columns";
   Track_columns result;
   const std::array<std::pair<std::string_view, std::string*>, 5> columns = {
       {{"t", &result.t},
@@ -95,6 +102,21 @@ Tracks_file_options reading_options(const Tracks_options& options) {
     result.projection = static_cast<Tracks_projection>(
         1 + choice_argument("--projection", *options.projection, projections));
   }
+  if (options.date_format) {
+    const std::string problem = problem_of_date_format(*options.date_format);
+    if (!problem.empty()) {
+      throw Usage_error(joined("--date-format: '", *options.date_format, "' ", problem));
+    }
+    result.date_format = *options.date_format;
+  }
+  if (options.duplicates) {
+    result.duplicates = static_cast<Tracks_duplicates>(
+        1 + choice_argument("--duplicates", *options.duplicates, duplicates));
+  }
+  if (options.unwrap) {
+    choice_argument("--unwrap", *options.unwrap, unwraps);
+    result.unwrap = Tracks_unwrap::nearest;
+  }
   if (options.fps) result.fps = positive_argument("--fps", *options.fps);
   return result;
 }
@@ -108,6 +130,8 @@ Tracks_settings tracks_settings(const Tracks_options& options) {
   if (options.longest_gap) {
     result.longest_gap = positive_argument("--max-gap", *options.longest_gap);
   }
+  result.leaves_out_coincident =
+      choice_argument("--coincident", options.coincident, coincidences) == 1;
   result.logs_contacts = collisions_argument(options.collisions, none_and_log).response != nullptr;
   if (options.radius && !result.logs_contacts) {
     throw Usage_error("--radius: nothing touches a disc; expected --collisions log as well");
@@ -139,12 +163,29 @@ Command tracks_command() {
   result.add("--format", &options->format, choice_type(format_names()), format_help());
   result.add(
       "--columns", &options->columns, "t=T,id=ID,x=X,y=Y",
-      "The names of these columns, and of radius=R if there is one, in a table with a header, "
-      "separated by commas, semicolons, tabs or blanks; in GeoJSON, the properties t and id");
+      "The names of these columns, and of radius=R if there is one, in a table that is separated "
+      "by "
+      "commas, semicolons, tabs or blanks; their numbers, from 1 on, where it has no header; in "
+      "GeoJSON, the properties t and id");
   result.add(
       "--projection", &options->projection, choice_type(projections),
       "Places in degrees of longitude and latitude: none takes them as they are; local makes "
-      "them metres, by an equirectangular projection about the middle of the data");
+      "them metres, by an equirectangular projection about the middle of the data; utm those of "
+      "its zone of UTM. Both are refused where distances can be off by more than 0.1 %");
+  result.add(
+      "--date-format", &options->date_format, "F",
+      "The form of dates that are not ISO 8601, such as '%d/%m/%Y %H:%M:%S' (as of strptime; "
+      "%S takes a fraction)");
+  result.add("--duplicates", &options->duplicates, choice_type(duplicates),
+             "Several places of an id at one time: take the first or last in the file, or their "
+             "mean, or refuse the file (default: first, but refuse where half of the times of an "
+             "id or more have several)");
+  result.add("--unwrap", &options->unwrap, choice_type(unwraps),
+             "Atoms that leave a periodic box and come in on its other side go on to the nearest "
+             "image of their next place (default: they are refused)");
+  result.add("--coincident", &options->coincident, choice_type(coincidences),
+             "Things that are at one place for some time: refuse the file (default), or leave out "
+             "all of such a group but the one that comes first");
   result.add("--fps", &options->fps, "F",
              "Frames in a unit of time in TRACKS, where times are numbers of frames (default: the "
              "rate that TRACKS gives, or 1). The rate of --frames is --frames-per-time");
@@ -174,7 +215,8 @@ Command tracks_command() {
   result.examples = {"kinetri tracks tracks.csv --events events.csv --ids ids.csv --audit end",
                      "kinetri tracks crowd.txt --format frames --fps 25 --closest 10",
                      "kinetri tracks ships.csv --columns t=time,id=name,x=lon,y=lat --projection "
-                     "local"};
+                     "utm",
+                     "kinetri tracks gt.txt --columns t=1,id=2,x=3,y=4 --closest 10"};
   result.run = [options](const Command& /*program*/) {
     const auto source = tracks_source(tracks_settings(*options));
     return run_simulation(settings_of_run(*options), *source);

@@ -22,7 +22,8 @@ class Points_source final : public Run_source {
   explicit Points_source(Points_settings settings) : settings_(std::move(settings)) {}
 
   std::string path() const override { return settings_.points; }
-  std::string points_file() const override { return settings_.points; }
+  // Other programs do not read UTF-16.
+  std::string points_file() const override { return points_.is_utf16 ? "" : settings_.points; }
   void read() override;
   std::size_t number_of_points() const override { return points_.number_of_points(); }
   double from() const override { return settings_.from; }
@@ -57,8 +58,16 @@ void Points_source::read() {
 }
 
 std::vector<std::string> Points_source::remarks() const {
-  if (points_.ignored_columns.empty()) return {};
-  return {joined("columns that are ignored: ", separated(points_.ignored_columns, ", "))};
+  std::vector<std::string> result;
+  if (points_.is_utf16) result.emplace_back("the file is in UTF-16, read as UTF-8");
+  if (!points_.ignored_columns.empty()) {
+    result.push_back(
+        joined("columns that are ignored: ", separated(points_.ignored_columns, ", ")));
+  }
+  if (points_.comment_lines > 0) {
+    result.push_back(joined(counted(points_.comment_lines, "line"), " left out, beginning with #"));
+  }
+  return result;
 }
 
 Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <ostream>
 #include <span>
 #include <utility>
@@ -16,9 +17,12 @@
 #include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/tracks.h"
 #include "sources/any_simulation.h"
+#include "sources/shared_paths.h"
 
 namespace kinetri::app {
 namespace {
+
+constexpr std::size_t most_named = 10;  // ids in a message
 
 class Tracks_source final : public Run_source {
  public:
@@ -56,6 +60,7 @@ class Tracks_source final : public Run_source {
     return tracks_error(input_name(path()), file_.place_name, line, message);
   }
   void check_frame_rate() const;
+  void leave_out_coincident(const Tracks_options& options);
   void check_velocities() const;
   void check_radii() const;
   std::vector<double> disc_radii() const;
@@ -67,6 +72,8 @@ class Tracks_source final : public Run_source {
   double from_ = 0;
   double until_ = 0;
   std::optional<Box_2> extent_;
+  std::size_t coincident_ = 0;    // ids that are left out, being at one place with another
+  std::string coincident_names_;  // of the first of them
 };
 
 void Tracks_source::read() {
@@ -99,6 +106,7 @@ void Tracks_source::read() {
   if (settings_.longest_gap) options.longest_gap = *settings_.longest_gap;
   stays_ = stays_of(observations_, options);
   check_velocities();
+  if (settings_.leaves_out_coincident) leave_out_coincident(options);
 }
 
 // That a rate has frames to divide by it.
@@ -107,6 +115,38 @@ void Tracks_source::check_frame_rate() const {
   throw Usage_error(joined("--fps: ", input_name(path()),
                            " has times, not frames; expected no --fps (--frames-per-time is the "
                            "rate of --frames and --vtu)"));
+}
+
+// All but the first of those that are at one place for some time.
+void Tracks_source::leave_out_coincident(const Tracks_options& options) {
+  const auto companion =
+      shared_paths(observations_, stays_,
+                   settings_.logs_contacts ? disc_radii() : std::vector<double>(), from_, until_)
+          .companion;
+  std::vector<std::string> named;
+  std::map<std::size_t, std::string> first_ids;
+  std::size_t kept = 0;
+  for (std::size_t track = 0; track < companion.size(); ++track) {
+    if (companion[track] != track) {
+      file_.observations -= file_.tracks[track].observations.size();
+      ++coincident_;
+      if (named.size() < most_named) {
+        named.push_back(joined(kinetri::quoted(file_.tracks[track].id), " with ",
+                               kinetri::quoted(first_ids.at(companion[track]))));
+      }
+      continue;
+    }
+    first_ids[track] = file_.tracks[track].id;
+    if (kept != track) {
+      file_.tracks[kept] = std::move(file_.tracks[track]);
+      observations_[kept] = std::move(observations_[track]);
+    }
+    ++kept;
+  }
+  file_.tracks.resize(kept);
+  observations_.resize(kept);
+  stays_ = stays_of(observations_, options);
+  coincident_names_ = separated(named, ", ");
 }
 
 // Finite numbers may be too far apart for a finite velocity.
@@ -185,11 +225,26 @@ Input_error Tracks_source::coincidence(const Coincident_trajectories_error& coin
   };
   const std::size_t one = line(coincident.first());
   const std::size_t other = line(coincident.second());
-  return error(std::max(one, other),
-               joined("from t = ", time, " on ids ", kinetri::quoted(name(coincident.first())),
-                      " and ", kinetri::quoted(name(coincident.second())), " go the same way (see ",
-                      file_.place_name, ' ', std::min(one, other),
-                      "); expected things that are apart at one of two observations"));
+  const auto pair_of = [&](Point_id a, Point_id b) {
+    return joined(kinetri::quoted(name(a)), " and ", kinetri::quoted(name(b)));
+  };
+  const auto [first, second] = std::minmax({coincident.first(), coincident.second()});
+  const std::vector<double> radii = settings_.logs_contacts ? disc_radii() : std::vector<double>();
+  const Shared_paths paths = shared_paths(observations_, stays_, radii, from_, until_);
+  std::string others;
+  for (const auto& [stays, since] : paths.first) {
+    if (stays == std::array<std::size_t, 2>{first, second}) continue;
+    append(others, others.empty() ? ", and so do " : ", ",
+           pair_of(static_cast<Point_id>(stays[0]), static_cast<Point_id>(stays[1])),
+           " from t = ", since, " on");
+  }
+  if (!paths.are_all) append(others, ", and more pairs");
+  return error(
+      std::max(one, other),
+      joined("from t = ", time, " on ids ", pair_of(first, second), " go the same way (see ",
+             file_.place_name, ' ', std::min(one, other), ")", others,
+             "; expected things that are apart at one of two observations, or --coincident "
+             "leave-out, which leaves out all but the first of each such group"));
 }
 
 void Tracks_source::write_points(std::ostream& out) const {
@@ -241,13 +296,15 @@ std::vector<std::string> Tracks_source::remarks() const {
     result.push_back(joined("format ", formats[static_cast<std::size_t>(file_.format)].name));
   }
   result.insert(result.end(), file_.remarks.begin(), file_.remarks.end());
-  if (file_.doubled_rows > 0) {
-    result.push_back(
-        joined(counted(file_.doubled_rows, "row"), " left out, being a copy of another"));
+  for (std::string& remark : remarks_on_rows(file_, settings_.reading.duplicates)) {
+    result.push_back(std::move(remark));
   }
-  if (file_.rows_out_of_order > 0) {
-    result.push_back(joined(counted(file_.rows_out_of_order, "row"), " out of the order of time"));
+  if (coincident_ > 0) {
+    result.push_back(joined(counted(coincident_, "id"),
+                            " left out, being at one place with another for some time: ",
+                            coincident_names_, coincident_ > most_named ? " and others" : ""));
   }
+
   const auto singles = std::ranges::count_if(
       file_.tracks, [](const Track& track) { return track.observations.size() == 1; });
   if (singles > 0) {

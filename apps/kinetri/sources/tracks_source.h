@@ -14,13 +14,14 @@
 namespace kinetri::app {
 
 struct Tracks_settings {
-  std::string tracks;                 ///< a path, or "-"
-  Tracks_file_options reading;        ///< how they are read
-  std::optional<double> from;         ///< without one, the first observation
-  std::optional<double> until;        ///< without one, the last
-  std::optional<double> longest_gap;  ///< without one, there is none
-  bool logs_contacts = false;         ///< of discs
-  std::optional<double> radius;       ///< of all discs, instead of the column of the tracks
+  std::string tracks;                  ///< a path, or "-"
+  Tracks_file_options reading;         ///< how they are read
+  std::optional<double> from;          ///< without one, the first observation
+  std::optional<double> until;         ///< without one, the last
+  std::optional<double> longest_gap;   ///< without one, there is none
+  bool leaves_out_coincident = false;  ///< all but one of those that are at one place for a while
+  bool logs_contacts = false;          ///< of discs
+  std::optional<double> radius;        ///< of all discs, instead of the column of the tracks
 };
 
 std::unique_ptr<Run_source> tracks_source(const Tracks_settings& settings);

@@ -4,7 +4,10 @@
 // optionally radius, growth, mass, ax and ay, jx and jy in any order, then one point a line: its
 // place at time 0 and its derivatives there, velocity, acceleration and jerk; the radius that a
 // disc about it has at time 0, how much that grows in a unit of time, and the mass. Blank lines and
-// lines that begin with # are skipped.
+// lines that begin with # are skipped; but such a line is a point where the first column is `id`,
+// it has as many fields as the header, and its numbers are numbers: its label is #1, for example.
+// Columns z and vz, which go together, are ignored where they are the same for all points, and else
+// are an error: points move in the plane. A file in UTF-16 is read as the same text in UTF-8.
 //
 // Files as R, pandas and spreadsheets write them are read as well: fields in quotation marks (two
 // of them inside stand for one), names of columns in upper case, semicolons as separators where the
@@ -58,6 +61,8 @@ struct Points_file {
   std::vector<std::string> labels;
   /// The names of the other columns, as messages show them: in quotes, printable, not too long.
   std::vector<std::string> ignored_columns;
+  bool is_utf16 = false;          ///< whether the file was in UTF-16
+  std::size_t comment_lines = 0;  ///< lines that begin with #, and are no points
 
   /// The number of points, of either kind.
   std::size_t number_of_points() const { return lines.size(); }

@@ -4,36 +4,51 @@
 // rows of a file may stand in any order. The formats:
 //
 //   rows     comma separated, a header line naming the columns t, id, x, y and optionally radius,
-//   of
-//            a disc about what moves, in any order; an id is any text without commas, which is not
-//            quoted: quotation marks belong to the id; all rows of an id have the same radius
+//            of a disc about what moves, and z, which is left out, in any order; an id is any text
+//            without commas, which is not quoted: quotation marks belong to the id; all rows of an
+//            id have the same radius
 //   frames   no header; four fields `frame id x y` separated by tabs or blanks, the form of some
 //            public data sets of pedestrians; a frame is a finite number, an id any text
 //   ids      no header; fields `id frame x y`, and others behind them that are ignored (z),
-//   separated
-//            by tabs or blanks, the form of other public data sets of pedestrians
-//   table    any table with a header line whose columns Track_columns names, separated by commas,
-//            semicolons, tabs or blanks; fields may be quoted (RFC 4180)
+//            separated by tabs or blanks, the form of other public data sets of pedestrians
+//   table    any table whose columns Track_columns names, by their names in its header or, where it
+//            has none, by their numbers; separated by commas, semicolons, tabs or blanks; fields
+//            may be quoted (RFC 4180)
 //   jupedsim a database of SQLite as JuPedSim writes it, of version 1, 2 or 3
 //   sumo     XML with floating-car data, as SUMO writes it: fcd-export
+//   gpx      XML with tracks of GPS receivers: gpx
+//   trackmate XML with tracks of TrackMate: Tracks
 //   lammps   a text dump of LAMMPS with the columns id and x y, xu yu, xs ys or xsu ysu
 //   xyz      XYZ, plain or extended, several frames one behind the other
 //   geojson  GeoJSON: points with properties for id and time, lines with a time for each place
 //
-// In those of lines of fields, rows to geojson excluded, blank lines and lines that begin with #
-// are skipped.
+// In rows, frames, ids and table, blank lines and lines that begin with # are skipped; but such a
+// line is a row where it has as many fields as the others, its first column is no number, and the
+// numbers of its columns are numbers: the # begins an id, such as #1.
+//
+// A file in UTF-16 is read as the same text in UTF-8.
+//
+// In rows and table, lines below the header whose times and places begin with no digit, sign or
+// point name units, and are left out. A row whose places are both empty, NaN, NA, N/A, null or None
+// is no observation; nor is, in a table, one without an id, and where places are degrees, one at
+// the latitude 91 or the longitude 181, by which AIS says that it knows no place.
 //
 // Files with rows `frame id x y` and with rows `id frame x y` look alike. What tells them apart is
-// a sign: a comment that names the columns; a comment that gives a frame rate, which files of ids
-// have; whole numbers as ids that never repeat, while a frame does; or places that make sense only
-// in the other order. Tracks_format::automatic takes the order that the signs are for, and refuses
-// a file without a sign, or with signs for both. The formats frames and ids refuse a file with a
-// sign of the other order. A comment line `# frame id x y` or `# id frame x y` confirms the order:
-// with it, only a comment that contradicts it is refused.
+// a sign: a comment that names the columns, without which Tracks_format::automatic takes rows of
+// four fields alone; a comment that gives a frame rate, which files of ids have; whole numbers as
+// ids that never repeat, while a frame does; or places that make sense only in the other order.
+// Tracks_format::automatic takes the order that the signs are for, and refuses a file without a
+// sign, or with signs for both. The formats frames and ids refuse a file with a sign of the other
+// order. A comment line `# frame id x y` or `# id frame x y` confirms the order: with it, only a
+// comment that contradicts it is refused.
 //
 // A column of times, and a time in GeoJSON, is a number, or a date and time in ISO 8601 (such as
-// 2024-05-01T12:00:00.5Z); all of a file are of one kind. Dates become seconds since the earliest
-// of the file, rounded to nearest.
+// 2024-05-01T12:00:00.5Z) or in Tracks_file_options::date_format; all of a file are of one kind.
+// Dates become seconds since the earliest of the file, rounded to nearest.
+//
+// Places are taken for degrees where the file says so: GeoJSON and GPX by their standard, SUMO in
+// the comment that shows its configuration, a table by the names of its columns (lon, location-lat,
+// decimalLongitude, GPSLatitude, x_deg) or by units in brackets or below the header (x (deg)).
 //
 // An id is its text: 1 and 1.0 are two ids. Numbers are read as those of files of points are
 // (kinetri/io/points_file.h).
@@ -65,6 +80,8 @@ enum class Tracks_format {
   lammps,     ///< dumps
   xyz,        ///< frames of atoms
   geojson,    ///< JSON
+  gpx,        ///< XML of GPS receivers
+  trackmate,  ///< XML of TrackMate
 };
 
 /// A format as users see it.
@@ -77,7 +94,10 @@ struct Tracks_format_name {
 /// All formats, in the order of the enumerators.
 std::span<const Tracks_format_name> tracks_formats();
 
-/// Which columns of a table, or properties in GeoJSON, mean what. Empty: not named.
+/// Which columns of a table, or properties in GeoJSON, mean what. Empty: not named. Where all that
+/// are named are whole numbers, from 1 on, they are the numbers of the columns of a table without a
+/// header. (A first row of which neither time nor place begins with a digit, a sign or a point is a
+/// header nevertheless, and is left out.)
 struct Track_columns {
   std::string t = {};       ///< times
   std::string id = {};      ///< ids
@@ -91,7 +111,11 @@ struct Track_columns {
   }
 };
 
-/// What becomes of places in degrees of longitude and latitude.
+/// What becomes of places in degrees of longitude and latitude. Places on both sides of the
+/// antimeridian are no further apart than they are on earth. The functions are those of the C
+/// library: machines may differ in the last digits. The remarks say by how much distances are off
+/// at most; a file in which that can be more than 0.1 % is refused, and the message says by how
+/// much.
 enum class Tracks_projection {
   refused,  ///< files that have degrees by their standard, or in columns with such names, are
             ///< refused
@@ -100,9 +124,32 @@ enum class Tracks_projection {
   /// earth, equirectangular about the middle of the data (l, p), which is that of their bounding
   /// box: x = R cos(p) (x - l), y = R (y - p), angles in radians (J. P. Snyder, Map projections: a
   /// working manual, U.S. Geological Survey Professional Paper 1395, 1987, section 12). Distances
-  /// of places that are d radians of latitude from the middle are wrong by a factor of about d
-  /// tan(p).
+  /// are compared with those on the sphere, which are off by up to 0.7 % themselves, since the
+  /// earth is none.
   local,
+  /// x and y are degrees on the ellipsoid of WGS 84, and become metres in the zone of Universal
+  /// Transverse Mercator that the middle of the data is in: x from 500000 m west of its central
+  /// meridian, y from the equator, or where all places are in the south, from 10000000 m below it.
+  /// The zones are all 6 degrees wide: the exceptions in Norway and Svalbard are not made. By the
+  /// series of Krueger to the sixth order (C. F. F. Karney, Transverse Mercator with an accuracy of
+  /// a few nanometers, Journal of Geodesy 85, 2011, equations 7 to 11 and 35).
+  utm,
+};
+
+/// What becomes of several places of one id at one time.
+enum class Tracks_duplicates {
+  automatic,  ///< as first; but refused if, for an id, half of the times or more have several
+              ///< places, since then the id may be that of several things
+  refuse,     ///< the file is refused
+  first,      ///< the place that comes first in the file is taken
+  last,       ///< the last one
+  mean,       ///< the mean of all that differ, computed from left to right
+};
+
+/// What becomes of atoms that leave a periodic box and come in on its other side.
+enum class Tracks_unwrap {
+  refused,  ///< files in which an atom goes farther than half of the box are refused
+  nearest,  ///< an atom goes on to the nearest image of its next place
 };
 
 /// How a file of tracks is read.
@@ -115,7 +162,18 @@ struct Tracks_file_options {
   Track_columns columns =
       {};  ///< for the formats table and geojson; makes `automatic` one of the two
   Tracks_projection projection = Tracks_projection::refused;  ///< of degrees
+  /// The form of dates, if it is not ISO 8601, as of strptime: %Y %y %m %b %B %d %j %H %I %M %S %f
+  /// %p %z %Z %a %A %T %D %F %R %% and other characters that stand for themselves; a blank stands
+  /// for one or more. %S takes a fraction. Two digits of a year are from 1969 to 2068. Names are
+  /// English. See problem_of_date_format.
+  std::string date_format = {};
+  Tracks_duplicates duplicates = Tracks_duplicates::automatic;  ///< of several places at one time
+  Tracks_unwrap unwrap = Tracks_unwrap::refused;                ///< of the formats lammps and xyz
 };
+
+/// What is wrong with a format of dates, as the second half of a message; empty if nothing is: it
+/// has a year, month and day, and hours where it has minutes.
+std::string problem_of_date_format(std::string_view format);
 
 /// Something was seen at a place.
 struct Track_observation {
@@ -145,6 +203,10 @@ struct Tracks_file {
   /// Rows, doubled ones included, whose time is earlier than that of the row before it in the file
   /// that has the same id.
   std::size_t rows_out_of_order = 0;
+  std::size_t comment_lines = 0;               ///< lines that begin with #, none of them a row
+  std::size_t rows_without_place = 0;          ///< rows that are no observation
+  std::size_t rows_without_id = 0;             ///< rows of a table that belong to nothing
+  std::size_t rows_at_another_place = 0;       ///< rows left out by Tracks_duplicates, or averaged
   Tracks_format format = Tracks_format::rows;  ///< the one that was read, never `automatic`
   /// What Track_observation::line counts: "line", "row" (of the table trajectory_data), "feature".
   std::string_view place_name = "line";
@@ -159,6 +221,10 @@ struct Tracks_file {
   std::vector<std::string> remarks;
 };
 
+/// What a user should know of rows that were left out, merged, or not in order, in phrases as those
+/// of Tracks_file::remarks. `duplicates` is that of the options.
+std::vector<std::string> remarks_on_rows(const Tracks_file& file, Tracks_duplicates duplicates);
+
 /// Reads tracks from `in`. Lines may have up to 2^20 bytes, and are read one by one: beyond the
 /// result that needs memory for one line, for the doubled rows, and for sorting; where `automatic`
 /// has to tell frames from ids, for the tracks in both orders. Databases and JSON are read whole.
@@ -169,7 +235,8 @@ struct Tracks_file {
 /// their times are equal are rows at one time. Where a comment of the formats frames and ids says
 /// that places are in centimetres or millimetres they become metres: x / 100 or x / 1000, rounded
 /// to nearest. Scaled places of LAMMPS, and those with images, are computed from the box, each
-/// operation rounded to nearest. A third coordinate is ignored; remarks say so.
+/// operation rounded to nearest. A third coordinate is ignored, and so are columns of a table that
+/// are not named; remarks say so.
 ///
 /// Throws Input_error `name:line: ...`, or with the place in other words where there are no lines,
 /// for everything else, such as: a format that is not recognized, or is ambiguous, or for which the
@@ -177,12 +244,14 @@ struct Tracks_file {
 /// missing or named twice; a row with too few or too many fields; a field that is empty, or not a
 /// number where one is needed (see parse_number); a time that is out of the range of binary64; a
 /// negative radius, or two radii of one id, naming both lines; one id at two places at one time,
-/// naming both lines; a frame rate, unit or order of columns in the file that contradicts the
-/// options, or another in it; degrees, unless a projection is chosen; atoms that jump through the
-/// boundary of a periodic box; a stream that fails; a file that ends too early. Of several ids that
-/// are at two places the one whose second place comes first in the file is named.
+/// naming both lines, unless the options allow it; a frame rate, unit or order of columns in the
+/// file that contradicts the options, or another in it; degrees, unless a projection is chosen that
+/// keeps distances; atoms that jump through the boundary of a periodic box, unless they are
+/// unwrapped; a stream that fails; a file that ends too early. Of several ids that are at two
+/// places the one whose second place comes first in the file is named.
 ///
-/// Precondition: `fps`, if there is one, is finite and greater than 0.
+/// Precondition: `fps`, if there is one, is finite and greater than 0, and problem_of_date_format
+/// is empty for `date_format`, if that is not.
 ///
 /// Cost: O(n log n) for n rows, and O(log n) comparisons of an id with others per row, for every
 /// input.

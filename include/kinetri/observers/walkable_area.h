@@ -26,10 +26,10 @@ class Triangulated_area;
 /// share what they hold, and several threads may use them at once.
 class Walkable_area {
  public:
-  /// Reads a POLYGON, a MULTIPOLYGON, or a GEOMETRYCOLLECTION of these, as Well-Known Text (OpenGIS
-  /// Simple Features Access, part 1, section 7) of two coordinates. A ring ends with the position
-  /// with which it begins, and may go in either direction; a position that is repeated at once
-  /// counts once.
+  /// Reads a POLYGON, a MULTIPOLYGON, or a GEOMETRYCOLLECTION of these, or of such collections, as
+  /// Well-Known Text (OpenGIS Simple Features Access, part 1, section 7) of two coordinates. A ring
+  /// ends with the position with which it begins, and may go in either direction; a position that
+  /// is repeated at once counts once.
   ///
   /// Throws Input_error, with `name` for the file, the line, and the column or the number of the
   /// polygon and the ring, if the text is something else or goes on after the end; if a coordinate

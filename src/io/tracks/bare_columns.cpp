@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <list>
 
+#include "degrees.h"
 #include "io/frame_columns.h"
 #include "io/text.h"
 #include "kinetri/base/error.h"
@@ -26,6 +27,12 @@ constexpr std::string_view or_confirm_frame_first =
 constexpr std::string_view expect_id_first =
     "; expected id, frame, x and y in this order: read the file with --format frames, or, if this "
     "is their order, add the line '# id frame x y' above the rows";
+constexpr std::string_view expect_id_first_of_many =
+    "; expected id, frame, x and y in this order: read the file with --format table --columns "
+    "t=1,id=2,x=3,y=4, with the numbers of its columns, or, if this is their order, add the line "
+    "'# id frame x y' above the rows";
+constexpr std::string_view with_numbers_of_columns =
+    "--format table --columns t=1,id=2,x=3,y=4, with the numbers of its columns";
 constexpr std::string_view expect_four = "4, frame, id, x and y, separated by tabs or blanks";
 constexpr std::string_view as_if_exchanged = ", as if the first two columns were exchanged";
 
@@ -53,10 +60,12 @@ std::string_view name_of(Length_unit unit) {
 
 // The rows in one order of the columns.
 struct Reading {
-  Reading(const Frame_columns& order, const std::string& name) : columns(order), builder(name) {}
+  Reading(const Frame_columns& order, const Tracks_input& input)
+      : columns(order), builder(input.name, input.options.duplicates) {}
 
   Frame_columns columns;
   Tracks_builder builder;
+  std::size_t rows_without_place = 0;
   std::string problem;  // that makes it impossible
 };
 
@@ -68,16 +77,19 @@ class Bare_columns_reader {
 
   Tracks_file read() {
     table_.watch_comments([this](std::string_view comment) { heed(comment); });
+    table_.watch_rows([this](std::string_view line) { return is_row_of_ids(line); });
     while (const auto line = table_.next()) {
-      fields_.clear();
-      for_each_field_between_blanks(*line,
-                                    [this](std::string_view field) { fields_.push_back(field); });
+      split(*line);
       check_number_of_fields();
       if (readings_.empty()) begin();
       if (wanted_ == Tracks_format::frames && !is_order_confirmed() && frame_rate_line_ > 0) {
         fail_for_frame_rate();
       }
-      if (first_rows_.size() < 2) first_rows_.emplace_back(fields_.begin(), fields_.end());
+      is_row_of_ids_ = line->starts_with('#');
+      rows_of_ids_ += is_row_of_ids_ ? 1 : 0;
+      if (first_rows_.size() < 2 && !is_row_of_ids_) {
+        first_rows_.emplace_back(fields_.begin(), fields_.end());
+      }
       add_to_readings();
     }
     if (readings_.empty()) begin();
@@ -90,6 +102,11 @@ class Bare_columns_reader {
   // What a comment says must agree with how the file is read.
   void heed(std::string_view comment) {
     const Comment_signs signs = signs_in_comment(comment);
+    // Beside x and y there may be degrees as well.
+    if (signs.column_names.empty() && says_degrees(comment)) {
+      expect_projection(input_, table_.line(), "the comment says that places are");
+    }
+    if (!signs.column_names.empty() || signs.frame_rate || signs.unit) ++used_comments_;
     if (!signs.column_names.empty()) heed_names(signs);
     if (signs.frame_rate) heed_frame_rate(*signs.frame_rate);
     if (signs.unit) heed_unit(signs);
@@ -155,15 +172,49 @@ class Bare_columns_reader {
 
   // ---- rows ----
 
+  void split(std::string_view line) {
+    fields_.clear();
+    for_each_field_between_blanks(line,
+                                  [this](std::string_view field) { fields_.push_back(field); });
+  }
+
+  // Whether the line, which begins with #, is no comment, but a row whose first field is the id.
+  bool is_row_of_ids(std::string_view line) {
+    if (wanted_ == Tracks_format::frames || (names_ && columns_of(*names_).id != 0)) return false;
+    split(line);
+    const bool has_fields = number_of_fields_ == 0 ? fields_.size() == least_fields
+                                                   : fields_.size() == number_of_fields_;
+    if (!has_fields || fields_.front().size() < 2) return false;
+    return std::all_of(fields_.begin() + 1, fields_.begin() + least_fields,
+                       [](std::string_view field) {
+                         return is_missing(field) || parse_number(field).problem.empty();
+                       });
+  }
+
   void check_number_of_fields() {
     if (fields_.size() < least_fields && number_of_fields_ == 0) {
+      if (fields_.front().find_first_of(",;") != std::string_view::npos) {
+        table_.fail(
+            joined("the row has commas or semicolons; expected fields that are separated "
+                   "by tabs or blanks, or ",
+                   with_numbers_of_columns));
+      }
       // What is no number says more.
       if (wanted_ == Tracks_format::frames) table_.number(fields_.front(), "frame");
       fail_for_fields(wanted_ == Tracks_format::frames
                           ? expect_four
                           : "at least 4, id, frame, x and y, separated by tabs or blanks");
     }
-    if (number_of_fields_ == 0) number_of_fields_ = fields_.size();
+    if (number_of_fields_ == 0) {
+      number_of_fields_ = fields_.size();
+      if (wanted_ == Tracks_format::automatic && !names_ && number_of_fields_ > least_fields) {
+        table_.fail(joined("the row has ", number_of_fields_,
+                           " fields, and nothing says what they are; expected ",
+                           with_numbers_of_columns,
+                           ", or a comment above the rows that names "
+                           "them, such as '# id frame x y z'"));
+      }
+    }
     if (fields_.size() == number_of_fields_) return;
     fail_for_fields(wanted_ == Tracks_format::frames
                         ? expect_four
@@ -178,15 +229,15 @@ class Bare_columns_reader {
   // The readings that are possible before the first row.
   void begin() {
     if (names_) {
-      readings_.emplace_back(columns_of(*names_), input_.name);
+      readings_.emplace_back(columns_of(*names_), input_);
       return;
     }
     // Files of frames have no other columns.
     const bool may_be_frames =
         wanted_ == Tracks_format::frames ||
         (wanted_ == Tracks_format::automatic && number_of_fields_ == least_fields);
-    if (may_be_frames) readings_.emplace_back(of_frames, input_.name);
-    if (wanted_ != Tracks_format::frames) readings_.emplace_back(of_ids, input_.name);
+    if (may_be_frames) readings_.emplace_back(of_frames, input_);
+    if (wanted_ != Tracks_format::frames) readings_.emplace_back(of_ids, input_);
   }
 
   // Words of the comment before the names are names of columns, too, if there are fields for them.
@@ -212,6 +263,11 @@ class Bare_columns_reader {
 
   void add(Reading& reading) {
     const Frame_columns& columns = reading.columns;
+    if (is_row_of_ids_ && columns.id != 0) return;
+    if (is_missing(fields_[columns.x]) && is_missing(fields_[columns.y])) {
+      ++reading.rows_without_place;
+      return;
+    }
     const Parsed_number frame = parse_number(fields_[columns.frame]);
     if (!frame.problem.empty()) {
       reading.problem =
@@ -244,6 +300,10 @@ class Bare_columns_reader {
       }
       return only;
     }
+    if (readings_.front().builder.tracks().empty() && rows_of_ids_ > 0) {
+      remark_ = "the columns are taken as id frame x y, since the first one begins with #";
+      return readings_.back();
+    }
     const auto against_frames = sign_in_rows(readings_.front().builder.tracks());
     const auto against_ids = sign_in_rows(readings_.back().builder.tracks());
     const bool has_sign_of_ids = against_frames || frame_rate_line_ > 0;
@@ -262,8 +322,10 @@ class Bare_columns_reader {
   [[noreturn]] void fail_for_sign(const std::string& sign, bool is_of_ids) const {
     throw Input_error(
         input_.name, 0,
-        is_of_ids ? joined(sign, as_if_exchanged, expect_id_first)
-                  : joined(sign, as_if_exchanged, expect_frame_first, or_confirm_frame_first));
+        is_of_ids
+            ? joined(sign, as_if_exchanged,
+                     number_of_fields_ == least_fields ? expect_id_first : expect_id_first_of_many)
+            : joined(sign, as_if_exchanged, expect_frame_first, or_confirm_frame_first));
   }
 
   [[noreturn]] void fail_as_ambiguous() const {
@@ -293,7 +355,15 @@ class Bare_columns_reader {
     }
     result.format =
         reading.columns.frame < reading.columns.id ? Tracks_format::frames : Tracks_format::ids;
+    result.comment_lines = table_.comments() - used_comments_;
+    if (reading.columns.id != 0) result.comment_lines += rows_of_ids_;
+    result.rows_without_place = reading.rows_without_place;
     note_frame_rate(result, input_, file_rate_, "frames");
+    if (number_of_fields_ > least_fields) {
+      const std::size_t others = number_of_fields_ - least_fields;
+      result.remarks.push_back(
+          joined("columns besides frame, id, x and y, which are not used: ", others));
+    }
     if (!remark_.empty()) result.remarks.push_back(remark_);
     if (unit_ && *unit_ != Length_unit::metre) {
       result.remarks.push_back(joined("places are in metres; the file has ", name_of(*unit_)));
@@ -312,22 +382,38 @@ class Bare_columns_reader {
   std::optional<double> file_rate_;
   std::size_t frame_rate_line_ = 0;  // of a comment that gives the rate; 0 if there is none
   std::optional<Length_unit> unit_;
+  bool is_row_of_ids_ = false;     // the row begins with #
+  std::size_t rows_of_ids_ = 0;    // that begin with #
+  std::size_t used_comments_ = 0;  // that say something of the rows
   std::string remark_;
 };
 
 }  // namespace
 
 bool has_bare_columns(std::string_view head) {
-  std::size_t fields = 0;
-  std::size_t numbers = 0;
-  for_each_line_of_head(head, [&](std::string_view line) {
+  // All but an id that is a text.
+  const auto has_numbers = [](std::string_view line) {
+    std::size_t fields = 0;
+    std::size_t numbers = 0;
     for_each_field_between_blanks(line, [&](std::string_view field) {
       if (fields++ < least_fields && parse_number(field).problem.empty()) ++numbers;
     });
+    return fields >= least_fields && numbers + 1 >= least_fields;
+  };
+  bool has_rows = false;
+  bool result = false;
+  for_each_line_of_head(head, [&](std::string_view line) {
+    has_rows = true;
+    result = has_numbers(line);
     return false;
   });
-  // All but an id that is a text.
-  return fields >= least_fields && numbers + 1 >= least_fields;
+  // Where all ids begin with #, the rows look like comments.
+  while (!has_rows && !result && !head.empty()) {
+    const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
+    result = line.size() > 1 && !is_blank(line[1]) && has_numbers(line);
+    head.remove_prefix(std::min(line.size() + 1, head.size()));
+  }
+  return result;
 }
 
 Tracks_file read_frames(const Tracks_input& input) {

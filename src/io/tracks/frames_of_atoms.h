@@ -53,16 +53,27 @@ class Atom_lines {
 /// places may jump; the least of all frames.
 class Periodic_widths {
  public:
+  /// The width in a frame.
   void add(std::size_t direction, double width);
 
-  /// Throws Input_error if an atom goes farther than half a width from one frame to the next, which
-  /// is a jump; the message ends in `expected`.
-  void expect_no_jumps(const Tracks_file& file, const std::string& name,
-                       std::string_view expected) const;
+  /// The box of a frame is tilted: who leaves it in the direction of y also jumps in that of x.
+  void add_tilt() { is_tilted_ = true; }
+
+  /// Lets atoms go on to the nearest image of their next place, if the options ask for that. Else
+  /// throws Input_error if an atom goes farther than half a width from one frame to the next, which
+  /// is a jump; the message ends in `expected`. Throws also if there is no box, or none of one
+  /// width, in which to unwrap, or if two images are equally near.
+  void settle_jumps(Tracks_file& file, const Tracks_input& input, std::string_view expected) const;
 
  private:
-  std::array<double, 2> widths_ = {std::numeric_limits<double>::infinity(),
-                                   std::numeric_limits<double>::infinity()};
+  void expect_no_jumps(const Tracks_file& file, const std::string& name,
+                       std::string_view expected) const;
+  void unwrap(Tracks_file& file, const std::string& name) const;
+
+  std::array<double, 2> least_ = {std::numeric_limits<double>::infinity(),
+                                  std::numeric_limits<double>::infinity()};
+  std::array<double, 2> greatest_ = {0, 0};
+  bool is_tilted_ = false;
 };
 
 }  // namespace kinetri

@@ -70,7 +70,7 @@ json parsed(const Tracks_input& input) {
 class Geojson_reader {
  public:
   explicit Geojson_reader(const Tracks_input& input)
-      : input_(input), builder_(input.name, "feature") {
+      : input_(input), builder_(input.name, input.options.duplicates, "feature") {
     const Track_columns& columns = input.options.columns;
     if (!columns.x.empty() || !columns.y.empty() || !columns.radius.empty()) {
       fail("", "places in GeoJSON have no names; expected --columns t=NAME,id=NAME");
@@ -249,7 +249,8 @@ class Geojson_reader {
     if (time.is_number()) {
       row.time.number = time.get<double>();
     } else if (time.is_string()) {
-      const Parsed_time read = parse_time(time.get_ref<const std::string&>(), time_pointer);
+      const Parsed_time read =
+          parse_time(time.get_ref<const std::string&>(), time_pointer, input_.options);
       if (!read.problem.empty()) fail("", read.problem);
       row.time = read.value;
     } else {

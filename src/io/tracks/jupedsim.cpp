@@ -185,7 +185,7 @@ class Jupedsim_reader {
       : input_(input),
         bytes_(bytes_of(input)),
         database_(input, bytes_),
-        builder_(input.name, "row") {}
+        builder_(input.name, input.options.duplicates, "row") {}
 
   Tracks_file read() {
     if (!has_table("trajectory_data")) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tracks as text dumps of LAMMPS: sections ITEM: TIMESTEP, ITEM: NUMBER OF ATOMS, ITEM: BOX BOUNDS
-// and ITEM: ATOMS with the names of columns, of which id and x y, xu yu, xs ys or xsu ysu are read;
-// ix iy say how often an atom has gone around the box.
+// Tracks as text dumps of LAMMPS: sections ITEM: UNITS once and ITEM: TIME, if asked for, before
+// ITEM: TIMESTEP (write_header in src/dump_custom.cpp of LAMMPS) or behind it, ITEM: NUMBER OF
+// ATOMS, ITEM: BOX BOUNDS and ITEM: ATOMS with the names of columns, of which id and x y, xu yu, xs
+// ys or xsu ysu are read; ix iy say how often an atom has gone around the box.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,7 +43,7 @@ struct Columns {
 class Lammps_reader {
  public:
   explicit Lammps_reader(const Tracks_input& input)
-      : input_(input), lines_(input), builder_(input.name) {}
+      : input_(input), lines_(input), builder_(input.name, input.options.duplicates) {}
 
   Tracks_file read() {
     while (const auto line = lines_.next()) {
@@ -52,12 +53,12 @@ class Lammps_reader {
       }
       read_section(std::string(trimmed(line->substr(item.size()))));
     }
-    if (timestep_) {
+    if (timestep_ || time_) {
       lines_.fail("the file ends in the middle of a frame; expected its atoms");
     }
     Tracks_file result = builder_.finish();
-    widths_.expect_no_jumps(result, input_.name,
-                            "expected a dump with xu yu, or with x y ix iy, and enough frames");
+    widths_.settle_jumps(result, input_,
+                         "expected a dump with xu yu, or with x y ix iy, and enough frames");
     result.format = Tracks_format::lammps;
     if (has_times_.value_or(false)) {
       result.remarks.push_back("times are those of ITEM: TIME");
@@ -71,10 +72,10 @@ class Lammps_reader {
  private:
   void read_section(const std::string& section) {
     if (section == "TIMESTEP") {
+      expect_first(timestep_.has_value(), section);
       timestep_ = lines_.number(lines_.expect("a timestep"), "TIMESTEP");
-      time_.reset();
-      atoms_.reset();
     } else if (section == "TIME") {
+      expect_first(time_.has_value(), section);
       time_ = lines_.number(lines_.expect("a time"), "TIME");
     } else if (section == "UNITS") {
       lines_.expect("the style of units");
@@ -88,6 +89,12 @@ class Lammps_reader {
       lines_.fail(joined("the section is ", quoted(section),
                          "; expected TIMESTEP, TIME, UNITS, NUMBER OF ATOMS, BOX BOUNDS or ATOMS"));
     }
+  }
+
+  // A frame begins behind the atoms of the one before, with its time or its timestep.
+  void expect_first(bool is_there, const std::string& section) const {
+    if (!is_there) return;
+    lines_.fail(joined("the frame has ITEM: ", section, " twice; expected its atoms between"));
   }
 
   void read_box(const std::string& section) {
@@ -117,6 +124,7 @@ class Lammps_reader {
     // The bounds of a tilted box are those of the rectangle around it
     // (https://docs.lammps.org/Howto_triclinic.html).
     const auto [xy, xz, yz] = tilts;
+    if (xy != 0) widths_.add_tilt();
     bounds_[0].low -= std::min({0., xy, xz, xy + xz});
     bounds_[0].high -= std::max({0., xy, xz, xy + xz});
     bounds_[1].low -= std::min(0., yz);
@@ -184,6 +192,8 @@ class Lammps_reader {
       builder_.add({fields[columns.id], {time}, {coordinate(0), coordinate(1)}, lines_.line()});
     }
     timestep_.reset();
+    time_.reset();
+    atoms_.reset();
   }
 
   double coordinate_of(const std::vector<std::string_view>& fields, const Columns& columns,

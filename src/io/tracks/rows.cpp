@@ -6,41 +6,99 @@
 #include <array>
 #include <utility>
 
+#include "degrees.h"
 #include "io/text.h"
+#include "kinetri/io/points_file.h"
 #include "tracks_readers.h"
 
 namespace kinetri {
 namespace {
 
-enum Column : std::size_t { t, id, x, y, radius, column_count };
+enum Column : std::size_t { t, id, x, y, radius, z, column_count };
 constexpr std::size_t required_columns = radius;
-constexpr std::array<std::string_view, column_count> columns_of_rows = {"t", "id", "x", "y",
-                                                                        "radius"};
+constexpr std::array<std::string_view, column_count> columns_of_rows = {"t", "id",     "x",
+                                                                        "y", "radius", "z"};
 constexpr std::string_view expected_columns =
     "expected a header line with the columns t,id,x,y and optionally radius, in any order";
 constexpr std::string_view or_other_table =
-    ", or --columns t=NAME,id=NAME,x=NAME,y=NAME for the names in another table, or a file in one "
-    "of the formats that --format lists";
+    ", or --columns t=NAME,id=NAME,x=NAME,y=NAME for the names in another table, --columns "
+    "t=1,id=2,x=3,y=4 for the numbers of columns of one without a header, or a file in one of the "
+    "formats that --format lists";
 
 class Rows_reader {
  public:
   explicit Rows_reader(const Tracks_input& input)
-      : input_(input), table_(input.in, input.name, tracks_kind), builder_(input.name) {}
+      : input_(input),
+        table_(input.in, input.name, tracks_kind),
+        builder_(input.name, input.options.duplicates) {}
 
   Tracks_file read() {
+    table_.watch_comments([this](std::string_view comment) {
+      if (!says_degrees(comment)) return;
+      expect_projection(input_, table_.line(), "the comment says that places are");
+    });
     const bool is_automatic = input_.options.format == Tracks_format::automatic;
     columns_ = table_.read_header(
         columns_of_rows, required_columns,
         is_automatic ? joined(expected_columns, or_other_table) : std::string(expected_columns));
-    while (const auto line = table_.next()) add(*line);
+    table_.watch_rows([this](std::string_view line) { return is_row(line); });
+    std::size_t rows_of_words = 0;
+    auto line = table_.next();
+    for (; line && is_of_words(*line); line = table_.next()) ++rows_of_words;
+    for (; line; line = table_.next()) add(*line);
     Tracks_file result = builder_.finish();
+    signs_.expect_none(result, input_);
     result.format = Tracks_format::rows;
-    result.has_radii = std::find(columns_.begin(), columns_.end(), radius) != columns_.end();
+    result.has_radii = has(radius);
+    result.comment_lines = table_.comments();
+    result.rows_without_place = rows_without_place_;
+    if (rows_of_words > 0) {
+      result.remarks.push_back(joined(rows_of_words, rows_of_words == 1 ? " row" : " rows",
+                                      " without numbers below the header left out"));
+    }
+    if (has(z)) result.remarks.emplace_back("the third coordinate, the column z, is left out");
     return result;
   }
 
  private:
+  bool has(Column column) const {
+    return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+  }
+
+  // The fields in the order of Column; false if there is not one for each column.
+  bool split(std::string_view line) {
+    fields_.fill({});
+    std::size_t fields = 0;
+    for_each_field_between_commas(line, [&](std::string_view field) {
+      if (fields < columns_.size()) fields_[columns_[fields]] = field;
+      ++fields;
+    });
+    return fields == columns_.size();
+  }
+
+  // Whether the line below the header has units where times and places would be.
+  bool is_of_words(std::string_view line) {
+    if (!split(line) || !is_word(fields_[t]) || !is_word(fields_[x]) || !is_word(fields_[y])) {
+      return false;
+    }
+    return !(fields_[t].empty() && fields_[x].empty() && fields_[y].empty());
+  }
+
+  // Whether the line, which begins with #, is no comment: the # is of an id.
+  bool is_row(std::string_view line) {
+    if (columns_.front() != id || !split(line)) return false;
+    const auto is_number = [&](Column column) {
+      return is_missing(fields_[column]) || parse_number(fields_[column]).problem.empty();
+    };
+    return parse_time(fields_[t], columns_of_rows[t], input_.options).problem.empty() &&
+           is_number(x) && is_number(y) && is_number(radius);
+  }
+
   void add(std::string_view line) {
+    if (split(line) && is_missing(fields_[x]) && is_missing(fields_[y])) {
+      ++rows_without_place_;
+      return;
+    }
     Tracks_row row;
     row.line = table_.line();
     std::size_t fields = 0;
@@ -49,13 +107,14 @@ class Rows_reader {
       ++fields;
     });
     table_.check_number_of_fields(fields, columns_.size());
+    signs_.note(row.place, fields_[x], fields_[y]);
     builder_.add(row);
   }
 
   void take(Tracks_row& row, std::string_view field, std::size_t column) {
     switch (column) {
       case t: {
-        Parsed_time time = parse_time(field, columns_of_rows[t]);
+        Parsed_time time = parse_time(field, columns_of_rows[t], input_.options);
         if (!time.problem.empty()) table_.fail(time.problem);
         row.time = time.value;
         return;
@@ -70,6 +129,8 @@ class Rows_reader {
       case y:
         row.place.y = table_.number(field, columns_of_rows[y]);
         return;
+      case z:
+        return;
       default:
         row.radius = table_.number(field, columns_of_rows[radius]);
         if (row.radius < 0) {
@@ -82,6 +143,9 @@ class Rows_reader {
   Table_reader table_;
   Tracks_builder builder_;
   std::vector<std::size_t> columns_;
+  std::array<std::string_view, column_count> fields_;  // of the row
+  std::size_t rows_without_place_ = 0;
+  Signs_of_degrees signs_;
 };
 
 }  // namespace

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tracks as a table with a header whose columns the user names. Fields are separated by commas,
-// semicolons, tabs or blanks, by the first of them for which the header has all of the names.
-// Fields in quotation marks may have separators and line ends in them; two of the marks stand for
-// one (RFC 4180).
+// Tracks as a table whose columns the user names, or gives by number where there is no header.
+// Fields are separated by commas, semicolons, tabs or blanks, by the first of them for which there
+// are all of the columns. Fields in quotation marks may have separators and line ends in them; two
+// of the marks stand for one (RFC 4180).
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <optional>
 
+#include "degrees.h"
+#include "fields.h"
 #include "io/text.h"
 #include "kinetri/base/error.h"
 #include "kinetri/io/points_file.h"
@@ -21,101 +22,62 @@ enum Column : std::size_t { t, id, x, y, radius, column_count };
 constexpr std::array<std::string_view, column_count> option_names = {"t", "id", "x", "y", "radius"};
 constexpr std::size_t required_columns = radius;
 constexpr std::string_view expected_option = "expected --columns t=NAME,id=NAME,x=NAME,y=NAME";
+constexpr std::array<char, 4> separators = {',', ';', '\t', ' '};
 constexpr std::size_t longest_record = std::size_t{1} << 20U;
 constexpr std::size_t most_lines = 1000;  // of a record, which is split anew for each
+constexpr std::size_t most_shown = 20;    // names in a message
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// The fields of a record. They refer to its text, or to texts here.
-class Fields {
- public:
-  std::size_t size() const { return fields_.size(); }
-  std::string_view operator[](std::size_t i) const { return fields_[i]; }
-  auto begin() const { return fields_.begin(); }
-  auto end() const { return fields_.end(); }
+// The column that a name is the number of, from 0 on; none if it is no number.
+std::optional<std::size_t> column_number(const std::string& name) {
+  constexpr std::size_t most_digits = 7;
+  if (name.empty() || name.size() > most_digits || name.front() == '0') return std::nullopt;
+  if (name.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  return static_cast<std::size_t>(parse_number(name).value) - 1;
+}
 
-  enum class Result { complete, quotation_is_open, text_behind_quotation };
-
-  // Takes the fields of `record`, which is not blank; a blank as separator stands for tabs as well,
-  // and for several.
-  Result split(std::string_view record, char separator) {
-    fields_.clear();
-    unquoted_.clear();
-    const bool is_blank_separated = separator == ' ';
-    const auto separates = [&](char c) {
-      return is_blank_separated ? is_blank(c) : c == separator;
-    };
-    // Tabs are blanks, but not where they separate fields.
-    const auto skip_blanks = [&](std::size_t from) {
-      while (from < record.size() && is_blank(record[from]) &&
-             (is_blank_separated || record[from] != separator)) {
-        ++from;
-      }
-      return from;
-    };
-    std::size_t next = skip_blanks(0);
-    for (;;) {
-      std::size_t end = next;
-      if (next < record.size() && record[next] == '"') {
-        end = take_quoted(record, next);
-        if (end == none) return Result::quotation_is_open;
-        const std::size_t behind = skip_blanks(end);
-        const bool is_at_end = behind == record.size();
-        if (!is_at_end && !(is_blank_separated ? behind > end : separates(record[behind]))) {
-          return Result::text_behind_quotation;
-        }
-        end = behind;
-      } else {
-        while (end < record.size() && !separates(record[end])) ++end;
-        fields_.push_back(trimmed(record.substr(next, end - next)));
-        if (is_blank_separated) end = skip_blanks(end);
-      }
-      if (end == record.size()) return Result::complete;
-      next = skip_blanks(is_blank_separated ? end : end + 1);
-    }
+// "'a', 'b' and 3 others".
+std::string list_of(const std::vector<std::string>& names) {
+  std::string result;
+  for (std::size_t i = 0; i < std::min(names.size(), most_shown); ++i) {
+    append(result, result.empty() ? "" : ", ", quoted(names[i]));
   }
-
- private:
-  // Takes the field that begins with the quotation mark at `begin`; the position behind it.
-  std::size_t take_quoted(std::string_view record, std::size_t begin) {
-    std::string& text = unquoted_.emplace_back();
-    std::size_t from = begin + 1;
-    for (;;) {
-      const std::size_t mark = record.find('"', from);
-      if (mark == std::string_view::npos) return none;
-      text += record.substr(from, mark - from);
-      from = mark + 1;
-      if (from == record.size() || record[from] != '"') break;
-      text += '"';
-      ++from;
-    }
-    fields_.push_back(text);
-    return from;
-  }
-
-  std::vector<std::string_view> fields_;
-  std::deque<std::string> unquoted_;  // whose texts stay where they are
-};
+  if (names.size() > most_shown) append(result, " and ", names.size() - most_shown, " others");
+  return result;
+}
 
 class Named_columns_reader {
  public:
   explicit Named_columns_reader(const Tracks_input& input)
-      : input_(input), table_(input.in, input.name, tracks_kind), builder_(input.name) {
+      : input_(input),
+        table_(input.in, input.name, tracks_kind),
+        builder_(input.name, input.options.duplicates) {
     const Track_columns& columns = input.options.columns;
     names_ = {columns.t, columns.id, columns.x, columns.y, columns.radius};
+    has_numbers_ = std::all_of(names_.begin(), names_.end(), [](const std::string& name) {
+      return name.empty() || column_number(name);
+    });
   }
 
   Tracks_file read() {
     expect_names();
-    expect_no_degrees();
-    std::optional<std::string_view> row = read_header();
+    if (!has_numbers_) expect_no_degrees(names_[x], names_[y], "columns", 0);
+    std::optional<std::string_view> row = has_numbers_ ? read_numbers() : read_header();
+    table_.watch_rows([this](std::string_view line) { return is_row(line); });
+    for (; row && is_of_words(*row); row = table_.next()) take_units();
     for (; row; row = table_.next()) add(*row);
     Tracks_file result = builder_.finish();
+    if (degrees_remark_.empty()) signs_.expect_none(result, input_);
     result.format = Tracks_format::table;
     result.has_radii = columns_[radius] != none;
     if (!result.origin.empty() && input_.options.fps) {
       throw Input_error(input_.name, 0, "times are dates, not frames; expected no --fps");
     }
     if (input_.options.fps) result.frame_rate = input_.options.fps;
+    result.comment_lines = table_.comments() - (is_header_comment_ ? 1 : 0);
+    result.rows_without_place = rows_without_place_;
+    result.rows_without_id = rows_without_id_;
+    add_remarks(result);
     return result;
   }
 
@@ -129,64 +91,79 @@ class Named_columns_reader {
     }
   }
 
-  // Degrees are no places in the plane.
-  void expect_no_degrees() const {
-    const std::string x_name = in_lower_case(names_[x]);
-    const std::string y_name = in_lower_case(names_[y]);
-    const auto is_longitude = [](const std::string& name) {
-      return name == "lon" || name == "lng" || name == "long" || name == "longitude";
-    };
-    const auto is_latitude = [](const std::string& name) {
-      return name == "lat" || name == "latitude";
-    };
-    if (is_latitude(x_name) || is_longitude(y_name)) {
-      throw Input_error(input_.name, 0,
-                        joined("x is the column ", quoted(names_[x]), ", and y ", quoted(names_[y]),
+  // ---- degrees ----
+
+  // Degrees are no places in the plane. `what` has the words of x and y, and stands in `line`, if
+  // that is not 0.
+  void expect_no_degrees(const std::string& of_x, const std::string& of_y, std::string_view what,
+                         std::size_t line) {
+    const Angle x_angle = angle_in_name(of_x);
+    const Angle y_angle = angle_in_name(of_y);
+    if (x_angle == Angle::none && y_angle == Angle::none) return;
+    if (input_.options.projection == Tracks_projection::none) {
+      degrees_remark_ = joined("places are taken as they are, though the ", what, ' ', quoted(of_x),
+                               " and ", quoted(of_y), " are of angles");
+      return;
+    }
+    if (x_angle == Angle::radians || y_angle == Angle::radians) {
+      throw Input_error(input_.name, line,
+                        joined("the ", what, ' ', quoted(of_x), " and ", quoted(of_y),
+                               " are in radians; expected degrees, or --projection none, which "
+                               "takes them as they are"));
+    }
+    if (x_angle == Angle::latitude || y_angle == Angle::longitude) {
+      throw Input_error(input_.name, line,
+                        joined("x is the column ", quoted(of_x), ", and y ", quoted(of_y),
                                "; expected the longitude as x, and the latitude as y"));
     }
-    if (is_longitude(x_name) || is_latitude(y_name)) {
-      expect_projection(
-          input_, 0,
-          joined("the columns ", quoted(names_[x]), " and ", quoted(names_[y]), " are places"));
-    }
+    expect_projection(input_, line,
+                      joined("the ", what, ' ', quoted(of_x), " and ", quoted(of_y),
+                             what == "columns" ? " are places" : " say that places are"));
+    are_degrees_ = true;
+    degrees_remark_ = joined("places are degrees, as the ", what, ' ', quoted(of_x), " and ",
+                             quoted(of_y), " say");
   }
 
-  // The first row, if the header is a comment above it.
-  std::optional<std::string_view> read_header() {
-    std::string last_comment;
-    table_.watch_comments([&](std::string_view comment) { last_comment = comment; });
-    const auto line = table_.next();
-    table_.watch_comments({});
-    if (line) {
-      if (take_header(*line)) return table_.next();
-      if (take_header(last_comment)) return line;
+  // Where the names of the columns do not say it.
+  void expect_no_degrees_in_comment(std::size_t line) {
+    if (line == 0 || !degrees_remark_.empty()) return;
+    expect_projection(input_, line, "the comment says that places are");
+    degrees_remark_ = "places are degrees, as a comment says";
+  }
+
+  // ---- the header ----
+
+  // The first row of a table without a header.
+  std::optional<std::string_view> read_numbers() {
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < column_count; ++i) {
+      columns_[i] = column_number(names_[i]).value_or(none);
+      if (columns_[i] != none) most = std::max(most, columns_[i] + 1);
     }
+    // A first id may begin with #.
+    table_.watch_rows([&](std::string_view line) { return begins_numbers(line, most); });
+    const auto line = table_.next();
     if (!line) {
       throw Input_error(input_.name, 1,
-                        "the file is empty; expected a header line with the columns that --columns "
-                        "names");
+                        "the file is empty; expected rows with the columns that "
+                        "--columns gives by number");
     }
-    fail_for_header(*line);
+    if (!set_separator(*line, most)) {
+      split(*line, table_.line());
+      table_.fail(joined("the row has fewer than ", most,
+                         " fields; expected as many as the numbers in --columns need, separated by "
+                         "commas, semicolons, tabs or blanks"));
+    }
+    for (std::size_t i = 0; i < column_count; ++i) {
+      if (columns_[i] != none) names_[i] = joined(columns_[i] + 1);
+    }
+    return line;
   }
 
-  // Whether the line has all names.
-  bool take_header(std::string_view line) {
-    for (const char separator : {',', ';', '\t', ' '}) {
+  bool set_separator(std::string_view line, std::size_t least_fields) {
+    for (const char separator : separators) {
       if (fields_.split(line, separator) != Fields::Result::complete) continue;
-      bool has_all = true;
-      for (std::size_t i = 0; i < column_count; ++i) {
-        const auto count = std::count(fields_.begin(), fields_.end(), names_[i]);
-        columns_[i] = none;
-        if (names_[i].empty()) continue;
-        if (count > 1) {
-          table_.fail(joined("the column ", quoted(names_[i]),
-                             " is named twice; expected names that differ"));
-        }
-        has_all = has_all && count == 1;
-        columns_[i] = static_cast<std::size_t>(
-            std::find(fields_.begin(), fields_.end(), names_[i]) - fields_.begin());
-      }
-      if (!has_all) continue;
+      if (fields_.size() < least_fields || fields_.size() < 2) continue;
       separator_ = separator;
       number_of_fields_ = fields_.size();
       return true;
@@ -194,27 +171,154 @@ class Named_columns_reader {
     return false;
   }
 
-  [[noreturn]] void fail_for_header(std::string_view line) {
-    char separator = ',';
-    std::size_t most = 0;
-    for (const char candidate : {',', ';', '\t', ' '}) {
-      if (fields_.split(line, candidate) == Fields::Result::complete && fields_.size() > most) {
-        most = fields_.size();
-        separator = candidate;
+  bool begins_numbers(std::string_view line, std::size_t least_fields) {
+    return set_separator(line, least_fields) && is_row(line);
+  }
+
+  // The first row, if the header is a comment above it.
+  std::optional<std::string_view> read_header() {
+    std::string last_comment;
+    std::size_t line_of_degrees = 0;  // of a comment above the last one
+    std::size_t last_line = 0;
+    table_.watch_comments([&](std::string_view comment) {
+      if (says_degrees(last_comment)) line_of_degrees = last_line;
+      last_comment = comment;
+      last_line = table_.line();
+    });
+    const auto line = table_.next();
+    table_.watch_comments({});
+    if (line) {
+      if (take_header(*line)) {
+        if (says_degrees(last_comment)) line_of_degrees = last_line;
+        expect_no_degrees_in_comment(line_of_degrees);
+        table_.watch_rows([this](std::string_view row) { return is_row(row); });
+        return table_.next();
+      }
+      is_header_comment_ = true;
+      if (take_header(last_comment)) {
+        expect_no_degrees_in_comment(line_of_degrees);
+        return line;
       }
     }
-    fields_.split(line, separator);
+    if (!line) {
+      throw Input_error(input_.name, 1,
+                        "the file is empty; expected a header line with the columns that --columns "
+                        "names");
+    }
+    fail_for_header(*line, last_comment);
+  }
+
+  // The name in the header, which may be given with the # before it.
+  bool is_named(std::size_t field, const std::string& name) const {
+    if (fields_[field] == name) return true;
+    return is_header_comment_ && field == 0 && name.starts_with('#') &&
+           trimmed(std::string_view(name).substr(1)) == fields_[0];
+  }
+
+  // Whether the line has all names.
+  bool take_header(std::string_view line) {
+    for (const char separator : separators) {
+      if (fields_.split(line, separator) != Fields::Result::complete) continue;
+      bool has_all = true;
+      for (std::size_t i = 0; i < column_count; ++i) {
+        columns_[i] = none;
+        if (names_[i].empty()) continue;
+        for (std::size_t field = 0; field < fields_.size(); ++field) {
+          if (!is_named(field, names_[i])) continue;
+          if (columns_[i] != none) {
+            table_.fail(joined("the column ", quoted(names_[i]),
+                               " is named twice; expected names that differ"));
+          }
+          columns_[i] = field;
+        }
+        has_all = has_all && columns_[i] != none;
+      }
+      if (!has_all) continue;
+      separator_ = separator;
+      number_of_fields_ = fields_.size();
+      header_.assign(fields_.begin(), fields_.end());
+      return true;
+    }
+    return false;
+  }
+
+  // The fields, separated so that there are the most.
+  std::vector<std::string> most_fields(std::string_view line) {
+    std::vector<std::string> result;
+    for (const char separator : separators) {
+      if (fields_.split(line, separator) != Fields::Result::complete) continue;
+      if (fields_.size() > result.size()) result.assign(fields_.begin(), fields_.end());
+    }
+    return result;
+  }
+
+  [[noreturn]] void fail_for_header(std::string_view line, const std::string& comment) {
+    const std::vector<std::string> first = most_fields(line);
+    const std::vector<std::string> of_comment = most_fields(comment);
+    // The row that was taken for the header may be one of data below a comment that is.
+    const bool is_comment = of_comment.size() > 1 && of_comment.size() == first.size();
+    const std::vector<std::string>& there = is_comment ? of_comment : first;
     const auto missing = std::find_if(names_.begin(), names_.end(), [&](const std::string& name) {
-      return !name.empty() && std::find(fields_.begin(), fields_.end(), name) == fields_.end();
+      return !name.empty() && std::find(there.begin(), there.end(), name) == there.end();
     });
-    std::string there;
-    constexpr std::size_t most_shown = 20;
-    for (std::size_t i = 0; i < std::min(fields_.size(), most_shown); ++i) {
-      append(there, there.empty() ? "" : ", ", quoted(fields_[i]));
+    const bool has_header =
+        is_comment || std::any_of(first.begin(), first.end(), [](const std::string& field) {
+          return is_word(field) && !field.empty();
+        });
+    std::string expected = list_of(there);
+    if (!has_header) {
+      append(expected,
+             ", or, since these seem to be no names, numbers of columns, as in --columns "
+             "t=1,id=2,x=3,y=4");
     }
     table_.fail(joined("the column ", quoted(missing == names_.end() ? names_[t] : *missing),
-                       " is missing; expected one of ", there,
-                       fields_.size() > most_shown ? " and others" : ""));
+                       " is missing; expected one of ", expected));
+  }
+
+  // ---- rows ----
+
+  // Whether the line below the header has words where times and places would be.
+  bool is_of_words(std::string_view line) {
+    if (fields_.split(line, separator_) != Fields::Result::complete) return false;
+    if (fields_.size() != number_of_fields_) return false;
+    bool has_word = false;
+    for (const Column column : {t, x, y}) {
+      const std::string_view field = fields_[columns_[column]];
+      if (!is_word(field)) return false;
+      has_word = has_word || !field.empty();
+    }
+    return has_word;
+  }
+
+  // Of the row in fields_, which names units, or columns once more.
+  void take_units() {
+    const std::string of_x(fields_[columns_[x]]);
+    const std::string of_y(fields_[columns_[y]]);
+    if (!are_degrees_) {
+      expect_no_degrees(of_x, of_y, has_numbers_ ? "columns" : "units", table_.line());
+    }
+    if (has_numbers_ && header_.empty()) {
+      header_.assign(fields_.begin(), fields_.end());
+    } else {
+      append(units_, units_.empty() ? "" : "; ", "x ", quoted(of_x), ", y ", quoted(of_y));
+    }
+    ++rows_of_words_;
+  }
+
+  // Whether the line, which begins with #, is no comment: the # is of an id or another text.
+  bool is_row(std::string_view line) {
+    if (fields_.split(line, separator_) != Fields::Result::complete) return false;
+    if (fields_.size() != number_of_fields_) return false;
+    for (const Column column : {t, x, y, radius}) {
+      if (columns_[column] == 0) return false;
+    }
+    const auto is_number = [&](Column column) {
+      const std::string_view field = fields_[columns_[column]];
+      return is_missing(field) || parse_number(field).problem.empty();
+    };
+    const std::string_view time = fields_[columns_[t]];
+    return parse_time(time, names_[t], input_.options).problem.empty() && is_number(x) &&
+           is_number(y);
   }
 
   void add(std::string_view line) {
@@ -223,22 +327,34 @@ class Named_columns_reader {
     if (fields_.size() != number_of_fields_) {
       fail(first_line,
            joined("the row has ", fields_.size(), fields_.size() == 1 ? " field" : " fields",
-                  "; expected ", number_of_fields_, ", one for each column of the header"));
+                  "; expected ", number_of_fields_,
+                  has_numbers_ ? ", as the first row has" : ", one for each column of the header"));
+    }
+    if (is_missing(fields_[columns_[x]]) && is_missing(fields_[columns_[y]])) {
+      ++rows_without_place_;
+      return;
+    }
+    if (fields_[columns_[id]].empty()) {
+      ++rows_without_id_;
+      return;
     }
     Tracks_row row;
     row.line = first_line;
     row.time = time(first_line);
     row.id = fields_[columns_[id]];
-    if (row.id.empty()) {
-      fail(first_line, joined("the column ", names_[id], " is empty; expected any text"));
-    }
     row.place = {number(x, first_line), number(y, first_line)};
+    // ITU-R M.1371: not available.
+    if (are_degrees_ && (row.place.x == 181 || row.place.y == 91)) {
+      ++rows_without_place_;
+      return;
+    }
     if (columns_[radius] != none) {
       row.radius = number(radius, first_line);
       if (row.radius < 0) {
         fail(first_line, joined("the radius ", row.radius, " is negative; expected at least 0"));
       }
     }
+    signs_.note(row.place, fields_[columns_[x]], fields_[columns_[y]]);
     builder_.add(row);
   }
 
@@ -265,7 +381,7 @@ class Named_columns_reader {
   }
 
   Row_time time(std::size_t line) {
-    Parsed_time result = parse_time(fields_[columns_[t]], names_[t]);
+    Parsed_time result = parse_time(fields_[columns_[t]], names_[t], input_.options);
     if (result.problem.empty() && input_.options.fps && !result.value.date) {
       result = time_of_frame(result.value.number, *input_.options.fps);
     }
@@ -286,6 +402,39 @@ class Named_columns_reader {
     fail(line, joined("the column ", name, " is ", quoted(field), ", which ", parsed.problem));
   }
 
+  // ---- what the summary says ----
+
+  void add_remarks(Tracks_file& file) const {
+    if (!degrees_remark_.empty()) file.remarks.push_back(degrees_remark_);
+    if (rows_of_words_ > 0) {
+      file.remarks.push_back(joined(rows_of_words_, rows_of_words_ == 1 ? " row" : " rows",
+                                    " without numbers below or in place of the header left out",
+                                    units_.empty() ? "" : ": ", units_));
+    }
+    std::vector<std::string> unused;
+    for (std::size_t field = 0; field < header_.size(); ++field) {
+      if (!is_used(field)) unused.push_back(header_[field]);
+    }
+    const std::size_t without_names = header_.empty() ? number_of_fields_ - used_fields() : 0;
+    if (!unused.empty()) {
+      file.remarks.push_back(joined("columns that are not used: ", list_of(unused)));
+    } else if (without_names > 0) {
+      file.remarks.push_back(
+          joined(without_names, without_names == 1 ? " column" : " columns", " not used"));
+    }
+  }
+
+  bool is_used(std::size_t field) const {
+    return std::find(columns_.begin(), columns_.end(), field) != columns_.end();
+  }
+
+  std::size_t used_fields() const {
+    std::size_t result = 0;
+    for (std::size_t field = 0; field < number_of_fields_; ++field)
+      if (is_used(field)) ++result;
+    return result;
+  }
+
   [[noreturn]] void fail(std::size_t line, const std::string& message) const {
     throw Input_error(input_.name, line, message);
   }
@@ -297,6 +446,16 @@ class Named_columns_reader {
   std::array<std::size_t, column_count> columns_ = {};  // the field of each, or `none`
   std::size_t number_of_fields_ = 0;
   char separator_ = ',';
+  bool has_numbers_ = false;         // the user gives numbers of columns, not names
+  bool is_header_comment_ = false;   // the header is a comment
+  std::vector<std::string> header_;  // its fields, if there is one
+  bool are_degrees_ = false;
+  std::string degrees_remark_;
+  std::string units_;  // of rows below the header
+  std::size_t rows_of_words_ = 0;
+  std::size_t rows_without_place_ = 0;
+  std::size_t rows_without_id_ = 0;
+  Signs_of_degrees signs_;
   Fields fields_;
   std::string record_;  // if it has several lines
 };

@@ -4,6 +4,7 @@
 #ifndef KINETRI_SRC_IO_TRACKS_TIMESTAMP_H
 #define KINETRI_SRC_IO_TRACKS_TIMESTAMP_H
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <string>
@@ -35,6 +36,35 @@ bool looks_like_timestamp(std::string_view text);
 /// point or comma with up to 18 digits, and Z, +hh:mm, +hhmm or +hh (or -). Leap seconds are
 /// problems.
 Parsed_timestamp parse_timestamp(std::string_view text);
+
+/// The instant that `text` is in the form `format`, as Tracks_file_options::date_format. The
+/// problem ends without an expectation. Precondition: problem_of_date_format(format) is empty.
+Parsed_timestamp parse_timestamp(std::string_view text, std::string_view format);
+
+/// Forms of dates that are often met, for messages.
+inline constexpr std::array<std::string_view, 23> likely_date_formats = {"%d/%m/%Y %H:%M:%S",
+                                                                         "%m/%d/%Y %H:%M:%S",
+                                                                         "%d/%m/%Y %H:%M",
+                                                                         "%m/%d/%Y %H:%M",
+                                                                         "%d.%m.%Y %H:%M:%S",
+                                                                         "%d.%m.%Y %H:%M",
+                                                                         "%d-%m-%Y %H:%M:%S",
+                                                                         "%m-%d-%Y %H:%M:%S",
+                                                                         "%Y/%m/%d %H:%M:%S",
+                                                                         "%Y/%m/%d %H:%M",
+                                                                         "%Y.%m.%d %H:%M:%S",
+                                                                         "%m/%d/%Y %I:%M:%S %p",
+                                                                         "%d %b %Y %H:%M:%S",
+                                                                         "%Y%m%dT%H%M%S%z",
+                                                                         "%Y%m%dT%H%M%S",
+                                                                         "%Y%m%d %H:%M:%S",
+                                                                         "%d/%m/%y %H:%M:%S",
+                                                                         "%d/%m/%Y",
+                                                                         "%m/%d/%Y",
+                                                                         "%d.%m.%Y",
+                                                                         "%Y%m%d%H%M%S",
+                                                                         "%d-%b-%Y %H:%M:%S",
+                                                                         "%a %b %d %H:%M:%S %Y"};
 
 /// The binary64 number nearest to the seconds from `a` to `b`. Precondition: a <= b, and both have
 /// a zone or neither has.

@@ -2,6 +2,7 @@
 #include "tracks_builder.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "io/text.h"
@@ -17,8 +18,9 @@ bool earlier(const Track_observation& a, const Track_observation& b) {
 
 }  // namespace
 
-Tracks_builder::Tracks_builder(const std::string& name, std::string_view place_name)
-    : name_(name), place_name_(place_name) {
+Tracks_builder::Tracks_builder(const std::string& name, Tracks_duplicates duplicates,
+                               std::string_view place_name)
+    : name_(name), duplicates_(duplicates), place_name_(place_name) {
   result_.place_name = place_name;
 }
 
@@ -79,7 +81,7 @@ void Tracks_builder::settle() {
     if (!std::is_sorted(observations.begin(), observations.end(), earlier)) {
       std::stable_sort(observations.begin(), observations.end(), earlier);
     }
-    drop_doubled(id, observations);
+    merge_times(id, observations);
     result_.observations += observations.size();
   }
   sort_tracks();
@@ -111,22 +113,57 @@ void Tracks_builder::count_rows_out_of_order(const std::vector<Track_observation
   }
 }
 
-// Keeps, of the rows at one time, the one that comes first in the file.
-void Tracks_builder::drop_doubled(const std::string& id,
-                                  std::vector<Track_observation>& observations) {
-  std::size_t kept = 1;
-  for (std::size_t i = 1; i < observations.size(); ++i) {
-    const Track_observation& last = observations[kept - 1];
-    const Track_observation& next = observations[i];
-    if (last.time != next.time) {
-      observations[kept++] = next;
-    } else if (last.place == next.place) {
-      ++result_.doubled_rows;
-    } else if (!conflict_ || next.line < conflict_->second.line) {
-      conflict_ = {id, last, next};
+// Makes one observation of those at one time.
+void Tracks_builder::merge_times(const std::string& id,
+                                 std::vector<Track_observation>& observations) {
+  std::size_t times = 0;
+  std::size_t conflicts = 0;
+  std::optional<Conflict> first;
+  for (std::size_t begin = 0; begin < observations.size();) {
+    std::size_t end = begin + 1;
+    while (end < observations.size() && observations[end].time == observations[begin].time) ++end;
+    std::optional<Conflict> conflict;
+    observations[times++] =
+        end == begin + 1 ? observations[begin]
+                         : merged(std::span(observations).subspan(begin, end - begin), conflict);
+    if (conflict) {
+      ++conflicts;
+      if (!first || conflict->second.line < first->second.line) first = std::move(conflict);
     }
+    begin = end;
   }
-  observations.resize(kept);
+  observations.resize(times);
+  // Few may come of rounded times; many, of several things with one id.
+  const bool is_refused = duplicates_ == Tracks_duplicates::refuse ||
+                          (duplicates_ == Tracks_duplicates::automatic && 2 * conflicts >= times);
+  if (!first || !is_refused) return;
+  first->id = id;
+  if (!conflict_ || first->second.line < conflict_->second.line) conflict_ = std::move(first);
+}
+
+// In the order of the file. A conflict has no id yet.
+Track_observation Tracks_builder::merged(std::span<const Track_observation> at_one_time,
+                                         std::optional<Conflict>& conflict) {
+  Track_observation result = at_one_time.front();
+  // A tree, so that no input makes the search slow.
+  std::set<std::pair<double, double>> places;
+  for (const Track_observation& seen : at_one_time) {
+    if (!places.insert({seen.place.x, seen.place.y}).second) {
+      ++result_.doubled_rows;
+      continue;
+    }
+    if (places.size() == 1) continue;
+    if (!conflict) conflict = {"", at_one_time.front(), seen};
+    ++result_.rows_at_another_place;
+    if (duplicates_ != Tracks_duplicates::mean) continue;
+    const auto number = static_cast<double>(places.size());
+    const auto mean = [number](double before, double next) {
+      return before + (next / number - before / number);
+    };
+    result.place = {mean(result.place.x, seen.place.x), mean(result.place.y, seen.place.y)};
+  }
+  if (conflict && duplicates_ == Tracks_duplicates::last) result = at_one_time.back();
+  return result;
 }
 
 void Tracks_builder::sort_tracks() {
@@ -146,9 +183,11 @@ void Tracks_builder::sort_tracks() {
 
 void Tracks_builder::fail_at_two_places() const {
   const auto& [id, first, second] = *conflict_;
-  fail(second.line, joined("id ", quoted(id), " is at two places at t = ", second.time, ": at (",
-                           second.place.x, ", ", second.place.y, "), and at (", first.place.x, ", ",
-                           first.place.y, ") in ", place_name_, ' ', first.line, "; expected one"));
+  fail(second.line,
+       joined("id ", quoted(id), " is at two places at t = ", second.time, ": at (", second.place.x,
+              ", ", second.place.y, "), and at (", first.place.x, ", ", first.place.y, ") in ",
+              place_name_, ' ', first.line,
+              "; expected one, or --duplicates first, last or mean, which says what to take"));
 }
 
 }  // namespace kinetri

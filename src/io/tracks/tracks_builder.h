@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,8 +38,9 @@ struct Tracks_row {
 class Tracks_builder {
  public:
   /// `name` is that of the file in messages, and must outlive it; `place_name` is what
-  /// Tracks_row::line counts.
-  explicit Tracks_builder(const std::string& name, std::string_view place_name = "line");
+  /// Tracks_row::line counts; `duplicates` is of the options.
+  explicit Tracks_builder(const std::string& name, Tracks_duplicates duplicates,
+                          std::string_view place_name = "line");
 
   /// Takes a row. Its numbers are finite, its id is not empty. Throws Input_error if the id has had
   /// another radius, or the time is a date where the first one was a number, or the reverse.
@@ -54,7 +56,8 @@ class Tracks_builder {
   const std::vector<Track>& tracks() const { return result_.tracks; }
 
   /// What the file holds, as far as rows tell: the reader adds its format, radii and frame rate.
-  /// Throws Input_error if an id is at two places at one time. May be called once; settles.
+  /// Throws Input_error if an id is at two places at one time, unless it is to merge them. May be
+  /// called once; settles.
   Tracks_file finish();
 
  private:
@@ -69,11 +72,14 @@ class Tracks_builder {
   void expect_kind_of_time(const Tracks_row& row) const;
   void replace_dates();
   void count_rows_out_of_order(const std::vector<Track_observation>& observations);
-  void drop_doubled(const std::string& id, std::vector<Track_observation>& observations);
+  void merge_times(const std::string& id, std::vector<Track_observation>& observations);
+  Track_observation merged(std::span<const Track_observation> at_one_time,
+                           std::optional<Conflict>& conflict);
   void sort_tracks();
   [[noreturn]] void fail_at_two_places() const;
 
   const std::string& name_;
+  Tracks_duplicates duplicates_;
   std::string_view place_name_;
   // The rows of each id: a tree, and not a hash, so that no input makes the search slow.
   std::map<std::string, Track, std::less<>> rows_;  // the tracks without their ids

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tracks_readers.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,7 +16,7 @@ bool recognizes_nothing(std::string_view /*head*/) {
   return false;
 }
 
-constexpr std::array<Tracks_reader, 10> readers = {{
+constexpr std::array<Tracks_reader, 12> readers = {{
     {{Tracks_format::automatic, "auto", "the format that the content shows"},
      has_bare_columns,
      read_frames_or_ids},
@@ -28,7 +29,7 @@ constexpr std::array<Tracks_reader, 10> readers = {{
     {{Tracks_format::ids, "ids", "lines of id frame x y, and z, without a header"},
      recognizes_nothing,
      read_ids},
-    {{Tracks_format::table, "table", "a table whose columns --columns names"},
+    {{Tracks_format::table, "table", "a table whose columns --columns names, or gives by number"},
      recognizes_nothing,
      read_table},
     {{Tracks_format::jupedsim, "jupedsim", "a database of SQLite that JuPedSim wrote"},
@@ -40,6 +41,10 @@ constexpr std::array<Tracks_reader, 10> readers = {{
     {{Tracks_format::geojson, "geojson", "points or lines with times as GeoJSON"},
      is_json,
      read_geojson},
+    {{Tracks_format::gpx, "gpx", "tracks of GPS receivers as GPX"}, is_gpx, read_gpx},
+    {{Tracks_format::trackmate, "trackmate", "tracks that TrackMate exports as XML"},
+     is_trackmate,
+     read_trackmate},
 }};
 
 // Files that hold other files, or tables that nothing here reads.
@@ -48,7 +53,10 @@ struct Foreign_format {
   std::string_view is;
   std::string_view expected;
 };
-constexpr std::array<Foreign_format, 7> foreign_formats = {{
+constexpr std::string_view decoded_ais =
+    "a table of the decoded positions, read with --columns t=TIME,id=MMSI,x=LON,y=LAT and "
+    "--projection";
+constexpr std::array<Foreign_format, 13> foreign_formats = {{
     {"\x1f\x8b", "is compressed by gzip", "the file that gunzip makes of it"},
     {"\xFD"
      "7zXZ",
@@ -59,6 +67,16 @@ constexpr std::array<Foreign_format, 7> foreign_formats = {{
      "a table exported as CSV"},
     {"\x89HDF", "is a file of HDF5", "a table exported as text"},
     {"PAR1", "is a file of Parquet", "a table exported as CSV"},
+    {"ARROW1", "is a file of Arrow", "a table exported as CSV"},
+    {"!AIVDM", "has sentences of NMEA with encoded messages of AIS", decoded_ais},
+    {"\\s:", "has sentences of NMEA with encoded messages of AIS", decoded_ais},
+    {"$GP", "has sentences of NMEA of one receiver",
+     "GPX, which gpsbabel -i nmea -o gpx makes of it"},
+    {"$GN", "has sentences of NMEA of one receiver",
+     "GPX, which gpsbabel -i nmea -o gpx makes of it"},
+    {"Geolife trajectory", "has the track of one person of GeoLife, without an id",
+     "a table of all persons with a column of ids: for each file, tail -n +7 FILE, with the id "
+     "before each row; then --columns with numbers of columns"},
 }};
 
 }  // namespace
@@ -71,27 +89,78 @@ std::string foreign_format(std::string_view head) {
   for (const auto& [magic, is, expected] : foreign_formats) {
     if (head.starts_with(magic)) return joined(is, "; expected ", expected);
   }
-  return {};
+  return foreign_xml(head);
 }
 
-Parsed_time parse_time(std::string_view field, std::string_view column) {
+bool is_missing(std::string_view field) {
+  constexpr std::array<std::string_view, 7> words = {"", "nan", "na", "n/a", "null", "none", "\\n"};
+  return std::find(words.begin(), words.end(), in_lower_case(field)) != words.end();
+}
+
+bool is_word(std::string_view field) {
+  if (field.empty()) return true;
+  constexpr std::string_view begins_numbers = "0123456789+-.";
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  return begins_numbers.find(field.front()) == std::string_view::npos && !is_missing(field) &&
+         std::none_of(field.begin(), field.end(), is_control);
+}
+
+namespace {
+
+// As 20230305235959, a number whose differences are no seconds.
+bool is_date_of_digits(std::string_view field) {
+  constexpr std::size_t digits = 14;
+  return field.size() == digits && (field.starts_with("19") || field.starts_with("20")) &&
+         parse_timestamp(field, "%Y%m%d%H%M%S").problem.empty();
+}
+
+// Of a time in a form that is not asked for.
+std::string problem_of_time(std::string_view field) {
+  std::string formats;
+  for (const std::string_view format : likely_date_formats) {
+    if (!parse_timestamp(field, format).problem.empty()) continue;
+    append(formats, formats.empty() ? "" : " or ", "--date-format '", format, "'");
+  }
+  if (formats.empty() && field.find(':') != std::string_view::npos) {
+    return "is neither a number nor a date in ISO 8601, as 2024-05-01T12:00:00Z is; expected one "
+           "of "
+           "the two, or --date-format for dates in another form";
+  }
+  if (formats.empty()) return {};
+  return joined("is a date, but not in ISO 8601, as 2024-05-01T12:00:00Z is; expected that, or ",
+                formats);
+}
+
+}  // namespace
+
+Parsed_time parse_time(std::string_view field, std::string_view column,
+                       const Tracks_file_options& options) {
   Parsed_time result;
   if (field.empty()) {
     result.problem = joined("the column ", column, " is empty; expected a number");
     return result;
   }
-  std::string_view problem;
-  if (looks_like_timestamp(field)) {
+  const auto fail = [&](std::string_view problem) {
+    result.problem = joined("the column ", column, " is ", quoted(field), ", which ", problem);
+  };
+  if (!options.date_format.empty()) {
+    const Parsed_timestamp parsed = parse_timestamp(field, options.date_format);
+    result.value.date = parsed.value;
+    if (!parsed.problem.empty()) {
+      fail(joined(parsed.problem, " in the form '", options.date_format,
+                  "'; expected another --date-format, or none for numbers and ISO 8601"));
+    }
+  } else if (looks_like_timestamp(field)) {
     const Parsed_timestamp parsed = parse_timestamp(field);
     result.value.date = parsed.value;
-    problem = parsed.problem;
+    if (!parsed.problem.empty()) fail(parsed.problem);
   } else {
     const Parsed_number parsed = parse_number(field);
     result.value.number = parsed.value;
-    problem = parsed.problem;
-  }
-  if (!problem.empty()) {
-    result.problem = joined("the column ", column, " is ", quoted(field), ", which ", problem);
+    if (!parsed.problem.empty() || is_date_of_digits(field)) {
+      const std::string of_date = problem_of_time(field);
+      fail(of_date.empty() ? std::string(parsed.problem) : of_date);
+    }
   }
   return result;
 }
@@ -123,12 +192,13 @@ void note_frame_rate(Tracks_file& file, const Tracks_input& input, std::optional
 
 void expect_projection(const Tracks_input& input, std::size_t line, std::string_view what) {
   if (input.options.projection != Tracks_projection::refused) return;
-  throw Input_error(input.name, line,
-                    joined(what,
-                           " in degrees of longitude and latitude, between which distances "
-                           "mean nothing; expected --projection local, which makes them "
-                           "metres about the middle of the data, --projection none, which "
-                           "takes degrees as they are, or a file with projected places"));
+  throw Input_error(
+      input.name, line,
+      joined(what,
+             " in degrees of longitude and latitude, between which distances mean nothing; "
+             "expected --projection local, which makes them metres about the middle of the data, "
+             "--projection utm, which makes them those of a zone of UTM, --projection none, which "
+             "takes degrees as they are, or a file with projected places"));
 }
 
 }  // namespace kinetri

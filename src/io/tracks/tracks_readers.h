@@ -50,6 +50,8 @@ Tracks_file read_sumo(const Tracks_input& input);
 Tracks_file read_lammps(const Tracks_input& input);
 Tracks_file read_xyz(const Tracks_input& input);
 Tracks_file read_geojson(const Tracks_input& input);
+Tracks_file read_gpx(const Tracks_input& input);
+Tracks_file read_trackmate(const Tracks_input& input);
 /// @}
 
 /// @{
@@ -61,11 +63,16 @@ bool is_xml(std::string_view head);
 bool is_lammps(std::string_view head);
 bool is_xyz(std::string_view head);
 bool is_json(std::string_view head);
+bool is_gpx(std::string_view head);
+bool is_trackmate(std::string_view head);
 /// @}
 
 /// What a file that begins so is, and what was expected, if it is of a known format that nothing
 /// here reads; else empty.
 std::string foreign_format(std::string_view head);
+
+/// The same of XML.
+std::string foreign_xml(std::string_view head);
 
 // ---- what readers have in common ----
 
@@ -89,8 +96,18 @@ struct Parsed_time {
   std::string problem;
 };
 
-/// The time of a field that is a number or a date. `column` names it in messages.
-Parsed_time parse_time(std::string_view field, std::string_view column);
+/// The time of a field that is a number or a date, as the options say. `column` names it in
+/// messages.
+Parsed_time parse_time(std::string_view field, std::string_view column,
+                       const Tracks_file_options& options);
+
+/// Whether the field says that there is no number: it is empty, NaN, NA, N/A, null, None or \N, in
+/// any case.
+bool is_missing(std::string_view field);
+
+/// Whether the field may be a unit, or another word of a header: it begins with no digit, sign or
+/// point, has no control characters, and says not that a number is missing, unless it is empty.
+bool is_word(std::string_view field);
 
 /// The time of a frame, frame / fps.
 Parsed_time time_of_frame(double frame, double fps);
@@ -103,7 +120,8 @@ double frame_rate(const Tracks_file_options& options, std::optional<double> of_f
 void note_frame_rate(Tracks_file& file, const Tracks_input& input, std::optional<double> of_file,
                      std::string_view frames);
 
-/// Throws Input_error unless the options say what becomes of degrees. `what` is in degrees.
+/// Throws Input_error unless the options say what becomes of degrees. `what` is in degrees, "the
+/// columns 'lon' and 'lat' are".
 void expect_projection(const Tracks_input& input, std::size_t line, std::string_view what);
 
 }  // namespace kinetri

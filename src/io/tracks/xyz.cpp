@@ -4,6 +4,7 @@
 // each atom. Extended XYZ says in its comment which fields are what
 // (Properties=species:S:1:pos:R:3), the box (Lattice="..", pbc="T T F"), and often a time.
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,19 +35,30 @@ std::optional<std::string_view> value_of(std::string_view comment, std::string_v
   return std::nullopt;
 }
 
-// The number behind `Timestep:` or `Step:`, as LAMMPS and others write it.
-std::optional<double> step_of(std::string_view comment) {
-  std::optional<double> result;
-  bool is_next = false;
-  for_each_field_between_blanks(comment, [&](std::string_view word) {
-    if (is_next && !result) {
-      const Parsed_number parsed = parse_number(word);
-      if (parsed.problem.empty()) result = parsed.value;
-    }
-    const std::string lower = in_lower_case(word);
-    is_next = lower == "timestep:" || lower == "step:";
-  });
-  return result;
+// The number behind one of the words, which end with a colon or an equals sign, that stands in the
+// same word or in the next: `Timestep: 5` and `Time: 0.5` of LAMMPS, `step=5`, `time = 0.5,` of
+// CP2K, `Step: 10` of i-PI.
+std::optional<double> number_behind(std::string_view comment,
+                                    std::initializer_list<std::string_view> names) {
+  std::string text;
+  // A comma or semicolon ends a word; a colon and an equals sign are words.
+  for (const char c : comment) {
+    const bool is_word = c == ':' || c == '=';
+    const bool is_end = c == ',' || c == ';';
+    if (is_word || is_end) text += ' ';
+    if (!is_end) text += c;
+    if (is_word) text += ' ';
+  }
+  std::vector<std::string_view> words;
+  for_each_field_between_blanks(text, [&](std::string_view word) { words.push_back(word); });
+  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+    const std::string word = in_lower_case(words[i]);
+    if (std::find(names.begin(), names.end(), word) == names.end()) continue;
+    if (words[i + 1] != ":" && words[i + 1] != "=") continue;
+    const Parsed_number parsed = parse_number(words[i + 2]);
+    if (parsed.problem.empty()) return parsed.value;
+  }
+  return std::nullopt;
 }
 
 // How the times of a file are given.
@@ -63,7 +75,7 @@ struct Columns {
 class Xyz_reader {
  public:
   explicit Xyz_reader(const Tracks_input& input)
-      : input_(input), lines_(input), builder_(input.name) {}
+      : input_(input), lines_(input), builder_(input.name, input.options.duplicates) {}
 
   Tracks_file read() {
     while (const auto line = lines_.next()) {
@@ -71,9 +83,9 @@ class Xyz_reader {
       read_frame(lines_.count(*line));
     }
     Tracks_file result = builder_.finish();
-    widths_.expect_no_jumps(result, input_.name,
-                            "expected places that go on beyond the box, or pbc=\"F F F\" in the "
-                            "comments if these do");
+    widths_.settle_jumps(result, input_,
+                         "expected places that go on beyond the box, or pbc=\"F F F\" in the "
+                         "comments if these do");
     result.format = Tracks_format::xyz;
     if (times_ != Times::times) {
       note_frame_rate(result, input_, std::nullopt,
@@ -157,7 +169,10 @@ class Xyz_reader {
     if (const auto time = value_of(comment, "time")) {
       result = lines_.number(*time, "Time");
       times = Times::times;
-    } else if (const auto step = step_of(comment)) {
+    } else if (const auto number = number_behind(comment, {"time", "t"})) {
+      result = *number;
+      times = Times::times;
+    } else if (const auto step = number_behind(comment, {"timestep", "step"})) {
       result = *step;
       times = Times::steps;
     }

@@ -62,7 +62,7 @@ auto Simulation_2<Traits>::reflection(Point_id id, std::size_t wall, const Time&
     refuse_press(id,
                  "point " + std::to_string(id) + " accelerates toward the " +
                      std::string(name(walls_[wall].side)) + " wall",
-                 now);
+                 "change the acceleration or the box, or end before that time", now);
   }
   const double time = now.to_double();
   const Motion& motion = triangulation_.motion(id);
@@ -152,6 +152,8 @@ auto Simulation_2<Traits>::collision(Point_id a, Point_id b, const Time& now) co
     refuse_press(a,
                  "points " + std::to_string(a) + " and " + std::to_string(b) +
                      " accelerate toward each other",
+                 "change the accelerations, end before that time, or take a response that stops or "
+                 "removes points or lets them pass",
                  now);
   }
   std::vector<Change> changes;
@@ -223,15 +225,16 @@ auto Simulation_2<Traits>::with_velocity(Point_id id, const Vector_2& velocity,
   return usable(id, with_velocity_at(triangulation_.motion(id), velocity, now.to_double()), now);
 }
 
-// `who` touches something, without a speed toward it, but with an acceleration toward it.
+// `who` touches something, without a speed toward it, but with an acceleration toward it; `remedy`
+// says what helps.
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::refuse_press(Point_id id, const std::string& who,
-                                        const Time& now) const {
+                                        const std::string& remedy, const Time& now) const {
   throw Endless_contacts_error(
       id, who + " at t = " + detail::text(now) +
               ", in contact without any speed, so that no change of velocities separates them; "
-              "expected contacts with a speed: change the accelerations, end before that time, or "
-              "take a response that stops or removes points or lets them pass");
+              "expected contacts with a speed: " +
+              remedy);
 }
 
 // Follows the edges of the triangulation, where there is a response. While points change, `change`

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "degrees.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/text.h"
+#include "io/text_table.h"
+#include "kinetri/base/error.h"
+
+namespace kinetri {
+namespace {
+
+bool is_lower(char c) {
+  return c >= 'a' && c <= 'z';
+}
+bool is_upper(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+// Bytes beyond ASCII are of letters, but for the sign of degrees.
+bool is_letter(char c) {
+  return is_lower(c) || is_upper(c) || static_cast<unsigned char>(c) >= 0x80;
+}
+
+// "GPSLongitude", "x_lon (deg)" as gps, longitude and x, lon, deg.
+std::vector<std::string> words_of(std::string_view name) {
+  std::vector<std::string> words;
+  bool is_in_word = false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    if (!is_letter(c)) {
+      is_in_word = false;
+      continue;
+    }
+    const bool ends_lower = i > 0 && is_lower(name[i - 1]);
+    const bool begins_lower = i + 1 < name.size() && is_lower(name[i + 1]);
+    const bool follows_upper = i > 0 && is_upper(name[i - 1]);
+    if (is_upper(c) && (ends_lower || (follows_upper && begins_lower))) is_in_word = false;
+    if (!is_in_word) words.emplace_back();
+    is_in_word = true;
+    words.back() += in_lower_case(std::string_view(&c, 1));
+  }
+  return words;
+}
+
+bool is_among(std::string_view word, std::span<const std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+constexpr std::array<std::string_view, 4> degree_words = {"deg", "degs", "degree", "degrees"};
+
+// Words that stand before or behind lon and lat without a sign between.
+constexpr std::array<std::string_view, 51> companions = {
+    "",       "gps",   "gnss",  "pos",     "position", "geo",    "dec",    "decimal", "loc",
+    "wgs",    "x",     "y",     "dd",      "start",    "end",    "stop",   "ref",     "mean",
+    "med",    "avg",   "raw",   "fix",     "ship",     "node",   "vessel", "center",  "centre",
+    "my",     "cur",   "obs",   "true",    "base",     "from",   "to",     "origin",  "dest",
+    "pickup", "first", "last",  "shape",   "ais",      "veh",    "bus",    "deg",     "degs",
+    "degree", "wp",    "point", "degrees", "d",        "dropoff"};
+
+// Whether the word is one of `names`, behind or before one of the companions.
+bool is_short_name(std::string_view word, std::span<const std::string_view> names) {
+  return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+    return (word.starts_with(name) && is_among(word.substr(name.size()), companions)) ||
+           (word.ends_with(name) &&
+            is_among(word.substr(0, word.size() - name.size()), companions));
+  });
+}
+
+// The sign of degrees in UTF-8 or Latin-1, or the ordinal that is taken for it.
+bool has_sign_of_degrees(std::string_view name) {
+  if (name.find("\xC2\xBA") != std::string_view::npos) return true;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (name[i] != '\xB0') continue;
+    if (i == 0 || name[i - 1] == '\xC2' || static_cast<unsigned char>(name[i - 1]) < 0x80)
+      return true;
+  }
+  return false;
+}
+
+bool contains_one(std::string_view text, std::span<const std::string_view> pieces) {
+  return std::any_of(pieces.begin(), pieces.end(), [&](std::string_view piece) {
+    return text.find(piece) != std::string_view::npos;
+  });
+}
+
+bool is_longitude(std::string_view word) {
+  constexpr std::array<std::string_view, 5> names = {"lon", "lng", "long", "longi", "lons"};
+  // Also in German and Danish; in Chinese, Japanese and Russian (without the first letter).
+  constexpr std::array<std::string_view, 7> pieces = {"longitud",
+                                                      "l\xC3\xA4ngengrad",
+                                                      "laengengrad",
+                                                      "\xE7\xBB\x8F\xE5\xBA\xA6",
+                                                      "\xE7\xB5\x8C\xE5\xBA\xA6",
+                                                      "\xD0\xBE\xD0\xBB\xD0\xB3\xD0\xBE\xD1\x82",
+                                                      "lengdegrad"};
+  if (word.find("longitudinal") != std::string_view::npos) return false;
+  return is_short_name(word, names) || contains_one(word, pieces);
+}
+
+bool is_latitude(std::string_view word) {
+  constexpr std::array<std::string_view, 3> names = {"lat", "lats", "lati"};
+  constexpr std::array<std::string_view, 6> pieces = {"latitud",
+                                                      "breitengrad",
+                                                      "\xE7\xBA\xAC\xE5\xBA\xA6",
+                                                      "\xE7\xB7\xAF\xE5\xBA\xA6",
+                                                      "\xD0\xB8\xD1\x80\xD0\xBE\xD1\x82",
+                                                      "breddegrad"};
+  if (word.find("latitudinal") != std::string_view::npos) return false;
+  return is_short_name(word, names) || contains_one(word, pieces);
+}
+
+}  // namespace
+
+Angle angle_in_name(std::string_view name) {
+  constexpr std::array<std::string_view, 13> lengths = {"m",  "meter", "meters", "metre", "metres",
+                                                        "km", "cm",    "mm",     "ft",    "feet",
+                                                        "px", "pixel", "pixels"};
+  constexpr std::array<std::string_view, 3> radians = {"rad", "radian", "radians"};
+  const std::vector<std::string> words = words_of(name);
+  if (words.empty()) return Angle::none;
+  const auto has = [&](auto test) { return std::any_of(words.begin(), words.end(), test); };
+  const bool has_degrees = has([&](const std::string& w) { return is_among(w, degree_words); }) ||
+                           has_sign_of_degrees(name);
+  if (words.size() > 1 && is_among(words.back(), lengths) && !has_degrees) return Angle::none;
+  if (has([&](const std::string& w) { return is_among(w, radians); })) return Angle::radians;
+  if (has(is_longitude)) return Angle::longitude;
+  if (has(is_latitude)) return Angle::latitude;
+  return has_degrees ? Angle::degrees : Angle::none;
+}
+
+bool says_degrees(std::string_view comment) {
+  const std::string lower = in_lower_case(comment);
+  const auto has = [&](std::string_view text) { return lower.find(text) != std::string::npos; };
+  constexpr std::array<std::string_view, 4> projections = {"utm", "mercator", "easting",
+                                                           "northing"};
+  if (contains_one(lower, projections)) return false;
+  if (has("epsg:4326") || has("wgs84") || has("wgs 84") || has("crs84")) return true;
+  const std::vector<std::string> words = words_of(comment);
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if ((words[i] == "x" || words[i] == "y") && is_among(words[i + 1], degree_words)) return true;
+  }
+  if (lower.find_first_of("0123456789") != std::string::npos) return false;
+  bool has_longitude = false;
+  bool has_latitude = false;
+  for (const std::string& word : words) {
+    has_longitude = has_longitude || is_longitude(word);
+    has_latitude = has_latitude || is_latitude(word);
+  }
+  return has_longitude && has_latitude;
+}
+
+void Signs_of_degrees::note(const Vector_2& place, std::string_view x, std::string_view y) {
+  ++rows_;
+  are_in_range_ = are_in_range_ && std::abs(place.x) <= 180 && std::abs(place.y) <= 90;
+  const auto has_many_digits = [](std::string_view field) {
+    constexpr std::size_t many = 4;
+    const std::size_t point = field.find('.');
+    return point != std::string_view::npos && field.size() - point > many;
+  };
+  if (has_many_digits(x) && has_many_digits(y)) ++rows_of_many_digits_;
+}
+
+void Signs_of_degrees::expect_none(const Tracks_file& file, const Tracks_input& input) const {
+  if (input.options.projection != Tracks_projection::refused || file.origin.empty()) return;
+  if (rows_ == 0 || !are_in_range_ || 2 * rows_of_many_digits_ < rows_) return;
+  double way = 0;
+  double duration = 0;
+  for (const Track& track : file.tracks) {
+    const auto& seen = track.observations;
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+      way +=
+          std::hypot(seen[i].place.x - seen[i - 1].place.x, seen[i].place.y - seen[i - 1].place.y);
+    }
+    duration += seen.back().time - seen.front().time;
+  }
+  // In metres 3 mm a second; in degrees 330 m.
+  constexpr double greatest_speed = 0.003;
+  if (!(way < greatest_speed * duration)) return;
+  throw Input_error(
+      input.name, 0,
+      joined("nothing says what the places are, and they look like degrees: times are dates, and "
+             "numbers within 180 and 90, most with four decimals or more, change by ",
+             way / duration,
+             " a second; expected --projection local or --projection utm if they are longitude and "
+             "latitude, or --projection none, which takes them as they are"));
+}
+
+}  // namespace kinetri

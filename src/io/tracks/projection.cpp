@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "io/text.h"
+#include "kinetri/base/check.h"
+#include "transverse_mercator.h"
+
+namespace kinetri {
+namespace {
+
+// The mean radius (2a + b) / 3 of the ellipsoid GRS 80 in metres (H. Moritz, Geodetic reference
+// system 1980, Journal of Geodesy 74, 2000).
+constexpr double mean_radius = 6371008.8;
+constexpr double radians_in_degree = std::numbers::pi / 180;
+constexpr double greatest_error = 0.001;
+constexpr double widest = 170;  // in degrees of longitude, of what any projection here could take
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
+
+  void add(double number) {
+    least = std::min(least, number);
+    greatest = std::max(greatest, number);
+  }
+  double size() const { return greatest - least; }
+  double middle() const { return least + size() / 2; }
+};
+
+// Where the places are, in degrees. Longitudes may go beyond 180, around the antimeridian.
+struct Extent {
+  Range longitudes;
+  Range latitudes;
+};
+
+template <class File, class Function>
+void for_each_observation(File& file, Function function) {
+  for (auto& track : file.tracks) {
+    for (auto& seen : track.observations) function(seen);
+  }
+}
+
+// With longitudes from 0 to 360 if that makes them less far apart.
+Extent extent_of(Tracks_file& file, const std::string& name) {
+  Extent result;
+  Range turned;
+  const auto from_zero = [](double longitude) {
+    return longitude < 0 ? longitude + 360 : longitude;
+  };
+  for_each_observation(file, [&](const Track_observation& seen) {
+    const auto& [longitude, latitude] = seen.place;
+    if (std::abs(longitude) > 180 || std::abs(latitude) > 90) {
+      throw tracks_error(name, file.place_name, seen.line,
+                         joined("the longitude is ", longitude, ", and the latitude ", latitude,
+                                "; expected degrees from -180 to 180, and from -90 to 90"));
+    }
+    result.longitudes.add(longitude);
+    result.latitudes.add(latitude);
+    turned.add(from_zero(longitude));
+  });
+  if (result.longitudes.size() <= 180 || turned.size() > 180) return result;
+  for_each_observation(file,
+                       [&](Track_observation& seen) { seen.place.x = from_zero(seen.place.x); });
+  result.longitudes = turned;
+  return result;
+}
+
+// By how much distances on the sphere can be wrong in the equirectangular projection about the
+// middle of the extent, as a part of them: lengths along a meridian are right, and those along a
+// parallel wrong by the quotient of the cosines.
+double error_of_local(const Extent& extent) {
+  if (extent.longitudes.size() > widest) return std::numeric_limits<double>::infinity();
+  // A great circle between places of one latitude goes nearer to the pole than they are.
+  const double half = extent.longitudes.size() / 2 * radians_in_degree;
+  const auto toward_pole = [half](double latitude) {
+    return std::atan(std::tan(latitude * radians_in_degree) / std::cos(half));
+  };
+  const double middle = extent.latitudes.middle() * radians_in_degree;
+  double result = 0;
+  for (const double latitude : {extent.latitudes.least, extent.latitudes.greatest}) {
+    for (const double reached : {latitude * radians_in_degree, toward_pole(latitude)}) {
+      result = std::max(result, std::abs(std::cos(middle) / std::cos(reached) - 1));
+    }
+  }
+  // The widest parallel, if the extent has it.
+  if (extent.latitudes.least < 0 && extent.latitudes.greatest > 0) {
+    result = std::max(result, 1 - std::cos(middle));
+  }
+  return result;
+}
+
+// The zone of UTM that the middle of the extent is in, from 1 to 60.
+int zone_of(const Extent& extent) {
+  const double middle = extent.longitudes.middle();
+  const double from_zero = middle >= 180 ? middle - 180 : middle + 180;
+  return std::min(60, static_cast<int>(std::floor(from_zero / 6)) + 1);
+}
+
+// Of the longitude from the central meridian of the zone.
+double from_meridian(double longitude, int zone) {
+  const double meridian = 6. * zone - 183;
+  return std::remainder(longitude - meridian, 360);
+}
+
+// By how much lengths are wrong in the zone: the scale grows away from the central meridian, and
+// toward the equator.
+double error_of_utm(const Extent& extent) {
+  if (extent.longitudes.size() > widest) return std::numeric_limits<double>::infinity();
+  const int zone = zone_of(extent);
+  const double west = from_meridian(extent.longitudes.least, zone);
+  const double east = from_meridian(extent.longitudes.greatest, zone);
+  const auto& [south, north] = extent.latitudes;
+  if (std::max(std::abs(west), std::abs(east)) > 80) {
+    return std::numeric_limits<double>::infinity();
+  }
+  double result = 0;
+  const bool has_meridian = west <= 0 && east >= 0;
+  const bool has_equator = south <= 0 && north >= 0;
+  for (const double longitude : {west, east, has_meridian ? 0 : west}) {
+    for (const double latitude : {south, north, has_equator ? 0 : south}) {
+      result = std::max(result, std::abs(transverse_mercator(longitude, latitude).scale - 1));
+    }
+  }
+  return result;
+}
+
+// As "0.034 %".
+std::string percent(double part) {
+  if (!std::isfinite(part)) return "any amount";
+  std::array<char, 32> buffer;
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), 100 * part,
+                                    std::chars_format::general, 2);
+  return joined(std::string_view(buffer.data(), result.ptr), " %");
+}
+
+// "from 8 to 12 degrees of longitude and from 0 to 60 of latitude".
+std::string text_of(const Extent& extent) {
+  return joined("from ", extent.longitudes.least, " to ", extent.longitudes.greatest,
+                " degrees of longitude and from ", extent.latitudes.least, " to ",
+                extent.latitudes.greatest, " of latitude");
+}
+
+void expect_small_error(const Extent& extent, const std::string& name,
+                        Tracks_projection projection) {
+  const bool is_local = projection == Tracks_projection::local;
+  const double local = error_of_local(extent);
+  const double utm = error_of_utm(extent);
+  if ((is_local ? local : utm) <= greatest_error) return;
+  const bool is_other_right = (is_local ? utm : local) <= greatest_error;
+  throw Input_error(
+      name, 0,
+      joined("the places are ", text_of(extent), ": by --projection ", is_local ? "local" : "utm",
+             " distances would be wrong by up to ", percent(is_local ? local : utm),
+             ", and 0.1 % is allowed; expected ",
+             is_other_right ? joined("--projection ", is_local ? "utm" : "local",
+                                     ", by which they are wrong by at most ",
+                                     percent(is_local ? utm : local), ", or ")
+                            : std::string(),
+             "a file for each region, or --projection none, which takes degrees as they are"));
+}
+
+void project_locally(Tracks_file& file, const Extent& extent) {
+  const Vector_2 middle = {extent.longitudes.middle(), extent.latitudes.middle()};
+  const double metres_in_degree = mean_radius * radians_in_degree;
+  const double of_longitude = metres_in_degree * std::cos(middle.y * radians_in_degree);
+  for_each_observation(file, [&](Track_observation& seen) {
+    seen.place = {of_longitude * (seen.place.x - middle.x),
+                  metres_in_degree * (seen.place.y - middle.y)};
+  });
+  file.remarks.push_back(
+      joined("places are in metres from the longitude ", middle.x, " and the latitude ", middle.y,
+             " (equirectangular projection); distances are off by at most ",
+             percent(error_of_local(extent)),
+             " of those on a sphere, which are off by up to 0.7 % on earth (less with "
+             "--projection utm)"));
+}
+
+void project_to_zone(Tracks_file& file, const Extent& extent) {
+  const int zone = zone_of(extent);
+  const bool is_south = extent.latitudes.greatest < 0;
+  for_each_observation(file, [&](Track_observation& seen) {
+    const auto [x, y] = transverse_mercator(from_meridian(seen.place.x, zone), seen.place.y).place;
+    seen.place = {500000 + x, is_south ? 10000000 + y : y};
+  });
+  file.remarks.push_back(joined("places are in metres of UTM, zone ", zone,
+                                is_south ? " south (EPSG:327" : " north (EPSG:326",
+                                zone < 10 ? "0" : "", zone, "); distances are off by at most ",
+                                percent(error_of_utm(extent))));
+}
+
+}  // namespace
+
+void project(Tracks_file& file, const std::string& name, Tracks_projection projection) {
+  KINETRI_PRECONDITION(
+      projection == Tracks_projection::local || projection == Tracks_projection::utm,
+      "the projection makes no metres of degrees");
+  if (file.tracks.empty()) return;
+  const Extent extent = extent_of(file, name);
+  expect_small_error(extent, name, projection);
+  if (projection == Tracks_projection::local) {
+    project_locally(file, extent);
+  } else {
+    project_to_zone(file, extent);
+  }
+}
+
+}  // namespace kinetri

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `kinetri tracks` with files as people write them: the answers, what the summary says, and that
+// the options that messages advise do help.
+#include <string>
+#include <vector>
+
+#include "apps/program_test.h"
+
+namespace kinetri {
+namespace {
+
+using test::Arguments;
+using test::Outcome;
+
+class Recordings : public test::Program_test {
+ protected:
+  Outcome tracks(const std::string& text, Arguments more = {}) const {
+    write("t.csv", text);
+    more.insert(more.begin(), {"tracks", "t.csv"});
+    return run(more);
+  }
+  // That the file is refused with a message that has the text, and read with the options.
+  void expect_advice(const std::string& text, const Arguments& before, const std::string& advice,
+                     const Arguments& after) const {
+    const Outcome refused = tracks(text, before);
+    EXPECT_EQ(refused.exit_code, 2) << text;
+    EXPECT_NE(refused.err.find(advice), std::string::npos) << refused.err;
+    const Outcome done = tracks(text, after);
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+  }
+};
+
+bool says(const Outcome& outcome, const std::string& text) {
+  return outcome.err.find(text) != std::string::npos;
+}
+
+// ---- things that share a path ----
+
+constexpr const char* bench =
+    "t,id,x,y\n0,A,-5,0\n5,A,0,0\n10,A,0,0\n15,A,5,0\n0,B,0,-5\n5,B,0,0\n10,B,0,0\n15,B,0,5\n"
+    "0,C,3,3\n15,C,3,4\n";
+
+TEST_F(Recordings, of_two_on_one_bench_are_refused_or_one_is_left_out) {
+  const Outcome refused = tracks(bench);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "from t = 5 on ids 'A' and 'B' go the same way (see line 3)"))
+      << refused.err;
+  const Outcome done = tracks(bench, {"--coincident", "leave-out", "--ids", "-"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(done.out, "point,id,first,last\n0,A,0,15\n1,C,0,15\n");
+  EXPECT_TRUE(says(done, "6 observations of 2 ids"));
+  EXPECT_TRUE(
+      says(done, "1 id left out, being at one place with another for some time: 'B' with 'A'"))
+      << done.err;
+}
+
+TEST_F(Recordings, of_many_that_share_paths_name_ten_pairs) {
+  std::string text = "t,id,x,y\n";
+  for (int pair = 0; pair < 12; ++pair) {
+    for (const char* const name : {"a", "b"}) {
+      const std::string id = name + std::to_string(pair);
+      // From the time pair + 1 on they are together.
+      const std::string start = name[0] == 'a' ? "0" : "1";
+      text += "0," + id + "," + std::to_string(9 * pair) + "," + start + "\n" +
+              std::to_string(pair + 1) + "," + id + "," + std::to_string(9 * pair) + ",3\n50," +
+              id + "," + std::to_string(9 * pair) + ",7\n";
+    }
+  }
+  const Outcome refused = tracks(text);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "from t = 1 on ids 'a0' and 'b0' go the same way")) << refused.err;
+  for (int pair = 1; pair < 10; ++pair) {
+    const std::string number = std::to_string(pair);
+    EXPECT_TRUE(says(refused, "'a" + number + "' and 'b" + number +
+                                  "' from t = " + std::to_string(pair + 1) + " on"))
+        << refused.err;
+  }
+  EXPECT_FALSE(says(refused, "'a10'"));
+  EXPECT_TRUE(says(refused, ", and more pairs; expected")) << refused.err;
+  EXPECT_TRUE(says(tracks(text, {"--coincident", "leave-out"}), "12 ids left out"));
+}
+
+TEST_F(Recordings, of_a_group_keep_the_one_that_comes_first) {
+  // B is with A at first and with C later; the three are one group. D rests beside.
+  const Outcome done = tracks(
+      "t,id,x,y\n0,A,0,0\n4,A,4,0\n0,B,0,0\n2,B,2,0\n6,B,2,8\n9,B,2,8\n0,C,9,9\n6,C,2,8\n9,C,2,8\n"
+      "0,D,5,5\n9,D,5,5\n",
+      {"--coincident", "leave-out", "--ids", "-"});
+  EXPECT_EQ(done.out, "point,id,first,last\n0,A,0,4\n1,D,0,9\n") << done.err;
+}
+
+TEST_F(Recordings, of_things_that_only_meet_are_left_alone) {
+  // In one place at one time; on one line at different times; at one speed side by side.
+  const Outcome done =
+      tracks("t,id,x,y\n0,A,0,0\n4,A,4,4\n0,B,0,4\n4,B,4,0\n5,C,0,0\n9,C,4,4\n0,D,1,0\n4,D,5,4\n",
+             {"--coincident", "leave-out", "--ids", "-"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_FALSE(says(done, "left out"));
+}
+
+// ---- advice ----
+
+TEST_F(Recordings, are_read_as_the_messages_advise) {
+  const Arguments by_number = {"--format", "table", "--columns", "t=1,id=2,x=3,y=4"};
+  const std::string many = "780 1 8 0 3 1\n786 1 9 0 3 1\n780 2 8 5 3 1\n786 2 9 5 3 1\n";
+  expect_advice(many, {}, "--format table --columns t=1,id=2,x=3,y=4", by_number);
+  expect_advice(many, {"--format", "frames"}, "expected 4", by_number);
+  expect_advice("1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n", {"--format", "ids"},
+                "--format table --columns t=1,id=2,x=3,y=4", by_number);
+  expect_advice("1,1,10,20,5\n2,1,11,20,5\n", {}, "--columns t=1,id=2,x=3,y=4",
+                {"--columns", "t=1,id=2,x=3,y=4"});
+  expect_advice("1,1,10,20,5\n2,1,11,20,5\n", {"--format", "frames"},
+                "--format table --columns t=1,id=2,x=3,y=4", by_number);
+  expect_advice("1,1,10,20\n2,1,11,20\n", {"--columns", "t=t,id=id,x=x,y=y"},
+                "--columns t=1,id=2,x=3,y=4", by_number);
+  expect_advice("1 7 0 0\n2 7 1 0\n", {}, "with --format frames", {"--format", "frames"});
+  expect_advice("7 1 0 0\n8 1 1 0\n9 1 2 0\n", {"--format", "ids"},
+                "read the file with --format frames", {"--format", "frames"});
+  expect_advice("t,id,x,y\n05/03/2023 00:00:00,a,1,2\n05/03/2023 00:00:10,a,3,2\n", {},
+                "--date-format '%d/%m/%Y %H:%M:%S'", {"--date-format", "%d/%m/%Y %H:%M:%S"});
+  expect_advice("t,id,x,y\n0,a,1,2\n0,a,1,3\n1,a,4,4\n", {}, "--duplicates first, last or mean",
+                {"--duplicates", "mean"});
+  expect_advice(bench, {}, "--coincident leave-out", {"--coincident", "leave-out"});
+  const Arguments lon = {"--columns", "t=t,id=id,x=lon,y=lat"};
+  const std::string ships = "t,id,lon,lat\n0,a,10,60\n9,a,10.01,60\n0,b,10,0\n9,b,10.01,0\n";
+  const auto with = [&](const char* projection) {
+    Arguments result = lon;
+    result.insert(result.end(), {"--projection", projection});
+    return result;
+  };
+  expect_advice(ships, lon, "--projection none", with("none"));
+  expect_advice(ships, lon, "--projection utm", with("utm"));
+  expect_advice(ships, with("local"), "expected --projection utm, by which", with("utm"));
+  const std::string near = "t,id,lon,lat\n0,a,10,60\n9,a,10.01,60\n";
+  expect_advice(near, lon, "--projection local", with("local"));
+  const auto box = [](int timestep, const char* x) {
+    return "ITEM: TIMESTEP\n" + std::to_string(timestep) +
+           "\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 10\n0 10\n0 1\nITEM: ATOMS id "
+           "x "
+           "y\n1 " +
+           x + " 5\n";
+  };
+  expect_advice(box(0, "9") + box(1, "1"), {}, "--unwrap nearest", {"--unwrap", "nearest"});
+}
+
+// ---- the summary ----
+
+TEST_F(Recordings, say_in_the_summary_what_was_left_out) {
+  const Outcome done = tracks(
+      "# made by hand\nt,id,x,y,z\ns,,m,m,m\n0,a,0,0,1\n1,a,1,0,1\n1,a,2,0,1\n2,a,2,0,1\n3,a,,,\n"
+      "4,a,4,0,1\n");
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  for (const char* const text :
+       {"1 line left out, beginning with #", "1 row without numbers below the header left out",
+        "1 row left out, having no place", "the column z, is left out",
+        "1 row left out for an earlier one with another place of the same id at the same time "
+        "(--duplicates first, last, mean or refuse)"}) {
+    EXPECT_TRUE(says(done, text)) << text << done.err;
+  }
+  write("p.csv", "# c\nid,x,y,z,vx,vy,vz\n#1,0,0,5,1,1,0\n#2,9,0,5,1,1,0\n");
+  const Outcome points = run({"simulate", "p.csv", "--until", "1"});
+  EXPECT_TRUE(says(points, "kinetri: 2 points")) << points.err;
+  EXPECT_TRUE(says(points, "1 line left out, beginning with #")) << points.err;
+  EXPECT_TRUE(says(points, "columns that are ignored: 'z', 'vz'")) << points.err;
+}
+
+TEST_F(Recordings, in_utf16_are_read_and_verified) {
+  const std::string text = "x,y,vx,vy\n0,0,1,0\n5,5,-1,0\n0,9,0,0\n";
+  std::string wide = "\xFF\xFE";
+  for (const char c : text) wide += {c, '\0'};
+  write("p.csv", wide);
+  const Outcome points = run({"simulate", "p.csv", "--until", "3"});
+  EXPECT_EQ(points.exit_code, 0) << points.err;
+  EXPECT_TRUE(says(points, "kinetri: 3 points")) << points.err;
+  EXPECT_TRUE(says(points, "the file is in UTF-16, read as UTF-8")) << points.err;
+}
+
+// ---- a ball at rest ----
+
+TEST_F(Recordings, a_ball_that_rests_at_a_wall_is_advised_what_helps) {
+  write("p.csv", "x,y,vx,vy,ax,ay\n5,0,0,0,0,-1\n2,5,0,0,0,0\n");
+  const Outcome refused = run({"simulate", "p.csv", "--until", "1", "--box", "0,0,10,10"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused,
+                   "expected contacts with a speed: change the acceleration or the box, or "
+                   "end before that time"))
+      << refused.err;
+  EXPECT_FALSE(says(refused, "stop"));
+  EXPECT_EQ(run({"simulate", "p.csv", "--until", "1", "--box", "0,-10,10,10"}).exit_code, 0);
+  write("p.csv", "x,y,vx,vy,ax,ay\n5,0,0,0,0,0\n2,5,0,0,0,0\n");
+  EXPECT_EQ(run({"simulate", "p.csv", "--until", "1", "--box", "0,0,10,10"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace kinetri

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Places in degrees: what tells them, that they are refused without a projection, and what the
+// projections make of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/tracks/degrees.h"
+#include "io/tracks/projection.h"
+#include "io/tracks/transverse_mercator.h"
+#include "kinetri/io/tracks_file.h"
+#include "support/precondition_error.h"
+#include "support/tracks_text.h"
+
+namespace kinetri {
+namespace {
+
+using test::read_options;
+using test::read_options_error;
+using test::shown;
+
+bool contains(const std::string& text, const std::string& piece) {
+  return text.find(piece) != std::string::npos;
+}
+
+// ---- names ----
+
+TEST(Angle_in_name, knows_the_names_that_others_write) {
+  for (const char* const name : {"lon",
+                                 "Lon",
+                                 "LON",
+                                 "lng",
+                                 "long",
+                                 "longitude",
+                                 "Longitude",
+                                 "location-long",
+                                 "location.long",
+                                 "location_long",
+                                 "lon_deg",
+                                 "decimalLongitude",
+                                 "GPSLongitude",
+                                 "gps_lon",
+                                 "stop_lon",
+                                 "Lon (deg)",
+                                 "Longitude_degrees",
+                                 "GPSLon",
+                                 "gpslon",
+                                 "LONDD",
+                                 "longitud",
+                                 "longitudine",
+                                 "L\xC3\xA4ngengrad",
+                                 "start_lng",
+                                 "pickup_longitude",
+                                 "vessel.lon",
+                                 "lon1",
+                                 "Long.",
+                                 "LonDec",
+                                 "x_lon",
+                                 "wgs84_lon",
+                                 "longitude(deg)",
+                                 "\xE7\xBB\x8F\xE5\xBA\xA6",
+                                 "\xD0\x94\xD0\xBE\xD0\xBB\xD0\xB3\xD0\xBE\xD1\x82\xD0\xB0",
+                                 "position.coords.longitude"}) {
+    EXPECT_EQ(angle_in_name(name), Angle::longitude) << name;
+  }
+  for (const char* const name :
+       {"lat", "LAT", "latitude", "location-lat", "location.lat", "lat_deg", "decimalLatitude",
+        "GPSLatitude", "gps_lat", "stop_lat", "Lat (deg)", "Latitude_degrees", "latdeg", "LATDD",
+        "Breitengrad", "y_lat", "\xE7\xBA\xAC\xE5\xBA\xA6", "poslat", "latitud"}) {
+    EXPECT_EQ(angle_in_name(name), Angle::latitude) << name;
+  }
+  for (const char* const name : {"x (deg)", "X [degrees]", "x_deg", "X (\xC2\xB0)", "X (\xB0)"}) {
+    EXPECT_EQ(angle_in_name(name), Angle::degrees) << name;
+  }
+  for (const char* const name : {"lon_rad", "longitude (radians)", "x_rad"}) {
+    EXPECT_EQ(angle_in_name(name), Angle::radians) << name;
+  }
+  for (const char* const name : {"x",
+                                 "X (m)",
+                                 "lateral",
+                                 "lateral_position",
+                                 "longitudinal",
+                                 "Longitudinal velocity",
+                                 "flat",
+                                 "plate",
+                                 "relative",
+                                 "translation_x",
+                                 "latest",
+                                 "along",
+                                 "belongs",
+                                 "utm-easting",
+                                 "northing",
+                                 "easting",
+                                 "X_px",
+                                 "lat_m",
+                                 "lon (m)",
+                                 "platform",
+                                 "latency",
+                                 "oblong",
+                                 "",
+                                 "12",
+                                 "\xD0\xB0\xD0\xB0"}) {
+    EXPECT_EQ(angle_in_name(name), Angle::none) << name;
+  }
+}
+
+// ---- tables ----
+
+std::string table_of(const std::string& x, const std::string& y) {
+  return "t,id," + x + "," + y + "\n0,1,12.0,55.0\n10,1,12.01,55.0\n";
+}
+
+Tracks_file_options named(const std::string& x, const std::string& y) {
+  return {.columns = {.t = "t", .id = "id", .x = x, .y = y}};
+}
+
+TEST(Read_tracks_degrees, are_refused_by_the_names_of_columns) {
+  for (const auto& [x, y] : {std::pair{"location-long", "location-lat"},
+                             {"decimalLongitude", "decimalLatitude"},
+                             {"GPSLongitude", "GPSLatitude"},
+                             {"Lon (deg)", "Lat (deg)"},
+                             {"x_deg", "y_deg"},
+                             {"E", "lat"},
+                             {"long", "N"}}) {
+    SCOPED_TRACE(x);
+    const std::string error = read_options_error(table_of(x, y), named(x, y));
+    EXPECT_TRUE(contains(error, "are places in degrees")) << error;
+    Tracks_file_options options = named(x, y);
+    options.projection = Tracks_projection::none;
+    const Tracks_file as_they_are = read_options(table_of(x, y), options);
+    EXPECT_EQ(as_they_are.tracks[0].observations[1].place, (Vector_2{12.01, 55}));
+    ASSERT_EQ(as_they_are.remarks.size(), 1U);
+    EXPECT_TRUE(contains(as_they_are.remarks[0], "places are taken as they are, though"));
+    options.projection = Tracks_projection::utm;
+    EXPECT_TRUE(
+        contains(read_options(table_of(x, y), options).remarks[0], "places are degrees, as"));
+  }
+  EXPECT_TRUE(contains(read_options_error(table_of("lat", "lon"), named("lat", "lon")),
+                       "expected the longitude as x, and the latitude as y"));
+  Tracks_file_options radians = named("lon_rad", "lat_rad");
+  radians.projection = Tracks_projection::local;
+  EXPECT_TRUE(contains(read_options_error(table_of("lon_rad", "lat_rad"), radians),
+                       "are in radians; expected degrees"));
+}
+
+TEST(Read_tracks_degrees, are_refused_by_units_below_the_header) {
+  const std::string text = "t,id,x,y\ns,,deg,deg\n0,1,12.0,55.0\n10,1,12.1,55.0\n";
+  const std::string error = read_options_error(text, named("x", "y"));
+  EXPECT_TRUE(contains(error, "t.csv:2: the units 'deg' and 'deg' say that places are in degrees"))
+      << error;
+}
+
+TEST(Read_tracks_degrees, are_refused_by_names_in_a_header_that_numbers_skip) {
+  const Tracks_file_options numbers = {.columns = {.t = "1", .id = "2", .x = "3", .y = "4"}};
+  const std::string error = read_options_error(table_of("lon", "lat"), numbers);
+  EXPECT_TRUE(contains(error, "degrees")) << error;
+}
+
+TEST(Read_tracks_degrees, are_suspected_where_nothing_says_what_places_are) {
+  // Taxis of T-Drive: id, date, longitude, latitude, without a header.
+  const std::string taxi =
+      "1,2008-02-02 15:36:08,116.51172,39.92123\n1,2008-02-02 15:46:08,116.51135,39.93883\n";
+  Tracks_file_options options = {.columns = {.t = "2", .id = "1", .x = "3", .y = "4"}};
+  EXPECT_TRUE(contains(read_options_error(taxi, options), "they look like degrees"));
+  options.projection = Tracks_projection::none;
+  EXPECT_EQ(read_options(taxi, options).observations, 2U);
+  options.projection = Tracks_projection::utm;
+  // 1957.4 m to the north-west (zone 50).
+  const auto seen = read_options(taxi, options).tracks[0].observations;
+  EXPECT_NEAR(std::hypot(seen[1].place.x - seen[0].place.x, seen[1].place.y - seen[0].place.y),
+              1954.6, 2);
+  EXPECT_TRUE(contains(read_options_error("t,id,x,y\n2024-05-01T00:00:00Z,a,8.12345,50.12345\n"
+                                          "2024-05-01T01:00:00Z,a,8.12445,50.12345\n",
+                                          {}),
+                       "they look like degrees"));
+  // People walk too fast for degrees; round numbers and plain times show nothing.
+  for (const char* const text :
+       {"t,id,x,y\n2024-05-01T00:00:00Z,a,8.12345,5.12345\n2024-05-01T00:00:01Z,a,9.12345,5."
+        "12345\n",
+        "t,id,x,y\n2024-05-01T00:00:00Z,a,8,5\n2024-05-01T01:00:00Z,a,9,5\n",
+        "t,id,x,y\n0,a,8.12345,5.12345\n3600,a,8.12346,5.12345\n"}) {
+    EXPECT_EQ(read_options(text, {}).observations, 2U) << text;
+  }
+}
+
+TEST(Read_tracks_degrees, of_ships_without_a_place_are_no_observations) {
+  Tracks_file_options options = named("Longitude", "Latitude");
+  options.projection = Tracks_projection::utm;
+  const std::string text = "t,id,Longitude,Latitude\n0,1,12,55\n1,1,181,91\n2,1,0,91\n3,1,12,55\n";
+  const Tracks_file file = read_options(text, options);
+  EXPECT_EQ(file.observations, 2U);
+  EXPECT_EQ(file.rows_without_place, 2U);
+}
+
+TEST(Read_tracks_degrees, are_known_by_comments) {
+  for (const char* const comment :
+       {"# id frame lon lat", "# x: longitude, y: latitude", "# coordinates in WGS84",
+        "# EPSG:4326", "# Longitude Latitude", "# x/deg y/deg", "# X [degrees], Y [degrees]"}) {
+    SCOPED_TRACE(comment);
+    const std::string above = std::string(comment) + "\n";
+    for (const auto& [text, options] :
+         {std::pair{above + "1 0 12 55\n1 1 12 56\n", Tracks_file_options{}},
+          {above + "t,id,x,y\n0,a,12,55\n", Tracks_file_options{}},
+          {above + "t;id;x;y\n0;a;12;55\n", named("x", "y")}}) {
+      EXPECT_TRUE(contains(read_options_error(text, options),
+                           "t.csv:1: the comment says that places are in degrees"))
+          << text;
+      Tracks_file_options as_they_are = options;
+      as_they_are.projection = Tracks_projection::none;
+      as_they_are.fps = std::nullopt;
+      if (!contains(text, "1 0 12")) {
+        EXPECT_EQ(read_options(text, as_they_are).observations, 1U);
+      }
+    }
+  }
+  for (const char* const comment :
+       {"# site: lat 50.9, lon 6.4", "# WGS 84 / UTM zone 32N", "# the lateral position", "# id"}) {
+    const std::string above = std::string(comment) + "\n";
+    EXPECT_EQ(read_options(above + "# id frame x y\n1 0 12 55\n", {}).observations, 1U);
+    EXPECT_EQ(read_options(above + "t,id,x,y\n0,a,12,55\n", {}).observations, 1U);
+  }
+  // Degrees beside places in the plane.
+  EXPECT_EQ(read_options("# t id x y lon lat\n0 a 1 2 12 55\n", named("x", "y")).observations, 1U);
+}
+
+// ---- projections ----
+
+// The values are those of the Krueger series in PROJ's documentation and of NGA's tools.
+TEST(Transverse_mercator, is_that_of_utm) {
+  const auto expect = [](double longitude, double latitude, double east, double north,
+                         double scale) {
+    const auto [place, k] = transverse_mercator(longitude, latitude);
+    EXPECT_NEAR(place.x, east, 1e-5);
+    EXPECT_NEAR(place.y, north, 1e-5);
+    EXPECT_NEAR(k, scale, 1e-9);
+  };
+  expect(0, 0, 0, 0, 0.9996);
+  expect(0, 45, 0, 4982950.400227, 0.9996);
+  expect(3, 0, 333978.556919, 0, 1.0009810615);
+  expect(-3, 55, -191875.632138, 6098907.825129, 1.0000516810);
+  // The north pole is a quarter of a meridian away: 10001965.729 m.
+  EXPECT_NEAR(transverse_mercator(0, 90).place.y, 0.9996 * 10001965.7293, 1e-3);
+}
+
+TEST(Transverse_mercator, keeps_angles_and_has_the_scale_that_it_says) {
+  constexpr double a = 6378137;
+  constexpr double e2 = (2 - 1 / 298.257223563) / 298.257223563;
+  constexpr double radians = 3.14159265358979323846 / 180;
+  for (const double longitude : {-4., -1.5, 0.25, 3.}) {
+    for (const double latitude : {-75., -30., 0.5, 52., 80.}) {
+      constexpr double step = 1e-4;
+      const double sine = std::sin(latitude * radians);
+      const double w = std::sqrt(1 - e2 * sine * sine);
+      // Lengths of a degree on the ellipsoid.
+      const double along_parallel = radians * a / w * std::cos(latitude * radians);
+      const double along_meridian = radians * a * (1 - e2) / (w * w * w);
+      const auto at = [&](double dx, double dy) {
+        return transverse_mercator(longitude + dx, latitude + dy).place;
+      };
+      const Vector_2 east = {at(step, 0).x - at(-step, 0).x, at(step, 0).y - at(-step, 0).y};
+      const Vector_2 north = {at(0, step).x - at(0, -step).x, at(0, step).y - at(0, -step).y};
+      const double scale = transverse_mercator(longitude, latitude).scale;
+      EXPECT_NEAR(std::hypot(east.x, east.y) / (2 * step * along_parallel), scale, 2e-8);
+      EXPECT_NEAR(std::hypot(north.x, north.y) / (2 * step * along_meridian), scale, 2e-8);
+      EXPECT_NEAR(east.x * north.x + east.y * north.y, 0, 1e-4);
+    }
+  }
+}
+
+std::string places(const std::vector<Vector_2>& degrees) {
+  std::string result = "time,id,lon,lat\n";
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    result += "0," + std::to_string(i) + "," + std::to_string(degrees[i].x) + "," +
+              std::to_string(degrees[i].y) + "\n";
+  }
+  return result;
+}
+
+Tracks_file_options projected(Tracks_projection projection) {
+  return {.columns = {.t = "time", .id = "id", .x = "lon", .y = "lat"}, .projection = projection};
+}
+
+double distance(const Tracks_file& file) {
+  const Vector_2& a = file.tracks[0].observations[0].place;
+  const Vector_2& b = file.tracks[1].observations[0].place;
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+TEST(Read_tracks_projection, utm_of_wide_data_is_right) {
+  // Two at 60 degrees north, and one on the equator: 557.8 m on the ellipsoid, times 0.9996.
+  const Tracks_file file =
+      read_options(places({{10, 60}, {10.01, 60}, {10, 0}}), projected(Tracks_projection::utm));
+  EXPECT_NEAR(distance(file), 557.8, 557.8 * 0.001);
+  EXPECT_TRUE(contains(file.remarks.back(), "UTM, zone 32 north (EPSG:32632)"));
+  EXPECT_TRUE(contains(file.remarks.back(), "distances are off by at most 0.036 %"));
+  EXPECT_NEAR(file.tracks[0].observations[0].place.x, 555776.27, 0.01);
+}
+
+TEST(Read_tracks_projection, local_of_wide_data_is_refused_with_figures) {
+  const std::string error = read_options_error(places({{10, 60}, {10.01, 60}, {10, 0}}),
+                                               projected(Tracks_projection::local));
+  EXPECT_TRUE(contains(error, "by --projection local distances would be wrong by up to 73 %"))
+      << error;
+  EXPECT_TRUE(
+      contains(error, "expected --projection utm, by which they are wrong by at most 0.036 %"))
+      << error;
+  // The advice works.
+  EXPECT_EQ(read_options_error(places({{10, 60}, {10.01, 60}, {10, 0}}),
+                               projected(Tracks_projection::utm)),
+            "");
+}
+
+TEST(Read_tracks_projection, what_no_projection_keeps_is_refused_by_each) {
+  const std::string world = places({{-70, 40}, {0, 50}, {10, 0}});
+  for (const auto projection : {Tracks_projection::local, Tracks_projection::utm}) {
+    const std::string error = read_options_error(world, projected(projection));
+    EXPECT_TRUE(contains(error, "; expected a file for each region, or --projection none"))
+        << error;
+  }
+  // One parallel, on which the projection is right, though great circles leave it.
+  EXPECT_TRUE(
+      contains(read_options_error(places({{0, 60}, {20, 60}}), projected(Tracks_projection::local)),
+               "would be wrong by up to"));
+}
+
+TEST(Read_tracks_projection, local_says_how_far_distances_are_off) {
+  const Tracks_file file =
+      read_options(places({{36.95, -1.45}, {36.95, -1.451}}), projected(Tracks_projection::local));
+  EXPECT_NEAR(distance(file), 111.195, 0.001);
+  EXPECT_TRUE(contains(file.remarks.back(), "distances are off by at most")) << file.remarks.back();
+}
+
+TEST(Read_tracks_projection, goes_on_over_the_antimeridian) {
+  for (const auto projection : {Tracks_projection::local, Tracks_projection::utm}) {
+    const Tracks_file file =
+        read_options(places({{179.999, -17}, {-179.999, -17}}), projected(projection));
+    // 0.002 degrees of longitude at 17 degrees south.
+    EXPECT_NEAR(distance(file), 212.8, 0.6);
+  }
+  const Tracks_file south =
+      read_options(places({{178, -18}, {178.01, -18}}), projected(Tracks_projection::utm));
+  EXPECT_TRUE(contains(south.remarks.back(), "UTM, zone 60 south (EPSG:32760)"));
+  EXPECT_NEAR(south.tracks[0].observations[0].place.y, 8009000, 2000);
+}
+
+TEST(Read_tracks_projection, preconditions_are_checked) {
+  Tracks_file file;
+  EXPECT_PRECONDITION_ERROR(project(file, "t.csv", Tracks_projection::none),
+                            "the projection makes no metres of degrees");
+  EXPECT_PRECONDITION_ERROR(transverse_mercator(90, 0),
+                            "a place is too far from the central meridian, or not on earth");
+  EXPECT_PRECONDITION_ERROR(read_options("", {.date_format = "%H"}),
+                            "the format of dates is wrong");
+}
+
+}  // namespace
+}  // namespace kinetri
