@@ -589,14 +589,9 @@ class Simulation_2 : private Event_observer {
   bool is_contact_due();
   template <class Is_another_due>
   bool note_contact(const Entry& contact, const Is_another_due& is_another_due);
-<<<<<<< HEAD
   void check_limit(const Entry& entry, std::uint64_t turning) const;
-  [[noreturn]] void refuse_press(Point_id id, const std::string& who, const Time& now) const;
-=======
-  void check_limit(const Entry& entry, std::uint64_t contacts) const;
   [[noreturn]] void refuse_press(Point_id id, const std::string& who, const std::string& remedy,
                                  const Time& now) const;
->>>>>>> 7379e2ab22b3e22b2a9a23ad1a8ca544a42b2b6b
   using Change = typename Triangulation::Change;
   void execute_contact(const Entry& contact, std::uint64_t& turning);
   std::vector<Change> changes_of(const Entry& contact, std::uint64_t& turning);
