@@ -36,7 +36,8 @@ Moving::Use::~Use() {
   moving_.is_in_use_ = false;
 }
 
-// Errors of contacts, and those of a response, leave the simulation within the instant.
+// Errors of contacts, but for contacts without end, and those of a response leave the simulation
+// within the instant.
 template <class Run>
 std::size_t Moving::guarded(const Run& run) {
   try {
@@ -46,6 +47,8 @@ std::size_t Moving::guarded(const Run& run) {
   } catch (const Coincident_trajectories_error&) {  // by a scheduled change, which is dropped
     throw;
   } catch (const Outside_box_error&) {
+    throw;
+  } catch (const Endless_contacts_error&) {  // all is as before the contact
     throw;
   } catch (...) {
     is_within_instant_ = true;

@@ -466,3 +466,16 @@ def test_velocities_of_points_that_accelerate():
     assert np.allclose(sim.positions(), [[2 + 8 / 6, 2], [11, 9]])
     sim.set_velocities(0, [5, 5])
     assert sim.motion(0)["acceleration"] == (2, 1) and sim.motion(0)["velocity"] == (5, 5)
+
+
+def test_after_contacts_without_end_the_state_can_be_had_and_the_run_goes_on():
+    # Two balls that touch at rest, and accelerate toward each other.
+    simulation = kinetri.Simulation([[0, 0], [0, 2]], [[0, 0], [0, 0]], acceleration=[[0, 0], [0, -1]],
+                                    radius=1.0, collisions="elastic")
+    with pytest.raises(kinetri.EndlessContactsError, match="points 0 and 1 accelerate toward each other at t = 0"):
+        simulation.advance_to(1)
+    assert simulation.time == 0
+    assert simulation.positions().tolist() == [[0, 0], [0, 2]]
+    simulation.set_motions(1, [0, 2], [0, 0], acceleration=[0, 1])
+    simulation.advance_to(2)
+    assert simulation.positions().tolist() == [[0, 0], [0, 4]]
