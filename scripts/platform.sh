@@ -13,8 +13,7 @@ usage: scripts/platform.sh PLATFORM [CTEST_OPTION...]
 
 Builds the library, the program and the tests of algebra, kinetic, events and degenerate input for
 another platform, in build/PLATFORM. Compares logs, edges, motions and messages of the program with
-those of the one in build/test, which it builds as well; then runs the tests. About an hour of processor time
-for each platform, and an hour and a half under emulation.
+those of the one in build/test, which it builds as well; then runs the tests.
 
   arm64     64-bit ARM: Debian's cross compiler, and user-mode emulation
   libcxx    this machine: clang and libc++, the newest that Debian has

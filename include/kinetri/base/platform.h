@@ -26,7 +26,7 @@
 #include <kinetri_needs_binary64>
 #endif
 #if defined(__DBL_MANT_DIG__) && (__DBL_MANT_DIG__ != 53 || __DBL_MAX_EXP__ != 1024)
-#error "Kinetri needs IEEE 754: a double that is no binary64 number is not supported"
+#error "Kinetri needs IEEE 754: double must be binary64"
 #include <kinetri_needs_binary64>
 #endif
 
