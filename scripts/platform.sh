@@ -19,7 +19,7 @@ those of the one in build/test, which it builds as well; then runs the tests.
   libcxx    this machine: clang and libc++, the newest that Debian has
 
 What is missing is installed with apt-get, as root. Packages of another architecture are unpacked
-below build/PLATFORM alone: those of this machine, and its list of architectures, stay as they are.
+in build/PLATFORM-libraries alone: those of this machine, and its list of architectures, stay as they are.
 EOF
 }
 
