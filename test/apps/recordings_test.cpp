@@ -181,7 +181,7 @@ TEST_F(Recordings, in_utf16_are_read_and_verified) {
 TEST_F(Recordings, a_ball_that_rests_at_a_wall_is_advised_what_helps) {
   write("p.csv", "x,y,vx,vy,ax,ay\n5,0,0,0,0,-1\n2,5,0,0,0,0\n");
   const Outcome refused = run({"simulate", "p.csv", "--until", "1", "--box", "0,0,10,10"});
-  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.exit_code, 130);
   EXPECT_TRUE(says(refused,
                    "expected contacts with a speed: change the acceleration or the box, or "
                    "end before that time"))
