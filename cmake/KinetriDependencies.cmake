@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Finds the libraries that are seen through the public headers, and those that the library is linked with
-# where they are. Used by the build and, installed, by KinetriConfig.cmake, so that an installed library
-# names no path of the machine it was built on.
+# Finds the libraries that Kinetri::kinetri needs, and those that Kinetri::io is linked with where they are.
+# Used by the build and, installed, by KinetriConfig.cmake, so that an installed library names no path of the
+# machine it was built on.
 #
 # Defines Boost::headers, CGAL::CGAL, TBB::tbb, Kinetri::gmp and Kinetri::mpfr; sets kinetri_missing to what is
 # wrong, or to "". Sets KINETRI_OPTIONAL_LIBRARIES to those of sqlite and expat that are there, and defines
-# Kinetri::sqlite and Kinetri::expat. An installed library needs those that kinetri_needed names.
+# Kinetri::sqlite and Kinetri::expat. An installed Kinetri::io needs those that kinetri_needed names, and
+# kinetri_io_missing says which of them are not there.
 set(kinetri_missing "")
+set(kinetri_io_missing "")
 
 # CGAL reports a dozen details of its own configuration, and warns about every build that is not a
 # Release; whoever wants that sets this variable.
@@ -43,7 +45,7 @@ foreach(name IN ITEMS gmp mpfr)
   endif()
 endforeach()
 
-# kinetri_optional(NAME HEADER LIBRARY PACKAGE): a library that Kinetri can be built without, but does not
+# kinetri_optional(NAME HEADER LIBRARY PACKAGE): a library that Kinetri::io can be built without, but does not
 # work without where it was built with it.
 set(KINETRI_OPTIONAL_LIBRARIES "")
 macro(kinetri_optional name header library package)
@@ -58,10 +60,11 @@ macro(kinetri_optional name header library package)
     if(TARGET Kinetri::${name})
       list(APPEND KINETRI_OPTIONAL_LIBRARIES ${name})
     elseif(DEFINED kinetri_needed)
-      string(APPEND kinetri_missing "${library} was not found (Debian: ${package}). ")
+      string(APPEND kinetri_io_missing "${library} was not found (Debian: ${package}). ")
     endif()
   endif()
 endmacro()
 kinetri_optional(sqlite sqlite3.h sqlite3 libsqlite3-dev)
 kinetri_optional(expat expat.h expat libexpat1-dev)
 string(STRIP "${kinetri_missing}" kinetri_missing)
+string(STRIP "${kinetri_io_missing}" kinetri_io_missing)

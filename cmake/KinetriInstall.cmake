@@ -3,7 +3,7 @@
 # with its manual page and completions, and the documents. Nothing that is installed names the place
 # it is installed in: the copy may be moved.
 #
-# The components program, development and python become packages, in which the others, documentation
+# The components program, development, io and python become packages, in which the others, documentation
 # and zsh, are where Debian has such files (KinetriPackage.cmake). python/CMakeLists.txt installs python.
 option(KINETRI_INSTALL "Install the library" ${PROJECT_IS_TOP_LEVEL})
 if(NOT KINETRI_INSTALL)
@@ -40,22 +40,29 @@ if(PROJECT_IS_TOP_LEVEL)
     COMMENT "Removing what was installed" VERBATIM)
 endif()
 
-# The library. A shared one goes with the program, which needs it.
-install(TARGETS kinetri EXPORT KinetriTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT program NAMELINK_COMPONENT development
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+# The libraries. Shared ones go with the program, which needs them.
+set_target_properties(kinetri_io PROPERTIES INSTALL_RPATH "$ORIGIN")
+foreach(library IN ITEMS "kinetri Targets development" "kinetri_io IoTargets io")
+  separate_arguments(library)
+  list(POP_FRONT library target targets component)
+  install(TARGETS ${target} EXPORT Kinetri${targets}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT program NAMELINK_COMPONENT ${component}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  install(EXPORT Kinetri${targets} NAMESPACE Kinetri:: DESTINATION ${package_dir} COMPONENT ${component})
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  COMPONENT development FILES_MATCHING PATTERN "*.h")
+  COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "kinetri/io" EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri/io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri
+  COMPONENT io FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/include/kinetri/version.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri COMPONENT development)
 
-# find_package(Kinetri). Who links a static library needs those that it is linked with.
+# find_package(Kinetri). Who links Kinetri::io as a static library needs those that it is linked with.
 set(kinetri_needed "")
 if(NOT BUILD_SHARED_LIBS)
   set(kinetri_needed "${KINETRI_OPTIONAL_LIBRARIES}")
 endif()
-install(EXPORT KinetriTargets NAMESPACE Kinetri:: DESTINATION ${package_dir} COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/KinetriConfig.cmake.in
   ${generated_dir}/KinetriConfig.cmake INSTALL_DESTINATION ${package_dir}
   NO_SET_AND_CHECK_MACRO)
@@ -71,10 +78,8 @@ install(FILES ${generated_dir}/KinetriConfig.cmake ${generated_dir}/KinetriConfi
 file(RELATIVE_PATH pkgconfig_to_prefix /prefix/${pkgconfig_dir} /prefix)
 string(REGEX REPLACE "/$" "" pkgconfig_to_prefix "${pkgconfig_to_prefix}")
 set(pkgconfig_requires "gmp mpfr tbb")
-foreach(name IN LISTS kinetri_needed)
-  string(APPEND pkgconfig_requires " ${name}")
-endforeach()
-string(REPLACE " sqlite" " sqlite3" pkgconfig_requires "${pkgconfig_requires}")
+string(REPLACE sqlite sqlite3 pkgconfig_io_requires "kinetri;${kinetri_needed}")
+list(JOIN pkgconfig_io_requires " " pkgconfig_io_requires)
 set(pkgconfig_cflags " ${CMAKE_CXX20_STANDARD_COMPILE_OPTION}")
 get_target_property(cgal_definitions CGAL::CGAL INTERFACE_COMPILE_DEFINITIONS)
 if("CGAL_USE_GMPXX=1" IN_LIST cgal_definitions)
@@ -84,8 +89,12 @@ endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   string(APPEND pkgconfig_cflags " -frounding-math")
 endif()
-configure_file(${PROJECT_SOURCE_DIR}/cmake/kinetri.pc.in ${generated_dir}/kinetri.pc @ONLY)
-install(FILES ${generated_dir}/kinetri.pc DESTINATION ${pkgconfig_dir} COMPONENT development)
+foreach(file IN ITEMS "kinetri.pc development" "kinetri-io.pc io")
+  separate_arguments(file)
+  list(POP_FRONT file file component)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${file}.in ${generated_dir}/${file} @ONLY)
+  install(FILES ${generated_dir}/${file} DESTINATION ${pkgconfig_dir} COMPONENT ${component})
+endforeach()
 
 # kinetri_install_page(FILE NAME COMPONENT [OPTIONAL]): a manual page, compressed where that is possible.
 function(kinetri_install_page file name component)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Debian packages, made by `cpack` in a build directory: kinetri, the program; libkinetri-dev, the static
-# library with its headers; and python3-kinetri, if the Python package is built. (A shared library would
+# Debian packages, made by `cpack` in a build directory: kinetri, the program; libkinetri-dev and
+# libkinetri-io-dev, the static libraries with their headers; and python3-kinetri, if the Python package is built. (A shared library would
 # be another, with a promise about its binary interface that a version before 1.0 does not give.)
 if(NOT PROJECT_IS_TOP_LEVEL OR NOT KINETRI_INSTALL OR NOT TARGET kinetri_program)
   return()
@@ -19,7 +19,7 @@ endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kinetri)
 set(CPACK_PACKAGE_VENDOR Kinetri)
-set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_COMPONENTS_ALL program development io)
 if(KINETRI_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
@@ -46,17 +46,26 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkinetri-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libboost-dev, libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libtbb-dev")
-foreach(dependency IN ITEMS sqlite=libsqlite3-dev expat=libexpat1-dev)
-  string(REGEX MATCH "^([a-z]+)=(.*)$" dependency ${dependency})
-  if(CMAKE_MATCH_1 IN_LIST KINETRI_OPTIONAL_LIBRARIES)
-    string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", ${CMAKE_MATCH_2}")
-  endif()
-endforeach()
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "cmake, pkg-config")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "A C++20 library on top of CGAL's Delaunay_triangulation_2. This package holds
 the static library and its headers, and what CMake and pkg-config need to find
 them.")
+
+set(CPACK_DEBIAN_IO_PACKAGE_NAME libkinetri-io-dev)
+set(CPACK_DEBIAN_IO_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_IO_PACKAGE_DEPENDS
+  "libkinetri-dev (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+foreach(dependency IN ITEMS sqlite=libsqlite3-dev expat=libexpat1-dev)
+  string(REGEX MATCH "^([a-z]+)=(.*)$" dependency ${dependency})
+  if(CMAKE_MATCH_1 IN_LIST KINETRI_OPTIONAL_LIBRARIES)
+    string(APPEND CPACK_DEBIAN_IO_PACKAGE_DEPENDS ", ${CMAKE_MATCH_2}")
+  endif()
+endforeach()
+set(CPACK_COMPONENT_IO_DESCRIPTION
+  "Files and formats for the C++ library Kinetri: points, recorded tracks, event
+logs, checkpoints, pictures and pages. This package holds the static library
+and its headers, and what CMake and pkg-config need to find them.")
 
 if(KINETRI_PYTHON)
   # The module is for one version of Python.

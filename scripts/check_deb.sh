@@ -11,8 +11,8 @@ usage() {
 usage: scripts/check_deb.sh [DIRECTORY]
 
 Makes a clean root of the Debian that runs here (with mmdebstrap, which installs it from the network
-and removes it at the end), installs the packages kinetri, libkinetri-dev and, if the Python package is
-built, python3-kinetri there by apt with what they depend on, and in it
+and removes it at the end), installs the packages kinetri, libkinetri-dev, libkinetri-io-dev and, if the
+Python package is built, python3-kinetri there by apt with what they depend on, and in it
   - runs kinetri generate and kinetri simulate, and looks for the manual page and the completions,
   - compiles a small program by find_package and by pkg-config, and runs it,
   - runs a small program in Python, with a wheel in DIRECTORY as well, if there is one,
@@ -37,9 +37,9 @@ if [[ -z $folder ]]; then
     cpack --config "$kinetri_root/build/release/CPackConfig.cmake" -B "$folder"
 fi
 shopt -s nullglob
-packages=("$folder"/kinetri_*.deb "$folder"/libkinetri-dev_*.deb)
-((${#packages[@]} == 2)) ||
-  kinetri_fail "$folder holds ${#packages[@]} packages; expected one kinetri_*.deb and one libkinetri-dev_*.deb"
+packages=("$folder"/kinetri_*.deb "$folder"/libkinetri-dev_*.deb "$folder"/libkinetri-io-dev_*.deb)
+((${#packages[@]} == 3)) ||
+  kinetri_fail "$folder holds ${#packages[@]} packages; expected one kinetri_*.deb, one libkinetri-dev_*.deb and one libkinetri-io-dev_*.deb"
 packages+=("$folder"/python3-kinetri_*.deb "$folder"/kinetri-*.whl)
 
 # What is done in the root: in a file, which bash there reads.
@@ -96,8 +96,18 @@ g++ $(pkg-config --cflags kinetri) consumer/main.cpp $(pkg-config --libs kinetri
   -o by_pkg_config
 ./by_pkg_config | diff consumer/expected.txt -
 
-files=$(dpkg-query -L kinetri libkinetri-dev | sort -u)
-apt-get purge -y kinetri libkinetri-dev
+# Files as well.
+apt-get install -y --no-install-recommends ./libkinetri-io-dev_*.deb
+cmake -S consumer -B files_by_cmake -DCMAKE_BUILD_TYPE=Release -DKINETRI_COMPONENTS=io
+cmake --build files_by_cmake
+files_by_cmake/consumer_of_files | diff consumer/expected_of_files.txt -
+# shellcheck disable=SC2046
+g++ $(pkg-config --cflags kinetri-io) consumer/files.cpp $(pkg-config --libs kinetri-io) \
+  -o files_by_pkg_config
+./files_by_pkg_config | diff consumer/expected_of_files.txt -
+
+files=$(dpkg-query -L kinetri libkinetri-dev libkinetri-io-dev | sort -u)
+apt-get purge -y kinetri libkinetri-dev libkinetri-io-dev
 for file in $files; do
   if [[ $file == *inetri* && -e $file ]]; then
     echo "$file is left" >&2

@@ -2,7 +2,8 @@
 # Configures the project CONSUMER_DIR in WORK_DIR with the options OPTIONS (separated by |), builds its
 # target TARGET, runs PROGRAM, and compares what that prints with the file EXPECTED. Where REFUSED is
 # given, configuring must fail instead, with a message that matches it; where HINT is given,
-# nothing is built, and configuring must say what an empty CMAKE_BUILD_TYPE means (ON), or not (OFF).
+# nothing is built, and configuring must say what an empty CMAKE_BUILD_TYPE means (ON), or not (OFF). The
+# program must not be linked with a library that matches NEEDS_NOT, where that is given.
 
 # Stops with the message and the text under it, which CMake shows as it is where it is indented.
 function(fail message text)
@@ -43,6 +44,12 @@ if(NOT code EQUAL 0)
   fail("building ended with ${code}:" "${output}")
 endif()
 
+if(DEFINED NEEDS_NOT)
+  execute_process(COMMAND ldd "${WORK_DIR}/${PROGRAM}" OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT libraries MATCHES "libgmp" OR libraries MATCHES "${NEEDS_NOT}")
+    fail("${PROGRAM} is linked with" "${libraries}")
+  endif()
+endif()
 execute_process(COMMAND "${WORK_DIR}/${PROGRAM}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 file(READ "${CONSUMER_DIR}/${EXPECTED}" expected)
 if(NOT output STREQUAL expected)

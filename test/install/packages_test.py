@@ -54,7 +54,7 @@ class Packages(unittest.TestCase):
 
     def test_there_is_one_for_each_part(self):
         self.assertEqual(sorted(self.packages),
-                         ["kinetri", "libkinetri-dev"] + (["python3-kinetri"] if PYTHON else []))
+                         ["kinetri", "libkinetri-dev", "libkinetri-io-dev"] + (["python3-kinetri"] if PYTHON else []))
         for name in self.packages:
             self.assertEqual(self.field(name, "Version"), VERSION + "-1")
             self.assertEqual(self.field(name, "Architecture"),
@@ -72,9 +72,12 @@ class Packages(unittest.TestCase):
         self.assertEqual(self.field("kinetri", "Section"), "math")
 
     def test_the_library_depends_on_what_its_headers_include(self):
-        needs = self.field("libkinetri-dev", "Depends").split(", ")
-        self.assertEqual([name for name in needs if name not in OPTIONAL], DEVELOPMENT_NEEDS)
-        self.assertEqual(self.field("libkinetri-dev", "Section"), "libdevel")
+        self.assertEqual(self.field("libkinetri-dev", "Depends").split(", "), DEVELOPMENT_NEEDS)
+        needs = self.field("libkinetri-io-dev", "Depends").split(", ")
+        self.assertEqual([name for name in needs if name not in OPTIONAL],
+                         [f"libkinetri-dev (= {VERSION}-1)"])
+        for name in ("libkinetri-dev", "libkinetri-io-dev"):
+            self.assertEqual(self.field(name, "Section"), "libdevel")
 
     def test_files_of_the_program(self):
         self.assertEqual(self.files("kinetri"), {
@@ -91,11 +94,16 @@ class Packages(unittest.TestCase):
         page = gzip.decompress((WORK / "kinetri/usr/share/man/man1/kinetri.1.gz").read_bytes())
         self.assertIn(b".SH NAME", page)
 
-    def test_files_of_the_library(self):
+    def test_files_of_the_libraries(self):
         files = self.files("libkinetri-dev")
+        of_files = self.files("libkinetri-io-dev")
         public = {str(file.relative_to(SOURCE)) for file in (SOURCE / "include").rglob("*.h")}
+        io = {file for file in public if file.startswith("include/kinetri/io/")}
         self.assertEqual({file[4:] for file in files if file.startswith("usr/include/")},
-                         public | {"include/kinetri/version.h"})
+                         public - io | {"include/kinetri/version.h"})
+        self.assertEqual({file[4:] for file in of_files if file.startswith("usr/include/")}, io)
+        self.assertLessEqual({"libkinetri_io.a", "kinetri-io.pc", "KinetriIoTargets.cmake"},
+                             {pathlib.Path(file).name for file in of_files})
         documents = "usr/share/doc/libkinetri-dev/"
         for name in ("copyright", "changelog.Debian.gz", "README.md", "docs/ARCHITECTURE.md"):
             self.assertIn(documents + name, files)

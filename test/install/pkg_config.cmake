@@ -5,6 +5,11 @@
 file(MAKE_DIRECTORY "${WORK_DIR}")
 set(ENV{PKG_CONFIG_PATH} "${PREFIX}/${LIBDIR}/pkgconfig")
 set(ENV{LD_LIBRARY_PATH} "${PREFIX}/${LIBDIR}")
+# Geometry needs no library of files.
+execute_process(COMMAND ${PKG_CONFIG} --print-requires kinetri OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+if(NOT output MATCHES "gmp" OR output MATCHES "sqlite|expat")
+  message(SEND_ERROR "kinetri requires ${output}")
+endif()
 foreach(kind IN ITEMS cflags libs)
   execute_process(COMMAND ${PKG_CONFIG} --${kind} kinetri
     OUTPUT_VARIABLE output OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
