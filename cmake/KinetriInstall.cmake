@@ -127,7 +127,7 @@ endif()
 if(TARGET kinetri_verify)
   install(TARGETS kinetri_verify
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-  kinetri_install_page(${PROJECT_SOURCE_DIR}/verify/kinetri-verify.1 kinetri-verify program)
+  kinetri_install_page(${PROJECT_SOURCE_DIR}/apps/verify/kinetri-verify.1 kinetri-verify program)
 endif()
 
 # kinetri_install_documents(DESTINATION OPTION...): README, guides, examples, as they link each other.

@@ -64,7 +64,7 @@ LIBRARIES = {
 NOT_FOR = {"kinetic": re.compile(r"CGAL/\w*[Tt]riangulation")}
 
 # Checks event logs and shares no file with what wrote them: includes only its own folder and these.
-CHECKER = "verify"
+CHECKER = "apps/verify"
 LIBRARIES_OF_CHECKER = ("gmp.h", "gmpxx.h")
 
 # The layers that talk to the operating system may include C headers such as <unistd.h>.
@@ -88,9 +88,9 @@ def layer_of(path):
         if parts[: len(prefix)] == prefix and len(parts) > len(prefix) + 1:
             layer = parts[len(prefix)]
             return layer if layer in LAYERS else None
-    if parts[:2] == ("apps", "cli"):
-        return "cli"
-    return parts[0] if parts[0] in ("apps", "python", "video") else None
+    if parts[0] == "apps":
+        return {"cli": "cli", "kinetri": "apps", "video": "video"}.get(parts[1])
+    return "python" if parts[0] == "python" else None
 
 
 def includes(text):
@@ -160,7 +160,7 @@ def check(root):
     root = root.resolve()
     violations = []
     count = 0
-    for top in ("include/kinetri", "src", "apps", "python", "video", "test"):
+    for top in ("include/kinetri", "src", "apps", "python", "test"):
         for file in sorted((root / top).rglob("*")):
             path = file.relative_to(root)
             layer = layer_of(path)

@@ -27,7 +27,7 @@ NAMES_OF_OTHERS = {
 }
 LAST_COLUMN_ONLY = {"docs/MIGRATION.md"}
 
-CODE_FOLDERS = ("include", "src", "apps", "verify", "video", "viewer", "test", "scripts", "bench", "cmake")
+CODE_FOLDERS = ("include", "src", "apps", "viewer", "test", "scripts", "bench", "cmake")
 CODE_SUFFIXES = {".h", ".cpp", ".txt", ".cmake", ".py", ".sh", ".js", ".in", ".json", ".html"}
 SKIPPED_FOLDERS = re.compile(r"^(build.*|out|corpus|__pycache__|\..*)$")
 COMMENT = re.compile(r"//.*")

@@ -54,7 +54,7 @@ on_files() {
   command -v "${command[0]}" >/dev/null || return 77
   while (($# > 0)); do names+=(-o -name "$1") && shift; done
   mapfile -d '' files < <(find .ci apps bench data examples include python scripts setup.py src test \
-    verify video viewer -type f \( "${names[@]:1}" \) -print0 | sort -z)
+    viewer -type f \( "${names[@]:1}" \) -print0 | sort -z)
   "${command[@]}" "${files[@]}" || return 1
 }
 
@@ -77,7 +77,7 @@ run_check() {
       command -v run-clang-tidy-14 >/dev/null || return 77
       kinetri_configure build/lint dev -DCMAKE_CXX_COMPILER=clang++ -DKINETRI_BUILD_BENCH=ON
       run-clang-tidy-14 -quiet -p build/lint -j "$(kinetri_jobs)" ${fix:+-fix} \
-        "^$kinetri_root/(apps|bench|examples|src|test|verify|viewer)/"
+        "^$kinetri_root/(apps|bench|examples|src|test|viewer)/"
       ;;
   esac
 }

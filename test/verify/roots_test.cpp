@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Times of kinetri-verify: comparisons that are many do not make them longer.
-#include "../../verify/roots.h"
+#include "../../apps/verify/roots.h"
 
 #include <gtest/gtest.h>
 
