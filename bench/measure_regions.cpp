@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "bench_discs.h"
-#include "kinetri/simulation/detail/contact_turns.h"
 #include "kinetri/simulation/simulation_2.h"
-#include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "measurements.h"
+#include "simulation/contact_turns.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::bench {
 namespace {

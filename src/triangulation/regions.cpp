@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "kinetri/triangulation/detail/parallel.h"
-#include "kinetri/triangulation/detail/regions_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+#include "triangulation/regions_impl.h"
 
 namespace kinetri::detail {
 
@@ -34,6 +34,34 @@ void call_for_each_index(const Region_options& options, std::size_t count,
   std::ranges::shuffle(order, std::mt19937_64(options.order_of_tasks));
   std::ranges::for_each(order, work);
 }
+
+template <class KineticTriangulation>
+std::size_t Region_runs<KineticTriangulation>::advance_to(KineticTriangulation& kinetic,
+                                                          const Time& until,
+                                                          const std::function<bool()>& may_go_on) {
+  return Region_run<KineticTriangulation>(kinetic, with_threads(kinetic.threads_))
+      .advance_to(until, may_go_on);
+}
+
+template <class KineticTriangulation>
+void Region_runs<KineticTriangulation>::make_turns(KineticTriangulation& kinetic,
+                                                   std::span<const Change> turns) {
+  if constexpr (KineticTriangulation::is_weighted) {
+    KINETRI_ASSERT(turns.empty(), "weighted points turn by regions");
+  } else {
+    Region_run<KineticTriangulation>(kinetic, with_threads(kinetic.threads_)).make_turns(turns);
+  }
+}
+
+template <class KineticTriangulation>
+void Region_runs<KineticTriangulation>::join(KineticTriangulation& kinetic) {
+  Region_run<KineticTriangulation>(kinetic, with_threads(kinetic.threads_)).join();
+}
+
+template struct Region_runs<Kinetic_triangulation_2<Linear_kinetic_traits_2>>;
+template struct Region_runs<Kinetic_triangulation_2<Polynomial_kinetic_traits_2>>;
+template struct Region_runs<Kinetic_triangulation_2<Disc_kinetic_traits_2>>;
+template struct Region_runs<Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>>;
 
 // Of turns, which are not there, nothing is compiled.
 template <class Traits>

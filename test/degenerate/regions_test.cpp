@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Every file of data/degenerate by regions, against the plain loop.
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "kinetri/simulation/detail/contact_turns.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "simulation/contact_turns.h"
 #include "support/live_bytes.h"
 #include "support/motions.h"
 #include "support/multiplier.h"

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/simulation/detail/contact_turns.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "simulation/contact_turns.h"
 #include "support/contact_region_runs.h"
 #include "support/multiplier.h"
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "kinetri/simulation/detail/contact_turns.h"
 #include "kinetri/simulation/scenarios.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "simulation/contact_turns.h"
 #include "support/contact_region_runs.h"
 
 namespace kinetri {

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "kinetri/simulation/detail/contact_turns.h"
 #include "kinetri/simulation/recording.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "simulation/contact_turns.h"
 #include "support/region_runs.h"
 
 namespace kinetri::test {

@@ -15,9 +15,9 @@
 
 #include "kinetri/io/event_log.h"
 #include "kinetri/simulation/recording.h"
-#include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "support/kinetic_runs.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::test {
 

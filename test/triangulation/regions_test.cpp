@@ -2,7 +2,7 @@
 //
 // Runs by regions against the plain loop: the same events, with the same numbers and exact times,
 // and the same state, however small the regions and whatever the windows.
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 #include <gtest/gtest.h>
 

@@ -11,11 +11,11 @@
 #include <random>
 #include <vector>
 
-#include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_regular_triangulation_2.h"
 #include "support/motions.h"
 #include "support/multiplier.h"
 #include "support/region_runs.h"
+#include "triangulation/regions.h"
 
 namespace kinetri {
 namespace {

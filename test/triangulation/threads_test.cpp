@@ -14,9 +14,9 @@
 #include <thread>
 #include <vector>
 
-#include "kinetri/triangulation/detail/regions.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "support/motions.h"
+#include "triangulation/regions.h"
 
 namespace kinetri {
 namespace {

@@ -22,8 +22,8 @@
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/io/motion_log.h"
-#include "kinetri/simulation/detail/contact_turns.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "simulation/contact_turns.h"
 #include "support/region_runs.h"
 
 namespace kinetri {

@@ -14,8 +14,8 @@
 // is watched with the corners of the triangle that hides it. The pairs that overlap are kept. The
 // simulation follows the edges as an observer of the triangulation.
 //
-// With several threads `advance_to` runs by regions (triangulation/detail/regions.h), contacts and
-// all, unless an observer looks on: see detail/contact_turns.h. Where nothing but changes is
+// With several threads `advance_to` runs by regions (detail/contact_runs.h), contacts and
+// all, unless an observer looks on. Where nothing but changes is
 // scheduled, what happens to the triangulation changes nothing in the queue, and it runs up to the
 // first entry by itself.
 //
@@ -57,6 +57,8 @@ namespace detail {
 
 template <class Simulation>
 class Contact_turns;
+template <class Simulation>
+struct Contact_runs;
 
 }  // namespace detail
 
@@ -342,6 +344,7 @@ class Simulation_2 : private Event_observer {
 
  private:
   friend class detail::Contact_turns<Simulation_2>;
+  friend struct detail::Contact_runs<Simulation_2>;
 
   /// In the order in which they are executed at one time. A contact of discs that is not noted
   /// comes before those that are.

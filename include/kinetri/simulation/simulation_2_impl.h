@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
-#include "kinetri/simulation/detail/contact_turns.h"
+#include "kinetri/simulation/detail/contact_runs.h"
 #include "kinetri/simulation/detail/disc_numbers.h"
 #include "kinetri/simulation/detail/shortest_text.h"
 #include "kinetri/simulation/simulation_2.h"
@@ -157,10 +157,7 @@ std::size_t Simulation_2<Traits>::advance_to(const Time& time,
       "the time to advance to is in the past; take the present one or a later one");
   if constexpr (detail::has_region_runs<Traits>) {
     if (may_run_by_regions()) {
-      detail::Region_options options;
-      options.threads = threads_;
-      return detail::Contact_turns<Simulation_2>::run_of(*this, options)
-          .advance_to(time, may_go_on);
+      return detail::Contact_runs<Simulation_2>::advance_to(*this, time, may_go_on);
     }
   }
   join_parts_of_contacts();
@@ -234,7 +231,7 @@ bool Simulation_2<Traits>::may_run_by_regions() const {
   if constexpr (detail::has_region_runs<Traits>) {
     return (options_.box || options_.response) &&
            detail::may_pay_by_regions(triangulation_.number_of_points(), threads_) &&
-           detail::Contact_turns<Simulation_2>::can_run(*this);
+           detail::Contact_runs<Simulation_2>::can_run(*this);
   }
   return false;
 }
@@ -250,11 +247,7 @@ void Simulation_2<Traits>::join_parts() {
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::join_parts_of_contacts() {
   if constexpr (detail::has_region_runs<Traits>) {
-    if (queue_.is_divided()) {
-      detail::Region_options options;
-      options.threads = threads_;
-      detail::Contact_turns<Simulation_2>::run_of(*this, options).join();
-    }
+    if (queue_.is_divided()) detail::Contact_runs<Simulation_2>::join(*this);
   }
 }
 

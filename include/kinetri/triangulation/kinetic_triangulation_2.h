@@ -61,6 +61,8 @@ class Plain_loop;
 struct No_turns;
 template <class KineticTriangulation, class Turns = No_turns>
 class Region_run;
+template <class KineticTriangulation>
+struct Region_runs;
 
 /// CGAL's triangulation of moving points: regular where they have weights, else Delaunay.
 template <class Traits>
@@ -357,6 +359,7 @@ class Kinetic_triangulation_2 {
   friend class detail::Plain_loop<Kinetic_triangulation_2>;
   template <class Kinetic, class Turns>
   friend class detail::Region_run;
+  friend struct detail::Region_runs<Kinetic_triangulation_2>;
 
   static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
 

@@ -18,7 +18,7 @@
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
 #include "kinetri/triangulation/detail/point_problems.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "kinetri/triangulation/detail/region_runs.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
@@ -364,9 +364,7 @@ void Kinetic_triangulation_2<Traits>::make_turns(std::span<const Change> turns) 
   if constexpr (detail::has_region_runs<Traits> && !is_weighted) {
     constexpr std::size_t turns_per_region = 8;  // fewer are made as fast one by one
     if (queue_.is_divided() && turns.size() >= turns_per_region * division_.regions) {
-      detail::Region_options options;
-      options.threads = threads_;
-      return detail::Region_run<Kinetic_triangulation_2>(*this, options).make_turns(turns);
+      return detail::Region_runs<Kinetic_triangulation_2>::make_turns(*this, turns);
     }
   }
   // Each edge once, also one that is around several of the points.

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "kinetri/base/check.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "kinetri/triangulation/detail/region_runs.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
@@ -141,10 +141,7 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time,
       "or call reverse first");
   if constexpr (detail::has_region_runs<Traits>) {
     if (detail::may_pay_by_regions(number_of_points_, threads_)) {
-      detail::Region_options options;
-      options.threads = threads_;
-      return detail::Region_run<Kinetic_triangulation_2>(*this, options)
-          .advance_to(time, may_go_on);
+      return detail::Region_runs<Kinetic_triangulation_2>::advance_to(*this, time, may_go_on);
     }
   }
   join_parts();
@@ -155,10 +152,7 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time,
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::join_parts() {
   if constexpr (detail::has_region_runs<Traits>) {
-    if (!queue_.is_divided()) return;
-    detail::Region_options options;
-    options.threads = threads_;
-    detail::Region_run<Kinetic_triangulation_2>(*this, options).join();
+    if (queue_.is_divided()) detail::Region_runs<Kinetic_triangulation_2>::join(*this);
   }
 }
 

@@ -52,7 +52,7 @@ class Flip_numbers {
   std::vector<std::uint8_t> node_;    // by block
 };
 
-/// Which region a vertex belongs to, and how far a run by regions has come. See detail/regions.h.
+/// Which region a vertex belongs to, and how far a run by regions has come. See region_runs.h.
 ///
 /// Regions are the leaves of a binary tree. Its nodes are numbered level by level: the regions,
 /// then the unions of two regions each, then those of two such unions; the root, of all points, is

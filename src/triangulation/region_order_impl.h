@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Region_run: the end of a window: its flips in the order of time.
-#ifndef KINETRI_TRIANGULATION_DETAIL_REGION_ORDER_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_REGION_ORDER_IMPL_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGION_ORDER_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_REGION_ORDER_IMPL_H
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "kinetri/triangulation/detail/parallel.h"
-#include "kinetri/triangulation/detail/region_division_impl.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/region_division_impl.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::detail {
 
@@ -347,4 +347,4 @@ void Region_run<Kinetic, Turns>::tell(Event event, std::uint64_t number,
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_REGION_ORDER_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGION_ORDER_IMPL_H

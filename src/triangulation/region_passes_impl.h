@@ -3,8 +3,8 @@
 // Definitions of Region_run: contacts of discs that pass through each other. They change nothing in
 // the triangulation, so they are executed when that has been done for a window, between its other
 // events, by what the records say of these.
-#ifndef KINETRI_TRIANGULATION_DETAIL_REGION_PASSES_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_REGION_PASSES_IMPL_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGION_PASSES_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_REGION_PASSES_IMPL_H
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "kinetri/triangulation/detail/parallel.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::detail {
 
@@ -215,4 +215,4 @@ void Region_run<Kinetic, Turns>::tell_if_told(Walk& walk, const Tell& tell) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_REGION_PASSES_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGION_PASSES_IMPL_H

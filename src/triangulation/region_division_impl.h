@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Region_run: regions, and the parts of the queue.
-#ifndef KINETRI_TRIANGULATION_DETAIL_REGION_DIVISION_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_REGION_DIVISION_IMPL_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGION_DIVISION_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_REGION_DIVISION_IMPL_H
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "kinetri/triangulation/detail/kd_cells.h"
 #include "kinetri/triangulation/detail/parallel.h"
 #include "kinetri/triangulation/detail/prefetch.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::detail {
 
@@ -158,4 +158,4 @@ void Region_run<Kinetic, Turns>::choose_owners() {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_REGION_DIVISION_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGION_DIVISION_IMPL_H

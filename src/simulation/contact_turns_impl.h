@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Contact_turns.
-#ifndef KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_IMPL_H
-#define KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_IMPL_H
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_TURNS_IMPL_H
+#define KINETRI_SRC_SIMULATION_CONTACT_TURNS_IMPL_H
 
 #include <algorithm>
 #include <map>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "kinetri/base/check.h"
-#include "kinetri/simulation/detail/contact_turns.h"
 #include "kinetri/triangulation/detail/plain_loop.h"
+#include "simulation/contact_turns.h"
 
 namespace kinetri::detail {
 
@@ -434,4 +434,4 @@ void Contact_turns<Simulation>::count(const Discarded& discarded) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_IMPL_H
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_TURNS_IMPL_H

@@ -4,8 +4,8 @@
 // the points of which it owns all triangles; of these it writes the slots of their edges, which
 // have both ends in the region. Entries leave all parts before the first motion changes, since they
 // speak of motions, and come back when the last one has.
-#ifndef KINETRI_TRIANGULATION_DETAIL_REGION_BATCHES_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_REGION_BATCHES_IMPL_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGION_BATCHES_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_REGION_BATCHES_IMPL_H
 
 #include <algorithm>
 #include <span>
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "kinetri/triangulation/detail/parallel.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::detail {
 
@@ -77,4 +77,4 @@ void Region_run<Kinetic, Turns>::make_turns(std::span<const Change> turns) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_REGION_BATCHES_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGION_BATCHES_IMPL_H

@@ -128,8 +128,8 @@
 // snapshot has of them, and of the counters those that count events and instants. Counts of
 // rechecks, discarded failures, certificates and of the queue tell how a run was made: they differ,
 // as they do after a snapshot has been restored.
-#ifndef KINETRI_TRIANGULATION_DETAIL_REGIONS_H
-#define KINETRI_TRIANGULATION_DETAIL_REGIONS_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGIONS_H
+#define KINETRI_SRC_TRIANGULATION_REGIONS_H
 
 #include <algorithm>
 #include <array>
@@ -148,6 +148,7 @@
 
 #include "kinetri/triangulation/detail/edge_changes.h"
 #include "kinetri/triangulation/detail/region_effort.h"
+#include "kinetri/triangulation/detail/region_runs.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {
@@ -175,21 +176,17 @@ struct Region_options {
   std::uint64_t order_of_tasks = 0;
 };
 
-/// Whether a run by regions may be faster than the plain loop: of so many points, with so many
-/// threads (0: those of oneTBB's arena) of those that oneTBB has here.
-bool may_pay_by_regions(std::size_t points, std::size_t threads);
+/// The options of a run with so many threads.
+inline Region_options with_threads(std::size_t threads) {
+  Region_options options;
+  options.threads = threads;
+  return options;
+}
 
 /// Calls work(k) for each k below the count, as the options say: in parallel, or one after the
 /// other.
 void call_for_each_index(const Region_options& options, std::size_t count,
                          const std::function<void(std::size_t)>& work);
-
-/// Whether the library has runs by regions of these traits.
-template <class Traits>
-inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_traits_2> ||
-                                        std::is_same_v<Traits, Polynomial_kinetic_traits_2> ||
-                                        std::is_same_v<Traits, Disc_kinetic_traits_2> ||
-                                        std::is_same_v<Traits, Polynomial_disc_kinetic_traits_2>;
 
 /// What a run by regions has done. Turns are counted as flips.
 struct Region_counters {
@@ -205,7 +202,7 @@ struct Region_counters {
 };
 
 /// Motions that nothing changes. The other model of Turns, which has the functions that Region_run
-/// calls, is Contact_turns of simulation/detail/contact_turns.h.
+/// calls, is Contact_turns of simulation/contact_turns.h.
 struct No_turns {
   static constexpr bool exist = false;
   struct Entry {};
@@ -684,4 +681,4 @@ class Region_run {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_REGIONS_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGIONS_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Region_run: the run, and its windows of time.
-#ifndef KINETRI_TRIANGULATION_DETAIL_REGIONS_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_REGIONS_IMPL_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGIONS_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_REGIONS_IMPL_H
 
 #include <algorithm>
 #include <array>
@@ -13,14 +13,14 @@
 
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/parallel.h"
-#include "kinetri/triangulation/detail/region_batches_impl.h"
-#include "kinetri/triangulation/detail/region_division_impl.h"
-#include "kinetri/triangulation/detail/region_erasures_impl.h"
-#include "kinetri/triangulation/detail/region_flips_impl.h"
-#include "kinetri/triangulation/detail/region_order_impl.h"
-#include "kinetri/triangulation/detail/region_passes_impl.h"
-#include "kinetri/triangulation/detail/region_turns_impl.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/region_batches_impl.h"
+#include "triangulation/region_division_impl.h"
+#include "triangulation/region_erasures_impl.h"
+#include "triangulation/region_flips_impl.h"
+#include "triangulation/region_order_impl.h"
+#include "triangulation/region_passes_impl.h"
+#include "triangulation/region_turns_impl.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::detail {
 
@@ -612,4 +612,4 @@ void Region_run<Kinetic, Turns>::move_home(std::size_t from) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_REGIONS_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGIONS_IMPL_H

@@ -7,8 +7,8 @@
 // takes or frees a face. So the free faces are in the order of the plain loop, and in that of
 // before where the last erasure is undone first. The vertex stays, without faces, until observers
 // are told, who may ask for its motion before.
-#ifndef KINETRI_TRIANGULATION_DETAIL_REGION_ERASURES_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_REGION_ERASURES_IMPL_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGION_ERASURES_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_REGION_ERASURES_IMPL_H
 
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "kinetri/base/check.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::detail {
 
@@ -259,4 +259,4 @@ void Region_run<Kinetic, Turns>::count(const Key& key) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_REGION_ERASURES_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGION_ERASURES_IMPL_H

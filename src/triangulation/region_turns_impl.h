@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Region_run: turns, that is changes of motions at contacts.
-#ifndef KINETRI_TRIANGULATION_DETAIL_REGION_TURNS_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_REGION_TURNS_IMPL_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGION_TURNS_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_REGION_TURNS_IMPL_H
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 
 #include "kinetri/base/check.h"
 #include "kinetri/triangulation/detail/incident.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::detail {
 
@@ -644,4 +644,4 @@ void Region_run<Kinetic, Turns>::settle_turns_of_window() {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_REGION_TURNS_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGION_TURNS_IMPL_H

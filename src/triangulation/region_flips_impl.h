@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Region_run: one flip, and how it is undone.
-#ifndef KINETRI_TRIANGULATION_DETAIL_REGION_FLIPS_IMPL_H
-#define KINETRI_TRIANGULATION_DETAIL_REGION_FLIPS_IMPL_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGION_FLIPS_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_REGION_FLIPS_IMPL_H
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "kinetri/base/check.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::detail {
 
@@ -410,4 +410,4 @@ void Region_run<Kinetic, Turns>::take_back(Flip& f) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_TRIANGULATION_DETAIL_REGION_FLIPS_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGION_FLIPS_IMPL_H

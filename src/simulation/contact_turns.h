@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contacts in a run by regions (triangulation/detail/regions.h): what Region_run asks of turns.
+// Contacts in a run by regions (triangulation/regions.h): what Region_run asks of turns.
 //
 // Which pairs are watched. In a window of time these are the pairs of discs with an edge between
 // them, and no others. That is enough as long as no two discs meet but those that have just
@@ -14,13 +14,13 @@
 //
 // Discs that pass through each other (log_contact) overlap for long, and so more pairs are watched.
 // But their contacts change no motion: the simulation executes them by itself when a window has
-// been executed, as it follows its other events (Passes in triangulation/detail/regions.h).
+// been executed, as it follows its other events (Passes in triangulation/regions.h).
 //
 // Discs with radii of their own may be inside of others, and hidden. Here all radii are positive;
 // no disc is hidden; and the centre of a disc that turns is in its own power cell, since it is in
 // no other disc. Two that meet keep their edge: its flip is left to the plain loop.
-#ifndef KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
-#define KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_TURNS_H
+#define KINETRI_SRC_SIMULATION_CONTACT_TURNS_H
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@
 
 #include "kinetri/base/ids.h"
 #include "kinetri/simulation/simulation_2.h"
-#include "kinetri/triangulation/detail/regions.h"
+#include "triangulation/regions.h"
 
 namespace kinetri::detail {
 
@@ -244,4 +244,4 @@ class Contact_turns {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_SIMULATION_DETAIL_CONTACT_TURNS_H
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_TURNS_H
