@@ -93,28 +93,19 @@ class Stack_integer {
     return size_ < 0 ? -result : result;
   }
 
-  Stack_integer& operator+=(const Stack_integer& x) {
-    set_sum(*this, x, x.size_);
-    return *this;
+  Stack_integer& operator+=(const Stack_integer& x) { return add(x, x.size_); }
+  Stack_integer& operator-=(const Stack_integer& x) { return add(x, -x.size_); }
+  friend Stack_integer operator+(Stack_integer a, const Stack_integer& b) {
+    a += b;
+    return a;
   }
-  Stack_integer& operator-=(const Stack_integer& x) {
-    set_sum(*this, x, -x.size_);
-    return *this;
+  friend Stack_integer operator-(Stack_integer a, const Stack_integer& b) {
+    a -= b;
+    return a;
   }
-  friend Stack_integer operator+(const Stack_integer& a, const Stack_integer& b) {
-    Stack_integer result;
-    result.set_sum(a, b, b.size_);
-    return result;
-  }
-  friend Stack_integer operator-(const Stack_integer& a, const Stack_integer& b) {
-    Stack_integer result;
-    result.set_sum(a, b, -b.size_);
-    return result;
-  }
-  friend Stack_integer operator-(const Stack_integer& a) {
-    Stack_integer result(a);
-    result.size_ = -a.size_;
-    return result;
+  friend Stack_integer operator-(Stack_integer a) {
+    a.size_ = -a.size_;
+    return a;
   }
   friend Stack_integer operator*(const Stack_integer& a, const Stack_integer& b) {
     Stack_integer result;
@@ -197,38 +188,35 @@ class Stack_integer {
   }
 #endif
 
-  // Becomes the sum of a and x, with the sign of `size_of_x` for x. It may be a or x itself.
-  void set_sum(const Stack_integer& a, const Stack_integer& x, int size_of_x) {
-    const int m = a.count();
+  // Adds x, where the sign of x is that of `size_of_x`.
+  Stack_integer& add(const Stack_integer& x, int size_of_x) {
+    const int m = count();
     const int n = x.count();
-    if (n == 0) {
-      *this = a;
-      return;
-    }
-    if (m == 0) {
-      *this = x;
-      size_ = size_of_x;
-      return;
-    }
-    bool is_negative = a.size_ < 0;
+    if (n == 0) return *this;
     int size = std::max(m, n);
-    if (is_negative == (size_of_x < 0)) {
-      const mp_limb_t carry = m >= n ? mpn_add(words_, a.words_, m, x.words_, n)
-                                     : mpn_add(words_, x.words_, n, a.words_, m);
+    bool is_negative = size_ < 0;
+    if (m == 0) {
+      is_negative = size_of_x < 0;
+      size_ = n;
+      copy(x);
+    } else if (is_negative == (size_of_x < 0)) {
+      const mp_limb_t carry = m >= n ? mpn_add(words_, words_, m, x.words_, n)
+                                     : mpn_add(words_, x.words_, n, words_, m);
       if (carry != 0) {
         reserve(size + 1);
         words_[size++] = carry;
       }
     } else {
-      if (m > n || (m == n && mpn_cmp(a.words_, x.words_, m) >= 0)) {
-        mpn_sub(words_, a.words_, m, x.words_, n);
+      if (m > n || (m == n && mpn_cmp(words_, x.words_, m) >= 0)) {
+        mpn_sub(words_, words_, m, x.words_, n);
       } else {
-        mpn_sub(words_, x.words_, n, a.words_, m);
+        mpn_sub(words_, x.words_, n, words_, m);
         is_negative = !is_negative;
       }
       while (size > 0 && words_[size - 1] == 0) --size;
     }
     size_ = is_negative ? -size : size;
+    return *this;
   }
 
   int size_ = 0;                 // as many words are in use; negative for a negative number
