@@ -382,5 +382,5 @@ def test_files_that_are_read_with_wrong_options(tmp_path):
             ("t.csv", {"unwrap": "all"}, "unwrap is 'all'; expected 'nearest'")):
         with pytest.raises(kinetri.PreconditionError, match=message):
             Tracks.read(tmp_path / file, **options)
-    with pytest.raises(kinetri.InputError, match="with --format frames, the order frame id x y"):
+    with pytest.raises(kinetri.InputError, match="with format='frames', the order frame id x y"):
         Tracks.read(tmp_path / "f.txt", fps=5)
