@@ -498,7 +498,7 @@ def test_after_contacts_without_end_the_events_before_them_can_be_had():
     events = raised.value.events
     assert events.dtype == kinetri.event_dtype
     assert events[:len(expected)].tobytes() == expected.tobytes() and np.all(events["time"] <= 3.5)
-    assert run.positions()[2].tolist() == [5.5, 5]
+    assert run.positions()[2].tolist() == [7.5, 5]
     only = simulation()
     with pytest.raises(kinetri.EndlessContactsError) as raised:
         only.record(until=9, kinds="wall")
