@@ -165,9 +165,10 @@ class Tracks(TrackAnswers):
             radii = sizes[np.searchsorted(thing, np.arange(len(labels)))]
         thing, times, places = thing[keep], times[keep], np.ascontiguousarray(places[keep])
         offsets = np.searchsorted(thing, np.arange(len(labels) + 1)).astype(np.uint64)
+        x_name, y_name = ("" if name is None else str(name) for name in (x_name, y_name))
         file = _kinetri.project_tracks(
             times, places, offsets, (order[keep] + 1).astype(np.uint64), "" if origin is None else str(origin), caller,
-            *("" if name is None else str(name) for name in (x_name, y_name)), _projection_word(projection))
+            x_name, y_name, _projection_word(projection))
         kept = [int(thing) for thing in file["ids"]]
         tracks = cls(file["times"], file["places"], file["offsets"], [labels[thing] for thing in kept],
                      None if radii is None else radii[kept], max_gap, origin)
@@ -221,9 +222,9 @@ class Tracks(TrackAnswers):
         times = df[t]
         if getattr(times.dtype, "tz", None) is not None:
             times = times.dt.tz_convert("UTC").dt.tz_localize(None)
-        values = [_columns.values_of(column) for column in (times, df[id], df[x], df[y])]
-        return cls._of_columns(*values, None if radius is None else _columns.values_of(df[radius]), max_gap,
-                               projection, "Tracks.from_dataframe", x, y)
+        return cls._of_columns(
+            _columns.values_of(times), _columns.values_of(df[id]), _columns.values_of(df[x]), _columns.values_of(df[y]),
+            None if radius is None else _columns.values_of(df[radius]), max_gap, projection, "Tracks.from_dataframe", x, y)
 
     @classmethod
     def read(cls, path: Path, *, format: str = "auto", fps: float | None = None,
