@@ -73,7 +73,7 @@ def read_as_csv(path: str, arrow: tuple[str, str], columns: dict[str, str],
     df = df[wanted].copy()
     for name in wanted:
         df[name] = _as_text(df[name])
-    # Texts in quotation marks keep blanks at their ends.
+    # Texts in quotation marks keep blanks at their ends, and all numbers their digits.
     text: str = df.to_csv(index=False, quoting=csv.QUOTE_NONNUMERIC)
     return text, columns, f"columns that are not used: {_list_of(others)}" if others else None
 
@@ -100,9 +100,9 @@ def _list_of(names: list[Any]) -> str:
 
 
 def _as_text(column: Any) -> Any:
-    """A column whose texts in CSV are its values: dates in UTC, durations in seconds, numbers in full."""
+    """A column whose texts in CSV are its values: dates in UTC, durations in seconds."""
     if getattr(column.dtype, "tz", None) is not None:
         return column.dt.tz_convert("UTC").dt.tz_localize(None)
     if getattr(column.dtype, "kind", None) == "m":
         return column.dt.total_seconds()
-    return column.astype("float64") if getattr(column.dtype, "kind", None) == "f" else column
+    return column
