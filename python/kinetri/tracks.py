@@ -281,7 +281,7 @@ class Tracks(TrackAnswers):
             If a format, column or projection is unknown, or `fps` is given for a file that has times.
         """
         name, text, unused = str(path), None, None
-        columns = dict(columns or {})
+        columns = _names_of_columns(columns)
         arrow = _tables.arrow_format(name) if format in ("auto", "table") else None
         if arrow is not None:
             text, columns, unused = _tables.read_as_csv(name, arrow, columns)
@@ -436,6 +436,18 @@ class TracksSimulation(Simulation):
         if id >= len(self.stays):
             raise PreconditionError(f"there is no point {id}; expected one of the {len(self.stays)} stays")
         return self.tracks.labels[self.stays[id, 0]]
+
+
+def _names_of_columns(columns: Mapping[str, str] | None) -> dict[str, str]:
+    if columns is None:
+        return {}
+    if not isinstance(columns, Mapping):
+        raise PreconditionError(f"columns is a {type(columns).__name__}; expected a dict, as in {{'t': 'time', ...}}")
+    for parameter, name in columns.items():
+        if not isinstance(parameter, str) or not isinstance(name, str):
+            raise PreconditionError(f"columns has {parameter!r}: {name!r}; expected texts, numbers of columns too, as in "
+                                    "{'t': '1', ...}")
+    return dict(columns)
 
 
 def _projection_word(projection: str | None) -> str:

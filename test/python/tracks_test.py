@@ -375,6 +375,8 @@ def test_files_that_are_read_with_wrong_options(tmp_path):
             ("t.csv", {"fps": 5}, "has times, not frames; expected no fps"),
             ("t.csv", {"fps": 0}, "the number of frames a second is not a finite number greater than 0"),
             ("t.csv", {"format": "csv"}, "the format is 'csv'; expected one of 'auto', 'rows', "),
+            ("t.csv", {"columns": ["t", "id"]}, "columns is a list; expected a dict, as in {'t': 'time', ...}"),
+            ("t.csv", {"columns": {"t": 1}}, "columns has 't': 1; expected texts, numbers of columns too, as in {'t': '1'"),
             ("t.csv", {"columns": {"z": "z"}}, "columns has 'z'; expected 't', 'id', 'x', 'y' and 'radius'"),
             ("t.csv", {"projection": "mercator"}, "projection is 'mercator'; expected one of 'none', 'local', 'utm'"),
             ("t.csv", {"duplicates": "all"}, "duplicates is 'all'; expected one of 'first', 'last', 'mean', 'refuse'"),
