@@ -266,6 +266,9 @@ TEST(Read_tracks_table, errors_of_times_in_several_columns) {
   EXPECT_EQ(error(dated("20240501", "120000")),
             "t.csv:2: the column date+time is '20240501 120000', which is a date, but not in ISO "
             "8601, as 2024-05-01T12:00:00Z is; expected that, or --date-format '%Y%m%d %H%M%S'");
+  Tracks_file_options advised = options;
+  advised.date_format = "%Y%m%d %H%M%S";
+  EXPECT_EQ(read_options(dated("20240501", "120000"), advised).origin, "2024-05-01T12:00:00");
   EXPECT_NE(error(dated("1", "2")).find("the column date+time is '1 2', which is not a number"),
             std::string::npos);
 }

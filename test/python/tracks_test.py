@@ -293,6 +293,8 @@ def test_two_things_on_one_track_are_named():
     with pytest.raises(kinetri.CoincidentTrajectoriesError) as raised:
         tracks.record()
     assert raised.value.ids == (0, 1)
+    # Those before it: the second thing comes at t = 1.
+    assert raised.value.events.dtype == kinetri.event_dtype and len(raised.value.events) == 0
 
 
 def test_files_and_the_program(tmp_path):
