@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from ._kinetri import Time
+    from ._types import Events
 
 
 class Error(Exception):
@@ -60,8 +61,16 @@ class EndlessContactsError(ContactError):
     """Contacts do not end: too many at one time, or a point that is pressed against another.
 
     The simulation is as it was before the contact, which is still to come at that time: other
-    motions of its points may let it go on.
+    motions of its points may let it go on. Its `time` is that of the contact, and its `positions`
+    are those of that time.
+
+    Attributes
+    ----------
+    events : structured array of `event_dtype`
+        Of an error that `record` raises: the events before it.
     """
+
+    events: Events
 
 
 class ContactOverflowError(ContactError):

@@ -2,7 +2,6 @@
 """Recorded tracks: things that appear, move from observation to observation, and leave."""
 from __future__ import annotations
 
-import datetime
 import math
 import re
 from collections.abc import Iterable, Mapping
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _kinetri
+from . import _arrays, _columns, _kinetri, _tables
 from ._moving import Simulation
 from ._response import engine_response
 from ._track_answers import TrackAnswers
@@ -20,6 +19,8 @@ from .errors import InputError, PreconditionError
 
 if TYPE_CHECKING:
     import pandas as pd
+
+    from ._tables import SupportsToPandas
 
 
 class Tracks(TrackAnswers):
@@ -49,7 +50,7 @@ class Tracks(TrackAnswers):
         As Well-Known Text, of a file that has it, as JuPedSim's have: what `areas` and `mean_areas` take
         if nothing else is given.
     remarks : list of str
-        How a file was read: units, rates, what was left out.
+        How a file or table was read: units, rates, degrees, what was left out.
     """
 
     frame_rate: float | None = None
@@ -70,7 +71,8 @@ class Tracks(TrackAnswers):
 
     @classmethod
     def from_arrays(cls, t: ArrayLike, id: ArrayLike, x: ArrayLike, y: ArrayLike, *,
-                    radius: ArrayLike | None = None, max_gap: float | None = None) -> Tracks:
+                    radius: ArrayLike | None = None, max_gap: float | None = None,
+                    projection: str | None = None) -> Tracks:
         """Tracks of columns, one row for each observation, in any order.
 
         Parameters
@@ -81,24 +83,35 @@ class Tracks(TrackAnswers):
         id : array_like, shape (n,)
             What was observed: numbers or texts.
         x, y : array_like of float, shape (n,)
-            Where it was.
+            Where it was: x to the right, y up; of degrees, the longitude and the latitude.
         radius : array_like of float, shape (n,), optional
             Of the thing: the same in all of its rows.
         max_gap : float, optional
             The longest time between two observations in which a thing is there, in the unit of the
             times, or in seconds if these are dates.
+        projection : str, optional
+            What becomes of degrees of longitude and latitude: `none` takes them as they are; `local` makes
+            them metres about the middle of the data, `utm` those of a zone of UTM. Without one, degrees
+            are refused. Places are degrees if the attribute `name` of x or y says so, as that of a
+            `pandas.Series` may: `lon`, `location-lat`, `decimalLongitude`, `x (deg)`. Where names say
+            nothing, those are refused that look like degrees: within 180 and 90, with four decimals, and
+            hardly moving, where times are dates.
 
         Returns
         -------
         Tracks
+            Its `remarks` say what was concluded of degrees, and how far distances are off. Of degrees, rows at
+            the longitude 181 or the latitude 91, by which AIS says that it knows no place, are left out.
 
         Raises
         ------
         PreconditionError
-            If a column has another length or a number is not finite.
+            If a column has another length, a number is not finite, or the projection is unknown.
         InputError
             If a thing is at two places at one time, or has two radii. Rows that repeat another one are
-            left out.
+            left out. If places are degrees, or look like them, and there is no projection; if names say
+            radians, or the latitude is x; if degrees are not on earth; or if distances in the projection
+            can be off by more than 0.1 %.
 
         Examples
         --------
@@ -106,15 +119,25 @@ class Tracks(TrackAnswers):
         >>> tracks = kinetri.Tracks.from_arrays([0, 1, 0, 1], ["a", "a", "b", "b"], [0, 1, 5, 4], [0, 0, 0, 0])
         >>> tracks
         <Tracks of 2 things, 4 observations, t = 0 to 1>
+        >>> ships = kinetri.Tracks.from_arrays([0, 60], ["a", "a"], [12.0, 12.01], [55.0, 55.0], projection="utm")
+        >>> ships.remarks
+        ['places are in metres of UTM, zone 33 north (EPSG:32633); distances are off by at most 0.0052 %']
         """
-        t, origin = _seconds(t)
+        return cls._of_columns(t, id, x, y, radius, max_gap, projection, "Tracks.from_arrays",
+                               getattr(x, "name", None), getattr(y, "name", None))
+
+    @classmethod
+    def _of_columns(cls, t: ArrayLike, id: ArrayLike, x: ArrayLike, y: ArrayLike, radius: ArrayLike | None,
+                    max_gap: float | None, projection: str | None, caller: str, x_name: Any, y_name: Any) -> Tracks:
+        """As `from_arrays`, for `caller`, with the names of the columns, which may be None."""
+        t, origin = _columns.seconds_of(t)
         size = len(t)
         x = _arrays.float_array("x", x, (size,))
         y = _arrays.float_array("y", y, (size,))
         names = np.asarray(id)
         if names.shape != (size,):
             raise PreconditionError(f"id has the shape {names.shape}; expected ({size},)")
-        labels, thing = _things(names, t)
+        labels, thing = _columns.things_of(names, t)
         order = np.lexsort((t, thing))
         thing, times = thing[order], t[order]
         places = np.column_stack((x[order], y[order])) if size > 0 else np.empty((0, 2))
@@ -142,16 +165,25 @@ class Tracks(TrackAnswers):
             radii = sizes[np.searchsorted(thing, np.arange(len(labels)))]
         thing, times, places = thing[keep], times[keep], np.ascontiguousarray(places[keep])
         offsets = np.searchsorted(thing, np.arange(len(labels) + 1)).astype(np.uint64)
-        return cls(times, places, offsets, labels, radii, max_gap, origin)
+        x_name, y_name = ("" if name is None else str(name) for name in (x_name, y_name))
+        file = _kinetri.project_tracks(
+            times, places, offsets, (order[keep] + 1).astype(np.uint64), "" if origin is None else str(origin), caller,
+            x_name, y_name, _projection_word(projection))
+        kept = [int(thing) for thing in file["ids"]]
+        tracks = cls(file["times"], file["places"], file["offsets"], [labels[thing] for thing in kept],
+                     None if radii is None else radii[kept], max_gap, origin)
+        tracks.remarks = file["remarks"]
+        return tracks
 
     @classmethod
-    def from_dataframe(cls, df: pd.DataFrame, *, t: str = "t", id: str = "id", x: str = "x", y: str = "y",
-                       radius: str | None = None, max_gap: float | None = None) -> Tracks:
+    def from_dataframe(cls, df: pd.DataFrame | SupportsToPandas, *, t: str = "t", id: str = "id", x: str = "x",
+                       y: str = "y", radius: str | None = None, max_gap: float | None = None,
+                       projection: str | None = None) -> Tracks:
         """Tracks of a table, one row for each observation, in any order.
 
         Parameters
         ----------
-        df : pandas.DataFrame
+        df : pandas.DataFrame, or what has a method `to_pandas`, as a pyarrow.Table
             The table.
         t, id, x, y : str
             The columns, as in `from_arrays`.
@@ -159,6 +191,8 @@ class Tracks(TrackAnswers):
             The column of the radii.
         max_gap : float, optional
             As in `from_arrays`.
+        projection : str, optional
+            As in `from_arrays`; the names of the columns x and y say whether places are degrees.
 
         Returns
         -------
@@ -167,12 +201,11 @@ class Tracks(TrackAnswers):
         Raises
         ------
         PreconditionError
-            If there is no such column; and as `from_arrays`.
+            If there is no such column, or no pandas, where that is needed; and as `from_arrays`.
+        InputError
+            As `from_arrays`.
         """
-        if not hasattr(df, "columns"):
-            raise PreconditionError(
-                f"df is a {type(df).__name__}; expected a pandas.DataFrame, as pandas.DataFrame(df) makes of a "
-                "dict of columns, or Tracks.from_arrays(t, id, x, y)")
+        df = _tables.frame_of(df)
         names = {"t": t, "id": id, "x": x, "y": y}
         if radius is not None:
             names["radius"] = radius
@@ -189,15 +222,19 @@ class Tracks(TrackAnswers):
         times = df[t]
         if getattr(times.dtype, "tz", None) is not None:
             times = times.dt.tz_convert("UTC").dt.tz_localize(None)
-        return cls.from_arrays(_values(times), _values(df[id]), _values(df[x]), _values(df[y]),
-                               radius=None if radius is None else _values(df[radius]), max_gap=max_gap)
+        return cls._of_columns(
+            _columns.values_of(times), _columns.values_of(df[id]), _columns.values_of(df[x]), _columns.values_of(df[y]),
+            None if radius is None else _columns.values_of(df[radius]), max_gap, projection, "Tracks.from_dataframe", x, y)
 
     @classmethod
     def read(cls, path: Path, *, format: str = "auto", fps: float | None = None,
              columns: Mapping[str, str] | None = None, projection: str | None = None,
              date_format: str | None = None, duplicates: str | None = None, unwrap: str | None = None,
              max_gap: float | None = None) -> Tracks:
-        """Tracks of a file, in the formats that the program reads.
+        """Tracks of a file, in the formats that the program reads, or of Parquet, Feather or Arrow.
+
+        Parquet, Feather and Arrow files (the last two with the same content) are read as the table that pandas
+        exports from them as CSV is, if pandas and pyarrow are installed.
 
         Parameters
         ----------
@@ -213,7 +250,8 @@ class Tracks(TrackAnswers):
         columns : dict, optional
             Which columns of a table with a header are `t`, `id`, `x`, `y` and perhaps `radius`, as in
             ``{"t": "time", "id": "name", "x": "E", "y": "N"}``; in a table without one, their numbers from
-            1 on, as texts; in GeoJSON, which properties are `t` and `id`.
+            1 on, as texts; in GeoJSON, which properties are `t` and `id`. Times in several columns have plus
+            signs between their names, as in ``{"t": "date+time", ...}``.
         projection : str, optional
             What becomes of degrees: `none` takes them as they are; `local` makes them metres about the
             middle of the data, `utm` those of a zone of UTM, and both are refused where distances can be
@@ -237,12 +275,19 @@ class Tracks(TrackAnswers):
         Raises
         ------
         InputError
-            The message names file and line.
+            The message names file and line; of Parquet, Feather and Arrow, that of the CSV. If what reads
+            these is not installed.
         PreconditionError
             If a format, column or projection is unknown, or `fps` is given for a file that has times.
         """
-        file = _kinetri.read_tracks(str(path), format, None if fps is None else _arrays.one_number("fps", fps),
-                                    dict(columns or {}), projection or "refused", date_format or "",
+        name, text, unused = str(path), None, None
+        columns = _names_of_columns(columns)
+        arrow = _tables.arrow_format(name) if format in ("auto", "table") else None
+        if arrow is not None:
+            text, columns, unused = _tables.read_as_csv(name, arrow, columns)
+            name, format = f"{name} as CSV", "table"
+        file = _kinetri.read_tracks(name, text, format, None if fps is None else _arrays.one_number("fps", fps),
+                                    columns, _projection_word(projection), date_format or "",
                                     duplicates or "automatic", unwrap or "refused")
         if fps is not None and file["frame_rate"] is None:
             raise PreconditionError(f"fps is {fps}, and {path} has times, not frames; expected no fps")
@@ -252,7 +297,7 @@ class Tracks(TrackAnswers):
                      np.datetime64(date) if date else None)
         tracks.frame_rate = file["frame_rate"]
         tracks.walkable_area = file["walkable_area"] or None
-        tracks.remarks = file["remarks"]
+        tracks.remarks = file["remarks"] + ([] if unused is None else [unused])
         return tracks
 
     @property
@@ -326,7 +371,8 @@ class Tracks(TrackAnswers):
         Returns
         -------
         structured array of `event_dtype`
-            The points are stays; see `TracksSimulation.label`.
+            The points are stays; see `TracksSimulation.label`. An exception on the way has the events before
+            it as its attribute `events`.
         """
         simulation = self.simulation(start=start, until=until)
         return simulation.record(simulation.end, kinds=kinds, progress=progress)
@@ -392,88 +438,17 @@ class TracksSimulation(Simulation):
         return self.tracks.labels[self.stays[id, 0]]
 
 
-def _values(column: Any) -> Any:
-    """A column of pandas as an array: nullable numbers too, with NaN where there is none."""
-    if getattr(column.dtype, "numpy_dtype", None) is None:
-        return column.to_numpy()
-    if column.isna().any():
-        return column.to_numpy(dtype=np.float64, na_value=np.nan)
-    return column.to_numpy(dtype=column.dtype.numpy_dtype)
+def _names_of_columns(columns: Mapping[str, str] | None) -> dict[str, str]:
+    if columns is None:
+        return {}
+    if not isinstance(columns, Mapping):
+        raise PreconditionError(f"columns is a {type(columns).__name__}; expected a dict, as in {{'t': 'time', ...}}")
+    for parameter, name in columns.items():
+        if not isinstance(parameter, str) or not isinstance(name, str):
+            raise PreconditionError(f"columns has {parameter!r}: {name!r}; expected texts, numbers of columns too, as in "
+                                    "{'t': '1', ...}")
+    return dict(columns)
 
 
-def _seconds(t: ArrayLike) -> tuple[Floats, np.datetime64 | None]:
-    """Times as numbers; and the date of 0, where they are dates."""
-    array = np.asarray(t)
-    if array.dtype.kind == "O":
-        array = _times_of_objects(array)
-    if array.dtype.kind in "US":
-        example = array.flat[0] if array.size > 0 else ""
-        raise PreconditionError(
-            f"t has texts, such as {str(example)!r}; expected numbers, or dates, as "
-            "pandas.to_datetime(t, utc=True) makes of texts in ISO 8601")
-    if array.dtype.kind not in "mM":
-        return _arrays.float_array("t", array, (None,)), None
-    if np.any(np.isnat(array)):
-        raise PreconditionError(f"t[{int(np.argmax(np.isnat(array)))}] is not a time; expected dates or durations")
-    if np.datetime_data(array.dtype)[0] in "YM":  # which have no length
-        if array.dtype.kind == "m":
-            raise PreconditionError(f"t is an array of {array.dtype}, which have no length; expected seconds")
-        array = array.astype("datetime64[s]")
-    origin = array.min() if array.dtype.kind == "M" and array.size > 0 else None
-    durations = array if array.dtype.kind == "m" else array - origin if origin is not None else array[:0] - array[:0]
-    return _arrays.float_array("t", durations / np.timedelta64(1, "s"), (None,)), origin
-
-
-# The dtype of an array of them.
-_TYPES_OF_TIMES: dict[str, tuple[type, ...]] = {
-    "M8": (datetime.date, np.datetime64), "m8": (datetime.timedelta, np.timedelta64), "U": (str,)}
-
-
-def _times_of_objects(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """Objects of Python and pandas that are dates, in UTC, or durations; other objects as they are."""
-    values = array.ravel().tolist()
-    kinds = [next((dtype for dtype, types in _TYPES_OF_TIMES.items() if isinstance(value, types)), "")
-             for value in values]
-    if not any(kinds):
-        return array
-    if len(set(kinds)) > 1:
-        i = next(i for i, kind in enumerate(kinds) if kind != kinds[0])
-        raise PreconditionError(f"t[0] is {values[0]!r}, and t[{i}] {values[i]!r}; expected times of one kind, all "
-                                "numbers, dates or durations")
-    offsets = [getattr(value, "tzinfo", None) is not None for value in values]
-    if any(offsets) and not all(offsets):
-        i = offsets.index(not offsets[0])
-        raise PreconditionError(
-            f"t[0] is a date {'with' if offsets[0] else 'without'} an offset, and t[{i}] one "
-            f"{'without' if offsets[0] else 'with'}; expected dates of one kind: all with an offset, such as UTC, or "
-            "none")
-    if any(offsets):
-        values = [value.astimezone(datetime.timezone.utc).replace(tzinfo=None) for value in values]
-    # Those of pandas have nanoseconds, which numpy does not take by itself.
-    return np.asarray([value.to_numpy() if hasattr(value, "to_numpy") else value for value in values],
-                      dtype=kinds[0]).reshape(array.shape)
-
-
-def _is_missing(name: Any) -> bool:
-    try:
-        return name is None or bool(name != name)
-    except TypeError:  # pandas.NA
-        return True
-
-
-def _things(names: npt.NDArray[Any], times: Floats) -> tuple[list[Any], npt.NDArray[np.int64]]:
-    """The distinct names in the order of their first observation, and the index of each row's."""
-    if names.dtype.kind in "fOmM":
-        for i, name in enumerate(names):
-            if _is_missing(name):
-                raise PreconditionError(f"id[{i}] is {name}; expected a number or a text")
-    try:
-        distinct, thing = np.unique(names, return_inverse=True)
-    except TypeError:
-        raise PreconditionError("id has numbers and texts; expected one kind of name") from None
-    first = np.full(len(distinct), np.inf)
-    np.minimum.at(first, thing, times)
-    order = np.lexsort((np.arange(len(distinct)), first))
-    rank = np.empty(len(distinct), dtype=np.int64)
-    rank[order] = np.arange(len(distinct))
-    return [name.item() if hasattr(name, "item") else name for name in distinct[order]], rank[thing]
+def _projection_word(projection: str | None) -> str:
+    return "refused" if projection is None else str(projection)

@@ -15,6 +15,7 @@
 #include "kinetri/io/output_error.h"
 #include "kinetri/simulation/packing.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "parameter_names.h"
 
 namespace kinetri::python {
 namespace {
@@ -30,14 +31,20 @@ std::string plain_message(std::string message) {
   return message;
 }
 
-// Raises the class `name` of kinetri.errors, with these attributes.
+// Raises the class `name` of kinetri.errors, with this message and these attributes.
+template <class... Attributes>
+void raise(const char* name, const std::string& message,
+           const std::pair<const char*, Attributes>&... attributes) {
+  const py::object type = py::module_::import("kinetri.errors").attr(name);
+  const py::object exception = type(message);
+  (py::setattr(exception, attributes.first, py::cast(attributes.second)), ...);
+  PyErr_SetObject(type.ptr(), exception.ptr());
+}
+
 template <class... Attributes>
 void raise(const char* name, const Error& error,
            const std::pair<const char*, Attributes>&... attributes) {
-  const py::object type = py::module_::import("kinetri.errors").attr(name);
-  const py::object exception = type(plain_message(error.what()));
-  (py::setattr(exception, attributes.first, py::cast(attributes.second)), ...);
-  PyErr_SetObject(type.ptr(), exception.ptr());
+  raise(name, plain_message(error.what()), attributes...);
 }
 
 template <class Value>
@@ -69,7 +76,7 @@ void translate(std::exception_ptr thrown) {
   } catch (const Snapshot_error& error) {
     raise("SnapshotError", error);
   } catch (const Input_error& error) {
-    raise("InputError", error);
+    raise("InputError", with_parameters(error.what()));
   } catch (const Output_error& error) {
     raise("OutputError", error);
   } catch (const Precondition_error& error) {

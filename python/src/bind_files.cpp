@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "kinetri/simulation/packing.h"
 #include "kinetri/simulation/scenarios.h"
 #include "numpy_arrays.h"
+#include "parameter_names.h"
 
 namespace kinetri::python {
 namespace {
@@ -105,23 +107,7 @@ Track_columns columns_of(const std::map<std::string, std::string>& names) {
 }
 
 // One row for each observation, by track; the ids are those of the tracks.
-py::dict tracks_file(const std::string& path, const std::string& format, std::optional<double> fps,
-                     const std::map<std::string, std::string>& columns,
-                     const std::string& projection, const std::string& date_format,
-                     const std::string& duplicates, const std::string& unwrap) {
-  Tracks_file_options options;
-  options.format = format_of(format);
-  options.fps = fps;
-  options.columns = columns_of(columns);
-  options.projection = projection_of(projection);
-  options.date_format = date_format;
-  if (const std::string problem = problem_of_date_format(date_format);
-      !date_format.empty() && !problem.empty()) {
-    throw Precondition_error("date_format is '" + date_format + "', which " + problem);
-  }
-  options.duplicates = duplicates_of(duplicates);
-  options.unwrap = unwrap_of(unwrap);
-  const Tracks_file file = without_gil([&] { return read_tracks_file(path, options); });
+py::dict columns_of_tracks(const Tracks_file& file, Tracks_duplicates duplicates) {
   std::vector<double> times;
   std::vector<Vector_2> places;
   std::vector<std::uint64_t> offsets = {0};
@@ -146,10 +132,69 @@ py::dict tracks_file(const std::string& path, const std::string& format, std::op
   result["origin"] = file.origin;
   result["walkable_area"] = file.walkable_area;
   std::vector<std::string> remarks = file.remarks;
-  const std::vector<std::string> on_rows = remarks_on_rows(file, options.duplicates);
+  const std::vector<std::string> on_rows = remarks_on_rows(file, duplicates);
   remarks.insert(remarks.end(), on_rows.begin(), on_rows.end());
+  for (std::string& remark : remarks) remark = with_parameters(remark);
   result["remarks"] = remarks;
   return result;
+}
+
+// Of the file `path`, or of `text`, if there is one, which is called so.
+py::dict tracks_file(const std::string& path, const std::optional<std::string>& text,
+                     const std::string& format, std::optional<double> fps,
+                     const std::map<std::string, std::string>& columns,
+                     const std::string& projection, const std::string& date_format,
+                     const std::string& duplicates, const std::string& unwrap) {
+  Tracks_file_options options;
+  options.format = format_of(format);
+  options.fps = fps;
+  options.columns = columns_of(columns);
+  options.projection = projection_of(projection);
+  options.date_format = date_format;
+  if (const std::string problem = problem_of_date_format(date_format);
+      !date_format.empty() && !problem.empty()) {
+    throw Precondition_error("date_format is '" + date_format + "', which " + problem);
+  }
+  options.duplicates = duplicates_of(duplicates);
+  options.unwrap = unwrap_of(unwrap);
+  return columns_of_tracks(without_gil([&] {
+                             if (!text) return read_tracks_file(path, options);
+                             std::istringstream in(*text);
+                             return read_tracks(in, path, options);
+                           }),
+                           options.duplicates);
+}
+
+// The observations of each thing, from offsets[i] on; `rows` are the numbers that name them in
+// messages, from 1 on. The ids of the result are the numbers of the things, as texts.
+py::dict projected_tracks(const Array<double>& times, const Array<double>& places,
+                          const Array<std::uint64_t>& offsets, const Array<std::uint64_t>& rows,
+                          const std::string& origin, const std::string& name,
+                          const std::string& name_of_x, const std::string& name_of_y,
+                          const std::string& projection) {
+  Tracks_file file;
+  file.format = Tracks_format::table;
+  file.place_name = "observation";
+  file.origin = origin;
+  file.observations = static_cast<std::size_t>(times.size());
+  const auto time = times.unchecked<1>();
+  const auto place = places.unchecked<2>();
+  const auto offset = offsets.unchecked<1>();
+  const auto row = rows.unchecked<1>();
+  for (py::ssize_t i = 0; i + 1 < offset.shape(0); ++i) {
+    Track& track = file.tracks.emplace_back();
+    track.id = std::to_string(i);
+    for (auto k = static_cast<py::ssize_t>(offset(i)); k < static_cast<py::ssize_t>(offset(i + 1));
+         ++k) {
+      track.observations.push_back({time(k), {place(k, 0), place(k, 1)}, row(k)});
+    }
+  }
+  const Tracks_projection chosen = projection_of(projection);
+  return columns_of_tracks(without_gil([&] {
+                             return project_tracks(std::move(file), name,
+                                                   {.x = name_of_x, .y = name_of_y}, chosen);
+                           }),
+                           Tracks_duplicates::automatic);
 }
 
 template <class Enumerator, std::size_t n>
@@ -207,6 +252,7 @@ py::dict packing(std::size_t points, double share, double sizes, std::uint64_t s
 void bind_files(py::module_& module) {
   module.def("read_points", points_file);
   module.def("read_tracks", tracks_file);
+  module.def("project_tracks", projected_tracks);
   module.def("scenario", scenario);
   module.def("packing", packing);
 }

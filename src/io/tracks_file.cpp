@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/io/tracks_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <utility>
 
+#include "io/tracks/degrees.h"
 #include "io/tracks/projection.h"
 #include "io/tracks/tracks_readers.h"
 #include "kinetri/base/check.h"
@@ -57,12 +59,41 @@ const Tracks_reader& reader_of(std::string_view head, const Tracks_input& input)
   return reader(input.options.columns.is_empty() ? Tracks_format::rows : Tracks_format::table);
 }
 
-Tracks_file projected(Tracks_file file, const Tracks_input& input) {
-  const Tracks_projection projection = input.options.projection;
+void project_if_asked(Tracks_file& file, const std::string& name, Tracks_projection projection) {
   if (projection == Tracks_projection::local || projection == Tracks_projection::utm) {
-    project(file, input.name, projection);
+    project(file, name, projection);
   }
-  return file;
+}
+
+void expect_tracks(const Tracks_file& file) {
+  for (const Track& track : file.tracks) {
+    const auto& seen = track.observations;
+    KINETRI_PRECONDITION(!seen.empty(), "a track has no observation");
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      KINETRI_PRECONDITION(i == 0 || seen[i - 1].time < seen[i].time,
+                           "the times of a track do not ascend");
+      KINETRI_PRECONDITION(std::isfinite(seen[i].place.x) && std::isfinite(seen[i].place.y),
+                           "a place is not finite");
+    }
+  }
+}
+
+// Those that say that there is no place.
+void leave_out_no_places(Tracks_file& file) {
+  std::size_t left_out = 0;
+  for (Track& track : file.tracks) {
+    left_out += std::erase_if(
+        track.observations, [](const Track_observation& seen) { return is_no_place(seen.place); });
+  }
+  if (left_out == 0) return;
+  std::erase_if(file.tracks, [](const Track& track) { return track.observations.empty(); });
+  std::stable_sort(file.tracks.begin(), file.tracks.end(), [](const Track& a, const Track& b) {
+    const Track_observation& of_a = a.observations.front();
+    const Track_observation& of_b = b.observations.front();
+    return of_a.time != of_b.time ? of_a.time < of_b.time : of_a.line < of_b.line;
+  });
+  file.observations -= left_out;
+  file.rows_without_place += left_out;
 }
 
 Tracks_file read_recognized(const Tracks_input& input) {
@@ -129,6 +160,27 @@ std::vector<std::string> remarks_on_rows(const Tracks_file& file, Tracks_duplica
   return result;
 }
 
+Tracks_file project_tracks(Tracks_file file, const std::string& name, const Track_columns& columns,
+                           Tracks_projection projection) {
+  expect_tracks(file);
+  const Named_degrees named =
+      degrees_in_names(name, 0, projection, "columns", columns.x, columns.y);
+  if (named.remark.empty()) {
+    Signs_of_degrees signs;
+    for (const Track& track : file.tracks) {
+      for (const Track_observation& seen : track.observations) {
+        signs.note(seen.place, joined(seen.place.x), joined(seen.place.y));
+      }
+    }
+    signs.expect_none(file, name, projection);
+  } else {
+    file.remarks.push_back(named.remark);
+  }
+  if (named.are_degrees) leave_out_no_places(file);
+  project_if_asked(file, name, projection);
+  return file;
+}
+
 Input_error tracks_error(const std::string& name, std::string_view place_name, std::size_t line,
                          const std::string& message) {
   if (line == 0 || place_name == "line") return Input_error(name, line, message);
@@ -154,7 +206,8 @@ Tracks_file read_tracks(std::istream& in, const std::string& name,
   if (options.unwrap != Tracks_unwrap::refused && !is_of_atoms) {
     throw Input_error(name, 0, "has no periodic box; expected no --unwrap");
   }
-  return projected(std::move(file), input);
+  project_if_asked(file, name, options.projection);
+  return file;
 }
 
 Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format format,

@@ -246,6 +246,7 @@ def table_cases():
                  projection="utm", error="47 %")
     yield tracks("t,id,x,y\n05/03/2023 00:00:00,a,1,2\n", line=2, column="t", text="05/03/2023 00:00:00",
                  formats="--date-format '%d/%m/%Y %H:%M:%S' or --date-format '%m/%d/%Y %H:%M:%S'")
+    yield tracks("date,time,id,x,y\n2024-05-01,,a,1,2\n", "--columns t=date+time,id=id,x=x,y=y", line=2, column="time")
     yield tracks("t,id,x,y\n5,a,1,2\n", "--date-format %Y-%m-%d", line=2, column="t", text="5", format="%Y-%m-%d")
     yield points("x,y,z,vx,vy,vz\n1,2,3,4,5,6\n1,3,4,4,5,6\n", line=3, column="z", number=4, other=3, first=2)
     walk = "".join(f"{person} {frame} {frame} {9 * person}\n" for person in range(4) for frame in range(5))

@@ -156,6 +156,21 @@ TEST(Read_tracks_lammps, a_tilted_box_is_as_wide_as_it_is) {
   EXPECT_EQ(shown(read_options(general, {})), "7: 0 (1, 2) line 10");
 }
 
+TEST(Read_tracks_lammps, columns_that_are_not_used_are_named_once) {
+  const auto unused = [](const std::string& columns, const std::string& atom) {
+    return read_options(frame(0, columns, {atom}) + frame(1, columns, {atom}), {.fps = 1}).remarks;
+  };
+  const std::string third = "the third coordinate of the atoms is left out";
+  EXPECT_EQ(unused("id x y", "7 1 2"), std::vector<std::string>());
+  EXPECT_EQ(unused("id type x y z vx vy", "7 1 2 3 4 5 6"),
+            (std::vector<std::string>{third, "columns that are not used: 'type', 'vx', 'vy'"}));
+  // Images lead from wrapped places to the path, and are nothing beside unwrapped ones.
+  EXPECT_EQ(unused("id x y ix iy iz", "7 1 2 0 0 0"),
+            std::vector<std::string>{"columns that are not used: 'iz'"});
+  EXPECT_EQ(unused("id x y xu yu ix iy", "7 1 2 1 2 0 0"),
+            std::vector<std::string>{"columns that are not used: 'x', 'y', 'ix', 'iy'"});
+}
+
 // ---- XYZ ----
 
 TEST(Read_tracks_xyz, atoms_are_known_by_their_order) {
@@ -170,7 +185,8 @@ TEST(Read_tracks_xyz, atoms_are_known_by_their_order) {
   EXPECT_EQ(file.frame_rate, 25);
   EXPECT_EQ(file.remarks,
             (std::vector<std::string>{"ids are the numbers of atoms in a frame, from 0 on",
-                                      "the third coordinate of the atoms is left out"}));
+                                      "the third coordinate of the atoms is left out",
+                                      "1 column not used"}));
 }
 
 TEST(Read_tracks_xyz, extended_files_say_where_fields_are) {
@@ -180,6 +196,9 @@ TEST(Read_tracks_xyz, extended_files_say_where_fields_are) {
                        properties + "time=\"1.5\" note='a b'\n8 0 0 4 6 6 Ar\n",
                    {});
   EXPECT_EQ(shown(file), "7: 0.5 (1, 2) line 3; 8: 0.5 (4, 5) line 4 1.5 (4, 6) line 7");
+  EXPECT_EQ(file.remarks,
+            (std::vector<std::string>{"the third coordinate of the atoms is left out",
+                                      "columns that are not used: 'velo', 'species'"}));
   EXPECT_FALSE(file.frame_rate);
 }
 

@@ -357,5 +357,96 @@ TEST(Read_tracks_projection, preconditions_are_checked) {
                             "the format of dates is wrong");
 }
 
+// ---- tracks that a program has got by itself ----
+
+// Two things, of which the second comes later.
+Tracks_file made(Vector_2 a, Vector_2 b, const std::string& origin = {}) {
+  Tracks_file result;
+  result.tracks = {{.id = "a", .observations = {{0, a, 1}, {3600, b, 3}}},
+                   {.id = "b", .observations = {{5, b, 2}, {3600, a, 4}}}};
+  result.observations = 4;
+  result.origin = origin;
+  result.place_name = "observation";
+  return result;
+}
+
+std::string made_error(const Tracks_file& file, const std::string& x, const std::string& y,
+                       Tracks_projection projection = Tracks_projection::refused) {
+  return test::message_of<Input_error>(
+      [&] { project_tracks(file, "made", {.x = x, .y = y}, projection); });
+}
+
+TEST(Project_tracks, refuses_degrees_by_names) {
+  const Tracks_file file = made({12, 55}, {12.01, 55});
+  EXPECT_TRUE(contains(made_error(file, "location-long", "location-lat"),
+                       "made: the columns 'location-long' and 'location-lat' are places in degrees "
+                       "of longitude and latitude, between which distances mean nothing; expected "
+                       "--projection local"));
+  EXPECT_TRUE(contains(made_error(file, "", "lat"), "are places in degrees"));
+  EXPECT_TRUE(contains(made_error(file, "lat", "lon", Tracks_projection::utm),
+                       "expected the longitude as x, and the latitude as y"));
+  EXPECT_TRUE(contains(made_error(file, "x_rad", "y_rad", Tracks_projection::utm), "in radians"));
+  for (const auto& [x, y] : {std::pair{"x", "y"}, {"", ""}, {"lon_m", "lat_m"}}) {
+    const Tracks_file same =
+        project_tracks(file, "made", {.x = x, .y = y}, Tracks_projection::refused);
+    EXPECT_EQ(shown(same), shown(file));
+    EXPECT_TRUE(same.remarks.empty());
+  }
+  const Tracks_file none =
+      project_tracks(file, "made", {.x = "lon", .y = "lat"}, Tracks_projection::none);
+  EXPECT_EQ(shown(none), shown(file));
+  EXPECT_EQ(none.remarks, std::vector<std::string>{"places are taken as they are, though the "
+                                                   "columns 'lon' and 'lat' are of angles"});
+}
+
+TEST(Project_tracks, refuses_what_looks_like_degrees_where_names_say_nothing) {
+  const Tracks_file dated = made({12.12345, 55.12345}, {12.12346, 55.12346}, "2024-05-01");
+  EXPECT_TRUE(contains(made_error(dated, "x", "y"), "made: nothing says what the places are"));
+  EXPECT_EQ(made_error(dated, "x", "y", Tracks_projection::none), "");
+  EXPECT_EQ(made_error(made({12.12345, 55.12345}, {12.12346, 55.12346}), "x", "y"), "");
+  EXPECT_EQ(made_error(made({12.12345, 55.12345}, {50.12346, 55.12346}, "2024-05-01"), "x", "y"),
+            "");
+}
+
+TEST(Project_tracks, projects_and_says_how_far_distances_are_off) {
+  const Tracks_file file = project_tracks(made({12, 55}, {12.01, 55}), "made",
+                                          {.x = "lon", .y = "lat"}, Tracks_projection::utm);
+  // As a table of the same places is.
+  const Tracks_file table = read_options("t,id,lon,lat\n0,a,12,55\n3600,a,12.01,55\n",
+                                         {.columns = {.t = "t", .id = "id", .x = "lon", .y = "lat"},
+                                          .projection = Tracks_projection::utm});
+  ASSERT_EQ(table.remarks.size(), 2U);
+  EXPECT_EQ(file.remarks, table.remarks);
+  EXPECT_EQ(file.tracks[0].observations[1].place, table.tracks[0].observations[1].place);
+  EXPECT_EQ(file.tracks[0].observations[1].time, 3600);
+  EXPECT_EQ(made_error(made({12, 55}, {200, 55}), "", "", Tracks_projection::local),
+            "made: observation 3: the longitude is 200, and the latitude 55; expected degrees from "
+            "-180 to 180, and from -90 to 90");
+}
+
+TEST(Project_tracks, leaves_out_what_is_no_place_of_ais) {
+  Tracks_file file = made({181, 91}, {12, 55});
+  file.tracks.push_back({.id = "c", .observations = {{9, {0, 91}, 5}}});
+  file.observations = 5;
+  const Tracks_file left =
+      project_tracks(file, "made", {.x = "lon", .y = "lat"}, Tracks_projection::local);
+  EXPECT_EQ(left.observations, 2U);
+  EXPECT_EQ(left.rows_without_place, 3U);
+  EXPECT_EQ(shown(left), "b: 5 (0, 0) line 2; a: 3600 (0, 0) line 3");
+}
+
+TEST(Project_tracks, preconditions_are_checked) {
+  const auto project_made = [](const Tracks_file& file) {
+    project_tracks(file, "made", {}, Tracks_projection::refused);
+  };
+  Tracks_file empty = made({}, {});
+  empty.tracks[0].observations.clear();
+  EXPECT_PRECONDITION_ERROR(project_made(empty), "a track has no observation");
+  Tracks_file unsorted = made({}, {});
+  unsorted.tracks[1].observations[0].time = 3600;
+  EXPECT_PRECONDITION_ERROR(project_made(unsorted), "the times of a track do not ascend");
+  EXPECT_PRECONDITION_ERROR(project_made(made({INFINITY, 0}, {})), "a place is not finite");
+}
+
 }  // namespace
 }  // namespace kinetri

@@ -71,7 +71,9 @@ TEST(Read_tracks_jupedsim, version_1) {
   EXPECT_EQ(file.frame_rate, 25);
   EXPECT_EQ(file.place_name, "row");
   EXPECT_EQ(file.walkable_area, "GEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 9 9, 0 0)))");
-  EXPECT_EQ(file.remarks, std::vector<std::string>{"25 frames a second, as the file says"});
+  EXPECT_EQ(file.remarks,
+            (std::vector<std::string>{"25 frames a second, as the file says",
+                                      "columns that are not used: 'ori_x', 'ori_y'"}));
 }
 
 TEST(Read_tracks_jupedsim, versions_2_and_3) {
@@ -83,7 +85,7 @@ TEST(Read_tracks_jupedsim, versions_2_and_3) {
   const Tracks_file changing = read_options(
       database(trajectories + metadata + areas + "INSERT INTO geometry VALUES (6, 'B');"), {});
   EXPECT_EQ(changing.walkable_area, "");
-  EXPECT_EQ(changing.remarks.back(), "the walkable area changes, and is left out");
+  EXPECT_EQ(changing.remarks[1], "the walkable area changes, and is left out");
   const Tracks_file without_orientation = read_options(
       database("CREATE TABLE trajectory_data (frame INTEGER NOT NULL, id INTEGER NOT NULL, pos_x "
                "REAL NOT NULL, pos_y REAL NOT NULL);"
@@ -92,6 +94,8 @@ TEST(Read_tracks_jupedsim, versions_2_and_3) {
                metadata + "UPDATE metadata SET value = '3' WHERE key = 'version';"),
       {});
   EXPECT_EQ(shown(without_orientation), expected);
+  EXPECT_EQ(without_orientation.remarks,
+            std::vector<std::string>{"25 frames a second, as the file says"});
 }
 
 TEST(Read_tracks_jupedsim, the_rate_may_be_that_of_the_option) {

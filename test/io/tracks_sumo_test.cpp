@@ -50,6 +50,8 @@ TEST(Read_tracks_sumo, reads_vehicles_and_persons) {
             "0.8 (0, 0) line 11");
   EXPECT_EQ(file.format, Tracks_format::sumo);
   EXPECT_FALSE(file.frame_rate);
+  EXPECT_EQ(file.remarks,
+            std::vector<std::string>{"attributes that are left out: 'angle', 'type', 'speed'"});
   EXPECT_TRUE(read_options("\xEF\xBB\xBF" + header + "</fcd-export>", {}).tracks.empty());
 }
 

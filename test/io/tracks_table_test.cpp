@@ -204,5 +204,74 @@ TEST(Read_tracks, degrees_must_be_places_on_earth) {
   EXPECT_TRUE(read_options("t,id,x,y\n", local).tracks.empty());
 }
 
+// ---- times in several columns ----
+
+std::string dated(const std::string& date, const std::string& time) {
+  return "date,time,id,x,y\n" + date + "," + time + ",a,1,2\n";
+}
+
+TEST(Read_tracks_table, times_are_in_several_columns) {
+  const Tracks_file_options options = {
+      .columns = {.t = "date+time", .id = "id", .x = "x", .y = "y"}};
+  const std::string text = dated("2024-05-01", "23:59:59.5") + "2024-05-02,00:00:00,a,3,4\n";
+  const Tracks_file iso = read_options(text, options);
+  EXPECT_EQ(shown(iso), "a: 0 (1, 2) line 2 0.5 (3, 4) line 3");
+  EXPECT_EQ(iso.origin, "2024-05-01T23:59:59.5");
+  EXPECT_EQ(iso.remarks.size(), 1U);  // the columns are used
+  EXPECT_EQ(read_options(dated("2024-05-01", "12:00:00Z"), options).origin, "2024-05-01T12:00:00Z");
+  Tracks_file_options german = options;
+  german.date_format = "%d.%m.%Y %H:%M:%S";
+  EXPECT_EQ(read_options(dated("1.5.2024", "12:00:00"), german).origin, "2024-05-01T12:00:00");
+  // As many columns as there are, in any order.
+  Tracks_file_options parts = {.columns = {.t = "m+d+Y+h", .id = "id", .x = "x", .y = "y"}};
+  parts.date_format = "%m %d %Y %H";
+  EXPECT_EQ(read_options("Y;m;d;h;id;x;y\n2024;5;1;12;a;1;2\n", parts).origin,
+            "2024-05-01T12:00:00");
+  // By numbers, and below a header that these skip.
+  const Tracks_file_options numbers = {.columns = {.t = "1+2", .id = "3", .x = "4", .y = "5"}};
+  EXPECT_EQ(shown(read_options("2024-05-01 10:00 a 1 2\n2024-05-01 10:01 a 1 3\n", numbers)),
+            "a: 0 (1, 2) line 1 60 (1, 3) line 2");
+  EXPECT_EQ(read_options(text, numbers).origin, "2024-05-01T23:59:59.5");
+  // A row of units, and an id that begins with #.
+  EXPECT_EQ(
+      read_options("date,time,id,x,y\nUTC,h,,m,m\n2024-05-01,12:00,a,1,2\n", options).observations,
+      1U);
+  EXPECT_EQ(shown(read_options("id,date,time,x,y\n#1,2024-05-01,12:00,1,2\n", options)),
+            "#1: 0 (1, 2) line 2");
+}
+
+TEST(Read_tracks_table, a_plus_sign_may_belong_to_a_name) {
+  const Tracks_file_options options = {.columns = {.t = "a+b", .id = "id", .x = "x", .y = "y"}};
+  EXPECT_EQ(shown(read_options("a,b,a+b,id,x,y\n1,2,3,i,5,6\n", options)), "i: 3 (5, 6) line 2");
+  const Tracks_file_options place = {.columns = {.t = "t", .id = "id", .x = "x+", .y = "+y"}};
+  EXPECT_EQ(shown(read_options("t,id,x+,+y\n1,i,5,6\n", place)), "i: 1 (5, 6) line 2");
+  const Tracks_file_options end = {.columns = {.t = "t+", .id = "id", .x = "x", .y = "y"}};
+  EXPECT_EQ(read_options_error("t,id,x,y\n1,i,5,6\n", end),
+            "t.csv:1: the column 't+' is missing; expected one of 't', 'id', 'x', 'y'");
+}
+
+TEST(Read_tracks_table, errors_of_times_in_several_columns) {
+  const Tracks_file_options options = {
+      .columns = {.t = "date+time", .id = "id", .x = "x", .y = "y"}};
+  const auto error = [&](const std::string& text) { return read_options_error(text, options); };
+  // A date alone would be its midnight.
+  EXPECT_EQ(error(dated("2024-05-01", "")),
+            "t.csv:2: the column time is empty; expected a part of the time");
+  EXPECT_EQ(error(dated("", "12:00")),
+            "t.csv:2: the column date is empty; expected a part of the time");
+  EXPECT_EQ(error("date,id,x,y\n2024-05-01,a,1,2\n"),
+            "t.csv:1: the column 'time' is missing; expected one of 'date', 'id', 'x', 'y'");
+  EXPECT_EQ(error("date,time,time,id,x,y\n"),
+            "t.csv:1: the column 'time' is named twice; expected names that differ");
+  EXPECT_EQ(error(dated("20240501", "120000")),
+            "t.csv:2: the column date+time is '20240501 120000', which is a date, but not in ISO "
+            "8601, as 2024-05-01T12:00:00Z is; expected that, or --date-format '%Y%m%d %H%M%S'");
+  Tracks_file_options advised = options;
+  advised.date_format = "%Y%m%d %H%M%S";
+  EXPECT_EQ(read_options(dated("20240501", "120000"), advised).origin, "2024-05-01T12:00:00");
+  EXPECT_NE(error(dated("1", "2")).find("the column date+time is '1 2', which is not a number"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace kinetri

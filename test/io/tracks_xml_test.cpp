@@ -34,7 +34,9 @@ TEST(Recognized_tracks_formats, that_nothing_here_reads_say_what_to_do) {
        {std::pair{"!AIVDM,1,1,,B,177KQJ5000G?tO`K>RA1wUbN0TKH,0*5C\n", "encoded messages of AIS"},
         {"$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\n", "gpsbabel -i nmea"},
         {"Geolife trajectory\nWGS 84\n", "tail -n +7"},
-        {"ARROW1", "Arrow"},
+        {"ARROW1", "is a file of Arrow; expected Tracks.read of the Python package, or a table"},
+        {"FEA1", "pandas.read_feather('FILE').to_csv"},
+        {"PAR1", "pandas.read_parquet('FILE').to_csv"},
         {"<?xml version=\"1.0\"?>\n<TrackMate version=\"7\">\n", "Export tracks to XML file"},
         {"<kml xmlns=\"x\"></kml>", "gpsbabel -i kml"}}) {
     EXPECT_TRUE(contains(read_options_error(text, {}), piece)) << read_options_error(text, {});

@@ -479,3 +479,27 @@ def test_after_contacts_without_end_the_state_can_be_had_and_the_run_goes_on():
     simulation.set_motions(1, [0, 2], [0, 0], acceleration=[0, 1])
     simulation.advance_to(2)
     assert simulation.positions().tolist() == [[0, 0], [0, 4]]
+
+
+def test_after_contacts_without_end_the_events_before_them_can_be_had():
+    # Two balls touch at rest, until one of them begins to accelerate toward the other; a third one bounces.
+    def simulation():
+        result = kinetri.Simulation([[2, 2], [2, 4], [5, 5]], [[0, 0], [0, 0], [1, 0]], acceleration=[[0, 0]] * 3,
+                                    box=(0, 0, 8, 8), radius=1.0, collisions="elastic")
+        result.schedule_motion(3.5, 1, [2, 4], [0, 0], acceleration=[0, -1])
+        return result
+
+    expected = simulation().record(until=3)
+    assert len(expected) > 0 and "wall" in expected["kind"]
+    run = simulation()
+    with pytest.raises(kinetri.EndlessContactsError, match="accelerate toward each other at t = 3.5") as raised:
+        run.record(until=9)
+    assert run.time == 3.5
+    events = raised.value.events
+    assert events.dtype == kinetri.event_dtype
+    assert events[:len(expected)].tobytes() == expected.tobytes() and np.all(events["time"] <= 3.5)
+    assert run.positions()[2].tolist() == [7.5, 5]
+    only = simulation()
+    with pytest.raises(kinetri.EndlessContactsError) as raised:
+        only.record(until=9, kinds="wall")
+    assert set(raised.value.events["kind"]) == {"wall"}

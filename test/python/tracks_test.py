@@ -293,6 +293,8 @@ def test_two_things_on_one_track_are_named():
     with pytest.raises(kinetri.CoincidentTrajectoriesError) as raised:
         tracks.record()
     assert raised.value.ids == (0, 1)
+    # Those before it: the second thing comes at t = 1.
+    assert raised.value.events.dtype == kinetri.event_dtype and len(raised.value.events) == 0
 
 
 def test_files_and_the_program(tmp_path):
@@ -375,6 +377,8 @@ def test_files_that_are_read_with_wrong_options(tmp_path):
             ("t.csv", {"fps": 5}, "has times, not frames; expected no fps"),
             ("t.csv", {"fps": 0}, "the number of frames a second is not a finite number greater than 0"),
             ("t.csv", {"format": "csv"}, "the format is 'csv'; expected one of 'auto', 'rows', "),
+            ("t.csv", {"columns": ["t", "id"]}, "columns is a list; expected a dict, as in {'t': 'time', ...}"),
+            ("t.csv", {"columns": {"t": 1}}, "columns has 't': 1; expected texts, numbers of columns too, as in {'t': '1'"),
             ("t.csv", {"columns": {"z": "z"}}, "columns has 'z'; expected 't', 'id', 'x', 'y' and 'radius'"),
             ("t.csv", {"projection": "mercator"}, "projection is 'mercator'; expected one of 'none', 'local', 'utm'"),
             ("t.csv", {"duplicates": "all"}, "duplicates is 'all'; expected one of 'first', 'last', 'mean', 'refuse'"),
@@ -382,5 +386,5 @@ def test_files_that_are_read_with_wrong_options(tmp_path):
             ("t.csv", {"unwrap": "all"}, "unwrap is 'all'; expected 'nearest'")):
         with pytest.raises(kinetri.PreconditionError, match=message):
             Tracks.read(tmp_path / file, **options)
-    with pytest.raises(kinetri.InputError, match="with --format frames, the order frame id x y"):
+    with pytest.raises(kinetri.InputError, match="with format='frames', the order frame id x y"):
         Tracks.read(tmp_path / "f.txt", fps=5)

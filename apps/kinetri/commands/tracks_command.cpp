@@ -165,7 +165,8 @@ Command tracks_command() {
       "--columns", &options->columns, "t=T,id=ID,x=X,y=Y",
       "The names of these columns, and of radius=R if there is one, in a table that is separated "
       "by "
-      "commas, semicolons, tabs or blanks; their numbers, from 1 on, where it has no header; in "
+      "commas, semicolons, tabs or blanks; their numbers, from 1 on, where it has no header; with "
+      "plus signs between, t=DATE+TIME, where the times are in several columns; in "
       "GeoJSON, the properties t and id");
   result.add(
       "--projection", &options->projection, choice_type(projections),

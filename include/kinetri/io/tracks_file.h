@@ -99,7 +99,11 @@ std::span<const Tracks_format_name> tracks_formats();
 /// header. (A first row of which neither time nor place begins with a digit, a sign or a point is a
 /// header nevertheless, and is left out.)
 struct Track_columns {
-  std::string t = {};       ///< times
+  /// Times. In a table whose times are in several columns, such as dates and times of day, their
+  /// names or numbers with plus signs between, as in "date+time": the time is what the columns
+  /// have, with blanks between. If a column has this name itself, plus signs included, it is that
+  /// one.
+  std::string t = {};
   std::string id = {};      ///< ids
   std::string x = {};       ///< places, to the right
   std::string y = {};       ///< places, up
@@ -235,8 +239,8 @@ std::vector<std::string> remarks_on_rows(const Tracks_file& file, Tracks_duplica
 /// their times are equal are rows at one time. Where a comment of the formats frames and ids says
 /// that places are in centimetres or millimetres they become metres: x / 100 or x / 1000, rounded
 /// to nearest. Scaled places of LAMMPS, and those with images, are computed from the box, each
-/// operation rounded to nearest. A third coordinate is ignored, and so are columns of a table that
-/// are not named; remarks say so.
+/// operation rounded to nearest. A third coordinate is ignored, and so are other columns of a
+/// table, a dump, XYZ or JuPedSim, and attributes of SUMO, that are not used; remarks name them.
 ///
 /// Throws Input_error `name:line: ...`, or with the place in other words where there are no lines,
 /// for everything else, such as: a format that is not recognized, or is ambiguous, or for which the
@@ -269,6 +273,25 @@ Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format
 Tracks_file read_tracks_file(const std::string& path, const Tracks_file_options& options);
 Tracks_file read_tracks_file(const std::string& path, Tracks_format format, double fps = 0);
 /// @}
+
+/// The tracks `file`, which a program has got by itself, with what read_tracks makes of the places
+/// of a table: it decides whether they are degrees, x the longitude and y the latitude, and
+/// projects them. What says so are the names `columns.x` and `columns.y` (an empty name says
+/// nothing), and where these say nothing, what the places show whose times are dates, which they
+/// are where the file has an `origin`. Places in degrees at the longitude 181 or the latitude 91
+/// are left out, and counted in `rows_without_place`; the times and the `origin` stay as they are.
+/// What was concluded, and how far distances are off, is added to the remarks. `name` stands at the
+/// beginning of messages.
+///
+/// Throws Input_error if places are degrees, or look like them, and `projection` is `refused`; if
+/// names say radians, or the latitude is x; if places that are to be projected are not on earth; or
+/// if distances would be off by more than 0.1 %.
+///
+/// Precondition: each track has an observation; times ascend strictly; places are finite.
+///
+/// Cost: O(n) for n observations, and a sort of the tracks where places are left out.
+Tracks_file project_tracks(Tracks_file file, const std::string& name, const Track_columns& columns,
+                           Tracks_projection projection);
 
 /// The error that something is wrong with the observation at `line` of the file that was read from
 /// `name`: "name:line: message", or "name: row line: message".

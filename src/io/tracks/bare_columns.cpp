@@ -104,7 +104,8 @@ class Bare_columns_reader {
     const Comment_signs signs = signs_in_comment(comment);
     // Beside x and y there may be degrees as well.
     if (signs.column_names.empty() && says_degrees(comment)) {
-      expect_projection(input_, table_.line(), "the comment says that places are");
+      expect_projection(input_.name, table_.line(), input_.options.projection,
+                        "the comment says that places are");
     }
     if (!signs.column_names.empty() || signs.frame_rate || signs.unit) ++used_comments_;
     if (!signs.column_names.empty()) heed_names(signs);

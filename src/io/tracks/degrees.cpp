@@ -154,6 +154,49 @@ bool says_degrees(std::string_view comment) {
   return has_longitude && has_latitude;
 }
 
+void expect_projection(const std::string& name, std::size_t line, Tracks_projection projection,
+                       std::string_view what) {
+  if (projection != Tracks_projection::refused) return;
+  throw Input_error(
+      name, line,
+      joined(what,
+             " in degrees of longitude and latitude, between which distances mean nothing; "
+             "expected --projection local, which makes them metres about the middle of the data, "
+             "--projection utm, which makes them those of a zone of UTM, --projection none, which "
+             "takes degrees as they are, or projected places"));
+}
+
+Named_degrees degrees_in_names(const std::string& name, std::size_t line,
+                               Tracks_projection projection, std::string_view what,
+                               const std::string& of_x, const std::string& of_y) {
+  const Angle x_angle = angle_in_name(of_x);
+  const Angle y_angle = angle_in_name(of_y);
+  if (x_angle == Angle::none && y_angle == Angle::none) return {};
+  const std::string names = joined("the ", what, ' ', quoted(of_x), " and ", quoted(of_y));
+  if (projection == Tracks_projection::none) {
+    return {.are_degrees = false,
+            .remark = joined("places are taken as they are, though ", names, " are of angles")};
+  }
+  if (x_angle == Angle::radians || y_angle == Angle::radians) {
+    throw Input_error(name, line,
+                      joined(names,
+                             " are in radians; expected degrees, or --projection none, which takes "
+                             "them as they are"));
+  }
+  if (x_angle == Angle::latitude || y_angle == Angle::longitude) {
+    throw Input_error(name, line,
+                      joined("x is the column ", quoted(of_x), ", and y ", quoted(of_y),
+                             "; expected the longitude as x, and the latitude as y"));
+  }
+  expect_projection(name, line, projection,
+                    joined(names, what == "columns" ? " are places" : " say that places are"));
+  return {.are_degrees = true, .remark = joined("places are degrees, as ", names, " say")};
+}
+
+bool is_no_place(const Vector_2& degrees) {
+  return degrees.x == 181 || degrees.y == 91;
+}
+
 void Signs_of_degrees::note(const Vector_2& place, std::string_view x, std::string_view y) {
   ++rows_;
   are_in_range_ = are_in_range_ && std::abs(place.x) <= 180 && std::abs(place.y) <= 90;
@@ -165,8 +208,9 @@ void Signs_of_degrees::note(const Vector_2& place, std::string_view x, std::stri
   if (has_many_digits(x) && has_many_digits(y)) ++rows_of_many_digits_;
 }
 
-void Signs_of_degrees::expect_none(const Tracks_file& file, const Tracks_input& input) const {
-  if (input.options.projection != Tracks_projection::refused || file.origin.empty()) return;
+void Signs_of_degrees::expect_none(const Tracks_file& file, const std::string& name,
+                                   Tracks_projection projection) const {
+  if (projection != Tracks_projection::refused || file.origin.empty()) return;
   if (rows_ == 0 || !are_in_range_ || 2 * rows_of_many_digits_ < rows_) return;
   double way = 0;
   double duration = 0;
@@ -182,7 +226,7 @@ void Signs_of_degrees::expect_none(const Tracks_file& file, const Tracks_input& 
   constexpr double greatest_speed = 0.003;
   if (!(way < greatest_speed * duration)) return;
   throw Input_error(
-      input.name, 0,
+      name, 0,
       joined("nothing says what the places are, and they look like degrees: times are dates, and "
              "numbers within 180 and 90, most with four decimals or more, change by ",
              way / duration,

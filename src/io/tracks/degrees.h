@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What tells that places are degrees of longitude and latitude: the names of columns, and their
-// units.
+// What tells that places are degrees of longitude and latitude: the names of columns, their units,
+// comments, and the places themselves; and what becomes of them then.
 #ifndef KINETRI_SRC_IO_TRACKS_DEGREES_H
 #define KINETRI_SRC_IO_TRACKS_DEGREES_H
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
-#include "tracks_readers.h"
+#include "kinetri/io/tracks_file.h"
 
 namespace kinetri {
 
@@ -33,17 +34,41 @@ Angle angle_in_name(std::string_view name);
 /// projection such as UTM.
 bool says_degrees(std::string_view comment);
 
+/// Throws Input_error unless the options say what becomes of degrees. `name` is that of the file,
+/// and `what` is in degrees, "the comment says that places are".
+void expect_projection(const std::string& name, std::size_t line, Tracks_projection projection,
+                       std::string_view what);
+
+/// What names say of the places of a table.
+struct Named_degrees {
+  bool are_degrees = false;  ///< whether places are degrees that a projection makes metres
+  std::string remark = {};   ///< what was concluded, and from what; empty if names say nothing
+};
+
+/// What the names of the columns x and y, or their units, say. `what` has these words, "columns" or
+/// "units", and stands in `line` of the file `name`, if that is not 0. Throws Input_error if they
+/// say radians, or the latitude as x, or degrees where no projection says what becomes of them;
+/// Tracks_projection::none takes all of these as they are.
+Named_degrees degrees_in_names(const std::string& name, std::size_t line,
+                               Tracks_projection projection, std::string_view what,
+                               const std::string& of_x, const std::string& of_y);
+
+/// Whether a place in degrees says that there is none: the longitude 181, or the latitude 91, of
+/// AIS (ITU-R M.1371).
+bool is_no_place(const Vector_2& degrees);
+
 /// What in the rows of a table shows degrees, where no name says what places are: dates as times,
 /// numbers that are in the range of degrees, at least half of which have four decimals or more, and
 /// motion that would be slow in metres, and not too fast in degrees.
 class Signs_of_degrees {
  public:
-  /// Notes a place, and the fields that it was read from.
+  /// Notes a place, and its numbers as texts: the fields that it was read from.
   void note(const Vector_2& place, std::string_view x, std::string_view y);
 
-  /// Throws Input_error if the file, which has all rows that were noted, shows these signs, and the
-  /// options do not say what becomes of degrees.
-  void expect_none(const Tracks_file& file, const Tracks_input& input) const;
+  /// Throws Input_error if the file of this name, which has all rows that were noted, shows these
+  /// signs, and no projection says what becomes of degrees.
+  void expect_none(const Tracks_file& file, const std::string& name,
+                   Tracks_projection projection) const;
 
  private:
   std::size_t rows_ = 0;

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "degrees.h"
 #include "io/text.h"
 #include "kinetri/base/error.h"
 #include "kinetri/io/points_file.h"
@@ -84,7 +85,9 @@ class Geojson_reader {
     const std::string type = type_of(file, "");
     std::string system;
     if (file.contains("crs")) system = reference_system(file["crs"]);
-    if (system.empty()) expect_projection(input_, 0, "places in GeoJSON are");
+    if (system.empty()) {
+      expect_projection(input_.name, 0, input_.options.projection, "places in GeoJSON are");
+    }
     if (type == "FeatureCollection") {
       const json& features = member(file, "", "features", json::value_t::array);
       for (const json& feature : features) add_feature(feature, joined("/features/", feature_));

@@ -5,6 +5,7 @@
 // have a <time>. Waypoints and routes, which have none, are left out.
 #include <cmath>
 
+#include "degrees.h"
 #include "io/text.h"
 #include "kinetri/base/error.h"
 #include "xml.h"
@@ -18,7 +19,7 @@ class Gpx_reader : public Xml_tracks {
       : Xml_tracks(input, "GPX"), builder_(input.name, input.options.duplicates) {}
 
   Tracks_file read() {
-    expect_projection(input(), 0, "places in GPX are");
+    expect_projection(input().name, 0, input().options.projection, "places in GPX are");
     parse();
     Tracks_file result = builder_.finish();
     result.format = Tracks_format::gpx;

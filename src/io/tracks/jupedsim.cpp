@@ -15,9 +15,12 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <istream>
 #include <memory>
+#include <new>
+#include <vector>
 #endif
 
 namespace kinetri {
@@ -152,6 +155,16 @@ class Query {
     return code == SQLITE_ROW;
   }
 
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (int i = 0; i < sqlite3_column_count(statement_.get()); ++i) {
+      const char* const name = sqlite3_column_name(statement_.get(), i);
+      if (name == nullptr) throw std::bad_alloc();
+      result.emplace_back(name);
+    }
+    return result;
+  }
+
   int type(int column) const { return sqlite3_column_type(statement_.get(), column); }
   bool is_number(int column) const {
     return type(column) == SQLITE_INTEGER || type(column) == SQLITE_FLOAT;
@@ -197,6 +210,7 @@ class Jupedsim_reader {
     result.format = Tracks_format::jupedsim;
     note_frame_rate(result, input_, file_rate_, "frames");
     read_walkable_area(result);
+    note_unused(result);
     return result;
   }
 
@@ -301,6 +315,17 @@ class Jupedsim_reader {
       file.walkable_area.clear();
       file.remarks.push_back("the walkable area changes, and is left out");
     }
+  }
+
+  // Names in SQLite have no case.
+  void note_unused(Tracks_file& file) const {
+    constexpr std::array<std::string_view, 4> used = {"frame", "id", "pos_x", "pos_y"};
+    Unused_names unused;
+    const Query query(database_, "SELECT * FROM trajectory_data", "its columns");
+    for (const std::string& name : query.names()) {
+      if (std::find(used.begin(), used.end(), in_lower_case(name)) == used.end()) unused.add(name);
+    }
+    unused.add_remarks(file);
   }
 
   const Tracks_input& input_;

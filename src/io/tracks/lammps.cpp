@@ -38,6 +38,9 @@ struct Columns {
   bool is_scaled = false;
   bool is_unwrapped = false;
   std::size_t least_fields = 0;
+
+  // Whether images lead from wrapped places to the path.
+  bool adds_images() const { return image[0] != none && image[1] != none && !is_unwrapped; }
 };
 
 class Lammps_reader {
@@ -66,6 +69,7 @@ class Lammps_reader {
       note_frame_rate(result, input_, std::nullopt, "timesteps");
     }
     if (has_third_) result.remarks.push_back("the third coordinate of the atoms is left out");
+    unused_.add_remarks(result);
     return result;
   }
 
@@ -160,8 +164,13 @@ class Lammps_reader {
     result.image = {index("ix"), index("iy")};
     result.is_scaled = kind->is_scaled;
     result.is_unwrapped = kind->is_unwrapped;
-    for (const std::string_view name : {"z", "zu", "zs", "zsu"}) {
-      has_third_ = has_third_ || index(name) != none;
+    constexpr std::array<std::string_view, 4> third = {"z", "zu", "zs", "zsu"};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const bool is_third = std::find(third.begin(), third.end(), columns[i]) != third.end();
+      has_third_ = has_third_ || is_third;
+      const bool is_place = i == result.place[0] || i == result.place[1];
+      const bool is_image = result.adds_images() && (i == result.image[0] || i == result.image[1]);
+      if (i != result.id && !is_place && !is_image && !is_third) unused_.add(columns[i]);
     }
     return result;
   }
@@ -174,7 +183,7 @@ class Lammps_reader {
     }
     const Columns columns = columns_of(names);
     const bool has_images = columns.image[0] != none && columns.image[1] != none;
-    if ((columns.is_scaled || (has_images && !columns.is_unwrapped)) && (!has_box_ || is_tilted_)) {
+    if ((columns.is_scaled || columns.adds_images()) && (!has_box_ || is_tilted_)) {
       lines_.fail(
           "scaled places and images need a box that is a rectangle; expected xu yu, or x y "
           "without ix iy, or such a box");
@@ -187,7 +196,7 @@ class Lammps_reader {
     for (std::size_t i = 0; i < *atoms_; ++i) {
       const auto& fields = lines_.atom(i, *atoms_, columns.least_fields);
       const auto coordinate = [&](std::size_t direction) {
-        return coordinate_of(fields, columns, direction, has_images);
+        return coordinate_of(fields, columns, direction);
       };
       builder_.add({fields[columns.id], {time}, {coordinate(0), coordinate(1)}, lines_.line()});
     }
@@ -197,12 +206,12 @@ class Lammps_reader {
   }
 
   double coordinate_of(const std::vector<std::string_view>& fields, const Columns& columns,
-                       std::size_t direction, bool has_images) const {
+                       std::size_t direction) const {
     const std::string_view name = direction == 0 ? "x" : "y";
     const Bounds& bounds = bounds_[direction];
     double result = lines_.number(fields[columns.place[direction]], name);
     if (columns.is_scaled) result = bounds.low + result * bounds.width();
-    if (has_images && !columns.is_unwrapped) {
+    if (columns.adds_images()) {
       result += lines_.number(fields[columns.image[direction]], "ix or iy") * bounds.width();
     }
     if (!std::isfinite(result)) {
@@ -237,6 +246,7 @@ class Lammps_reader {
   bool has_box_ = false;
   bool is_tilted_ = false;
   bool has_third_ = false;
+  Unused_names unused_;
 };
 
 }  // namespace

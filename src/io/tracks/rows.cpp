@@ -35,7 +35,8 @@ class Rows_reader {
   Tracks_file read() {
     table_.watch_comments([this](std::string_view comment) {
       if (!says_degrees(comment)) return;
-      expect_projection(input_, table_.line(), "the comment says that places are");
+      expect_projection(input_.name, table_.line(), input_.options.projection,
+                        "the comment says that places are");
     });
     const bool is_automatic = input_.options.format == Tracks_format::automatic;
     columns_ = table_.read_header(
@@ -47,7 +48,7 @@ class Rows_reader {
     for (; line && is_of_words(*line); line = table_.next()) ++rows_of_words;
     for (; line; line = table_.next()) add(*line);
     Tracks_file result = builder_.finish();
-    signs_.expect_none(result, input_);
+    signs_.expect_none(result, input_.name, input_.options.projection);
     result.format = Tracks_format::rows;
     result.has_radii = has(radius);
     result.comment_lines = table_.comments();

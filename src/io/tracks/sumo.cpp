@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "degrees.h"
 #include "io/text.h"
 #include "kinetri/base/error.h"
 #include "kinetri/io/points_file.h"
@@ -31,6 +32,7 @@ class Sumo_reader : public Xml_tracks {
           "places are degrees, as the comment of SUMO says (fcd-output.geo)");
     }
     if (has_third_) result.remarks.emplace_back("the third coordinate of the places is left out");
+    unused_.add_remarks(result, "attributes that are left out");
     return result;
   }
 
@@ -47,7 +49,8 @@ class Sumo_reader : public Xml_tracks {
       if (in_lower_case(value).find(no) != std::string::npos) return;
     }
     are_degrees_ = true;
-    expect_projection(input(), line(), "the comment of SUMO has fcd-output.geo: places are");
+    expect_projection(input().name, line(), input().options.projection,
+                      "the comment of SUMO has fcd-output.geo: places are");
   }
 
   void begin(std::string_view name, const Xml_attributes& attributes, std::size_t depth) override {
@@ -75,7 +78,10 @@ class Sumo_reader : public Xml_tracks {
     row.time.number = time_;
     row.place = {number(attributes, kind, "x"), number(attributes, kind, "y")};
     row.line = line();
-    for (const auto& [name, value] : attributes) has_third_ = has_third_ || name == "z";
+    for (const auto& [name, value] : attributes) {
+      has_third_ = has_third_ || name == "z";
+      if (name != "id" && name != "x" && name != "y" && name != "z") unused_.add(name);
+    }
     expect_kind(row, kind);
     for (const auto& [name, value] : attributes) {
       if (name == "speed") note_speed(row, parse_number(value));
@@ -134,6 +140,7 @@ class Sumo_reader : public Xml_tracks {
   bool is_in_timestep_ = false;
   bool are_degrees_ = false;
   bool has_third_ = false;
+  Unused_names unused_;
   bool are_in_range_ = true;
   double way_ = 0;           // of all things
   double way_by_speed_ = 0;  // as their speeds say

@@ -3,9 +3,11 @@
 // Tracks as a table whose columns the user names, or gives by number where there is no header.
 // Fields are separated by commas, semicolons, tabs or blanks, by the first of them for which there
 // are all of the columns. Fields in quotation marks may have separators and line ends in them; two
-// of the marks stand for one (RFC 4180).
+// of the marks stand for one (RFC 4180). Times may be in several columns, such as dates and times
+// of day, which are read as one text with blanks between.
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 #include "degrees.h"
@@ -25,7 +27,6 @@ constexpr std::string_view expected_option = "expected --columns t=NAME,id=NAME,
 constexpr std::array<char, 4> separators = {',', ';', '\t', ' '};
 constexpr std::size_t longest_record = std::size_t{1} << 20U;
 constexpr std::size_t most_lines = 1000;  // of a record, which is split anew for each
-constexpr std::size_t most_shown = 20;    // names in a message
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 // The column that a name is the number of, from 0 on; none if it is no number.
@@ -36,14 +37,16 @@ std::optional<std::size_t> column_number(const std::string& name) {
   return static_cast<std::size_t>(parse_number(name).value) - 1;
 }
 
-// "'a', 'b' and 3 others".
-std::string list_of(const std::vector<std::string>& names) {
-  std::string result;
-  for (std::size_t i = 0; i < std::min(names.size(), most_shown); ++i) {
-    append(result, result.empty() ? "" : ", ", quoted(names[i]));
+// The names that a name of times has between plus signs; the name itself if it has none.
+std::vector<std::string> parts_of(const std::string& name) {
+  std::vector<std::string> result;
+  for (std::string_view rest = name;;) {
+    const std::size_t plus = rest.find('+');
+    result.emplace_back(rest.substr(0, plus));
+    if (result.back().empty()) return {name};
+    if (plus == std::string_view::npos) return result;
+    rest.remove_prefix(plus + 1);
   }
-  if (names.size() > most_shown) append(result, " and ", names.size() - most_shown, " others");
-  return result;
 }
 
 class Named_columns_reader {
@@ -54,20 +57,23 @@ class Named_columns_reader {
         builder_(input.name, input.options.duplicates) {
     const Track_columns& columns = input.options.columns;
     names_ = {columns.t, columns.id, columns.x, columns.y, columns.radius};
-    has_numbers_ = std::all_of(names_.begin(), names_.end(), [](const std::string& name) {
-      return name.empty() || column_number(name);
-    });
+    names_of_time_ = parts_of(columns.t);
+    const auto is_number = [](const std::string& name) { return column_number(name).has_value(); };
+    has_numbers_ = std::all_of(names_of_time_.begin(), names_of_time_.end(), is_number) &&
+                   std::all_of(names_.begin() + 1, names_.end(), [&](const std::string& name) {
+                     return name.empty() || is_number(name);
+                   });
   }
 
   Tracks_file read() {
     expect_names();
-    if (!has_numbers_) expect_no_degrees(names_[x], names_[y], "columns", 0);
+    if (!has_numbers_) take_degrees(names_[x], names_[y], "columns", 0);
     std::optional<std::string_view> row = has_numbers_ ? read_numbers() : read_header();
     table_.watch_rows([this](std::string_view line) { return is_row(line); });
     for (; row && is_of_words(*row); row = table_.next()) take_units();
     for (; row; row = table_.next()) add(*row);
     Tracks_file result = builder_.finish();
-    if (degrees_remark_.empty()) signs_.expect_none(result, input_);
+    if (degrees_remark_.empty()) signs_.expect_none(result, input_.name, input_.options.projection);
     result.format = Tracks_format::table;
     result.has_radii = columns_[radius] != none;
     if (!result.origin.empty() && input_.options.fps) {
@@ -93,41 +99,21 @@ class Named_columns_reader {
 
   // ---- degrees ----
 
-  // Degrees are no places in the plane. `what` has the words of x and y, and stands in `line`, if
-  // that is not 0.
-  void expect_no_degrees(const std::string& of_x, const std::string& of_y, std::string_view what,
-                         std::size_t line) {
-    const Angle x_angle = angle_in_name(of_x);
-    const Angle y_angle = angle_in_name(of_y);
-    if (x_angle == Angle::none && y_angle == Angle::none) return;
-    if (input_.options.projection == Tracks_projection::none) {
-      degrees_remark_ = joined("places are taken as they are, though the ", what, ' ', quoted(of_x),
-                               " and ", quoted(of_y), " are of angles");
-      return;
-    }
-    if (x_angle == Angle::radians || y_angle == Angle::radians) {
-      throw Input_error(input_.name, line,
-                        joined("the ", what, ' ', quoted(of_x), " and ", quoted(of_y),
-                               " are in radians; expected degrees, or --projection none, which "
-                               "takes them as they are"));
-    }
-    if (x_angle == Angle::latitude || y_angle == Angle::longitude) {
-      throw Input_error(input_.name, line,
-                        joined("x is the column ", quoted(of_x), ", and y ", quoted(of_y),
-                               "; expected the longitude as x, and the latitude as y"));
-    }
-    expect_projection(input_, line,
-                      joined("the ", what, ' ', quoted(of_x), " and ", quoted(of_y),
-                             what == "columns" ? " are places" : " say that places are"));
-    are_degrees_ = true;
-    degrees_remark_ = joined("places are degrees, as the ", what, ' ', quoted(of_x), " and ",
-                             quoted(of_y), " say");
+  // `what` has the words of x and y, and stands in `line`, if that is not 0.
+  void take_degrees(const std::string& of_x, const std::string& of_y, std::string_view what,
+                    std::size_t line) {
+    const Named_degrees named =
+        degrees_in_names(input_.name, line, input_.options.projection, what, of_x, of_y);
+    if (named.remark.empty()) return;
+    are_degrees_ = named.are_degrees;
+    degrees_remark_ = named.remark;
   }
 
   // Where the names of the columns do not say it.
   void expect_no_degrees_in_comment(std::size_t line) {
     if (line == 0 || !degrees_remark_.empty()) return;
-    expect_projection(input_, line, "the comment says that places are");
+    expect_projection(input_.name, line, input_.options.projection,
+                      "the comment says that places are");
     degrees_remark_ = "places are degrees, as a comment says";
   }
 
@@ -139,6 +125,10 @@ class Named_columns_reader {
     for (std::size_t i = 0; i < column_count; ++i) {
       columns_[i] = column_number(names_[i]).value_or(none);
       if (columns_[i] != none) most = std::max(most, columns_[i] + 1);
+    }
+    for (const std::string& name : names_of_time_) {
+      fields_of_time_.push_back(*column_number(name));
+      most = std::max(most, fields_of_time_.back() + 1);
     }
     // A first id may begin with #.
     table_.watch_rows([&](std::string_view line) { return begins_numbers(line, most); });
@@ -153,9 +143,6 @@ class Named_columns_reader {
       table_.fail(joined("the row has fewer than ", most,
                          " fields; expected as many as the numbers in --columns need, separated by "
                          "commas, semicolons, tabs or blanks"));
-    }
-    for (std::size_t i = 0; i < column_count; ++i) {
-      if (columns_[i] != none) names_[i] = joined(columns_[i] + 1);
     }
     return line;
   }
@@ -215,25 +202,41 @@ class Named_columns_reader {
            trimmed(std::string_view(name).substr(1)) == fields_[0];
   }
 
+  // The field of the header, which is in fields_, that has the name; none if none has it.
+  std::size_t field_named(const std::string& name) const {
+    std::size_t result = none;
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
+      if (!is_named(field, name)) continue;
+      if (result != none) {
+        table_.fail(
+            joined("the column ", quoted(name), " is named twice; expected names that differ"));
+      }
+      result = field;
+    }
+    return result;
+  }
+
+  // Finds the columns in the header, which is in fields_; whether all are there.
+  bool find_columns() {
+    bool has_all = true;
+    for (std::size_t i = 0; i < column_count; ++i) {
+      columns_[i] = names_[i].empty() ? none : field_named(names_[i]);
+      if (i != t && !names_[i].empty()) has_all = has_all && columns_[i] != none;
+    }
+    fields_of_time_ = {columns_[t]};
+    if (columns_[t] == none) {
+      fields_of_time_.clear();
+      for (const std::string& name : names_of_time_) fields_of_time_.push_back(field_named(name));
+    }
+    return has_all &&
+           std::find(fields_of_time_.begin(), fields_of_time_.end(), none) == fields_of_time_.end();
+  }
+
   // Whether the line has all names.
   bool take_header(std::string_view line) {
     for (const char separator : separators) {
       if (fields_.split(line, separator) != Fields::Result::complete) continue;
-      bool has_all = true;
-      for (std::size_t i = 0; i < column_count; ++i) {
-        columns_[i] = none;
-        if (names_[i].empty()) continue;
-        for (std::size_t field = 0; field < fields_.size(); ++field) {
-          if (!is_named(field, names_[i])) continue;
-          if (columns_[i] != none) {
-            table_.fail(joined("the column ", quoted(names_[i]),
-                               " is named twice; expected names that differ"));
-          }
-          columns_[i] = field;
-        }
-        has_all = has_all && columns_[i] != none;
-      }
-      if (!has_all) continue;
+      if (!find_columns()) continue;
       separator_ = separator;
       number_of_fields_ = fields_.size();
       header_.assign(fields_.begin(), fields_.end());
@@ -258,8 +261,11 @@ class Named_columns_reader {
     // The row that was taken for the header may be one of data below a comment that is.
     const bool is_comment = of_comment.size() > 1 && of_comment.size() == first.size();
     const std::vector<std::string>& there = is_comment ? of_comment : first;
-    const auto missing = std::find_if(names_.begin(), names_.end(), [&](const std::string& name) {
-      return !name.empty() && std::find(there.begin(), there.end(), name) == there.end();
+    std::vector<std::string> names = names_of_time_;
+    std::copy_if(names_.begin() + 1, names_.end(), std::back_inserter(names),
+                 [](const std::string& name) { return !name.empty(); });
+    const auto missing = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+      return std::find(there.begin(), there.end(), name) == there.end();
     });
     const bool has_header =
         is_comment || std::any_of(first.begin(), first.end(), [](const std::string& field) {
@@ -271,7 +277,7 @@ class Named_columns_reader {
              ", or, since these seem to be no names, numbers of columns, as in --columns "
              "t=1,id=2,x=3,y=4");
     }
-    table_.fail(joined("the column ", quoted(missing == names_.end() ? names_[t] : *missing),
+    table_.fail(joined("the column ", quoted(missing == names.end() ? names_[t] : *missing),
                        " is missing; expected one of ", expected));
   }
 
@@ -281,13 +287,10 @@ class Named_columns_reader {
   bool is_of_words(std::string_view line) {
     if (fields_.split(line, separator_) != Fields::Result::complete) return false;
     if (fields_.size() != number_of_fields_) return false;
-    bool has_word = false;
-    for (const Column column : {t, x, y}) {
-      const std::string_view field = fields_[columns_[column]];
-      if (!is_word(field)) return false;
-      has_word = has_word || !field.empty();
-    }
-    return has_word;
+    std::vector<std::size_t> fields = fields_of_time_;
+    fields.insert(fields.end(), {columns_[x], columns_[y]});
+    return std::all_of(fields.begin(), fields.end(), [&](auto i) { return is_word(fields_[i]); }) &&
+           std::any_of(fields.begin(), fields.end(), [&](auto i) { return !fields_[i].empty(); });
   }
 
   // Of the row in fields_, which names units, or columns once more.
@@ -295,7 +298,7 @@ class Named_columns_reader {
     const std::string of_x(fields_[columns_[x]]);
     const std::string of_y(fields_[columns_[y]]);
     if (!are_degrees_) {
-      expect_no_degrees(of_x, of_y, has_numbers_ ? "columns" : "units", table_.line());
+      take_degrees(of_x, of_y, has_numbers_ ? "columns" : "units", table_.line());
     }
     if (has_numbers_ && header_.empty()) {
       header_.assign(fields_.begin(), fields_.end());
@@ -309,15 +312,15 @@ class Named_columns_reader {
   bool is_row(std::string_view line) {
     if (fields_.split(line, separator_) != Fields::Result::complete) return false;
     if (fields_.size() != number_of_fields_) return false;
-    for (const Column column : {t, x, y, radius}) {
-      if (columns_[column] == 0) return false;
-    }
+    const auto is_first = [](std::size_t field) { return field == 0; };
+    if (std::any_of(fields_of_time_.begin(), fields_of_time_.end(), is_first)) return false;
+    if (columns_[x] == 0 || columns_[y] == 0 || columns_[radius] == 0) return false;
     const auto is_number = [&](Column column) {
       const std::string_view field = fields_[columns_[column]];
       return is_missing(field) || parse_number(field).problem.empty();
     };
-    const std::string_view time = fields_[columns_[t]];
-    return parse_time(time, names_[t], input_.options).problem.empty() && is_number(x) &&
+    return !empty_field_of_time() &&
+           parse_time(time_text(), names_[t], input_.options).problem.empty() && is_number(x) &&
            is_number(y);
   }
 
@@ -343,8 +346,7 @@ class Named_columns_reader {
     row.time = time(first_line);
     row.id = fields_[columns_[id]];
     row.place = {number(x, first_line), number(y, first_line)};
-    // ITU-R M.1371: not available.
-    if (are_degrees_ && (row.place.x == 181 || row.place.y == 91)) {
+    if (are_degrees_ && is_no_place(row.place)) {
       ++rows_without_place_;
       return;
     }
@@ -380,8 +382,31 @@ class Named_columns_reader {
     }
   }
 
+  // Of several fields of the time, the index of one that is empty.
+  std::optional<std::size_t> empty_field_of_time() const {
+    if (fields_of_time_.size() == 1) return std::nullopt;
+    for (std::size_t i = 0; i < fields_of_time_.size(); ++i) {
+      if (fields_[fields_of_time_[i]].empty()) return i;
+    }
+    return std::nullopt;
+  }
+
+  // What the row in fields_ has as its time; valid until the next call.
+  std::string_view time_text() {
+    if (fields_of_time_.size() == 1) return fields_[fields_of_time_.front()];
+    time_text_.clear();
+    for (const std::size_t field : fields_of_time_) {
+      append(time_text_, time_text_.empty() ? "" : " ", fields_[field]);
+    }
+    return time_text_;
+  }
+
   Row_time time(std::size_t line) {
-    Parsed_time result = parse_time(fields_[columns_[t]], names_[t], input_.options);
+    if (const auto empty = empty_field_of_time()) {
+      fail(line,
+           joined("the column ", names_of_time_[*empty], " is empty; expected a part of the time"));
+    }
+    Parsed_time result = parse_time(time_text(), names_[t], input_.options);
     if (result.problem.empty() && input_.options.fps && !result.value.date) {
       result = time_of_frame(result.value.number, *input_.options.fps);
     }
@@ -411,21 +436,18 @@ class Named_columns_reader {
                                     " without numbers below or in place of the header left out",
                                     units_.empty() ? "" : ": ", units_));
     }
-    std::vector<std::string> unused;
+    Unused_names unused;
     for (std::size_t field = 0; field < header_.size(); ++field) {
-      if (!is_used(field)) unused.push_back(header_[field]);
+      if (!is_used(field)) unused.add(header_[field]);
     }
-    const std::size_t without_names = header_.empty() ? number_of_fields_ - used_fields() : 0;
-    if (!unused.empty()) {
-      file.remarks.push_back(joined("columns that are not used: ", list_of(unused)));
-    } else if (without_names > 0) {
-      file.remarks.push_back(
-          joined(without_names, without_names == 1 ? " column" : " columns", " not used"));
-    }
+    if (header_.empty()) unused.add_without_names(number_of_fields_ - used_fields());
+    unused.add_remarks(file);
   }
 
   bool is_used(std::size_t field) const {
-    return std::find(columns_.begin(), columns_.end(), field) != columns_.end();
+    return std::find(columns_.begin(), columns_.end(), field) != columns_.end() ||
+           std::find(fields_of_time_.begin(), fields_of_time_.end(), field) !=
+               fields_of_time_.end();
   }
 
   std::size_t used_fields() const {
@@ -443,7 +465,10 @@ class Named_columns_reader {
   Table_reader table_;
   Tracks_builder builder_;
   std::array<std::string, column_count> names_;
+  std::vector<std::string> names_of_time_;              // if no column has the name of t itself
   std::array<std::size_t, column_count> columns_ = {};  // the field of each, or `none`
+  std::vector<std::size_t> fields_of_time_;             // t, or the several that are the time
+  std::string time_text_;                               // of several fields
   std::size_t number_of_fields_ = 0;
   char separator_ = ',';
   bool has_numbers_ = false;         // the user gives numbers of columns, not names

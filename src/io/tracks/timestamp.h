@@ -42,29 +42,13 @@ Parsed_timestamp parse_timestamp(std::string_view text);
 Parsed_timestamp parse_timestamp(std::string_view text, std::string_view format);
 
 /// Forms of dates that are often met, for messages.
-inline constexpr std::array<std::string_view, 23> likely_date_formats = {"%d/%m/%Y %H:%M:%S",
-                                                                         "%m/%d/%Y %H:%M:%S",
-                                                                         "%d/%m/%Y %H:%M",
-                                                                         "%m/%d/%Y %H:%M",
-                                                                         "%d.%m.%Y %H:%M:%S",
-                                                                         "%d.%m.%Y %H:%M",
-                                                                         "%d-%m-%Y %H:%M:%S",
-                                                                         "%m-%d-%Y %H:%M:%S",
-                                                                         "%Y/%m/%d %H:%M:%S",
-                                                                         "%Y/%m/%d %H:%M",
-                                                                         "%Y.%m.%d %H:%M:%S",
-                                                                         "%m/%d/%Y %I:%M:%S %p",
-                                                                         "%d %b %Y %H:%M:%S",
-                                                                         "%Y%m%dT%H%M%S%z",
-                                                                         "%Y%m%dT%H%M%S",
-                                                                         "%Y%m%d %H:%M:%S",
-                                                                         "%d/%m/%y %H:%M:%S",
-                                                                         "%d/%m/%Y",
-                                                                         "%m/%d/%Y",
-                                                                         "%d.%m.%Y",
-                                                                         "%Y%m%d%H%M%S",
-                                                                         "%d-%b-%Y %H:%M:%S",
-                                                                         "%a %b %d %H:%M:%S %Y"};
+inline constexpr std::array<std::string_view, 24> likely_date_formats = {
+    "%d/%m/%Y %H:%M:%S", "%m/%d/%Y %H:%M:%S", "%d/%m/%Y %H:%M",    "%m/%d/%Y %H:%M",
+    "%d.%m.%Y %H:%M:%S", "%d.%m.%Y %H:%M",    "%d-%m-%Y %H:%M:%S", "%m-%d-%Y %H:%M:%S",
+    "%Y/%m/%d %H:%M:%S", "%Y/%m/%d %H:%M",    "%Y.%m.%d %H:%M:%S", "%m/%d/%Y %I:%M:%S %p",
+    "%d %b %Y %H:%M:%S", "%Y%m%dT%H%M%S%z",   "%Y%m%dT%H%M%S",     "%Y%m%d %H:%M:%S",
+    "%Y%m%d %H%M%S",     "%d/%m/%y %H:%M:%S", "%d/%m/%Y",          "%m/%d/%Y",
+    "%d.%m.%Y",          "%Y%m%d%H%M%S",      "%d-%b-%Y %H:%M:%S", "%a %b %d %H:%M:%S %Y"};
 
 /// The binary64 number nearest to the seconds from `a` to `b`. Precondition: a <= b, and both have
 /// a zone or neither has.

@@ -56,7 +56,10 @@ struct Foreign_format {
 constexpr std::string_view decoded_ais =
     "a table of the decoded positions, read with --columns t=TIME,id=MMSI,x=LON,y=LAT and "
     "--projection";
-constexpr std::array<Foreign_format, 13> foreign_formats = {{
+constexpr std::string_view of_arrow =
+    "Tracks.read of the Python package, or a table exported as CSV: python3 -c \"import pandas; "
+    "pandas.read_feather('FILE').to_csv('FILE.csv')\"";
+constexpr std::array<Foreign_format, 14> foreign_formats = {{
     {"\x1f\x8b", "is compressed by gzip", "the file that gunzip makes of it"},
     {"\xFD"
      "7zXZ",
@@ -66,8 +69,11 @@ constexpr std::array<Foreign_format, 13> foreign_formats = {{
     {"PK\x03\x04", "is an archive of zip, or a workbook of a spreadsheet",
      "a table exported as CSV"},
     {"\x89HDF", "is a file of HDF5", "a table exported as text"},
-    {"PAR1", "is a file of Parquet", "a table exported as CSV"},
-    {"ARROW1", "is a file of Arrow", "a table exported as CSV"},
+    {"PAR1", "is a file of Parquet",
+     "Tracks.read of the Python package, or a table exported as CSV: python3 -c \"import pandas; "
+     "pandas.read_parquet('FILE').to_csv('FILE.csv')\""},
+    {"ARROW1", "is a file of Arrow", of_arrow},
+    {"FEA1", "is a file of Feather", of_arrow},
     {"!AIVDM", "has sentences of NMEA with encoded messages of AIS", decoded_ais},
     {"\\s:", "has sentences of NMEA with encoded messages of AIS", decoded_ais},
     {"$GP", "has sentences of NMEA of one receiver",
@@ -176,6 +182,29 @@ Parsed_time time_of_frame(double frame, double fps) {
   return result;
 }
 
+std::string list_of(std::span<const std::string> names) {
+  constexpr std::size_t most_shown = 20;
+  std::string result;
+  for (const std::string& name : names.first(std::min(names.size(), most_shown))) {
+    append(result, result.empty() ? "" : ", ", quoted(name));
+  }
+  if (names.size() > most_shown) append(result, " and ", names.size() - most_shown, " others");
+  return result;
+}
+
+void Unused_names::add(std::string_view name) {
+  if (known_.find(name) != known_.end()) return;
+  known_.emplace(name);
+  names_.emplace_back(name);
+}
+
+void Unused_names::add_remarks(Tracks_file& file, std::string_view what) const {
+  if (!names_.empty()) file.remarks.push_back(joined(what, ": ", list_of(names_)));
+  if (without_names_ == 0) return;
+  file.remarks.push_back(
+      joined(without_names_, without_names_ == 1 ? " column" : " columns", " not used"));
+}
+
 double frame_rate(const Tracks_file_options& options, std::optional<double> of_file) {
   return options.fps.value_or(of_file.value_or(1));
 }
@@ -188,17 +217,6 @@ void note_frame_rate(Tracks_file& file, const Tracks_input& input, std::optional
                              ? joined(*of_file, ' ', frames, " a second, as the file says")
                              : joined("times are numbers of ", frames,
                                       ", since the file has no rate of them and --fps gives none"));
-}
-
-void expect_projection(const Tracks_input& input, std::size_t line, std::string_view what) {
-  if (input.options.projection != Tracks_projection::refused) return;
-  throw Input_error(
-      input.name, line,
-      joined(what,
-             " in degrees of longitude and latitude, between which distances mean nothing; "
-             "expected --projection local, which makes them metres about the middle of the data, "
-             "--projection utm, which makes them those of a zone of UTM, --projection none, which "
-             "takes degrees as they are, or a file with projected places"));
 }
 
 }  // namespace kinetri

@@ -5,10 +5,15 @@
 #ifndef KINETRI_SRC_IO_TRACKS_TRACKS_READERS_H
 #define KINETRI_SRC_IO_TRACKS_TRACKS_READERS_H
 
+#include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <iosfwd>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/text_table.h"
 #include "io/tracks/tracks_builder.h"
@@ -112,6 +117,30 @@ bool is_word(std::string_view field);
 /// The time of a frame, frame / fps.
 Parsed_time time_of_frame(double frame, double fps);
 
+/// The names, quoted, as "'a', 'b'"; of many the first 20, "and 3 others".
+std::string list_of(std::span<const std::string> names);
+
+/// The names of columns, or what takes their place, that a reader leaves out.
+class Unused_names {
+ public:
+  /// Notes one; each name counts once. Cost: O(log n) comparisons for n names.
+  void add(std::string_view name);
+
+  /// Notes columns without names; of several numbers the greatest counts.
+  void add_without_names(std::size_t columns) {
+    without_names_ = std::max(without_names_, columns);
+  }
+
+  /// Adds a remark with the names in the order in which they first came, unless there is none, and
+  /// one with the number of those without names. `what` begins it: "columns that are not used".
+  void add_remarks(Tracks_file& file, std::string_view what = "columns that are not used") const;
+
+ private:
+  std::set<std::string, std::less<>> known_;
+  std::vector<std::string> names_;
+  std::size_t without_names_ = 0;
+};
+
 /// The rate that frames are divided by: that of the options, or of the file, or 1.
 double frame_rate(const Tracks_file_options& options, std::optional<double> of_file);
 
@@ -119,10 +148,6 @@ double frame_rate(const Tracks_file_options& options, std::optional<double> of_f
 /// what `frames` are, such as "frames".
 void note_frame_rate(Tracks_file& file, const Tracks_input& input, std::optional<double> of_file,
                      std::string_view frames);
-
-/// Throws Input_error unless the options say what becomes of degrees. `what` is in degrees, "the
-/// columns 'lon' and 'lat' are".
-void expect_projection(const Tracks_input& input, std::size_t line, std::string_view what);
 
 }  // namespace kinetri
 

@@ -93,6 +93,7 @@ class Xyz_reader {
     }
     if (!has_ids_) result.remarks.push_back("ids are the numbers of atoms in a frame, from 0 on");
     result.remarks.push_back("the third coordinate of the atoms is left out");
+    unused_.add_remarks(result);
     return result;
   }
 
@@ -111,6 +112,7 @@ class Xyz_reader {
     if (!columns.id) expect_number_of_atoms(atoms);
     for (std::size_t i = 0; i < atoms; ++i) {
       const auto& fields = lines_.atom(i, atoms, columns.least_fields);
+      unused_.add_without_names(fields.size() - columns.least_fields);
       const std::string index = joined(i);
       if (!columns.id && columns.species) expect_species(i, fields[*columns.species]);
       builder_.add({columns.id ? fields[*columns.id] : std::string_view(index),
@@ -150,10 +152,20 @@ class Xyz_reader {
       if (name == "species" && fields == 1) result.species = field;
       field += fields;
     }
+    note_unused(parts, result);
     if (!place || parts.size() % 3 != 0) fail_for_properties(*properties);
     result.place = *place;
     result.least_fields = field;
     return result;
+  }
+
+  // Of the properties `parts`. The species tell atoms without ids apart.
+  void note_unused(const std::vector<std::string_view>& parts, const Columns& columns) {
+    for (std::size_t i = 0; i + 3 <= parts.size(); i += 3) {
+      const std::string name = in_lower_case(parts[i]);
+      const bool is_species = name == "species" && columns.species && !columns.id;
+      if (name != "pos" && !(name == "id" && columns.id) && !is_species) unused_.add(parts[i]);
+    }
   }
 
   [[noreturn]] void fail_for_properties(std::string_view properties) const {
@@ -236,6 +248,7 @@ class Xyz_reader {
   std::size_t atoms_ = 0;
   bool has_ids_ = false;
   Times times_ = Times::frames;
+  Unused_names unused_;
   std::vector<std::string> species_;  // of the atoms of a frame, if they have no ids
 };
 

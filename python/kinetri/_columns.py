@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Columns of tables of tracks: times, names of things, and those of pandas."""
+from __future__ import annotations
+
+import datetime
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays
+from ._types import ArrayLike, Floats
+from .errors import PreconditionError
+
+
+def values_of(column: Any) -> Any:
+    """A column of pandas as an array: nullable numbers too, with NaN where there is none."""
+    if getattr(column.dtype, "numpy_dtype", None) is None:
+        return column.to_numpy()
+    if column.isna().any():
+        return column.to_numpy(dtype=np.float64, na_value=np.nan)
+    return column.to_numpy(dtype=column.dtype.numpy_dtype)
+
+
+def seconds_of(t: ArrayLike) -> tuple[Floats, np.datetime64 | None]:
+    """Times as numbers; and the date of 0, where they are dates."""
+    array = np.asarray(t)
+    if array.dtype.kind == "O":
+        array = _times_of_objects(array)
+    if array.dtype.kind in "US":
+        example = array.flat[0] if array.size > 0 else ""
+        raise PreconditionError(
+            f"t has texts, such as {str(example)!r}; expected numbers, or dates, as "
+            "pandas.to_datetime(t, utc=True) makes of texts in ISO 8601")
+    if array.dtype.kind not in "mM":
+        return _arrays.float_array("t", array, (None,)), None
+    if np.any(np.isnat(array)):
+        raise PreconditionError(f"t[{int(np.argmax(np.isnat(array)))}] is not a time; expected dates or durations")
+    if np.datetime_data(array.dtype)[0] in "YM":  # which have no length
+        if array.dtype.kind == "m":
+            raise PreconditionError(f"t is an array of {array.dtype}, which have no length; expected seconds")
+        array = array.astype("datetime64[s]")
+    origin = array.min() if array.dtype.kind == "M" and array.size > 0 else None
+    durations = array if array.dtype.kind == "m" else array - origin if origin is not None else array[:0] - array[:0]
+    return _arrays.float_array("t", durations / np.timedelta64(1, "s"), (None,)), origin
+
+
+# The dtype of an array of them.
+_TYPES_OF_TIMES: dict[str, tuple[type, ...]] = {
+    "M8": (datetime.date, np.datetime64), "m8": (datetime.timedelta, np.timedelta64), "U": (str,)}
+
+
+def _times_of_objects(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Objects of Python and pandas that are dates, in UTC, or durations; other objects as they are."""
+    values = array.ravel().tolist()
+    kinds = [next((dtype for dtype, types in _TYPES_OF_TIMES.items() if isinstance(value, types)), "")
+             for value in values]
+    if not any(kinds):
+        return array
+    if len(set(kinds)) > 1:
+        i = next(i for i, kind in enumerate(kinds) if kind != kinds[0])
+        raise PreconditionError(f"t[0] is {values[0]!r}, and t[{i}] {values[i]!r}; expected times of one kind, all "
+                                "numbers, dates or durations")
+    offsets = [getattr(value, "tzinfo", None) is not None for value in values]
+    if any(offsets) and not all(offsets):
+        i = offsets.index(not offsets[0])
+        raise PreconditionError(
+            f"t[0] is a date {'with' if offsets[0] else 'without'} an offset, and t[{i}] one "
+            f"{'without' if offsets[0] else 'with'}; expected dates of one kind: all with an offset, such as UTC, or "
+            "none")
+    if any(offsets):
+        values = [value.astimezone(datetime.timezone.utc).replace(tzinfo=None) for value in values]
+    # Those of pandas have nanoseconds, which numpy does not take by itself.
+    return np.asarray([value.to_numpy() if hasattr(value, "to_numpy") else value for value in values],
+                      dtype=kinds[0]).reshape(array.shape)
+
+
+def _is_missing(name: Any) -> bool:
+    try:
+        return name is None or bool(name != name)
+    except TypeError:  # pandas.NA
+        return True
+
+
+def things_of(names: npt.NDArray[Any], times: Floats) -> tuple[list[Any], npt.NDArray[np.int64]]:
+    """The distinct names in the order of their first observation, and the index of each row's."""
+    if names.dtype.kind in "fOmM":
+        for i, name in enumerate(names):
+            if _is_missing(name):
+                raise PreconditionError(f"id[{i}] is {name}; expected a number or a text")
+    try:
+        distinct, thing = np.unique(names, return_inverse=True)
+    except TypeError:
+        raise PreconditionError("id has numbers and texts; expected one kind of name") from None
+    first = np.full(len(distinct), np.inf)
+    np.minimum.at(first, thing, times)
+    order = np.lexsort((np.arange(len(distinct)), first))
+    rank = np.empty(len(distinct), dtype=np.int64)
+    rank[order] = np.arange(len(distinct))
+    return [name.item() if hasattr(name, "item") else name for name in distinct[order]], rank[thing]
