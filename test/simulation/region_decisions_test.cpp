@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -93,7 +94,34 @@ TEST(Region_decisions, leave_discs_on_a_lattice_to_the_loop) {
     EXPECT_EQ(run.problem, "");
     EXPECT_GT(run.events, 3 * n);
     EXPECT_LT(static_cast<double>(run.undone()), most_undone(run, n));
+    EXPECT_EQ(run.counters.windows, 0u) << "no event is alone for long";
   }
+}
+
+// Without an account windows are always tried. Where each is cut at once, they are ever farther
+// apart.
+TEST(Region_decisions, make_pauses_between_windows_that_are_cut_at_once) {
+  constexpr std::size_t n = 900;
+  detail::Region_options regions = usual_options();
+  regions.most_waste = std::numeric_limits<double>::infinity();
+  const Outcome run =
+      run_to(4, scenario(Scenario::lattice, n), discs_in_box(295, 2, collide_elastically), regions);
+  EXPECT_EQ(run.problem, "");
+  EXPECT_GT(run.counters.windows, 0u);
+  EXPECT_LT(run.counters.windows, 20u);
+}
+
+// One thread executes all in turn: each window takes a quarter more than the loop, and its share of
+// the events is what pays for that.
+TEST(Region_decisions, leave_most_events_to_the_loop_where_windows_lose) {
+  constexpr std::size_t n = 900;
+  detail::Region_options regions = usual_options();
+  regions.threads = 1;
+  const Outcome run =
+      run_to(6, test::gas(n, 300, 4, 5, 1), discs_in_box(305, 2, collide_elastically), regions);
+  EXPECT_EQ(run.problem, "");
+  EXPECT_GT(run.counters.windows, 0u) << "of what the account begins with";
+  EXPECT_LT(run.by_windows(), run.events / 3);
 }
 
 TEST(Region_decisions, leave_contacts_that_erase_on_a_lattice_to_the_loop) {
