@@ -93,6 +93,19 @@ TEST(Neighbor_lives, have_the_ridge_from_the_observation_on) {
   }
 }
 
+// The ridge of 2 and 3, of length 1 - h^2, is 3 / 4 long at t = 3 / 2 for the first time.
+TEST(Neighbor_lives, are_long_if_the_ridge_reaches_the_threshold_now) {
+  for (const double threshold : {0.75, std::nextafter(0.75, 1.0)}) {
+    Simulation_2<> simulation(cross(), {});
+    Neighbor_lives lives(simulation, threshold);
+    simulation.advance_to(1.5);
+    const auto found = lives.lives();
+    ASSERT_EQ(found.size(), 6u);
+    EXPECT_EQ(found[5].points, (Edge_ids{2, 3}));
+    EXPECT_EQ(found[5].is_short, threshold > 0.75);
+  }
+}
+
 TEST(Neighbor_lives, have_limits_with_names) {
   EXPECT_STREQ(name(Life_limit::run), "run");
   EXPECT_STREQ(name(Life_limit::point), "point");
