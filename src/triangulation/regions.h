@@ -385,7 +385,6 @@ class Region_run {
   bool may_windows_pay(double begin, double last);
   bool begin_window(double begin);
   void adapt_width(bool is_whole, bool is_full);
-  void leave_more_to_loop();
   bool run_loop(const Time& until, const Go_on& may_go_on);
   double cost_of_division() const;
   double cost_of_window() const;
@@ -670,8 +669,7 @@ class Region_run {
   std::uint64_t windows_before_ = 0;  // in other calls
   std::size_t done_ = 0;              // flips that the last window reported
   Window_work work_ = {};             // of the last window
-  std::size_t by_loop_ = 0;           // instants that the loop executes before the next window
-  std::size_t next_loop_ = 1;         // how many if a window executes little
+  Region_pause pause_ = {};           // before the next window
   // Of each point, where there are turns: the last turn of the window, or 0, and a time up to which
   // no turn of it waits for a node above.
   std::vector<Stamp> turned_;

@@ -148,7 +148,7 @@ bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may
 template <class Kinetic, class Turns>
 bool Region_run<Kinetic, Turns>::is_window_next(double begin, double last) {
   Region_division& known = division();
-  if (by_loop_ > 0) return false;
+  if (!pause_.is_over()) return false;
   if (known.runs_windows && !known.effort.has(is_divided() ? 0 : cost_of_division())) {
     known.runs_windows = false;
     known.loop_begin = begin;
@@ -196,7 +196,7 @@ bool Region_run<Kinetic, Turns>::begin_window([[maybe_unused]] double begin) {
   if constexpr (has_turns) {
     if (!turns_.begin_window(begin)) {
       division().effort.spend(cost_of_window());
-      leave_more_to_loop();
+      pause_.lengthen(kinetic_.number_of_points_);
       return false;
     }
   }
@@ -217,22 +217,15 @@ void Region_run<Kinetic, Turns>::adapt_width(bool is_whole, bool is_full) {
   const auto done = static_cast<double>(done_);
   double& width = division().window_width;
   // Its first event may be later than its bounds say, and so than the window.
-  if (!cut_ && done_ == 0) by_loop_ = 1;
+  if (!cut_ && done_ == 0) pause_.pass_one();
   // The last window before `until` is a short one, and says nothing.
   if ((is_whole && is_full) || done > target) {
     width *= std::clamp(target / std::max(done, 1.0), 0.25, 4.0);
-    next_loop_ = 1;
+    pause_.shorten();
   } else if (cut_) {
     width *= 0.5;
-    if (done < target / 8) leave_more_to_loop();
+    if (done < target / 8) pause_.lengthen(kinetic_.number_of_points_);
   }
-}
-
-// Leaves twice as many instants to the loop as the last time.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::leave_more_to_loop() {
-  by_loop_ = next_loop_;
-  next_loop_ = std::min<std::size_t>(2 * next_loop_, kinetic_.number_of_points_);
 }
 
 // Has the loop execute the events of the next times: of several, so that what is asked between them
@@ -241,8 +234,7 @@ template <class Kinetic, class Turns>
 bool Region_run<Kinetic, Turns>::run_loop(const Time& until, const Go_on& may_go_on) {
   constexpr std::size_t many = 16;
   std::size_t left = std::min(many, kinetic_.number_of_points_ / 1024 + 1);
-  if (by_loop_ > 0 || is_loop_next()) left = std::clamp<std::size_t>(by_loop_, 1, left);
-  by_loop_ -= std::min(by_loop_, left);
+  if (!pause_.is_over() || is_loop_next()) left = pause_.take(left);
   while (run_loop_instant(until) > 0 && --left > 0) {
     if (may_go_on != nullptr && !may_go_on()) return false;
     if constexpr (!has_turns) {

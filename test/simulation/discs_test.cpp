@@ -244,5 +244,39 @@ TEST(Discs, whose_response_never_parts_them_are_named) {
   EXPECT_NE(message.find("point 0 and point 1"), std::string::npos) << message;
 }
 
+// Points 0 and 1, of which 0 comes into a corner at t = 1, and so meets two walls.
+TEST(Contacts_without_end, are_those_beyond_the_limit) {
+  const std::vector<Linear_motion_2> motions = {{{1, 1}, {-1, -1}, 0}, {{2, 3}, {0, 0}, 0}};
+  Simulation_options options = test::in_box({0, 0, 10, 10});
+  options.max_contacts_per_instant = 2;
+  Simulation allowed(motions, options);
+  EXPECT_EQ(allowed.advance_to(3.0), 2u);
+  options.max_contacts_per_instant = 1;
+  Simulation simulation(motions, options);
+  try {
+    simulation.advance_to(3.0);
+    ADD_FAILURE() << "two contacts are more than one";
+  } catch (const Endless_contacts_error& error) {
+    EXPECT_EQ(error.point(), 0u);
+    EXPECT_STREQ(error.what(),
+                 "more than 1 contacts at t = 1, the last one of point 0 and a wall; expected that "
+                 "time goes on: let the points touch one by one, or take another response");
+  }
+}
+
+// Three discs on a line that pass one another, or turn, at a limit of no contacts.
+TEST(Contacts_without_end, are_none_where_discs_keep_their_motions) {
+  const std::vector<Linear_motion_2> motions = {
+      {{-2, 0}, {1, 0}, 0}, {{2, 0}, {-1, 0}, 0}, {{0, 9}, {0, 0}, 0}, {{8, 0}, {-5, 0}, 0}};
+  Simulation_options options = discs(1, log_contact);
+  options.max_contacts_per_instant = 0;
+  Simulation passing(motions, options);
+  EXPECT_GT(passing.advance_to(10.0), 2u);
+  EXPECT_EQ(passing.number_of_passes(), 3u);
+  options.response = swap_velocities;
+  Simulation simulation(motions, options);
+  EXPECT_THROW(simulation.advance_to(10.0), Endless_contacts_error);
+}
+
 }  // namespace
 }  // namespace kinetri

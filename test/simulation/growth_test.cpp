@@ -6,10 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "kinetri/algebra/number_types.h"
@@ -256,6 +259,176 @@ TEST(Jam_watch, is_not_alarmed_by_dense_runs_that_end) {
       }
     }
   }
+}
+
+// ---- the rule, to the last bit ----
+
+std::uint64_t contacts_in(const Simulation& simulation) {
+  const auto& events = simulation.triangulation().counters().events;
+  return events[static_cast<std::size_t>(Event_kind::collision)] +
+         events[static_cast<std::size_t>(Event_kind::wall)];
+}
+
+// Steps until there have been so many contacts.
+void step_to_contact(Simulation& simulation, std::uint64_t number) {
+  while (contacts_in(simulation) < number) ASSERT_GT(simulation.step(), 0u);
+}
+
+// A disc of radius 4 that goes to and fro in a box 10 wide and high: its path between two contacts
+// is 2.
+const Disc_motion_2 to_and_fro = {{{5, 5}, {2, 0}}, 4, 0, 0};
+constexpr std::uint64_t contacts_to_look = 10'000;
+
+// The radius is to grow by 8, four times the path, or a little more.
+TEST(Jam_watch, compares_the_path_with_a_quarter_of_the_growth_to_come) {
+  const Disc_motion_2 upward = {{{5, 5}, {0, 0.5}}, 4, 0, 0};
+  const Disc_motion_2 slanting = {{{5, 5}, {0.75, 1}}, 4, 0, 0};  // a path of 10 / 7, on average
+  for (const auto& [disc, growth] :
+       {std::pair(to_and_fro, 8.0), {upward, 8.0}, {slanting, 40.0 / 7}}) {
+    for (const bool is_more : {false, true}) {
+      Simulation simulation({disc}, in_box(10));
+      Jam_watch watch(4 + growth * (is_more ? 1 + 1e-3 : 1 - 1e-3));
+      step_to_contact(simulation, 1);
+      EXPECT_FALSE(watch.is_jammed(simulation)) << "the first look";
+      step_to_contact(simulation, 1 + contacts_to_look);
+      EXPECT_EQ(watch.is_jammed(simulation), is_more);
+    }
+  }
+  Simulation simulation({to_and_fro}, in_box(10));
+  Jam_watch at_the_limit(12);
+  step_to_contact(simulation, 1);
+  EXPECT_FALSE(at_the_limit.is_jammed(simulation));
+  step_to_contact(simulation, 1 + contacts_to_look);
+  EXPECT_FALSE(at_the_limit.is_jammed(simulation)) << "a quarter exactly is enough";
+}
+
+TEST(Jam_watch, looks_after_ten_thousand_contacts) {
+  Simulation simulation({to_and_fro}, in_box(10));
+  Jam_watch watch(100);
+  step_to_contact(simulation, 1);
+  EXPECT_FALSE(watch.is_jammed(simulation));
+  for (std::uint64_t number = 2; number <= 1 + 2 * contacts_to_look; ++number) {
+    step_to_contact(simulation, number);
+    ASSERT_EQ(watch.is_jammed(simulation), number % contacts_to_look == 1) << number;
+  }
+}
+
+// Of 400 discs all but one rest, and touch nothing.
+TEST(Jam_watch, looks_after_32_contacts_of_each_disc) {
+  Discs discs = {to_and_fro};
+  discs.push_back({{{0.25, 12}, {0, 0}}, 0.0078125, 0, 0});
+  discs.push_back({{{9.75, 12}, {0, 0}}, 0.0078125, 0, 0});
+  while (discs.size() < 400) {
+    const auto k = static_cast<double>(discs.size());
+    discs.push_back({{{5 + 0.01 * std::fmod(k, 20), 18 + 0.001 * k}, {0, 0}}, 0, 0, 0});
+  }
+  Simulation_options options = in_box(10);
+  options.box->ymax = 20;
+  Simulation simulation(discs, options);
+  Jam_watch watch(100);
+  EXPECT_FALSE(watch.is_jammed(simulation));
+  step_to_contact(simulation, 32 * discs.size() - 1);
+  EXPECT_FALSE(watch.is_jammed(simulation));
+  step_to_contact(simulation, 32 * discs.size());
+  EXPECT_TRUE(watch.is_jammed(simulation));
+}
+
+// Two discs on one line, where one passes the other, or each turns the other.
+TEST(Jam_watch, counts_collisions_but_no_passes) {
+  for (const bool do_pass : {true, false}) {
+    Simulation_options options = in_box(10);
+    options.refuses_overlaps = false;
+    options.response = do_pass ? log_contact : collide_elastically;
+    Simulation simulation({{{{2, 5}, {2, 0}}, 1, 0, 0}, {{{7, 5}, {-3, 0}}, 1, 0, 0}}, options);
+    Jam_watch watch(100);
+    EXPECT_FALSE(watch.is_jammed(simulation));
+    while (!watch.is_jammed(simulation)) {
+      ASSERT_LT(contacts_in(simulation) - simulation.number_of_passes(), contacts_to_look);
+      simulation.step();
+    }
+    EXPECT_GE(contacts_in(simulation) - simulation.number_of_passes(), contacts_to_look);
+    EXPECT_EQ(simulation.number_of_passes() > 1000, do_pass);
+  }
+}
+
+// One of three discs grows, by 2^-20 until the end: by 24 at one time, which is 8 on average. One
+// shrinks, which is not taken off. The mean path is 2.
+TEST(Jam_watch, until_a_time_expects_discs_that_grow_to_go_on) {
+  const double looked = 0.5 + static_cast<double>(contacts_to_look);  // the time of the look
+  for (const double more : {-64.0, 64.0}) {
+    Simulation simulation(
+        {to_and_fro, {{{2, 15}, {0, 0}}, 0.125, 0x1p-20, 0}, {{{7, 15}, {0, 0}}, 0.5, -0x1p-20, 0}},
+        [] {
+          Simulation_options options = in_box(10);
+          options.box->ymax = 20;
+          return options;
+        }());
+    Jam_watch watch = Jam_watch::until(looked + 24 * 0x1p20 + more);
+    step_to_contact(simulation, 1);
+    EXPECT_FALSE(watch.is_jammed(simulation));
+    step_to_contact(simulation, 1 + contacts_to_look);
+    EXPECT_EQ(simulation.current_time(), Algebraic_number(looked));
+    EXPECT_EQ(watch.is_jammed(simulation), more > 0);
+  }
+}
+
+TEST(Jam_watch, is_not_alarmed_by_discs_that_have_gone) {
+  Simulation simulation({to_and_fro}, in_box(10));
+  Jam_watch watch(100);
+  EXPECT_FALSE(watch.is_jammed(simulation));
+  step_to_contact(simulation, contacts_to_look);
+  simulation.erase(0);
+  EXPECT_FALSE(watch.is_jammed(simulation));
+}
+
+// Tells a watch of contacts of a pair, or of a disc and a wall.
+void tell(Jam_watch& watch, Event_kind kind, std::optional<Point_id> a, std::optional<Point_id> b,
+          int times) {
+  Event event;
+  event.kind = kind;
+  event.point_a = a;
+  event.point_b = b;
+  for (int k = 0; k < times; ++k) watch.after_event(event);
+}
+
+TEST(Jam_watch, names_discs_with_half_as_many_contacts_as_any_other) {
+  using Ids = std::vector<Point_id>;
+  Simulation simulation({to_and_fro}, in_box(10));
+  Jam_watch watch(100);
+  tell(watch, Event_kind::collision, 4, 1, 3);
+  tell(watch, Event_kind::wall, 4, std::nullopt, 3);
+  tell(watch, Event_kind::wall, 2, std::nullopt, 2);
+  tell(watch, Event_kind::trajectory, 0, std::nullopt, 9);
+  EXPECT_FALSE(watch.is_jammed(simulation));
+  EXPECT_EQ(watch.jammed_discs(), (Ids{1, 4})) << "of 6, 3 are half, and 2 are less";
+  step_to_contact(simulation, contacts_to_look);
+  tell(watch, Event_kind::collision, 0, 2, 2);
+  tell(watch, Event_kind::collision, 2, 1, 1);
+  tell(watch, Event_kind::wall, 2, std::nullopt, 2);
+  EXPECT_TRUE(watch.is_jammed(simulation));
+  EXPECT_EQ(watch.jammed_discs(), Ids{2}) << "of 5, 2 are less than half; those before are old";
+  step_to_contact(simulation, 2 * contacts_to_look);
+  EXPECT_TRUE(watch.is_jammed(simulation));
+  EXPECT_EQ(watch.jammed_discs(), Ids{}) << "it is told of nothing";
+}
+
+TEST(Growth, that_fills_the_box_does_so_at_an_exact_time) {
+  const Disc_motion_2 grows = {{{4, 3}, {1, 0.5}, 2}, 1, 0.5, 0};  // of radius 3 at 6
+  const Disc_motion_2 rests = {{{4, 4}, {0, 0}}, 4, 0, 0};
+  const Disc_motion_2 shrinks = {{{4, 4}, {0, 0}}, 4, -0.125, 0};
+  for (const Box_2& box : {Box_2{0, 0, 8, 6}, Box_2{-1, -3, 5, 5}}) {
+    Simulation_options options = in_box(8);
+    options.box = box;
+    options.rim_touches = false;
+    options.refuses_overlaps = false;
+    for (const Discs& discs : {Discs{grows}, Discs{grows, rests}, Discs{shrinks, grows}}) {
+      const Simulation simulation(discs, options);
+      EXPECT_TRUE(does_disc_fill_box(simulation, 6));
+      EXPECT_FALSE(does_disc_fill_box(simulation, std::nextafter(6, 0)));
+    }
+    EXPECT_FALSE(does_disc_fill_box(Simulation({rests, shrinks}, options), 1));
+  }
+  EXPECT_FALSE(does_disc_fill_box(Simulation({grows}, Simulation_options()), 1e9));
 }
 
 TEST(Growth, expects_a_box_a_share_and_discs) {

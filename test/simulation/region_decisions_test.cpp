@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,13 @@ Simulation_options discs_in_box(double side, double radius,
   return options;
 }
 
+Simulation_options discs_of(double radius) {
+  Simulation_options options;
+  options.radius = radius;
+  options.response = collide_elastically;
+  return options;
+}
+
 // An account begins with a quarter of an event for each point and an eighth of a window, and gets a
 // sixteenth of all events.
 double most_undone(const Outcome& run, std::size_t points) {
@@ -94,6 +102,67 @@ TEST(Region_decisions, leave_discs_on_a_lattice_to_the_loop) {
     EXPECT_GT(run.events, 3 * n);
     EXPECT_LT(static_cast<double>(run.undone()), most_undone(run, n));
   }
+}
+
+// A gas and its copy elsewhere: what happens in one happens in the other at the same time.
+std::vector<Linear_motion_2> twins(std::size_t points) {
+  std::vector<Linear_motion_2> result;
+  const auto rounded = [](double x) { return std::round(x * 256) / 256; };
+  for (const Linear_motion_2& motion : test::gas(points / 2, 200, 4, 5, 1)) {
+    result.push_back({{rounded(motion.position.x), rounded(motion.position.y)},
+                      {rounded(motion.velocity.x), rounded(motion.velocity.y)}});
+  }
+  for (std::size_t k = 0; k < points / 2; ++k) {
+    result.push_back(result[k]);
+    result.back().position.x += 4096;
+  }
+  return result;
+}
+
+TEST(Region_decisions, try_no_windows_where_no_event_is_alone) {
+  constexpr std::size_t n = 900;
+  const Outcome run = run_to(6, twins(n), discs_of(1.5), usual_options());
+  EXPECT_EQ(run.problem, "");
+  EXPECT_GT(run.events, 2 * n);
+  EXPECT_EQ(run.counters.windows, 0u);
+}
+
+// Without an account windows are always tried. Where they are cut at once, they are farther apart.
+TEST(Region_decisions, make_pauses_between_windows_that_are_cut_at_once) {
+  constexpr std::size_t n = 900;
+  detail::Region_options regions = usual_options();
+  regions.most_waste = std::numeric_limits<double>::infinity();
+  const Outcome run = run_to(6, twins(n), discs_of(1.5), regions);
+  EXPECT_EQ(run.problem, "");
+  EXPECT_GT(run.counters.windows, 1u);
+  EXPECT_LT(run.counters.windows, 250u);
+}
+
+// A gas, and far away a small one with its copy: every few events two are at one time, and a window
+// in which they are is cut. What that undoes is paid too.
+TEST(Region_decisions, pay_for_what_is_undone_where_windows_are_cut) {
+  std::vector<Linear_motion_2> motions = test::gas(800, 280, 4, 5, 2);
+  for (const Linear_motion_2& motion : twins(100)) {
+    motions.push_back(motion);
+    motions.back().position.y += 4096;
+  }
+  const Outcome run = run_to(6, motions, discs_of(1.5), usual_options());
+  EXPECT_EQ(run.problem, "");
+  EXPECT_GT(run.counters.cuts, 0u);
+  EXPECT_LT(static_cast<double>(run.undone()), most_undone(run, motions.size()));
+}
+
+// One thread executes all in turn: each window takes a quarter more than the loop, and its share of
+// the events is what pays for that.
+TEST(Region_decisions, leave_most_events_to_the_loop_where_windows_lose) {
+  constexpr std::size_t n = 900;
+  detail::Region_options regions = usual_options();
+  regions.threads = 1;
+  const Outcome run =
+      run_to(6, test::gas(n, 300, 4, 5, 1), discs_in_box(305, 2, collide_elastically), regions);
+  EXPECT_EQ(run.problem, "");
+  EXPECT_GT(run.counters.windows, 0u) << "of what the account begins with";
+  EXPECT_LT(run.by_windows(), run.events / 3);
 }
 
 TEST(Region_decisions, leave_contacts_that_erase_on_a_lattice_to_the_loop) {

@@ -3,6 +3,9 @@
 """Breaks Kinetri in one place at a time and prints who notices it: audits, or kinetri-verify. Not a test.
 
 usage: mutations.py VERIFY FOLDER [JOBS [PATTERN]]
+       mutations.py check
+
+`check` builds nothing: it looks whether each text that is to be replaced is in the sources as they are.
 
 VERIFY is the checker as it is. FOLDER gets a copy of the sources and its build. With PATTERN, a regular expression,
 only mutations whose names it matches. The table has, for each mutation, the number of runs that did not end (refused,
@@ -33,6 +36,12 @@ DETAIL = "include/kinetri/triangulation/detail/"
 COLUMNS = ("no end", "differ", "refuted", "true", "audits", "nothing differs")
 INFINITY = "std::numeric_limits<double>::infinity()"
 
+# Of a certificate that Sturm counts decide, where they can; and one that is always solved for roots.
+COUNTED = """[&](const auto& polynomial) { return counted_certificate(polynomial, t, state); },
+      [&] { return """
+NOT_COUNTED = """[&](const auto&) { return std::optional<Certificate>(); },
+      [&] { return """
+
 # Name, file, text that is there once, and what takes its place.
 MUTATIONS = (
     ("side on which a certificate fails", ROOTS, "(p, t) == CGAL::NEGATIVE", "(p, t) == CGAL::POSITIVE"),
@@ -55,16 +64,20 @@ MUTATIONS = (
     ("times equal where 60 bits are", ALGEBRA + "compare_algebraic_numbers.cpp", "if (are_equal(x, y)) return", "return"),
     ("signs of derivatives: those before the time", ALGEBRA + "sign_at_algebraic_number.cpp",
      "t.sign_beside(p, CGAL::POSITIVE)", "t.sign_beside(p, CGAL::NEGATIVE)"),
-    ("in-circle certificate: sign", TRAITS, "(-in_circle_polynomial(p, q, r, s), t)", "(in_circle_polynomial(p, q, r, s), t)"),
-    ("orientation certificate: sign", TRAITS, "(orientation_polynomial(p, q, r), t)", "(-orientation_polynomial(p, q, r), t)"),
-    ("contact at the later root", TRAITS, """    if (result.kind != Filter_result::Kind::unknown) return certificate(result);
+    ("in-circle certificate: sign", TRAITS, COUNTED + "exact_certificate(-in_circle_polynomial(p, q, r, s), t)",
+     NOT_COUNTED + "exact_certificate(in_circle_polynomial(p, q, r, s), t)"),
+    ("orientation certificate: sign", TRAITS, COUNTED + "exact_certificate(orientation_polynomial(p, q, r), t)",
+     NOT_COUNTED + "exact_certificate(-orientation_polynomial(p, q, r), t)"),
+    ("contact at the later root", TRAITS, """  if (arithmetic_ == Arithmetic::filtered) {
+    const Filter_result result = filter_contact(p.motion(), q.motion(), diameter, t.interval());
+    if (result.kind != Filter_result::Kind::unknown) return certificate(result);
   }
-  return exact_contact_certificate(contact_polynomial(p, q, diameter), t);""", """    (void)result;
-  }
-  const Polynomial c = contact_polynomial(p, q, diameter);
-  const std::optional<Time> first = contact_time(c, t);
-  return exact_certificate(first ? failure_time(-c, *first) : first, true);"""),
-    ("points that meet ignored", TRAITS, "  return Time(root);", "  return std::nullopt;"),
+  return exactly(
+""", """  const Polynomial c = contact_polynomial(p, q, diameter);
+  if (const std::optional<Time> first = failure_time(c, t)) return exact_certificate(failure_time(-c, *first), true);
+  return exactly(
+"""),
+    ("points that meet ignored", KINETIC + "exact_certificates.cpp", "  return Time(root);", "  return std::nullopt;"),
     ("new epoch: one ulp later", KINETIC + "linear_motion_2.cpp", "velocity,\n          t};", f"velocity,\n          std::nextafter(t, {INFINITY})}};"),
     ("new place: one ulp to the right", KINETIC + "linear_motion_2.cpp", "{{place_rounded_correctly(position.x, old_velocity.x, epoch, t)",
      f"{{{{std::nextafter(place_rounded_correctly(position.x, old_velocity.x, epoch, t), {INFINITY})"),
@@ -156,10 +169,13 @@ def copy_sources(source):
 
 
 def main():
+    for name, path, text, _ in MUTATIONS:
+        count = (ROOT / path).read_text(encoding="utf-8").count(text)
+        assert count == 1, f"the mutation '{name}' expects this once in {path}, where it is {count} times: {text}"
+    if sys.argv[1:] == ["check"]:
+        return
     verify, folder, jobs, pattern = (*sys.argv[1:], *["2", ""][len(sys.argv) - 3:])
     resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
-    for name, path, text, _ in MUTATIONS:
-        assert (ROOT / path).read_text(encoding="utf-8").count(text) == 1, f"{name}: not once in {path}: {text}"
     folder = pathlib.Path(folder).resolve()
     source, binary = folder / "source", folder / "source/build/test"
     copy_sources(source)
