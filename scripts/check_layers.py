@@ -53,7 +53,7 @@ LIBRARIES = {
     "simulation": ("CGAL/",),
     "observers": NUMBER_TYPES
     + ("CGAL/", "boost/container/", "boost/geometry", "boost/math/quadrature/"),
-    "io": ("nlohmann/", "fmt/", "boost/crc.hpp", "sqlite3.h", "expat.h"),
+    "io": ("nlohmann/", "boost/crc.hpp", "sqlite3.h", "expat.h"),
     "cli": ("CLI/", "tbb/"),
     "apps": (),
     "python": ("pybind11/",),
