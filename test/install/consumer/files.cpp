@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <kinetri/io/event_log.h>
 #include <kinetri/io/tracks_file.h>
-#include <kinetri/kinetri.h>
 
 #include <iostream>
 #include <sstream>
