@@ -111,7 +111,7 @@ class Layers(Tree):
             ("src/algebra/c.cpp", "CGAL/enum.h"),
             ("src/kinetic/a.cpp", "CGAL/Bbox_2.h"),
             ("src/triangulation/a.cpp", "CGAL/Delaunay_triangulation_2.h"),
-            ("src/io/a.cpp", "fmt/format.h"),
+            ("src/io/a.cpp", "boost/crc.hpp"),
             ("src/io/b.cpp", "nlohmann/json.hpp"),
             ("src/io/c.cpp", "unistd.h"),
             ("apps/cli/a.cpp", "CLI/CLI.hpp"),
