@@ -20,10 +20,15 @@ def _shape_text(shape: Sequence[int | str]) -> str:
     return "(" + ", ".join(str(n) for n in shape) + ("," if len(shape) == 1 else "") + ")"
 
 
-def _as_array(name: str, value: ArrayLike, expected: str) -> npt.NDArray[Any]:
-    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
+def expect_no_mask(name: str, value: Any) -> None:
+    """Refuses an array of `numpy.ma` that has no value somewhere."""
+    if isinstance(value, np.ma.MaskedArray) and np.any(np.ma.getmaskarray(value)):
         raise PreconditionError(
-            f"{name} is masked at [{_first(np.asarray(value.mask))}]; expected no masked numbers")
+            f"{name} is masked at [{_first(np.ma.getmaskarray(value))}]; expected no masked values")
+
+
+def _as_array(name: str, value: ArrayLike, expected: str) -> npt.NDArray[Any]:
+    expect_no_mask(name, value)
     try:
         return np.asarray(value)
     except (ValueError, TypeError):
@@ -54,6 +59,7 @@ def float_array(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> F
 
     Integers and other kinds of float are taken where float64 has the same number.
     """
+    expect_no_mask(name, value)
     if isinstance(value, np.ndarray) and _is_float_array(value, shape):
         return np.ascontiguousarray(value)
     shape_text = _shape_text(["n" if n is None else n for n in shape])

@@ -24,6 +24,7 @@ def values_of(column: Any) -> Any:
 
 def seconds_of(t: ArrayLike) -> tuple[Floats, np.datetime64 | None]:
     """Times as numbers; and the date of 0, where they are dates."""
+    _arrays.expect_no_mask("t", t)
     array = np.asarray(t)
     if array.dtype.kind == "O":
         array = _times_of_objects(array)
@@ -31,7 +32,8 @@ def seconds_of(t: ArrayLike) -> tuple[Floats, np.datetime64 | None]:
         example = array.flat[0] if array.size > 0 else ""
         raise PreconditionError(
             f"t has texts, such as {str(example)!r}; expected numbers, or dates, as "
-            "pandas.to_datetime(t, utc=True) makes of texts in ISO 8601")
+            "pandas.to_datetime(t, utc=True) makes of texts in ISO 8601, and of others with format=, such as "
+            "'%d/%m/%Y %H:%M'")
     if array.dtype.kind not in "mM":
         return _arrays.float_array("t", array, (None,)), None
     if np.any(np.isnat(array)):

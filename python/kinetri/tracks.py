@@ -134,6 +134,7 @@ class Tracks(TrackAnswers):
         size = len(t)
         x = _arrays.float_array("x", x, (size,))
         y = _arrays.float_array("y", y, (size,))
+        _arrays.expect_no_mask("id", id)
         names = np.asarray(id)
         if names.shape != (size,):
             raise PreconditionError(f"id has the shape {names.shape}; expected ({size},)")

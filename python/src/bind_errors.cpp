@@ -36,7 +36,7 @@ template <class... Attributes>
 void raise(const char* name, const std::string& message,
            const std::pair<const char*, Attributes>&... attributes) {
   const py::object type = py::module_::import("kinetri.errors").attr(name);
-  const py::object exception = type(message);
+  const py::object exception = type(text_of(message));
   (py::setattr(exception, attributes.first, py::cast(attributes.second)), ...);
   PyErr_SetObject(type.ptr(), exception.ptr());
 }

@@ -111,7 +111,7 @@ py::dict columns_of_tracks(const Tracks_file& file, Tracks_duplicates duplicates
   std::vector<double> times;
   std::vector<Vector_2> places;
   std::vector<std::uint64_t> offsets = {0};
-  std::vector<std::string> ids;
+  py::list ids;
   std::vector<double> radii;
   for (const Track& track : file.tracks) {
     for (const Track_observation& observation : track.observations) {
@@ -119,7 +119,7 @@ py::dict columns_of_tracks(const Tracks_file& file, Tracks_duplicates duplicates
       places.push_back(observation.place);
     }
     offsets.push_back(times.size());
-    ids.push_back(track.id);
+    ids.append(text_of(track.id));
     radii.push_back(track.radius);
   }
   py::dict result;
@@ -134,8 +134,9 @@ py::dict columns_of_tracks(const Tracks_file& file, Tracks_duplicates duplicates
   std::vector<std::string> remarks = file.remarks;
   const std::vector<std::string> on_rows = remarks_on_rows(file, duplicates);
   remarks.insert(remarks.end(), on_rows.begin(), on_rows.end());
-  for (std::string& remark : remarks) remark = with_parameters(remark);
-  result["remarks"] = remarks;
+  py::list texts;
+  for (const std::string& remark : remarks) texts.append(text_of(with_parameters(remark)));
+  result["remarks"] = texts;
   return result;
 }
 

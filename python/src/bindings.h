@@ -7,6 +7,7 @@
 #include <pybind11/pybind11.h>
 
 #include <optional>
+#include <string_view>
 
 #include "gil_release.h"
 #include "kinetri/algebra/algebraic_number.h"
@@ -22,6 +23,15 @@ void bind_events(py::module_& module);
 void bind_contacts(py::module_& module);
 void bind_engine(py::module_& module);
 void bind_files(py::module_& module);
+
+/// A text of the library's, with what a file has: bytes that are no UTF-8 are escaped, as Python
+/// does it in names of files.
+inline py::object text_of(std::string_view bytes) {
+  PyObject* const text =
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "surrogateescape");
+  if (text == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::object>(text);
+}
 
 /// What the function gives, called without the GIL.
 template <class Function>

@@ -124,7 +124,8 @@ std::optional<Length_unit> unit_of(std::string_view word) {
   return found == names.end() ? std::nullopt : std::optional(found->unit);
 }
 
-// The unit behind x or y, with or without `in` between; or else one behind `in` or `unit`.
+// The unit behind x or y, with or without `in` between; or else one behind `in` or `unit`, or
+// behind z where that follows y: "x y z (cm)".
 void find_unit(std::string_view comment, Comment_signs& signs) {
   std::string text = in_lower_case(comment);
   std::ranges::replace_if(
@@ -137,10 +138,14 @@ void find_unit(std::string_view comment, Comment_signs& signs) {
     const std::size_t next = is_place && words[i + 1] == "in" ? i + 2 : i + 1;
     const auto unit = next < words.size() ? unit_of(words[next]) : std::nullopt;
     if (!unit) continue;
-    const bool is_of_z = i > 0 && words[i - 1] == "z";
+    const auto is_list_to = [&](std::size_t z) {
+      return words[z] == "z" && z > 0 && words[z - 1] == "y";
+    };
+    const bool is_of_z = i > 0 && words[i - 1] == "z" && !is_list_to(i - 1);
     if (is_place) {
       of_places.push_back(*unit);
-    } else if ((words[i] == "in" && !is_of_z) || words[i] == "unit" || words[i] == "units") {
+    } else if ((words[i] == "in" && !is_of_z) || words[i] == "unit" || words[i] == "units" ||
+               is_list_to(i)) {
       others.push_back(*unit);
     }
   }

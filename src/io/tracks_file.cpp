@@ -59,12 +59,6 @@ const Tracks_reader& reader_of(std::string_view head, const Tracks_input& input)
   return reader(input.options.columns.is_empty() ? Tracks_format::rows : Tracks_format::table);
 }
 
-void project_if_asked(Tracks_file& file, const std::string& name, Tracks_projection projection) {
-  if (projection == Tracks_projection::local || projection == Tracks_projection::utm) {
-    project(file, name, projection);
-  }
-}
-
 void expect_tracks(const Tracks_file& file) {
   for (const Track& track : file.tracks) {
     const auto& seen = track.observations;
@@ -78,12 +72,13 @@ void expect_tracks(const Tracks_file& file) {
   }
 }
 
-// Those that say that there is no place.
-void leave_out_no_places(Tracks_file& file) {
+// Leaves out the observations of which `is_none` says that they have no place.
+template <class Is_none>
+void leave_out_no_places(Tracks_file& file, const Is_none& is_none) {
   std::size_t left_out = 0;
   for (Track& track : file.tracks) {
-    left_out += std::erase_if(
-        track.observations, [](const Track_observation& seen) { return is_no_place(seen.place); });
+    left_out += std::erase_if(track.observations,
+                              [&](const Track_observation& seen) { return is_none(seen.place); });
   }
   if (left_out == 0) return;
   std::erase_if(file.tracks, [](const Track& track) { return track.observations.empty(); });
@@ -94,6 +89,14 @@ void leave_out_no_places(Tracks_file& file) {
   });
   file.observations -= left_out;
   file.rows_without_place += left_out;
+}
+
+void project_if_asked(Tracks_file& file, const std::string& name, Tracks_projection projection) {
+  if (projection == Tracks_projection::local || projection == Tracks_projection::utm) {
+    // Where no name says that these are degrees, one number alone may be a fault.
+    leave_out_no_places(file, [](const Vector_2& place) { return place == Vector_2{181, 91}; });
+    project(file, name, projection);
+  }
 }
 
 Tracks_file read_recognized(const Tracks_input& input) {
@@ -176,7 +179,7 @@ Tracks_file project_tracks(Tracks_file file, const std::string& name, const Trac
   } else {
     file.remarks.push_back(named.remark);
   }
-  if (named.are_degrees) leave_out_no_places(file);
+  if (named.are_degrees) leave_out_no_places(file, is_no_place);
   project_if_asked(file, name, projection);
   return file;
 }

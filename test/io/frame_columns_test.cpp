@@ -16,8 +16,7 @@ using test::frames;
 using test::frames_error;
 
 constexpr const char* exchange =
-    "; expected frame, id, x and y in this order: exchange the first two columns, for example with "
-    "awk '{ print $2, $1, $3, $4 }'";
+    "; expected frame, id, x and y in this order, or --format ids for id, frame, x and y";
 constexpr const char* or_confirm =
     ", or, if this is their order, add the line '# frame id x y' above the rows";
 

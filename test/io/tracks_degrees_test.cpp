@@ -147,6 +147,14 @@ TEST(Read_tracks_degrees, are_refused_by_the_names_of_columns) {
                        "are in radians; expected degrees"));
 }
 
+TEST(Read_tracks_table, refuses_coordinates_in_two_units) {
+  EXPECT_TRUE(contains(read_options_error(table_of("x [mm]", "y [cm]"), named("x [mm]", "y [cm]")),
+                       "the columns 'x [mm]' and 'y [cm]' have the units mm and cm; expected both "
+                       "coordinates in one unit"));
+  EXPECT_EQ(read_options(table_of("x (m)", "y_metres"), named("x (m)", "y_metres")).observations,
+            read_options(table_of("x", "y"), named("x", "y")).observations);
+}
+
 TEST(Read_tracks_degrees, are_refused_by_units_below_the_header) {
   const std::string text = "t,id,x,y\ns,,deg,deg\n0,1,12.0,55.0\n10,1,12.1,55.0\n";
   const std::string error = read_options_error(text, named("x", "y"));
@@ -177,6 +185,21 @@ TEST(Read_tracks_degrees, are_suspected_where_nothing_says_what_places_are) {
                                           "2024-05-01T01:00:00Z,a,8.12445,50.12345\n",
                                           {}),
                        "they look like degrees"));
+  // One row in ten that says that there is no place does not hide it, and is no observation.
+  std::string ships;
+  for (int day = 10; day < 20; ++day) {
+    ships +=
+        "2024-01-" + std::to_string(day) + ",7,12.0" + std::to_string(1000 + day) + ",55.12345\n";
+  }
+  for (const char* const no_place : {"181.0,91.0", "-999,-999"}) {
+    const std::string text = ships + "2024-01-20,7," + no_place + "\n";
+    Tracks_file_options numbers = {.columns = {.t = "1", .id = "2", .x = "3", .y = "4"}};
+    EXPECT_TRUE(contains(read_options_error(text, numbers), "they look like degrees")) << no_place;
+    if (no_place[0] == '-') continue;
+    numbers.projection = Tracks_projection::utm;
+    EXPECT_EQ(read_options(text, numbers).observations, 10U);
+    EXPECT_EQ(read_options(text, numbers).rows_without_place, 1U);
+  }
   // People walk too fast for degrees; round numbers and plain times show nothing.
   for (const char* const text :
        {"t,id,x,y\n2024-05-01T00:00:00Z,a,8.12345,5.12345\n2024-05-01T00:00:01Z,a,9.12345,5."

@@ -102,7 +102,18 @@ TEST(Read_tracks_geojson, degrees_are_refused_unless_the_file_has_another_system
             std::vector<std::string>{
                 "places are taken as they are, in the system 'urn:ogc:def:crs:EPSG::25832'"});
   EXPECT_NE(read_options_error(with_system("urn:ogc:def:crs:OGC:1.3:CRS84"), {}), "");
-  EXPECT_NE(read_options_error(with_system("urn:ogc:def:crs:EPSG::4326"), {}), "");
+  for (const char* const number : {"4326", "4258", "4269", "4267", "7844"}) {
+    EXPECT_NE(read_options_error(with_system(std::string("urn:ogc:def:crs:EPSG::") + number), {}),
+              "")
+        << number;
+  }
+  EXPECT_EQ(read_options_error(with_system("EPSG:4978"), {}), "");
+  const Tracks_file asked =
+      read_options(with_system("EPSG:25832"), {.projection = Tracks_projection::utm});
+  EXPECT_EQ(asked.remarks.size(), 2U);
+  for (const std::string& remark : asked.remarks) {
+    EXPECT_EQ(remark.find("taken as they are"), std::string::npos) << remark;
+  }
 }
 
 TEST(Read_tracks_geojson, errors_say_where) {

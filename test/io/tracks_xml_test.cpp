@@ -65,6 +65,34 @@ TEST(Read_tracks_gpx, reads_tracks_with_names) {
                        "has no time"));
 }
 
+TEST(Read_tracks_gpx, refuses_tracks_of_one_name_at_one_time) {
+  const auto ride = [](const std::string& first, const std::string& second) {
+    return "<trk><name>Ride</name><trkseg>\n<trkpt lat=\"55\" lon=\"12\"><time>2023-03-05T00:00:" +
+           first +
+           "Z</time></trkpt>\n<trkpt lat=\"55\" lon=\"12.1\"><time>2023-03-05T00:00:" + second +
+           "Z</time></trkpt></trkseg></trk>\n";
+  };
+  const Tracks_file_options options = {.projection = Tracks_projection::none};
+  EXPECT_EQ(
+      read_options_error("<gpx>\n" + ride("00", "20") + ride("10", "30") + "</gpx>", options),
+      "t.csv:5: the track 'Ride' is at times of that of line 2, which has the same name; expected "
+      "another name for one of the two, if they are of two things");
+  // One after the other, in any order, they are one thing.
+  EXPECT_EQ(read_options("<gpx>\n" + ride("20", "30") + ride("00", "10") + "</gpx>", options)
+                .tracks.size(),
+            1U);
+}
+
+TEST(Read_tracks_gpx, in_utf16_is_read) {
+  const std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-16\"?>\n<gpx><trk><name>Ada</name><trkseg>\n"
+      "<trkpt lat=\"55\" lon=\"12\"><time>2023-03-05T00:00:00Z</time></trkpt>\n"
+      "</trkseg></trk></gpx>\n";
+  std::string wide = "\xFF\xFE";
+  for (const char c : text) wide += {c, '\0'};
+  EXPECT_EQ(read_options(wide, {.projection = Tracks_projection::none}).observations, 1U);
+}
+
 TEST(Read_tracks_trackmate, reads_particles) {
   const std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -173,7 +173,9 @@ def test_two_points():
     (np.array(SQUARE, dtype="g") + np.longdouble(2) ** -60, REST, None),
     (np.array([[0, 0], [1, 2**64 - 1], [0, 1], [1, 1]], dtype=np.uint64), REST, None),
     (np.full((4, 2), np.longdouble(2) ** 5000), REST, None),
-    (np.ma.masked_equal(SQUARE, 3), REST, "positions is masked at [2, 1]; expected no masked numbers"),
+    (np.ma.masked_equal(SQUARE, 3), REST, "positions is masked at [2, 1]; expected no masked values"),
+    (np.ma.masked_equal(np.array(SQUARE, dtype=float), 3), REST,
+     "positions is masked at [2, 1]; expected no masked values"),
 ])
 def test_a_bad_array_is_refused_with_the_shape_or_the_numbers_expected(positions, velocities, message):
     with pytest.raises(kinetri.PreconditionError) as raised:

@@ -388,3 +388,21 @@ def test_files_that_are_read_with_wrong_options(tmp_path):
             Tracks.read(tmp_path / file, **options)
     with pytest.raises(kinetri.InputError, match="with format='frames', the order frame id x y"):
         Tracks.read(tmp_path / "f.txt", fps=5)
+
+
+@pytest.mark.parametrize("column", ["t", "id", "x", "y"])
+def test_masked_columns_are_refused(column):
+    columns = {"t": [0.0, 1.0], "id": [1, 1], "x": [0.0, 1.0], "y": [0.0, 1.0]}
+    columns[column] = np.ma.array(columns[column], mask=[False, True])
+    with pytest.raises(kinetri.PreconditionError) as raised:
+        Tracks.from_arrays(**columns)
+    assert str(raised.value) == f"{column} is masked at [1]; expected no masked values"
+
+
+def test_bytes_that_are_no_utf8_stay_in_labels_and_messages(tmp_path):
+    path = tmp_path / "latin.csv"
+    path.write_bytes("t,id,x,y\n0,J\u00f6rg,0,0\n1,J\u00f6rg,1,0\n".encode("latin-1"))
+    assert Tracks.read(path).labels == ["J\udcf6rg"]
+    path.write_bytes("t,id,x,y\n0,a,J\u00f6rg,0\n".encode("latin-1"))
+    with pytest.raises(kinetri.InputError, match="J\udcf6rg"):
+        Tracks.read(path)

@@ -437,7 +437,7 @@ def check_input(case):
 def check_page(case):
     """The manual page has the options of --help, and no others."""
     usage = case.answer("--help")[1]
-    page = (pathlib.Path(__file__).parents[2] / "verify/kinetri-verify.1").read_text("utf-8")
+    page = (pathlib.Path(__file__).parents[2] / "apps/verify/kinetri-verify.1").read_text("utf-8")
     described = re.findall(r"^\.BI? (\\-\\-\S+)", page, re.MULTILINE)
     options = set(re.findall(r"--[a-z]+(?:-[a-z]+)*", usage[: usage.index("Decides")])) | {"--help"}
     assert {option.replace("\\", "") for option in described} == options, (described, options)

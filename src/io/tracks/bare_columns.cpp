@@ -20,8 +20,7 @@ constexpr Frame_columns of_ids = {1, 0, 2, 3};
 constexpr std::size_t least_fields = 4;
 
 constexpr std::string_view expect_frame_first =
-    "; expected frame, id, x and y in this order: exchange the first two columns, for example with "
-    "awk '{ print $2, $1, $3, $4 }'";
+    "; expected frame, id, x and y in this order, or --format ids for id, frame, x and y";
 constexpr std::string_view or_confirm_frame_first =
     ", or, if this is their order, add the line '# frame id x y' above the rows";
 constexpr std::string_view expect_id_first =

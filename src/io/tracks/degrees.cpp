@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/text.h"
@@ -114,19 +115,38 @@ bool is_latitude(std::string_view word) {
   return is_short_name(word, names) || contains_one(word, pieces);
 }
 
+// The unit of length that is the last of several words, in one spelling; empty if it is none.
+std::string_view unit_of_length(const std::vector<std::string>& words) {
+  using Spelling = std::pair<std::string_view, std::string_view>;
+  constexpr std::array<Spelling, 13> spellings = {{{"m", "m"},
+                                                   {"meter", "m"},
+                                                   {"meters", "m"},
+                                                   {"metre", "m"},
+                                                   {"metres", "m"},
+                                                   {"km", "km"},
+                                                   {"cm", "cm"},
+                                                   {"mm", "mm"},
+                                                   {"ft", "ft"},
+                                                   {"feet", "ft"},
+                                                   {"px", "px"},
+                                                   {"pixel", "px"},
+                                                   {"pixels", "px"}}};
+  if (words.size() < 2) return {};
+  const auto found = std::find_if(spellings.begin(), spellings.end(),
+                                  [&](const Spelling& unit) { return unit.first == words.back(); });
+  return found == spellings.end() ? std::string_view() : found->second;
+}
+
 }  // namespace
 
 Angle angle_in_name(std::string_view name) {
-  constexpr std::array<std::string_view, 13> lengths = {"m",  "meter", "meters", "metre", "metres",
-                                                        "km", "cm",    "mm",     "ft",    "feet",
-                                                        "px", "pixel", "pixels"};
   constexpr std::array<std::string_view, 3> radians = {"rad", "radian", "radians"};
   const std::vector<std::string> words = words_of(name);
   if (words.empty()) return Angle::none;
   const auto has = [&](auto test) { return std::any_of(words.begin(), words.end(), test); };
   const bool has_degrees = has([&](const std::string& w) { return is_among(w, degree_words); }) ||
                            has_sign_of_degrees(name);
-  if (words.size() > 1 && is_among(words.back(), lengths) && !has_degrees) return Angle::none;
+  if (!unit_of_length(words).empty() && !has_degrees) return Angle::none;
   if (has([&](const std::string& w) { return is_among(w, radians); })) return Angle::radians;
   if (has(is_longitude)) return Angle::longitude;
   if (has(is_latitude)) return Angle::latitude;
@@ -171,8 +191,15 @@ Named_degrees degrees_in_names(const std::string& name, std::size_t line,
                                const std::string& of_x, const std::string& of_y) {
   const Angle x_angle = angle_in_name(of_x);
   const Angle y_angle = angle_in_name(of_y);
-  if (x_angle == Angle::none && y_angle == Angle::none) return {};
   const std::string names = joined("the ", what, ' ', quoted(of_x), " and ", quoted(of_y));
+  const std::string_view x_unit = unit_of_length(words_of(of_x));
+  const std::string_view y_unit = unit_of_length(words_of(of_y));
+  if (!x_unit.empty() && !y_unit.empty() && x_unit != y_unit) {
+    throw Input_error(name, line,
+                      joined(names, " have the units ", x_unit, " and ", y_unit,
+                             "; expected both coordinates in one unit"));
+  }
+  if (x_angle == Angle::none && y_angle == Angle::none) return {};
   if (projection == Tracks_projection::none) {
     return {.are_degrees = false,
             .remark = joined("places are taken as they are, though ", names, " are of angles")};
@@ -193,13 +220,18 @@ Named_degrees degrees_in_names(const std::string& name, std::size_t line,
   return {.are_degrees = true, .remark = joined("places are degrees, as ", names, " say")};
 }
 
+bool is_on_earth(const Vector_2& degrees) {
+  return std::abs(degrees.x) <= 180 && std::abs(degrees.y) <= 90;
+}
+
 bool is_no_place(const Vector_2& degrees) {
   return degrees.x == 181 || degrees.y == 91;
 }
 
 void Signs_of_degrees::note(const Vector_2& place, std::string_view x, std::string_view y) {
   ++rows_;
-  are_in_range_ = are_in_range_ && std::abs(place.x) <= 180 && std::abs(place.y) <= 90;
+  if (!is_on_earth(place)) return;
+  ++rows_in_range_;
   const auto has_many_digits = [](std::string_view field) {
     constexpr std::size_t many = 4;
     const std::size_t point = field.find('.');
@@ -211,12 +243,16 @@ void Signs_of_degrees::note(const Vector_2& place, std::string_view x, std::stri
 void Signs_of_degrees::expect_none(const Tracks_file& file, const std::string& name,
                                    Tracks_projection projection) const {
   if (projection != Tracks_projection::refused || file.origin.empty()) return;
-  if (rows_ == 0 || !are_in_range_ || 2 * rows_of_many_digits_ < rows_) return;
+  // Others say that there is no place, as 181 and 91, or -999.
+  constexpr std::size_t in_ten = 9;
+  if (rows_ == 0 || 10 * rows_in_range_ < in_ten * rows_) return;
+  if (2 * rows_of_many_digits_ < rows_in_range_) return;
   double way = 0;
   double duration = 0;
   for (const Track& track : file.tracks) {
     const auto& seen = track.observations;
     for (std::size_t i = 1; i < seen.size(); ++i) {
+      if (!is_on_earth(seen[i].place) || !is_on_earth(seen[i - 1].place)) continue;
       way +=
           std::hypot(seen[i].place.x - seen[i - 1].place.x, seen[i].place.y - seen[i - 1].place.y);
     }

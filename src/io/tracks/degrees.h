@@ -47,8 +47,8 @@ struct Named_degrees {
 
 /// What the names of the columns x and y, or their units, say. `what` has these words, "columns" or
 /// "units", and stands in `line` of the file `name`, if that is not 0. Throws Input_error if they
-/// say radians, or the latitude as x, or degrees where no projection says what becomes of them;
-/// Tracks_projection::none takes all of these as they are.
+/// say two units of length, radians, or the latitude as x, or degrees where no projection says what
+/// becomes of them; Tracks_projection::none takes all of these as they are.
 Named_degrees degrees_in_names(const std::string& name, std::size_t line,
                                Tracks_projection projection, std::string_view what,
                                const std::string& of_x, const std::string& of_y);
@@ -57,9 +57,13 @@ Named_degrees degrees_in_names(const std::string& name, std::size_t line,
 /// AIS (ITU-R M.1371).
 bool is_no_place(const Vector_2& degrees);
 
+/// Whether a place may be one in degrees: at most 180 and 90.
+bool is_on_earth(const Vector_2& degrees);
+
 /// What in the rows of a table shows degrees, where no name says what places are: dates as times,
-/// numbers that are in the range of degrees, at least half of which have four decimals or more, and
-/// motion that would be slow in metres, and not too fast in degrees.
+/// numbers of which nine in ten or more are in the range of degrees, and of these at least half
+/// have four decimals or more, and motion that would be slow in metres, and not too fast in
+/// degrees.
 class Signs_of_degrees {
  public:
   /// Notes a place, and its numbers as texts: the fields that it was read from.
@@ -73,7 +77,7 @@ class Signs_of_degrees {
  private:
   std::size_t rows_ = 0;
   std::size_t rows_of_many_digits_ = 0;
-  bool are_in_range_ = true;
+  std::size_t rows_in_range_ = 0;
 };
 
 }  // namespace kinetri

@@ -10,6 +10,7 @@
 #include <istream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 
 #include "degrees.h"
 #include "io/text.h"
@@ -68,6 +69,21 @@ json parsed(const Tracks_input& input) {
   }
 }
 
+// Whether the name ends in the number of a geographic system of EPSG, whose coordinates are
+// degrees: those from 4001 to 4999, but for the geocentric 4978, and newer ones of WGS 84, of
+// Australia, North America, Italy and Japan.
+bool is_geographic(std::string_view name) {
+  const std::size_t colon = name.rfind(':');
+  if (in_lower_case(name).find("epsg") == std::string::npos || colon == std::string_view::npos) {
+    return false;
+  }
+  const Parsed_number number = parse_number(name.substr(colon + 1));
+  if (!number.problem.empty()) return false;
+  constexpr std::array<double, 8> newer = {6318, 6319, 6668, 6706, 7843, 7844, 9057, 9755};
+  return (number.value > 4000 && number.value < 5000 && number.value != 4978) ||
+         std::find(newer.begin(), newer.end(), number.value) != newer.end();
+}
+
 class Geojson_reader {
  public:
   explicit Geojson_reader(const Tracks_input& input)
@@ -100,7 +116,12 @@ class Geojson_reader {
     Tracks_file result = builder_.finish();
     result.format = Tracks_format::geojson;
     if (!system.empty()) {
-      result.remarks.push_back(joined("places are taken as they are, in the system ", system));
+      const bool is_projected = input_.options.projection == Tracks_projection::local ||
+                                input_.options.projection == Tracks_projection::utm;
+      result.remarks.push_back(
+          is_projected
+              ? joined("places are degrees of the system ", system, ", as the projection says")
+              : joined("places are taken as they are, in the system ", system));
     }
     if (has_third_) result.remarks.push_back("the third coordinate of the places is left out");
     return result;
@@ -141,7 +162,7 @@ class Geojson_reader {
       fail("/crs/properties", "has no name; expected a reference system, or no crs");
     }
     std::string result = name->get<std::string>();
-    const bool is_degrees = result.find("CRS84") != std::string::npos || result.ends_with(":4326");
+    const bool is_degrees = result.find("CRS84") != std::string::npos || is_geographic(result);
     return is_degrees ? std::string() : kinetri::quoted(result);
   }
 

@@ -3,7 +3,9 @@
 // Tracks of GPS receivers as GPX 1.0 and 1.1 (https://www.topografix.com/GPX/1/1/): elements
 // <trk>, perhaps with a <name>, of segments <trkseg> with points <trkpt lat=".." lon="..">, which
 // have a <time>. Waypoints and routes, which have none, are left out.
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "degrees.h"
 #include "io/text.h"
@@ -22,6 +24,7 @@ class Gpx_reader : public Xml_tracks {
     expect_projection(input().name, 0, input().options.projection, "places in GPX are");
     parse();
     Tracks_file result = builder_.finish();
+    expect_spans_apart();
     result.format = Tracks_format::gpx;
     if (other_points_ > 0) {
       result.remarks.push_back(joined(other_points_, other_points_ == 1 ? " point" : " points",
@@ -37,6 +40,8 @@ class Gpx_reader : public Xml_tracks {
     }
     if (depth == 2 && name == "trk") {
       ++track_;
+      line_of_track_ = line();
+      is_in_span_ = false;
       id_ = joined("track ", track_);
       has_points_ = false;
     }
@@ -66,6 +71,49 @@ class Gpx_reader : public Xml_tracks {
     if (!has_time_) fail("a point of a track has no time; expected one in each");
     row_.id = id_;
     builder_.add(row_);
+    add_to_span();
+  }
+
+  // When the points of an element <trk> were.
+  struct Span {
+    std::string id;
+    Row_time first;
+    Row_time last;
+    std::size_t line;
+  };
+
+  static bool is_before(const Row_time& a, const Row_time& b) {
+    return a.date && b.date ? *a.date < *b.date : a.number < b.number;
+  }
+
+  void add_to_span() {
+    if (spans_.empty() || !is_in_span_) {
+      spans_.push_back({id_, row_.time, row_.time, line_of_track_});
+      is_in_span_ = true;
+      return;
+    }
+    Span& span = spans_.back();
+    if (is_before(row_.time, span.first)) span.first = row_.time;
+    if (is_before(span.last, row_.time)) span.last = row_.time;
+  }
+
+  // Tracks of one name are one thing, which is not in two of them at one time.
+  void expect_spans_apart() {
+    std::ranges::stable_sort(spans_, [](const Span& a, const Span& b) {
+      return a.id != b.id ? a.id < b.id : is_before(a.first, b.first);
+    });
+    for (std::size_t i = 1; i < spans_.size(); ++i) {
+      const Span& one = spans_[i - 1];
+      const Span& other = spans_[i];
+      if (one.id != other.id) continue;
+      if (is_before(other.first, one.last)) {
+        throw Input_error(input().name, std::max(one.line, other.line),
+                          joined("the track ", quoted(one.id), " is at times of that of line ",
+                                 std::min(one.line, other.line),
+                                 ", which has the same name; expected another "
+                                 "name for one of the two, if they are of two things"));
+      }
+    }
   }
 
   static std::string_view trimmed_lines(std::string_view text) {
@@ -77,7 +125,10 @@ class Gpx_reader : public Xml_tracks {
 
   Tracks_builder builder_;
   std::size_t track_ = 0;  // its number, from 1 on
-  std::string id_;         // of the track
+  std::size_t line_of_track_ = 0;
+  std::vector<Span> spans_;  // of tracks with points
+  bool is_in_span_ = false;  // whether the last one is of the present track
+  std::string id_;           // of the track
   bool has_points_ = false;
   Tracks_row row_;
   bool has_time_ = false;

@@ -80,6 +80,7 @@ class Xml_parser {
       if (in.bad()) fail("reading failed; expected a readable file of tracks");
       const auto size = static_cast<int>(in.gcount());
       is_last = size == 0;
+      if (given == 0) heed_encoding({piece.data(), static_cast<std::size_t>(size)});
       given += size;
       const XML_Status status = XML_Parse(parser_.get(), piece.data(), size, is_last ? 1 : 0);
       if (problem_) std::rethrow_exception(problem_);
@@ -98,6 +99,15 @@ class Xml_parser {
   struct Free {
     void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
   };
+
+  // What the declaration calls UTF-16 is UTF-8 here: the stream has converted it, or it could not
+  // be read as far as that.
+  void heed_encoding(std::string_view head) {
+    if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);  // the byte order mark
+    if (!head.starts_with("<?xml")) return;
+    const std::string declaration = in_lower_case(head.substr(0, head.find("?>")));
+    if (declaration.find("utf-16") != std::string::npos) XML_SetEncoding(parser_.get(), "UTF-8");
+  }
 
   [[noreturn]] void fail(const std::string& message) {
     set_line();
