@@ -22,9 +22,9 @@ def _shape_text(shape: Sequence[int | str]) -> str:
 
 def expect_no_mask(name: str, value: Any) -> None:
     """Refuses an array of `numpy.ma` that has no value somewhere."""
-    if isinstance(value, np.ma.MaskedArray) and np.any(np.ma.getmaskarray(value)):
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise PreconditionError(
-            f"{name} is masked at [{_first(np.ma.getmaskarray(value))}]; expected no masked values")
+            f"{name} is masked at [{_first(np.asarray(value.mask))}]; expected no masked values")
 
 
 def _as_array(name: str, value: ArrayLike, expected: str) -> npt.NDArray[Any]:
