@@ -284,8 +284,8 @@ Tracks_file read_tracks_file(const std::string& path, Tracks_format format, doub
 /// beginning of messages.
 ///
 /// Throws Input_error if places are degrees, or look like them, and `projection` is `refused`; if
-/// names say radians, or the latitude is x; if places that are to be projected are not on earth; or
-/// if distances would be off by more than 0.1 %.
+/// names say radians, or two units of length, or the latitude is x; if places that are to be
+/// projected are not on earth; or if distances would be off by more than 0.1 %.
 ///
 /// Precondition: each track has an observation; times ascend strictly; places are finite.
 ///

@@ -47,8 +47,8 @@ struct Named_degrees {
 
 /// What the names of the columns x and y, or their units, say. `what` has these words, "columns" or
 /// "units", and stands in `line` of the file `name`, if that is not 0. Throws Input_error if they
-/// say two units of length, radians, or the latitude as x, or degrees where no projection says what
-/// becomes of them; Tracks_projection::none takes all of these as they are.
+/// say two units of length; and unless the projection is Tracks_projection::none, which takes
+/// angles as they are, if they say radians, or the latitude as x, or degrees without a projection.
 Named_degrees degrees_in_names(const std::string& name, std::size_t line,
                                Tracks_projection projection, std::string_view what,
                                const std::string& of_x, const std::string& of_y);

@@ -87,7 +87,7 @@ class Gpx_reader : public Xml_tracks {
   }
 
   void add_to_span() {
-    if (spans_.empty() || !is_in_span_) {
+    if (!is_in_span_) {
       spans_.push_back({id_, row_.time, row_.time, line_of_track_});
       is_in_span_ = true;
       return;
