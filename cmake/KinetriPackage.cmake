@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Debian packages, made by `cpack` in a build directory: kinetri, the program; libkinetri-dev and
-# libkinetri-io-dev, the static libraries with their headers; and python3-kinetri, if the Python package is built. (A shared library would
-# be another, with a promise about its binary interface that a version before 1.0 does not give.)
+# libkinetri-io-dev, the static libraries with their headers; and python3-kinetri, if the Python package is
+# built. (A shared library would be another, with a promise about its binary interface that a version before
+# 1.0 does not give.)
 if(NOT PROJECT_IS_TOP_LEVEL OR NOT KINETRI_INSTALL OR NOT TARGET kinetri_program)
   return()
 endif()
