@@ -73,12 +73,21 @@ function(kinetri_program_documents target name)
   add_custom_target(${prefix}_documents ALL DEPENDS ${documents})
 endfunction()
 
+# Most of the time of a small source is that of the headers of GMP, CGAL, pybind11 or nlohmann_json, and of
+# the templates that it instantiates once more. So sources are compiled several at a time; not in a debug build,
+# in which one changes a source at a time, and which clang-tidy goes by; nor where counters of coverage tell
+# sources apart.
+set(kinetri_compile_together ON)
+if(CMAKE_BUILD_TYPE STREQUAL "Debug" OR KINETRI_COVERAGE)
+  set(kinetri_compile_together OFF)
+endif()
+option(KINETRI_COMPILE_TOGETHER "Compile several sources at a time" ${kinetri_compile_together})
+mark_as_advanced(KINETRI_COMPILE_TOGETHER)
+
 # kinetri_compile_as_one(TARGET GROUP REGEX): the sources of the target that match, and are in no group
-# before, are compiled as one, since most of the time of a small source is that of the headers of GMP, CGAL,
-# pybind11 or nlohmann_json. Not in a debug build, in which one changes a source at a time, and which
-# clang-tidy goes by; nor where counters of coverage tell sources apart.
+# before, are compiled as one.
 function(kinetri_compile_as_one target group regex)
-  if(CMAKE_BUILD_TYPE STREQUAL "Debug" OR KINETRI_COVERAGE)
+  if(NOT KINETRI_COMPILE_TOGETHER)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
@@ -90,4 +99,10 @@ function(kinetri_compile_as_one target group regex)
     endif()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# kinetri_compile_in_batches(TARGET COUNT): the sources of the target are compiled COUNT at a time.
+function(kinetri_compile_in_batches target count)
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD ${KINETRI_COMPILE_TOGETHER} UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE ${count})
 endfunction()

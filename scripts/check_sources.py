@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks what every file of the project must have: its licence in the first lines, an include guard
 named after its path, in a source its own header before all others, no path of anybody's machine, no
-tab, no space at the end of a line, and a newline at the end. A test must expect the message of each
-precondition.
+tab, no space at the end of a line, and a newline at the end. A test's names are in a namespace that is
+named after its file. A test must expect the message of each precondition.
 
 usage: check_sources.py [ROOT]
 
@@ -80,6 +80,11 @@ def problems(path, text, root):
         if lines[first : first + 1] != [own]:
             # What proves that the header compiles alone (test/headers).
             yield first + 1, f"expected {own} before all other headers"
+    if path.parts[0] == "test" and path.name.endswith("_test.cpp"):
+        # Tests are compiled several at a time, and have helpers of the same name.
+        namespace = re.compile(rf"namespace \w[\w:]*\b({path.stem}|{path.parts[1]}_{path.stem}) {{")
+        if not any(namespace.fullmatch(line) for line in lines):
+            yield 1, f"expected a namespace ...::{path.stem} around the tests"
     for number, line in enumerate(lines, 1):
         if MACHINE_PATH.search(line):
             yield number, "a path of one machine: " + MACHINE_PATH.search(line).group()

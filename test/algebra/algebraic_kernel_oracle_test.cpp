@@ -15,7 +15,7 @@
 #include "kinetri/algebra/sturm_sequence.h"
 #include "support/random_polynomials.h"
 
-namespace kinetri {
+namespace kinetri::algebraic_kernel_oracle_test {
 namespace {
 
 using test::Random;
@@ -97,4 +97,4 @@ TEST(Algebraic_kernel_oracle, roots_of_random_polynomials_agree) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::algebraic_kernel_oracle_test

@@ -12,7 +12,7 @@
 #include "kinetri/algebra/algebraic_number.h"
 #include "support/known_numbers.h"
 
-namespace kinetri {
+namespace kinetri::algebraic_number_approximation_test {
 namespace {
 
 using test::add_to;
@@ -155,4 +155,4 @@ TEST(Algebraic_number, to_double_is_the_nearest_ties_to_even) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::algebraic_number_approximation_test

@@ -17,7 +17,7 @@
 #include "support/known_numbers.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::algebraic_number_order_test {
 namespace {
 
 using test::Known_polynomial;
@@ -256,4 +256,4 @@ TEST(Simplest_between, of_an_empty_interval_is_refused) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::algebraic_number_order_test

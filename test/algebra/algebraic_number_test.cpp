@@ -14,7 +14,7 @@
 #include "support/known_numbers.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::algebraic_number_test {
 namespace {
 
 using test::make_specimen;
@@ -200,4 +200,4 @@ TEST(Algebraic_number, detached_is_the_same_number_and_shares_nothing) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::algebraic_number_test

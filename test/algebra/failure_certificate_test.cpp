@@ -13,7 +13,7 @@
 #include "kinetri/algebra/sturm_sequence.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::failure_certificate_test {
 namespace {
 
 Polynomial power(const Polynomial& p, int exponent) {
@@ -159,4 +159,4 @@ TEST(Failure_certificate, refuses_a_failure_before_the_start) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::failure_certificate_test

@@ -15,7 +15,7 @@
 #include "support/precondition_error.h"
 #include "support/random_polynomials.h"
 
-namespace kinetri {
+namespace kinetri::number_types_test {
 namespace {
 
 using test::Random;
@@ -198,4 +198,4 @@ TEST(Number_types, scaled_by_power_of_two_is_exact_both_ways) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::number_types_test

@@ -15,7 +15,7 @@
 #include "support/precondition_error.h"
 #include "support/random_polynomials.h"
 
-namespace kinetri {
+namespace kinetri::polynomial_test {
 namespace {
 
 using test::Random;
@@ -416,4 +416,4 @@ TEST(Polynomial, multiplicities_of_zero_are_refused) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::polynomial_test

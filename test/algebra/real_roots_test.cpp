@@ -15,7 +15,7 @@
 #include "support/precondition_error.h"
 #include "support/random_polynomials.h"
 
-namespace kinetri {
+namespace kinetri::real_roots_test {
 namespace {
 
 using test::are_the_roots;
@@ -412,4 +412,4 @@ TEST(First_root_after, of_a_polynomial_whose_bounds_leave_no_room_is_none) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::real_roots_test

@@ -7,7 +7,7 @@
 
 #include "kinetri/algebra/real_roots.h"
 
-namespace kinetri {
+namespace kinetri::root_difference_test {
 namespace {
 
 using Coefficients = std::vector<Rational>;
@@ -70,4 +70,4 @@ TEST(Root_difference, at_numbers_whose_polynomial_is_a_product_is_that_of_the_nu
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::root_difference_test

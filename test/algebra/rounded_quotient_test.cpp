@@ -10,7 +10,7 @@
 #include "kinetri/base/error.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::rounded_quotient_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -120,4 +120,4 @@ TEST(Rounded_quotient, does_not_depend_on_what_is_known_of_the_number) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::rounded_quotient_test

@@ -9,7 +9,7 @@
 #include "kinetri/algebra/algebraic_number.h"
 #include "support/known_numbers.h"
 
-namespace kinetri {
+namespace kinetri::sign_at_test {
 namespace {
 
 using test::add_to;
@@ -87,4 +87,4 @@ TEST(Sign_at, zero_and_constant_polynomials_need_no_number) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::sign_at_test

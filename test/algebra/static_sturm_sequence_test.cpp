@@ -18,7 +18,7 @@
 #include "kinetri/base/error.h"
 #include "support/random_polynomials.h"
 
-namespace kinetri {
+namespace kinetri::static_sturm_sequence_test {
 namespace {
 
 using test::Random;
@@ -347,4 +347,4 @@ TEST(Count_failure, leaves_what_is_too_wide) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::static_sturm_sequence_test

@@ -12,7 +12,7 @@
 #include "support/precondition_error.h"
 #include "support/random_polynomials.h"
 
-namespace kinetri {
+namespace kinetri::sturm_algorithm_test {
 namespace {
 
 using test::are_the_roots;
@@ -116,4 +116,4 @@ TEST(Sturm3, and_sturm4_refuse_other_degrees) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::sturm_algorithm_test

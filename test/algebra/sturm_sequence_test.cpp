@@ -16,7 +16,7 @@
 #include "support/precondition_error.h"
 #include "support/random_polynomials.h"
 
-namespace kinetri {
+namespace kinetri::sturm_sequence_test {
 namespace {
 
 using test::Known_polynomial;
@@ -210,4 +210,4 @@ TEST(Sturm_sequence, sign_changes_ignore_zeros_and_positive_factors) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::sturm_sequence_test

@@ -15,7 +15,7 @@
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/algebra/rounded_quotient.h"
 
-namespace kinetri {
+namespace kinetri::algebra_threads_test {
 namespace {
 
 constexpr int thread_count = 4;
@@ -146,4 +146,4 @@ TEST(Threads, make_one_representation) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::algebra_threads_test

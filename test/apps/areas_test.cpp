@@ -6,7 +6,7 @@
 #include "apps/program_test.h"
 #include "support/text.h"
 
-namespace kinetri {
+namespace kinetri::areas_test {
 namespace {
 
 using test::Arguments;
@@ -139,4 +139,4 @@ TEST_F(Areas, do_not_take_the_place_of_the_walkable_area) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::areas_test

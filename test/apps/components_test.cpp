@@ -7,7 +7,7 @@
 
 #include "apps/program_test.h"
 
-namespace kinetri {
+namespace kinetri::components_test {
 namespace {
 
 using test::Outcome;
@@ -194,4 +194,4 @@ TEST_F(Components, need_a_range_and_points) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::components_test

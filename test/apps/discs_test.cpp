@@ -14,7 +14,7 @@
 #include "apps/program_test.h"
 #include "support/text.h"
 
-namespace kinetri {
+namespace kinetri::discs_test {
 namespace {
 
 using test::Arguments;
@@ -263,4 +263,4 @@ TEST_F(Discs, of_tracks_have_radii_of_their_own) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::discs_test

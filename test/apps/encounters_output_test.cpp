@@ -14,7 +14,7 @@
 
 #include "apps/program_test.h"
 
-namespace kinetri {
+namespace kinetri::encounters_output_test {
 namespace {
 
 using test::Arguments;
@@ -223,4 +223,4 @@ INSTANTIATE_TEST_SUITE_P(Recorded, Encounters_of_crowd,
                          testing::Values("biwi_eth.txt", "students003.txt"));
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::encounters_output_test

@@ -12,7 +12,7 @@
 
 #include "apps/program_test.h"
 
-namespace kinetri {
+namespace kinetri::experiment_command_test {
 namespace {
 
 using test::Arguments;
@@ -167,4 +167,4 @@ TEST_F(Experiment, tables_take_their_places_with_the_plots_or_not_at_all) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::experiment_command_test

@@ -15,7 +15,7 @@
 #include "apps/program_test.h"
 #include "support/text.h"
 
-namespace kinetri {
+namespace kinetri::frames_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -365,4 +365,4 @@ TEST_F(Plot, of_other_commands_works) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::frames_test

@@ -10,7 +10,7 @@
 #include "kinetri/simulation/packing.h"
 #include "kinetri/simulation/scenarios.h"
 
-namespace kinetri {
+namespace kinetri::generate_command_test {
 namespace {
 
 using test::Arguments;
@@ -134,4 +134,4 @@ TEST_F(Generate, writes_a_file) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::generate_command_test

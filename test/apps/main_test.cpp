@@ -16,7 +16,7 @@
 #include "apps/program_test.h"
 #include "kinetri/version.h"
 
-namespace kinetri {
+namespace kinetri::main_test {
 namespace {
 
 using test::Arguments;
@@ -400,4 +400,4 @@ TEST_F(Commit, checkpoint_takes_its_place_last) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::main_test

@@ -8,7 +8,7 @@
 
 #include "apps/program_test.h"
 
-namespace kinetri {
+namespace kinetri::neighbors_test {
 namespace {
 
 using test::Arguments;
@@ -103,4 +103,4 @@ TEST_F(Neighbors, that_are_nearest_are_refused_for_discs_of_different_sizes) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::neighbors_test

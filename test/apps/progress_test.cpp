@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace kinetri::app {
+namespace kinetri::app::progress_test {
 namespace {
 
 TEST(Readable_duration, uses_the_unit_that_fits) {
@@ -39,4 +39,4 @@ TEST(Progress_text, survives_extreme_times) {
 }
 
 }  // namespace
-}  // namespace kinetri::app
+}  // namespace kinetri::app::progress_test

@@ -7,7 +7,7 @@
 
 #include "apps/program_test.h"
 
-namespace kinetri {
+namespace kinetri::recordings_test {
 namespace {
 
 using test::Arguments;
@@ -193,4 +193,4 @@ TEST_F(Recordings, a_ball_that_rests_at_a_wall_is_advised_what_helps) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::recordings_test

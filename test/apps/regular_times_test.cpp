@@ -10,7 +10,7 @@
 
 #include "kinetri/algebra/number_types.h"
 
-namespace kinetri::app {
+namespace kinetri::app::regular_times_test {
 namespace {
 
 using Times = std::vector<double>;
@@ -74,4 +74,4 @@ TEST(Regular_times, divide_a_run_evenly) {
 }
 
 }  // namespace
-}  // namespace kinetri::app
+}  // namespace kinetri::app::regular_times_test

@@ -9,7 +9,7 @@
 
 #include "apps/program_test.h"
 
-namespace kinetri {
+namespace kinetri::resume_command_test {
 namespace {
 
 using test::Arguments;
@@ -231,4 +231,4 @@ TEST_F(Resume_logs, of_each_part_belong_to_its_checkpoint) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::resume_command_test

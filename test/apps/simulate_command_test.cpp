@@ -11,7 +11,7 @@
 
 #include "apps/program_test.h"
 
-namespace kinetri {
+namespace kinetri::simulate_command_test {
 namespace {
 
 using test::Arguments;
@@ -267,4 +267,4 @@ TEST_F(Simulate, dev_null_may_be_named_twice) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::simulate_command_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace kinetri::app {
+namespace kinetri::app::spelling_test {
 namespace {
 
 TEST(Edit_distance, counts_insertions_deletions_replacements_and_exchanges) {
@@ -46,4 +46,4 @@ TEST(Nearest_name, does_not_complete_what_is_ambiguous) {
 }
 
 }  // namespace
-}  // namespace kinetri::app
+}  // namespace kinetri::app::spelling_test

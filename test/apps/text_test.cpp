@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace kinetri::app {
+namespace kinetri::app::text_test {
 namespace {
 
 TEST(Separated, has_the_separator_between_words) {
@@ -43,4 +43,4 @@ TEST(Aligned, adds_blanks_and_cuts_nothing) {
 }
 
 }  // namespace
-}  // namespace kinetri::app
+}  // namespace kinetri::app::text_test

@@ -9,7 +9,7 @@
 
 #include "apps/program_test.h"
 
-namespace kinetri {
+namespace kinetri::tracks_command_test {
 namespace {
 
 using test::Arguments;
@@ -203,4 +203,4 @@ TEST_P(Crowd, is_recognized) {
 INSTANTIATE_TEST_SUITE_P(Files, Crowd, testing::Values("students003.txt", "biwi_eth.txt"));
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_command_test

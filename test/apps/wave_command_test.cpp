@@ -8,7 +8,7 @@
 #include "apps/program_test.h"
 #include "support/text.h"
 
-namespace kinetri {
+namespace kinetri::wave_command_test {
 namespace {
 
 using test::Arguments;
@@ -78,4 +78,4 @@ TEST_F(Wave, the_page_of_a_failing_run_is_not_there) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::wave_command_test

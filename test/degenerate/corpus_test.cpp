@@ -18,7 +18,7 @@
 #include "support/same_run.h"
 #include "support/triangles.h"
 
-namespace kinetri {
+namespace kinetri::corpus_test {
 namespace {
 
 using test::Event_recorder;
@@ -226,4 +226,4 @@ TEST(Degenerate_corpus_list, names_every_file) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::corpus_test

@@ -13,7 +13,7 @@
 #include "support/same_run.h"
 #include "support/transformed_run.h"
 
-namespace kinetri {
+namespace kinetri::property_test {
 namespace {
 
 using test::Kinetic_delaunay;
@@ -168,4 +168,4 @@ TEST(Large_grid_properties, a_trajectory_that_is_there_twice_is_refused_with_bot
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::property_test

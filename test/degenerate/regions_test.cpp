@@ -10,7 +10,7 @@
 #include "kinetri/io/points_file.h"
 #include "support/region_runs.h"
 
-namespace kinetri {
+namespace kinetri::regions_test {
 namespace {
 
 using detail::Region_counters;
@@ -35,4 +35,4 @@ TEST(Regions, run_the_degenerate_corpus_as_the_loop_does) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::regions_test

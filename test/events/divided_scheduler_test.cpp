@@ -15,7 +15,7 @@
 
 #include "kinetri/algebra/algebraic_number.h"
 
-namespace kinetri::detail {
+namespace kinetri::detail::divided_scheduler_test {
 namespace {
 
 struct Entry : Scheduled {
@@ -206,4 +206,4 @@ TEST_P(Divided, first_entries_keep_their_exact_times) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Divided, testing::Range<std::uint64_t>(1, 9));
 
 }  // namespace
-}  // namespace kinetri::detail
+}  // namespace kinetri::detail::divided_scheduler_test

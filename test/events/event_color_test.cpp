@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace kinetri {
+namespace kinetri::event_color_test {
 namespace {
 
 using Triple = std::array<double, 3>;
@@ -112,4 +112,4 @@ TEST(Event_color, differs_from_all_others_for_every_color_vision) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::event_color_test

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kinetri {
+namespace kinetri::event_test {
 namespace {
 
 // Outside programs read these names, and the order settles simultaneous events.
@@ -46,4 +46,4 @@ TEST(Event_observer, may_override_one_call_only) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::event_test

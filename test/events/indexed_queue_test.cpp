@@ -18,7 +18,7 @@
 #include "kinetri/base/error.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::indexed_queue_test {
 namespace {
 
 using Item = std::pair<int, int>;  // priority, serial number
@@ -416,4 +416,4 @@ TEST(Indexed_queue, misuse_throws) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::indexed_queue_test

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace kinetri {
+namespace kinetri::observer_list_test {
 namespace {
 
 struct Named {
@@ -109,4 +109,4 @@ TEST(Observer_list, is_whole_after_an_observer_has_thrown) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::observer_list_test

@@ -27,7 +27,7 @@
 #include "support/motions.h"
 #include "support/temporary_directory.h"
 
-namespace kinetri {
+namespace kinetri::checkpoint_file_test {
 namespace {
 
 using test::Simulation;
@@ -516,4 +516,4 @@ TEST_F(Forged_checkpoint, changed_at_random_is_refused_or_right) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::checkpoint_file_test

@@ -13,7 +13,7 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "support/temporary_directory.h"
 
-namespace kinetri {
+namespace kinetri::checkpoint_logs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ TEST_F(Checkpoint_logs, file_that_was_changed_is_refused) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::checkpoint_logs_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace kinetri {
+namespace kinetri::checksum_test {
 namespace {
 
 std::uint32_t crc32_of(std::string_view content) {
@@ -53,4 +53,4 @@ TEST(Checksum, does_not_depend_on_the_pieces) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::checksum_test

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-namespace kinetri {
+namespace kinetri::edges_file_test {
 namespace {
 
 TEST(Write_edges, writes_a_header_and_one_edge_a_line) {
@@ -24,4 +24,4 @@ TEST(Write_edges, without_edges_writes_the_header) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::edges_file_test

@@ -17,7 +17,7 @@
 #include "kinetri/io/points_file.h"
 #include "kinetri/io/tracks_file.h"
 
-namespace kinetri {
+namespace kinetri::endless_input_test {
 namespace {
 
 // Gives a text and then one byte for ever. It counts what it has given, and ends far beyond every
@@ -155,4 +155,4 @@ TEST(Endless_input, line_of_a_checkpoint_may_have_2_to_the_24_bytes) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::endless_input_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace kinetri {
+namespace kinetri::event_log_test {
 namespace {
 
 using Log_event = Event;
@@ -171,4 +171,4 @@ TEST(Event_log, does_not_depend_on_refinement) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::event_log_test

@@ -9,7 +9,7 @@
 
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::frame_columns_test {
 namespace {
 
 using test::frames;
@@ -101,4 +101,4 @@ TEST(Read_tracks_frames, refuses_places_that_make_sense_only_in_the_other_order)
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::frame_columns_test

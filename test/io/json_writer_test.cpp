@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace kinetri {
+namespace kinetri::json_writer_test {
 namespace {
 
 void write_sample(Json_writer& json) {
@@ -61,4 +61,4 @@ TEST(Json_writer, writes_numbers_that_read_back_and_texts_in_ascii) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::json_writer_test

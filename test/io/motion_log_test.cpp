@@ -20,7 +20,7 @@
 #include "support/disc_runs.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::motion_log_test {
 namespace {
 
 const std::string header = "event,id,x,y,vx,vy,ax,ay,jx,jy,radius,growth,epoch\n";
@@ -253,4 +253,4 @@ TEST(Motion_log, tells_the_motions_of_discs_that_grow_and_of_changes) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::motion_log_test

@@ -17,7 +17,7 @@
 #include "support/message_of.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::output_directory_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -214,4 +214,4 @@ TEST_F(Output_directory_test, all_temporaries_can_be_removed_at_once) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::output_directory_test

@@ -15,7 +15,7 @@
 #include "support/directory_test.h"
 #include "support/message_of.h"
 
-namespace kinetri {
+namespace kinetri::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,4 +240,4 @@ TEST_F(Output_file_test, target_that_became_a_directory_is_reported) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::output_file_test

@@ -13,7 +13,7 @@
 
 #include "kinetri/io/points_file.h"
 
-namespace kinetri {
+namespace kinetri::parse_number_test {
 namespace {
 
 double number(const std::string& text) {
@@ -118,4 +118,4 @@ TEST(Parse_number, agrees_with_the_c_library) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::parse_number_test

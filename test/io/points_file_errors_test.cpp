@@ -13,7 +13,7 @@
 #include "support/points_text.h"
 #include "support/wrong_input.h"
 
-namespace kinetri {
+namespace kinetri::points_file_errors_test {
 namespace {
 
 using test::points_error;
@@ -227,4 +227,4 @@ TEST(Read_points, stream_that_fails_is_an_error_and_not_the_end) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::points_file_errors_test

@@ -23,7 +23,7 @@
 #include "support/temporary_directory.h"
 #include "support/wrong_input.h"
 
-namespace kinetri {
+namespace kinetri::points_file_test {
 namespace {
 
 using test::points_error;
@@ -290,4 +290,4 @@ TEST(Write_points, what_the_format_cannot_hold_throws) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::points_file_test

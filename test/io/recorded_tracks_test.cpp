@@ -13,7 +13,7 @@
 #include "support/temporary_directory.h"
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::recorded_tracks_test {
 namespace {
 
 using test::expect_well_formed;
@@ -69,4 +69,4 @@ INSTANTIATE_TEST_SUITE_P(Crowd, Recorded_tracks,
                          });
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::recorded_tracks_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace kinetri {
+namespace kinetri::stats_file_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -115,4 +115,4 @@ TEST(Write_stats, keys_are_always_there_in_one_order) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::stats_file_test

@@ -12,7 +12,7 @@
 
 #include "support/text.h"
 
-namespace kinetri {
+namespace kinetri::svg_frame_test {
 namespace {
 
 using test::between;
@@ -153,4 +153,4 @@ TEST(Svg_frame, has_finer_lines_where_there_are_more_points) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::svg_frame_test

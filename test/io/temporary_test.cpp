@@ -28,7 +28,7 @@
 #include "support/motions.h"
 #include "support/temporary_directory.h"
 
-namespace kinetri {
+namespace kinetri::temporary_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -399,4 +399,4 @@ TEST_F(Temporary_test, signal_at_any_moment_leaves_nothing) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::temporary_test

@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-namespace kinetri {
+namespace kinetri::text_test {
 namespace {
 
 TEST(Text, is_joined_from_pieces) {
@@ -70,4 +70,4 @@ TEST(Text, in_hexadecimal_digits_has_zeros_before_it) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::text_test

@@ -10,7 +10,7 @@
 
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::timestamp_test {
 namespace {
 
 Timestamp timestamp(const std::string& text) {
@@ -116,4 +116,4 @@ TEST(Parse_timestamp, of_a_wrong_format_is_a_precondition_error) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::timestamp_test

@@ -10,7 +10,7 @@
 #include "kinetri/io/tracks_file.h"
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::tracks_atoms_test {
 namespace {
 
 using test::read_options;
@@ -255,4 +255,4 @@ TEST(Read_tracks_xyz, errors_name_the_line) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_atoms_test

@@ -16,7 +16,7 @@
 #include "support/precondition_error.h"
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::tracks_degrees_test {
 namespace {
 
 using test::read_options;
@@ -472,4 +472,4 @@ TEST(Project_tracks, preconditions_are_checked) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_degrees_test

@@ -14,7 +14,7 @@
 #include "support/tracks_text.h"
 #include "support/wrong_input.h"
 
-namespace kinetri {
+namespace kinetri::tracks_file_errors_test {
 namespace {
 
 using test::Breaking_buffer;
@@ -186,4 +186,4 @@ TEST(Read_tracks, quoted_ids_are_printable_and_short) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_file_errors_test

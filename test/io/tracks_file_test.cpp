@@ -25,7 +25,7 @@
 #include "support/tracks_text.h"
 #include "support/wrong_input.h"
 
-namespace kinetri {
+namespace kinetri::tracks_file_test {
 namespace {
 
 using test::expect_well_formed;
@@ -337,4 +337,4 @@ TEST(Read_tracks_file, bad_paths_are_named) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_file_test

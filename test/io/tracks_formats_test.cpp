@@ -14,7 +14,7 @@
 #include "support/temporary_directory.h"
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::tracks_formats_test {
 namespace {
 
 using test::frames;
@@ -290,4 +290,4 @@ TEST(Recognized_tracks, recorded_crowds_are_recognized_in_both_orders) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_formats_test

@@ -10,7 +10,7 @@
 #include "kinetri/io/tracks_file.h"
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::tracks_geojson_test {
 namespace {
 
 using test::read_options;
@@ -191,4 +191,4 @@ TEST(Read_tracks_geojson, deep_nesting_is_refused) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_geojson_test

@@ -17,7 +17,7 @@
 #include <sqlite3.h>
 #endif
 
-namespace kinetri {
+namespace kinetri::tracks_jupedsim_test {
 namespace {
 
 using test::read_options;
@@ -191,4 +191,4 @@ TEST(Read_tracks_jupedsim, damaged_files_are_read_or_refused) {
 #endif
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_jupedsim_test

@@ -13,7 +13,7 @@
 #include "kinetri/io/tracks_file.h"
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::tracks_recordings_test {
 namespace {
 
 using test::read_options;
@@ -436,4 +436,4 @@ TEST(Read_tracks_unwrap, goes_on_to_the_nearest_image) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_recordings_test

@@ -21,7 +21,7 @@
 #include <sqlite3.h>
 #endif
 
-namespace kinetri {
+namespace kinetri::tracks_same_in_all_formats_test {
 namespace {
 
 constexpr double fps = 25;
@@ -229,4 +229,4 @@ TEST(Tracks_in_all_formats, of_recorded_crowds_are_the_same) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_same_in_all_formats_test

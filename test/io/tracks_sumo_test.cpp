@@ -9,7 +9,7 @@
 #include "kinetri/io/tracks_file.h"
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::tracks_sumo_test {
 namespace {
 
 using test::read_options;
@@ -122,4 +122,4 @@ TEST(Read_tracks_sumo, deep_and_long_elements_are_refused) {
 #endif
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_sumo_test

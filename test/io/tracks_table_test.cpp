@@ -11,7 +11,7 @@
 #include "kinetri/io/tracks_file.h"
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::tracks_table_test {
 namespace {
 
 using test::read_options;
@@ -274,4 +274,4 @@ TEST(Read_tracks_table, errors_of_times_in_several_columns) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_table_test

@@ -10,7 +10,7 @@
 #include "kinetri/io/tracks_file.h"
 #include "support/tracks_text.h"
 
-namespace kinetri {
+namespace kinetri::tracks_xml_test {
 namespace {
 
 using test::read_options;
@@ -150,4 +150,4 @@ TEST(Read_tracks_sumo_degrees, are_suspected_by_speeds) {
 #endif
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_xml_test

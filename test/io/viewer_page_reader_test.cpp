@@ -27,7 +27,7 @@
 #include "support/text.h"
 #include "support/triangles.h"
 
-namespace kinetri {
+namespace kinetri::viewer_page_reader_test {
 namespace {
 
 const std::string begin_mark = "<script type=\"application/json\" id=\"recording\">";
@@ -332,4 +332,4 @@ TEST(Viewer_page_reader, of_a_page_with_random_damage_refuses_it_or_plays_it) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::viewer_page_reader_test

@@ -12,7 +12,7 @@
 #include "kinetri/events/event_color.h"
 #include "support/text.h"
 
-namespace kinetri {
+namespace kinetri::viewer_page_test {
 namespace {
 
 using nlohmann::json;
@@ -200,4 +200,4 @@ TEST(Viewer_page, shows_a_recording_of_nothing) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::viewer_page_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace kinetri {
+namespace kinetri::vtu_file_test {
 namespace {
 
 std::string vtu(const Frame_2& frame) {
@@ -126,4 +126,4 @@ TEST(Pvd_file, names_each_file_with_its_time) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::vtu_file_test

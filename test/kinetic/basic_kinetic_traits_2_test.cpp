@@ -13,7 +13,7 @@
 #include "support/certificates.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::basic_kinetic_traits_2_test {
 namespace {
 
 Moving_point_2 moving(double x, double y, double vx, double vy, double epoch = 0) {
@@ -84,7 +84,7 @@ class Linear_kinetic_traits_2_test : public testing::TestWithParam<Arithmetic> {
                                                          const Moving_point_2& q,
                                                          const Moving_point_2& r,
                                                          const Moving_point_2& s, double t) {
-    return kinetri::in_circle_failure_time(traits, p, q, r, s, t);
+    return basic_kinetic_traits_2_test::in_circle_failure_time(traits, p, q, r, s, t);
   }
   std::optional<Algebraic_number> orientation_failure_time(const Moving_point_2& p,
                                                            const Moving_point_2& q,
@@ -444,4 +444,4 @@ static_assert(KineticTraits_2<Derived_traits>);
 static_assert(!BatchKineticTraits_2<Derived_traits>);
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::basic_kinetic_traits_2_test

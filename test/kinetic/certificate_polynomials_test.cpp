@@ -11,7 +11,7 @@
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::certificate_polynomials_test {
 namespace {
 
 using test::place_at;
@@ -171,4 +171,4 @@ TEST(Certificate_polynomials, of_circumcenters_have_the_signs_of_the_static_pred
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::certificate_polynomials_test

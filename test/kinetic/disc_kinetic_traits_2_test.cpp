@@ -9,7 +9,7 @@
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "support/discs.h"
 
-namespace kinetri {
+namespace kinetri::disc_kinetic_traits_2_test {
 namespace {
 
 using test::disc_at;
@@ -282,4 +282,4 @@ TYPED_TEST(Certificates_of_discs, agree_with_static_predicates_at_many_times) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::disc_kinetic_traits_2_test

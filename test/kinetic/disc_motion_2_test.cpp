@@ -11,7 +11,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/discs.h"
 
-namespace kinetri {
+namespace kinetri::disc_motion_2_test {
 namespace {
 
 using test::Disc_source;
@@ -199,4 +199,4 @@ TEST(Disc_motion, is_printed_with_radius_growth_and_weight) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::disc_motion_2_test

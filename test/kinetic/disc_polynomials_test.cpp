@@ -9,7 +9,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/discs.h"
 
-namespace kinetri {
+namespace kinetri::disc_polynomials_test {
 namespace {
 
 using test::disc_at;
@@ -185,4 +185,4 @@ TEST(Disc_polynomials, of_growing_discs_on_straight_lines_have_the_degrees_of_po
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::disc_polynomials_test

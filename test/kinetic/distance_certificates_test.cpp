@@ -19,7 +19,7 @@
 #include "support/discs.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::distance_certificates_test {
 namespace {
 
 using Kind = Certificate::Kind;
@@ -456,4 +456,4 @@ INSTANTIATE_TEST_SUITE_P(Flavors, Filtered_distance_certificates,
                          testing::Range(0, test::Certificates::flavors), test::flavor_name);
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::distance_certificates_test

@@ -21,7 +21,7 @@
 #include "support/disc_certificates.h"
 #include "support/multiplier.h"
 
-namespace kinetri {
+namespace kinetri::exact_certificates_test {
 namespace {
 
 using Kind = Certificate::Kind;
@@ -350,4 +350,4 @@ INSTANTIATE_TEST_SUITE_P(Flavors, Exact_traits, testing::Range(0, test::Certific
                          test::flavor_name);
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::exact_certificates_test

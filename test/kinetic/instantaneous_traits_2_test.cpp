@@ -17,7 +17,7 @@
 #include "support/brute_force_simulator.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::instantaneous_traits_2_test {
 namespace {
 
 using Triangulation = CGAL::Delaunay_triangulation_2<Instantaneous_traits_2>;
@@ -293,4 +293,4 @@ TEST(Instantaneous_traits_2, the_dual_is_the_voronoi_diagram) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::instantaneous_traits_2_test

@@ -12,7 +12,7 @@
 #include "support/certificates.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::linear_motion_2_test {
 namespace {
 
 TEST(Linear_motion_2, with_another_epoch_is_the_same_trajectory_only_exactly) {
@@ -106,4 +106,4 @@ TEST(Moving_point_2, is_exactly_where_its_motion_says) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::linear_motion_2_test

@@ -12,7 +12,7 @@
 #include "kinetri/kinetic/moving_point_2.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::polynomial_motion_2_test {
 namespace {
 
 using Point = Basic_moving_point_2<Polynomial_motion_2>;
@@ -135,4 +135,4 @@ TEST(Polynomial_motion_2, mirrored_is_where_it_was) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::polynomial_motion_2_test

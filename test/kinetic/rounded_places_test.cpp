@@ -14,7 +14,7 @@
 #include "support/certificates.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::rounded_places_test {
 namespace {
 
 using test::Certificates;
@@ -121,4 +121,4 @@ TEST(Rounded_places, too_large_or_none_make_nothing_certain) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::rounded_places_test

@@ -14,7 +14,7 @@
 #include "kinetri/kinetic/moving_point_2.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::singular_cases_test {
 namespace {
 
 // The certificate of the edge between the first two points, to the left of which the third one is:
@@ -84,4 +84,4 @@ TEST(Singular_cases, a_triple_root_beside_a_simple_one_is_an_event) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::singular_cases_test

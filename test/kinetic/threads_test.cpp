@@ -13,7 +13,7 @@
 
 #include "kinetri/kinetic/instantaneous_traits_2.h"
 
-namespace kinetri {
+namespace kinetri::kinetic_threads_test {
 namespace {
 
 // What the predicates and constructions find of every four of the points.
@@ -78,4 +78,4 @@ TEST(Threads, ask_the_predicates_of_one_instant) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::kinetic_threads_test

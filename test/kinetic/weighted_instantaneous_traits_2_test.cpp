@@ -17,7 +17,7 @@
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "support/discs.h"
 
-namespace kinetri {
+namespace kinetri::weighted_instantaneous_traits_2_test {
 namespace {
 
 using test::disc_at;
@@ -190,4 +190,4 @@ TEST(Weighted_instantaneous_traits, compare_weights) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::weighted_instantaneous_traits_2_test

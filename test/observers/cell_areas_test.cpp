@@ -20,7 +20,7 @@
 #include "support/precondition_error.h"
 #include "support/query_oracle.h"
 
-namespace kinetri {
+namespace kinetri::cell_areas_test {
 namespace {
 
 using test::exact_area;
@@ -349,4 +349,4 @@ TEST(CellAreas, want_a_limit) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::cell_areas_test

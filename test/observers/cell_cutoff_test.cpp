@@ -17,7 +17,7 @@
 #include "support/motions.h"
 #include "support/query_oracle.h"
 
-namespace kinetri {
+namespace kinetri::cell_cutoff_test {
 namespace {
 
 using std::numbers::pi;
@@ -176,4 +176,4 @@ TEST(Cutoff, of_random_cells_is_between_polygons) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::cell_cutoff_test

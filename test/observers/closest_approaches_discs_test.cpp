@@ -19,7 +19,7 @@
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
-namespace kinetri {
+namespace kinetri::closest_approaches_discs_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -476,4 +476,4 @@ TEST(Closest_discs, that_grow_begin_with_the_closest_of_all_pairs) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::closest_approaches_discs_test

@@ -20,7 +20,7 @@
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
-namespace kinetri {
+namespace kinetri::closest_approaches_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -459,4 +459,4 @@ TEST(Approach, of_points_that_meet_has_the_distance_zero) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::closest_approaches_test

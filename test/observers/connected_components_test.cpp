@@ -18,7 +18,7 @@
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
-namespace kinetri {
+namespace kinetri::connected_components_test {
 namespace {
 
 using test::Component_oracle;
@@ -485,4 +485,4 @@ INSTANTIATE_TEST_SUITE_P(Recorded, Connected_crowd,
                          });
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::connected_components_test

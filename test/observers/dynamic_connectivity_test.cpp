@@ -11,7 +11,7 @@
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::dynamic_connectivity_test {
 namespace {
 
 // The component of each point by a search over all edges.
@@ -122,4 +122,4 @@ TEST(Dynamic_connectivity, refuses_what_is_not_there) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::dynamic_connectivity_test

@@ -16,7 +16,7 @@
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
-namespace kinetri {
+namespace kinetri::encounters_discs_test {
 namespace {
 
 using Disc_simulation = Simulation_2<Disc_kinetic_traits_2>;
@@ -242,4 +242,4 @@ TEST(Encounters_of_discs, that_accelerate_are_those_of_all_pairs) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::encounters_discs_test

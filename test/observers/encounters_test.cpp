@@ -19,7 +19,7 @@
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
-namespace kinetri {
+namespace kinetri::encounters_test {
 namespace {
 
 using Recorder = test::Leg_recorder<Linear_kinetic_traits_2>;
@@ -383,4 +383,4 @@ TEST(Encounters, ask_for_few_certificates) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::encounters_test

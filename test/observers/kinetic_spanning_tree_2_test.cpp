@@ -17,7 +17,7 @@
 #include "support/disc_runs.h"
 #include "support/random_walks.h"
 
-namespace kinetri {
+namespace kinetri::kinetic_spanning_tree_2_test {
 namespace {
 
 using Edges = std::vector<Edge_ids>;
@@ -394,4 +394,4 @@ TEST(Kinetic_spanning_tree_2, of_recorded_pedestrians_is_that_of_all_pairs) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::kinetic_spanning_tree_2_test

@@ -12,7 +12,7 @@
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::mean_cell_areas_test {
 namespace {
 
 Walkable_area square() {
@@ -152,4 +152,4 @@ TEST(MeanCellAreas, want_a_limit_and_a_tolerance) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::mean_cell_areas_test

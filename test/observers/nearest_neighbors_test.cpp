@@ -31,6 +31,9 @@ bool operator==(const Nearest_neighbor_change& a, const Nearest_neighbor_change&
   return a.time == b.time && a.id == b.id && a.before == b.before && a.after == b.after;
 }
 
+}  // namespace kinetri
+
+namespace kinetri::nearest_neighbors_test {
 namespace {
 
 // ---- the oracle: all triples, in exact arithmetic ----
@@ -416,4 +419,4 @@ TEST(Nearest_neighbors, between_steps_are_those_of_queries) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::nearest_neighbors_test

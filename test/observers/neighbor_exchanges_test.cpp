@@ -11,7 +11,7 @@
 #include "kinetri/observers/detail/answer_columns.h"
 #include "kinetri/observers/neighbor_lives.h"
 
-namespace kinetri {
+namespace kinetri::neighbor_exchanges_test {
 namespace {
 
 // Points 0 and 1 rest at (-1, 0) and (1, 0); 2 and 3, at (0, -h) and (0, h), come nearer to each
@@ -122,4 +122,4 @@ TEST(Exchange_columns, have_the_rate_of_exchanges_that_are_not_short) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::neighbor_exchanges_test

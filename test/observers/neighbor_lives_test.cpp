@@ -22,7 +22,7 @@
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
-namespace kinetri {
+namespace kinetri::neighbor_lives_test {
 namespace {
 
 // ---- the oracle: the triangulation as it is after each step ----
@@ -664,4 +664,4 @@ TEST(Neighbor_lives, of_a_real_crowd_are_those_of_the_triangulation) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::neighbor_lives_test

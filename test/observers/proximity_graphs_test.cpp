@@ -11,7 +11,7 @@
 #include "support/brute_force_simulator.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::proximity_graphs_test {
 namespace {
 
 // ---- the oracle: all triples, by the signs of polynomials just after the time ----
@@ -188,4 +188,4 @@ TEST(Proximity_graphs, of_points_that_come_and_go_are_those_of_all_triples) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::proximity_graphs_test

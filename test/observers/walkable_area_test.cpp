@@ -9,7 +9,7 @@
 #include "kinetri/base/error.h"
 #include "support/message_of.h"
 
-namespace kinetri {
+namespace kinetri::walkable_area_test {
 namespace {
 
 Walkable_area area_of(const std::string& text) {
@@ -142,4 +142,4 @@ TEST(WalkableArea, of_vertices_is_their_polygon_in_either_direction) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::walkable_area_test

@@ -15,7 +15,7 @@
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::widest_path_test {
 namespace {
 
 using Kinetic = Kinetic_triangulation_2<Linear_kinetic_traits_2>;
@@ -179,4 +179,4 @@ TEST(Widest_path, ends_where_a_gap_is_closed) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::widest_path_test

@@ -164,6 +164,15 @@ class Sources(Tree):
             found, ["include/kinetri/io/points_file.h:1: no include guard KINETRI_IO_POINTS_FILE_H"]
         )
 
+    def test_tests_are_in_a_namespace_named_after_their_file(self):
+        path = "test/io/a_test.cpp"
+        for right in ("kinetri::a_test", "kinetri::app::a_test", "kinetri::io_a_test"):
+            self.assertEqual(self.problems(path, f"{LICENCE}namespace {right} {{\n}}\n"), [])
+        for wrong in ("kinetri", "kinetri::test", "kinetri::b_a_test", "a_test"):
+            with self.subTest(namespace=wrong):
+                found = self.problems(path, f"{LICENCE}namespace {wrong} {{\n}}\n")
+                self.assertEqual(found, [f"{path}:1: expected a namespace ...::a_test around the tests"])
+
     def test_a_source_begins_with_its_own_header(self):
         header = f"{LICENCE}#ifndef KINETRI_IO_A_H\n#define KINETRI_IO_A_H\n{FIRST_INCLUDE}#endif\n"
         own, other = '#include "kinetri/io/a.h"\n', "#include <vector>\n"
@@ -198,7 +207,8 @@ class Sources(Tree):
         text = LICENCE + 'KINETRI_PRECONDITION(!empty(),\n  "the queue is empty");\n'
         self.assertEqual(self.problems("src/events/a.cpp", text),
                          ['src/events/a.cpp:2: "the queue is empty" is in no test; break it in one'])
-        test = LICENCE + 'EXPECT_PRECONDITION_ERROR(top(), "the queue "\n  "is empty");\n'
+        test = (LICENCE + "namespace kinetri::a_test {\n}\n" +
+                'EXPECT_PRECONDITION_ERROR(top(), "the queue "\n  "is empty");\n')
         self.assertEqual(self.problems("test/events/a_test.cpp", test), [])
 
     def test_what_is_built_is_not_checked(self):

@@ -13,7 +13,7 @@
 #include "support/kinetic_runs.h"
 #include "support/message_of.h"
 
-namespace kinetri {
+namespace kinetri::accelerated_simulation_test {
 namespace {
 
 using test::discs;
@@ -281,4 +281,4 @@ TEST(Accelerated_points, come_turn_and_go_by_schedule) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::accelerated_simulation_test

@@ -19,7 +19,7 @@
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
-namespace kinetri {
+namespace kinetri::advance_test {
 namespace {
 
 using test::count;
@@ -356,4 +356,4 @@ TEST(Advance, refuses_changes_scheduled_by_who_does_not_look) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::advance_test

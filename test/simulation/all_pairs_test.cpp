@@ -16,7 +16,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "support/all_pairs_comparison.h"
 
-namespace kinetri {
+namespace kinetri::all_pairs_test {
 namespace {
 
 /// The numbers of a random motion: of binary64, or small whole ones, which make contacts at one
@@ -193,4 +193,4 @@ INSTANTIATE_TEST_SUITE_P(, All_pairs,
                          case_name);
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::all_pairs_test

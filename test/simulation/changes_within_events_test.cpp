@@ -16,7 +16,7 @@
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::changes_within_events_test {
 namespace {
 
 using test::Recorder;
@@ -339,4 +339,4 @@ TEST(Changes_within_events_of_simulations, may_remove_observers) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::changes_within_events_test

@@ -15,7 +15,7 @@
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::collision_response_test {
 namespace {
 
 using test::discs;
@@ -252,4 +252,4 @@ TEST(Masses, that_have_no_meaning_are_refused) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::collision_response_test

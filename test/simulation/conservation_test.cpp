@@ -18,7 +18,7 @@
 #include "support/disc_runs.h"
 #include "support/multiplier.h"
 
-namespace kinetri {
+namespace kinetri::conservation_test {
 namespace {
 
 using Real = long double;
@@ -143,4 +143,4 @@ TYPED_TEST(Conservation, of_energy_and_momentum_in_free_space_until_the_discs_ha
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::conservation_test

@@ -18,15 +18,15 @@
 #include "support/contact_region_runs.h"
 #include "support/multiplier.h"
 
-namespace kinetri {
+namespace kinetri::contact_regions_test {
 namespace {
 
 using detail::Region_counters;
-using test::box_of;
 using test::change_some_points;
 using test::difference_from_loop;
 using test::difference_of_simulations;
 using test::gas;
+using test::in_square;
 using test::on_lattice;
 using test::options_of;
 
@@ -35,7 +35,7 @@ TEST(Contact_regions, reflect_points_as_the_loop_does) {
   for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 30 + 17 * (seed % 30);
     const double side = 10 * std::sqrt(static_cast<double>(n));
-    ASSERT_EQ(difference_from_loop(gas(n, side, 0, 20, seed), box_of(side), {0.5, 2.0},
+    ASSERT_EQ(difference_from_loop(gas(n, side, 0, 20, seed), in_square(side), {0.5, 2.0},
                                    options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 9)), sum),
               "")
         << "seed " << seed;
@@ -53,7 +53,7 @@ TEST(Contact_regions, collide_discs_as_the_loop_does) {
     const std::size_t n = 30 + 17 * (seed % 30);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     Simulation_options options;
-    if (seed % 4 != 3) options = box_of(side);
+    if (seed % 4 != 3) options = in_square(side);
     options.radius = std::array{1.2, 2.5, 4.0}[seed % 3];
     options.rim_touches = seed % 4 == 0;
     options.response = seed % 5 == 4 ? swap_velocities : collide_elastically;
@@ -81,7 +81,7 @@ TEST(Contact_regions, undo_contacts_that_come_too_early) {
   for (unsigned seed = 0; seed < 15u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 100 + seed % 99;
     const double side = 10 * std::sqrt(static_cast<double>(n));
-    Simulation_options options = box_of(side);
+    Simulation_options options = in_square(side);
     options.radius = std::array{1.5, 3.0}[seed % 2];
     options.response = collide_elastically;
     std::vector<Algebraic_number> times;
@@ -126,7 +126,7 @@ TEST(Contact_regions, collide_accelerated_discs_as_the_loop_does) {
       falling.acceleration = {0, seed % 2 == 0 ? -1.0 : 0.25};
       motions.push_back(falling);
     }
-    Simulation_options options = box_of(side);
+    Simulation_options options = in_square(side);
     if (seed % 3 != 2) {
       options.radius = 2;
       options.response = collide_elastically;
@@ -158,7 +158,7 @@ TEST(Contact_regions, collide_discs_of_any_size_as_the_loop_does) {
       discs.push_back({motion, radius, growth, 0});
     }
     Simulation_options options;
-    if (seed % 4 != 3) options = box_of(side);
+    if (seed % 4 != 3) options = in_square(side);
     options.rim_touches = seed % 8 == 0;
     options.response = seed % 5 == 4 ? swap_velocities : collide_elastically;
     ASSERT_EQ(
@@ -189,7 +189,7 @@ TEST(Contact_regions, collide_small_discs_with_large_ones_as_the_loop_does) {
                                                 : 0.05;
       discs.push_back({motion, radius, 0, 0});
     }
-    Simulation_options options = box_of(side);
+    Simulation_options options = in_square(side);
     options.response = collide_elastically;
     for (std::size_t k = 0; k < n && seed % 2 == 1; ++k) {
       options.masses.push_back(discs[k].radius * discs[k].radius);
@@ -242,10 +242,10 @@ TEST(Contact_regions, reflect_discs_that_hide_others_as_the_loop_does) {
       const double radius = random() % 8 == 0 ? 12 : 1;
       discs.push_back({motion, radius, seed % 3 == 0 ? 0.5 : 0.0, 0});
     }
-    ASSERT_EQ(
-        difference_from_loop<Disc_kinetic_traits_2>(
-            discs, box_of(side), {0.5, 1.5}, options_of(1 + seed % 12, 0.1 * (1 + seed % 5)), sum),
-        "")
+    ASSERT_EQ(difference_from_loop<Disc_kinetic_traits_2>(
+                  discs, in_square(side), {0.5, 1.5},
+                  options_of(1 + seed % 12, 0.1 * (1 + seed % 5)), sum),
+              "")
         << "seed " << seed;
   }
   EXPECT_GT(sum.by_region, 500u);
@@ -258,7 +258,7 @@ TEST(Contact_regions, follow_changes_as_the_loop_does) {
   for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 60 + 11 * (seed % 20);
     const double side = 10 * std::sqrt(static_cast<double>(n));
-    Simulation_options options = box_of(side);
+    Simulation_options options = in_square(side);
     if (seed % 3 != 0) {
       options.radius = 2;
       options.response = collide_elastically;
@@ -294,7 +294,7 @@ TEST(Contact_regions, leave_other_responses_to_the_loop) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     const std::size_t n = 50 + 10 * seed;
     const double side = 10 * std::sqrt(static_cast<double>(n));
-    Simulation_options options = box_of(side);
+    Simulation_options options = in_square(side);
     options.radius = 1.5;
     options.response_is_pure = seed % 2 == 0;
     options.response = [](const Contact_2& /*contact*/) { return Contact_response_2(); };
@@ -310,7 +310,7 @@ TEST(Contact_regions, leave_other_responses_to_the_loop) {
 // A response given by the user, called by several threads.
 TEST(Contact_regions, call_a_response_that_is_said_to_be_pure) {
   Region_counters sum;
-  Simulation_options options = box_of(100);
+  Simulation_options options = in_square(100);
   options.radius = 1.5;
   options.response = [](const Contact_2& contact) {
     Contact_response_2 result = collide_elastically(contact);
@@ -327,7 +327,7 @@ TEST(Contact_regions, call_a_response_that_is_said_to_be_pure) {
 // An error of a response comes where the plain loop has it.
 TEST(Contact_regions, throw_what_the_loop_throws) {
   using Simulation = Simulation_2<Linear_kinetic_traits_2>;
-  Simulation_options options = box_of(100);
+  Simulation_options options = in_square(100);
   options.radius = 1.5;
   options.response = [](const Contact_2& contact) {
     if (contact.time > 1) throw std::runtime_error("late");
@@ -350,7 +350,7 @@ TEST(Contact_regions, throw_what_the_loop_throws) {
 TEST(Contact_regions, leave_a_usable_simulation) {
   using Simulation = Simulation_2<Linear_kinetic_traits_2>;
   for (unsigned seed = 0; seed < 10; ++seed) {
-    Simulation_options options = box_of(100);
+    Simulation_options options = in_square(100);
     options.radius = 2;
     options.response = collide_elastically;
     const auto motions = gas(100, 100, 4, 6, seed);
@@ -384,7 +384,7 @@ TEST(Contact_regions, go_on_after_an_observer_has_thrown) {
     }
   };
   for (const unsigned seed : {0u, 1u, 2u, 4u, 5u, 6u}) {
-    Simulation_options options = box_of(100);
+    Simulation_options options = in_square(100);
     options.radius = 2;
     options.response = collide_elastically;
     const auto motions = gas(100, 100, 4, 9, seed);
@@ -404,4 +404,4 @@ TEST(Contact_regions, go_on_after_an_observer_has_thrown) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::contact_regions_test

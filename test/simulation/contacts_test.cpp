@@ -16,7 +16,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "support/disc_runs.h"
 
-namespace kinetri {
+namespace kinetri::contacts_test {
 namespace {
 
 using test::count;
@@ -116,4 +116,4 @@ TEST(Logged_contacts, are_not_repeated_before_the_discs_have_parted) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::contacts_test

@@ -18,7 +18,7 @@
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::disc_simulation_test {
 namespace {
 
 using test::count;
@@ -338,4 +338,4 @@ TEST(Discs_of_any_size, have_the_first_contacts_of_all_pairs) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::disc_simulation_test

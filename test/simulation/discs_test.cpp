@@ -12,7 +12,7 @@
 #include "support/disc_runs.h"
 #include "support/message_of.h"
 
-namespace kinetri {
+namespace kinetri::discs_test {
 namespace {
 
 using test::count;
@@ -279,4 +279,4 @@ TEST(Contacts_without_end, are_none_where_discs_keep_their_motions) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::discs_test

@@ -15,15 +15,15 @@
 #include "support/contact_region_runs.h"
 #include "support/multiplier.h"
 
-namespace kinetri {
+namespace kinetri::erasure_regions_test {
 namespace {
 
 using detail::Region_counters;
-using test::box_of;
 using test::difference_from_loop;
 using test::difference_of_simulations;
 using test::erase_lighter;
 using test::gas;
+using test::in_square;
 using test::options_of;
 
 // Discs that vanish at a contact: both, or the lighter one. Among them are discs at the hull, and
@@ -35,7 +35,7 @@ TEST(Erasure_regions, erase_discs_as_the_loop_does) {
     const std::size_t n = 30 + 17 * (seed % 30);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     Simulation_options options;
-    if (seed % 4 != 3) options = box_of(side);
+    if (seed % 4 != 3) options = in_square(side);
     options.radius = std::array{0.5, 1.2, 2.5}[seed % 3];
     options.response = seed % 5 < 3 ? erase_both : erase_lighter;
     options.response_is_pure = true;
@@ -72,7 +72,7 @@ TEST(Erasure_regions, erase_discs_of_any_size_as_the_loop_does) {
       const double radius = seed % 4 == 3 ? 2 : static_cast<double>(1 + random() % 100) / 50;
       discs.push_back({motion, radius, seed % 3 == 1 ? 0.1 : 0.0, 0});
     }
-    Simulation_options options = box_of(side);
+    Simulation_options options = in_square(side);
     options.rim_touches = seed % 2 == 0;
     options.response = seed % 3 == 0 ? erase_lighter : erase_both;
     options.response_is_pure = true;
@@ -100,7 +100,7 @@ TEST(Erasure_regions, bring_erased_discs_back_where_a_window_is_cut) {
       position = {std::round(position.x), std::round(position.y)};
       velocity = {std::round(velocity.x), std::round(velocity.y)};
     }
-    Simulation_options options = box_of(std::ceil(side));
+    Simulation_options options = in_square(std::ceil(side));
     options.radius = 1.5;
     options.response = seed % 2 == 0 ? erase_both : erase_lighter;
     options.response_is_pure = true;
@@ -116,7 +116,7 @@ TEST(Erasure_regions, bring_erased_discs_back_where_a_window_is_cut) {
 // A recorder looks at the triangulation that is there when a disc has vanished.
 TEST(Erasure_regions, record_discs_that_vanish) {
   using Simulation = Simulation_2<Linear_kinetic_traits_2>;
-  Simulation_options options = box_of(100);
+  Simulation_options options = in_square(100);
   options.radius = 1.5;
   options.response_is_pure = true;
   for (const auto& response : {erase_both, erase_lighter}) {
@@ -137,4 +137,4 @@ TEST(Erasure_regions, record_discs_that_vanish) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::erasure_regions_test

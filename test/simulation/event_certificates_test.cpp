@@ -24,7 +24,7 @@
 #include "support/disc_runs.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::event_certificates_test {
 namespace {
 
 using Time = Algebraic_number;
@@ -416,4 +416,4 @@ TEST(Event_certificates, say_why_nothing_fails) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::event_certificates_test

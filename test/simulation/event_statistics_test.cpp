@@ -17,7 +17,7 @@
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::event_statistics_test {
 namespace {
 
 using test::discs;
@@ -217,4 +217,4 @@ TEST(Event_statistics, refuses_intervals_that_are_none) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::event_statistics_test

@@ -9,7 +9,7 @@
 #include "kinetri/base/error.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::experiment_test {
 namespace {
 
 Experiment_setting small_setting() {
@@ -171,4 +171,4 @@ TEST(Discrete_steps, miss_nothing_when_tiny_and_much_when_wide) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::experiment_test

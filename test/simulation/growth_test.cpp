@@ -19,7 +19,7 @@
 #include "kinetri/simulation/scenarios.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::growth_test {
 namespace {
 
 using Simulation = Simulation_2<Disc_kinetic_traits_2>;
@@ -444,4 +444,4 @@ TEST(Growth, expects_a_box_a_share_and_discs) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::growth_test

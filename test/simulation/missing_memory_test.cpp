@@ -20,7 +20,7 @@
 #include "support/multiplier.h"
 #include "support/region_runs.h"
 
-namespace kinetri {
+namespace kinetri::missing_memory_test {
 namespace {
 
 using test::options_of;
@@ -164,4 +164,4 @@ TEST(Missing_memory, in_a_window_in_which_discs_vanish) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::missing_memory_test

@@ -10,7 +10,7 @@
 #include "kinetri/algebra/number_types.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::packing_test {
 namespace {
 
 void expect_apart(const Packing& packing) {
@@ -113,4 +113,4 @@ TEST(Packing, that_cannot_be_is_given_up) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::packing_test

@@ -21,15 +21,15 @@
 #include "support/contact_region_runs.h"
 #include "support/multiplier.h"
 
-namespace kinetri {
+namespace kinetri::passing_regions_test {
 namespace {
 
 using detail::Region_counters;
-using test::box_of;
 using test::change_some_points;
 using test::difference_from_loop;
 using test::difference_of_simulations;
 using test::gas;
+using test::in_square;
 using test::on_lattice;
 using test::options_of;
 
@@ -68,7 +68,7 @@ TEST(Passing_regions, let_discs_pass_as_the_loop_does) {
     const std::size_t n = 30 + 17 * (seed % 30);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     Simulation_options options;
-    if (seed % 4 != 3) options = box_of(side);
+    if (seed % 4 != 3) options = in_square(side);
     options.radius = std::array{1.2, 4.0, 9.0}[seed % 3];
     options.response = log_contact;
     const double apart = seed % 2 == 0 ? 2 * std::min(options.radius, 4.0) : 0;
@@ -143,7 +143,7 @@ TEST(Passing_regions, let_accelerated_discs_pass_as_the_loop_does) {
       motions.push_back(falling);
     }
     Simulation_options options;
-    if (seed % 3 != 2) options = box_of(side);
+    if (seed % 3 != 2) options = in_square(side);
     options.radius = seed % 2 == 0 ? 2 : 7;
     options.response = log_contact;
     ASSERT_EQ(difference_from_loop<Polynomial_kinetic_traits_2>(motions, options, {0.5, 2.5},
@@ -170,7 +170,7 @@ TEST(Passing_regions, let_discs_of_any_size_pass_as_the_loop_does) {
       discs.push_back({motion, radius, seed % 4 == 1 ? 0.1 : 0, 0});
     }
     Simulation_options options;
-    if (seed % 8 == 7) options = box_of(side);
+    if (seed % 8 == 7) options = in_square(side);
     options.response = log_contact;
     ASSERT_EQ(difference_from_loop<Disc_kinetic_traits_2>(
                   discs, options, {0.5, 1.5}, options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 9)),
@@ -189,7 +189,7 @@ TEST(Passing_regions, follow_changes_as_the_loop_does) {
   for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 60 + 11 * (seed % 20);
     const double side = 10 * std::sqrt(static_cast<double>(n));
-    Simulation_options options = box_of(side);
+    Simulation_options options = in_square(side);
     options.radius = seed % 2 == 0 ? 2 : 6;
     options.response = log_contact;
     const auto change = [&](Simulation_2<Linear_kinetic_traits_2>& simulation) {
@@ -210,7 +210,7 @@ TEST(Passing_regions, follow_changes_as_the_loop_does) {
 TEST(Passing_regions, leave_a_usable_simulation) {
   using Simulation = Simulation_2<Linear_kinetic_traits_2>;
   for (unsigned seed = 0; seed < 10; ++seed) {
-    Simulation_options options = box_of(100);
+    Simulation_options options = in_square(100);
     options.radius = 4;
     options.response = log_contact;
     const auto motions = gas(100, 100, 0, 6, seed);
@@ -251,7 +251,7 @@ TEST(Passing_regions, go_on_after_an_observer_has_thrown) {
   };
   std::array<std::size_t, event_kinds> thrown_at = {};
   for (unsigned seed = 0; seed < 40; ++seed) {
-    Simulation_options options = box_of(100);
+    Simulation_options options = in_square(100);
     options.radius = 4;
     options.response = log_contact;
     const auto motions = gas(100, 100, 0, 9, seed % 4);
@@ -305,4 +305,4 @@ TEST(Passing_regions, have_no_limit_of_contacts_at_one_time) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::passing_regions_test

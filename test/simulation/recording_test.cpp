@@ -22,7 +22,7 @@
 #include "support/precondition_error.h"
 #include "support/triangles.h"
 
-namespace kinetri {
+namespace kinetri::recording_test {
 namespace {
 
 using Motions = std::map<Point_id, Polynomial_disc_motion_2>;
@@ -376,4 +376,4 @@ TEST(Recording, says_how_far_it_got) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::recording_test

@@ -17,7 +17,7 @@
 #include "simulation/contact_turns.h"
 #include "support/contact_region_runs.h"
 
-namespace kinetri {
+namespace kinetri::region_decisions_test {
 namespace {
 
 using detail::Region_counters;
@@ -184,4 +184,4 @@ TEST(Region_decisions, take_windows_for_discs_that_move_at_random) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::region_decisions_test

@@ -18,7 +18,7 @@
 #include "kinetri/base/error.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::scenarios_test {
 namespace {
 
 using Motions = std::vector<Linear_motion_2>;
@@ -243,4 +243,4 @@ TEST(Scenario, names_are_fixed) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::scenarios_test

@@ -9,7 +9,7 @@
 #include "support/disc_runs.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::scheduled_changes_test {
 namespace {
 
 using test::count;
@@ -360,4 +360,4 @@ TEST(Velocities_at_once, that_cannot_be_change_nothing) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::scheduled_changes_test

@@ -13,7 +13,7 @@
 #include "support/disc_runs.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::simulation_2_test {
 namespace {
 
 using test::discs;
@@ -97,4 +97,4 @@ TEST(Simulation, tells_the_present_length_of_its_queue) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::simulation_2_test

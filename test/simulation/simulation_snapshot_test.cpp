@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::simulation_snapshot_test {
 namespace {
 
 using test::count;
@@ -157,4 +157,4 @@ TEST(Simulation_snapshot, that_is_no_state_is_refused) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::simulation_snapshot_test

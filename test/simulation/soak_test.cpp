@@ -16,7 +16,7 @@
 #include "support/live_bytes.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::soak_test {
 namespace {
 
 // A twentieth of it where every step is checked by CGAL or a sanitizer.
@@ -317,4 +317,4 @@ TEST(Soak, of_a_million_operations_leaves_a_simulation_right_and_small) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::soak_test

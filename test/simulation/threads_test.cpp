@@ -14,7 +14,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "simulation/contact_turns.h"
 
-namespace kinetri {
+namespace kinetri::simulation_threads_test {
 namespace {
 
 // Discs in the middle of the cells of a grid, which they fill to a third or so.
@@ -98,4 +98,4 @@ TEST(Threads, execute_contacts_by_regions_as_the_loop_does) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::simulation_threads_test

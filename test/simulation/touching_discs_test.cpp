@@ -18,7 +18,7 @@
 #include "support/all_pairs_comparison.h"
 #include "support/multiplier.h"
 
-namespace kinetri {
+namespace kinetri::touching_discs_test {
 namespace {
 
 using Discs = std::vector<Disc_motion_2>;
@@ -197,4 +197,4 @@ TEST(Touching_discs, come_in_the_order_of_their_ids) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::touching_discs_test

@@ -14,7 +14,7 @@
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
-namespace kinetri {
+namespace kinetri::tracks_test {
 namespace {
 
 using test::Tracks;
@@ -138,4 +138,4 @@ TEST(Tracks, go_nowhere_after_their_last_observation) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::tracks_test

@@ -13,7 +13,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "support/disc_runs.h"
 
-namespace kinetri {
+namespace kinetri::walls_test {
 namespace {
 
 using test::count;
@@ -144,4 +144,4 @@ TEST(Walls, stay_right_on_coarse_grids) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::walls_test

@@ -9,7 +9,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::wave_test {
 namespace {
 
 // The rows, counted from below, in which points move.
@@ -142,4 +142,4 @@ TEST(Wave, refuses_what_is_no_lattice) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::wave_test

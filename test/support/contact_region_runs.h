@@ -93,27 +93,27 @@ std::string difference_from_loop(
     const std::vector<typename Traits::Motion>& motions, const Simulation_options& options,
     const std::vector<Algebraic_number>& times, const Region_options& regions, Region_counters& sum,
     const std::function<void(Simulation_2<Traits>&)>& change = [](Simulation_2<Traits>&) {}) {
-  using Simulation = Simulation_2<Traits>;
+  using Run = Simulation_2<Traits>;
   // More threads than this machine may have.
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
-  Simulation plain(motions, options);
-  Simulation watched(motions, options);
-  Simulation alone(motions, options);
+  Run plain(motions, options);
+  Run watched(motions, options);
+  Run alone(motions, options);
   Log expected;
   Log log;
   plain.add_observer(expected);
   watched.add_observer(log);
   const double end = times.back().to_double();
-  Recorder<Traits> expected_recorder(plain.triangulation(), end, 1'000'000);
-  Recorder<Traits> recorder(watched.triangulation(), end, 1'000'000);
+  kinetri::Recorder<Traits> expected_recorder(plain.triangulation(), end, 1'000'000);
+  kinetri::Recorder<Traits> recorder(watched.triangulation(), end, 1'000'000);
   if (!do_vanish(options)) {
     plain.add_observer(expected_recorder);
     watched.add_observer(recorder);
   }
-  using Turns = detail::Contact_turns<Simulation>;
+  using Turns = detail::Contact_turns<Run>;
   auto watched_run = Turns::run_of(watched, regions);
   for (const Algebraic_number& time : times) {
-    for (Simulation* simulation : {&plain, &watched, &alone}) change(*simulation);
+    for (Run* simulation : {&plain, &watched, &alone}) change(*simulation);
     const std::size_t count = plain.advance_to(time);
     if (watched_run.advance_to(time) != count) return "another number of events";
     // Each call of advance_to makes a run.
@@ -169,7 +169,7 @@ inline void change_some_points(Simulation_2<Linear_kinetic_traits_2>& simulation
   }
 }
 
-inline Simulation_options box_of(double side) {
+inline Simulation_options in_square(double side) {
   Simulation_options options;
   options.box = Box_2{0, 0, side, side};
   return options;

@@ -114,8 +114,8 @@ std::string difference_from_loop(const std::vector<typename Traits::Motion>& mot
   plain.add_observer(expected_writer);
   watched.add_observer(writer);
   const double end = times.back().to_double();
-  Recorder<Traits> expected_recorder(plain, end, 1'000'000);
-  Recorder<Traits> recorder(watched, end, 1'000'000);
+  kinetri::Recorder<Traits> expected_recorder(plain, end, 1'000'000);
+  kinetri::Recorder<Traits> recorder(watched, end, 1'000'000);
   plain.add_observer(expected_recorder);
   watched.add_observer(recorder);
   detail::Region_run<Kinetic> watched_run(watched, options);

@@ -10,7 +10,7 @@
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::audit_test {
 namespace {
 
 using Kinetic_delaunay = Kinetic_delaunay_triangulation_2<>;
@@ -170,4 +170,4 @@ TEST_F(Audit_of_missed_events, finds_a_hull_that_is_not_convex) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::audit_test

@@ -15,7 +15,7 @@
 
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::ball_test {
 namespace {
 
 using detail::Ball;
@@ -209,4 +209,4 @@ TEST(Ball, of_a_place_contains_it) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::ball_test

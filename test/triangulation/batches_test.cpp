@@ -13,7 +13,7 @@
 #include "support/kinetic_runs.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::batches_test {
 namespace {
 
 using test::Kinetic_delaunay;
@@ -193,4 +193,4 @@ TEST(Batch, may_erase_all_points_and_insert_them_again) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::batches_test

@@ -6,7 +6,7 @@
 
 #include "support/same_run.h"
 
-namespace kinetri {
+namespace kinetri::brute_force_test {
 namespace {
 
 void expect_same_run(const std::vector<Linear_motion_2>& motions, const Algebraic_number& start) {
@@ -74,4 +74,4 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Brute_force_on_grids,
                                          std::tuple(7, 3, 1), std::tuple(8, 4, 1)));
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::brute_force_test

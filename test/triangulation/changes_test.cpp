@@ -11,7 +11,7 @@
 #include "support/kinetic_runs.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::changes_test {
 namespace {
 
 using test::Kinetic_delaunay;
@@ -369,4 +369,4 @@ TEST(Changes, are_events_with_their_points) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::changes_test

@@ -14,7 +14,7 @@
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::changes_within_events_test {
 namespace {
 
 using Kinetic_delaunay = Kinetic_delaunay_triangulation_2<>;
@@ -194,4 +194,4 @@ TEST(Changes_within_events, may_remove_observers) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::changes_within_events_test

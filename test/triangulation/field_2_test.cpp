@@ -20,7 +20,7 @@
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::field_2_test {
 namespace {
 
 using Triangulation = Kinetic_delaunay_triangulation_2<>;
@@ -509,4 +509,4 @@ TEST(Kinetic_field_2, a_raster_has_the_same_bits_on_every_machine) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::field_2_test

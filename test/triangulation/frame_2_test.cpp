@@ -12,7 +12,7 @@
 #include "support/kinetic_runs.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::frame_2_test {
 namespace {
 
 using test::Kinetic_delaunay;
@@ -175,4 +175,4 @@ TEST(Frame, of_an_irrational_time_is_rounded) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::frame_2_test

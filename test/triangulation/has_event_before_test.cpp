@@ -8,7 +8,7 @@
 #include "support/kinetic_runs.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::has_event_before_test {
 namespace {
 
 using test::Kinetic_delaunay;
@@ -48,4 +48,4 @@ TEST(Has_event_before, of_a_triangulation_that_never_changes_is_never_true) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::has_event_before_test

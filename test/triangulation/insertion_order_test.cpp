@@ -21,7 +21,7 @@
 #include "support/kinetic_runs.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::insertion_order_test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -231,4 +231,4 @@ TEST(Start_of_a_line, for_an_instant_is_built_anew) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::insertion_order_test

@@ -10,7 +10,7 @@
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::kinetic_delaunay_triangulation_2_test {
 namespace {
 
 using Kinetic_delaunay = Kinetic_delaunay_triangulation_2<>;
@@ -392,4 +392,4 @@ TEST(Kinetic_delaunay_triangulation_2, tells_the_present_length_of_its_queue) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::kinetic_delaunay_triangulation_2_test

@@ -18,7 +18,7 @@
 #include "support/kinetic_runs.h"
 #include "support/multiplier.h"
 
-namespace kinetri {
+namespace kinetri::kinetic_regular_triangulation_2_test {
 namespace {
 
 using test::multiplier;
@@ -436,4 +436,4 @@ TEST(Kinetic_regular_triangulation, refuses_two_discs_that_are_alike_also_when_t
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::kinetic_regular_triangulation_2_test

@@ -12,7 +12,7 @@
 #include "support/brute_force_simulator.h"
 #include "support/kinetic_runs.h"
 
-namespace kinetri {
+namespace kinetri::piecewise_test {
 namespace {
 
 using test::Kinetic_delaunay;
@@ -499,4 +499,4 @@ INSTANTIATE_TEST_SUITE_P(Grids, Piecewise_motion,
                                          Grid{5, 3, 3, 1}, Grid{5, 5, 5, 2}, Grid{6, 4, 4, 1}));
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::piecewise_test

@@ -11,7 +11,7 @@
 #include "support/kinetic_runs.h"
 #include "support/same_run.h"
 
-namespace kinetri {
+namespace kinetri::polynomial_motion_test {
 namespace {
 
 using Polynomial_delaunay = Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>;
@@ -204,4 +204,4 @@ TEST(Polynomial_motion, of_points_that_come_turn_and_go_is_followed) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::polynomial_motion_test

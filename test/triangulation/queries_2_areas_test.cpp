@@ -13,7 +13,7 @@
 #include "support/precondition_error.h"
 #include "support/query_oracle.h"
 
-namespace kinetri {
+namespace kinetri::queries_2_areas_test {
 namespace {
 
 using test::exact_area;
@@ -187,4 +187,4 @@ TEST(Areas, in_what_is_no_polygon_are_refused) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::queries_2_areas_test

@@ -20,7 +20,7 @@
 #include "support/precondition_error.h"
 #include "support/query_oracle.h"
 
-namespace kinetri {
+namespace kinetri::queries_2_discs_test {
 namespace {
 
 using test::expect_areas;
@@ -498,4 +498,4 @@ TEST(Queries_of_discs, areas_with_huge_and_tiny_numbers_are_those_of_the_exact_c
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::queries_2_discs_test

@@ -15,7 +15,7 @@
 #include "support/precondition_error.h"
 #include "support/query_oracle.h"
 
-namespace kinetri {
+namespace kinetri::queries_2_exactness_test {
 namespace {
 
 using test::Kinetic_delaunay;
@@ -133,4 +133,4 @@ TEST(Queries, of_tiny_and_huge_coordinates_are_exact) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::queries_2_exactness_test

@@ -17,7 +17,7 @@
 #include "support/precondition_error.h"
 #include "support/query_oracle.h"
 
-namespace kinetri {
+namespace kinetri::queries_2_nearest_test {
 namespace {
 
 using test::expect_right_for_all_points;
@@ -180,4 +180,4 @@ TEST(Nearest, of_accelerated_points_are_those_of_all_pairs) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::queries_2_nearest_test

@@ -21,7 +21,7 @@
 #include "support/precondition_error.h"
 #include "support/query_oracle.h"
 
-namespace kinetri {
+namespace kinetri::queries_2_test {
 namespace {
 
 using test::expect_right_answers;
@@ -338,4 +338,4 @@ TEST(Queries, of_a_place_that_is_not_finite_or_of_no_point_are_refused) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::queries_2_test

@@ -14,7 +14,7 @@
 
 #include "support/multiplier.h"
 
-namespace kinetri::detail {
+namespace kinetri::detail::region_effort_test {
 namespace {
 
 // Windows of any size, that pay or do not, for a while or for long. `taken` and `of_processor` are
@@ -285,4 +285,4 @@ TEST(Region_pause, is_taken_in_parts) {
 }
 
 }  // namespace
-}  // namespace kinetri::detail
+}  // namespace kinetri::detail::region_effort_test

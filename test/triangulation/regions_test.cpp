@@ -18,7 +18,7 @@
 #include "support/multiplier.h"
 #include "support/region_runs.h"
 
-namespace kinetri {
+namespace kinetri::regions_test {
 namespace {
 
 using detail::Region_counters;
@@ -435,4 +435,4 @@ TEST(Regions, leave_a_run_to_the_loop_where_somebody_looks_on) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::regions_test

@@ -17,7 +17,7 @@
 #include "support/region_runs.h"
 #include "triangulation/regions.h"
 
-namespace kinetri {
+namespace kinetri::regular_regions_test {
 namespace {
 
 using detail::Region_counters;
@@ -173,4 +173,4 @@ TEST(Regular_regions, are_taken_with_several_threads_and_many_discs) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::regular_regions_test

@@ -10,7 +10,7 @@
 
 #include "support/kinetic_runs.h"
 
-namespace kinetri {
+namespace kinetri::reverse_test {
 namespace {
 
 using Polynomial_delaunay = Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>;
@@ -114,4 +114,4 @@ TEST(Reverse, of_no_point_and_of_one_only_turns_the_clock) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::reverse_test

@@ -13,7 +13,7 @@
 #include "support/kinetic_runs.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::start_test {
 namespace {
 
 using test::Kinetic_delaunay;
@@ -96,4 +96,4 @@ TEST(Start_of_close_points, with_equal_rounded_places_is_delaunay) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::start_test

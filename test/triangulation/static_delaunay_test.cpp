@@ -23,7 +23,7 @@
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::static_delaunay_test {
 namespace {
 
 using detail::Static_delaunay;
@@ -253,4 +253,4 @@ TEST(Kd_cells, contain_the_places_that_are_in_them) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::static_delaunay_test

@@ -18,7 +18,7 @@
 #include "support/motions.h"
 #include "triangulation/regions.h"
 
-namespace kinetri {
+namespace kinetri::triangulation_threads_test {
 namespace {
 
 // The result of `make` where oneTBB has `count` threads, on any number of processors.
@@ -187,4 +187,4 @@ TEST(Threads, run_a_triangulation_each) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::triangulation_threads_test

@@ -17,7 +17,7 @@
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
-namespace kinetri {
+namespace kinetri::triangulation_snapshot_test {
 namespace {
 
 using test::Kinetic_delaunay;
@@ -456,4 +456,4 @@ TEST(Forged_snapshots, changed_at_random_are_refused_or_right) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::triangulation_snapshot_test

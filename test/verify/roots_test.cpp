@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace verify {
+namespace verify::roots_test {
 namespace {
 
 // (3 t - 1) (t - k): the root 1/3 between 0 and 1, and another one.
@@ -30,4 +30,4 @@ TEST(Times_of_kinetri_verify, that_are_equal_do_not_get_more_digits_with_each_co
 }
 
 }  // namespace
-}  // namespace verify
+}  // namespace verify::roots_test

@@ -21,7 +21,7 @@
 #include "video/known_clips.h"
 #include "video/streams.h"
 
-namespace kinetri::video {
+namespace kinetri::video::codec_test {
 namespace {
 
 using test::bytes_of;
@@ -455,4 +455,4 @@ TEST(Quality, equal_frames_are_equal_and_known_differences_have_known_numbers) {
 }
 
 }  // namespace
-}  // namespace kinetri::video
+}  // namespace kinetri::video::codec_test

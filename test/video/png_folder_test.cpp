@@ -15,7 +15,7 @@
 #include "support/directory_test.h"
 #include "support/message_of.h"
 
-namespace kinetri::video {
+namespace kinetri::video::png_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST_F(Png_folder_test, a_folder_appears_only_when_it_is_whole) {
 }
 
 }  // namespace
-}  // namespace kinetri::video
+}  // namespace kinetri::video::png_folder_test

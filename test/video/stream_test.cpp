@@ -12,7 +12,7 @@
 #include "video/stream/block_bytes.h"
 #include "video/streams.h"
 
-namespace kinetri::video {
+namespace kinetri::video::stream_test {
 namespace {
 
 using test::bytes_of;
@@ -226,4 +226,4 @@ TEST(Stream, headers_that_cannot_be_used_say_why) {
 }
 
 }  // namespace
-}  // namespace kinetri::video
+}  // namespace kinetri::video::stream_test

@@ -14,7 +14,7 @@
 #include "support/directory_test.h"
 #include "support/message_of.h"
 
-namespace kinetri::video {
+namespace kinetri::video::y4m_test {
 namespace {
 
 using kinetri::test::message_of;
@@ -147,4 +147,4 @@ TEST_F(Y4m_test, samples_of_color_are_where_the_tag_says) {
 }
 
 }  // namespace
-}  // namespace kinetri::video
+}  // namespace kinetri::video::y4m_test

@@ -19,7 +19,7 @@
 #include "support/filter_results.h"
 #include "support/random_polynomials.h"
 
-namespace kinetri {
+namespace kinetri::approximate_sturm_sequence_test {
 namespace {
 
 using test::Random;
@@ -193,4 +193,4 @@ TEST(First_failure, is_decided_near_touches) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::approximate_sturm_sequence_test

@@ -15,7 +15,7 @@
 #include "support/certificates.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::contact_filter_test {
 namespace {
 
 // The first time from `t` on at which the certificate is not positive and falls, straight from the
@@ -229,4 +229,4 @@ INSTANTIATE_TEST_SUITE_P(Flavors, Contact_filter, testing::Range(0, test::Certif
                          test::flavor_name);
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::contact_filter_test

@@ -26,7 +26,7 @@
 #include "support/discs.h"
 #include "support/filter_results.h"
 
-namespace kinetri {
+namespace kinetri::disc_filter_test {
 namespace {
 
 using enum test::Kind_of_radii;
@@ -386,4 +386,4 @@ TEST(Disc_filter, rounds_a_contact_beside_the_middle_of_two_numbers_to_the_neare
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::disc_filter_test

@@ -20,7 +20,7 @@
 #include "support/discs.h"
 #include "support/filter_results.h"
 
-namespace kinetri {
+namespace kinetri::distance_filter_test {
 namespace {
 
 using Kind = Filter_result::Kind;
@@ -251,4 +251,4 @@ INSTANTIATE_TEST_SUITE_P(Flavors, Distance_filter, testing::Range(0, test::Certi
                          test::flavor_name);
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::distance_filter_test

@@ -15,7 +15,7 @@
 #include "support/motions.h"
 #include "support/multiplier.h"
 
-namespace kinetri {
+namespace kinetri::least_distance_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -130,4 +130,4 @@ TEST(Least_distance, of_points_that_meet_or_keep_their_distance_is_not_certain) 
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::least_distance_test

@@ -18,7 +18,7 @@
 #include "support/filter_results.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::linear_filter_test {
 namespace {
 
 class Linear_filter : public testing::TestWithParam<int> {};
@@ -189,4 +189,4 @@ TEST(Rounded_in_circle, beside_the_middle_of_two_numbers_and_beside_a_number_is_
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::linear_filter_test

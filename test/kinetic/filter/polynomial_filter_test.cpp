@@ -23,7 +23,7 @@
 #include "support/filter_results.h"
 #include "support/motions.h"
 
-namespace kinetri {
+namespace kinetri::polynomial_filter_test {
 namespace {
 
 using Point = Basic_moving_point_2<Polynomial_motion_2>;
@@ -318,4 +318,4 @@ TEST(Polynomial_filter, rounds_failures_as_exact_arithmetic_does) {
 }
 
 }  // namespace
-}  // namespace kinetri
+}  // namespace kinetri::polynomial_filter_test
