@@ -114,8 +114,9 @@ Recording merged(const Recording& recording, double interval) {
   Recording result = recording;
   result.is_thinned = true;
   result.events.clear();
-  auto motion = std::ranges::find_if(recording.motions, &std::optional<std::size_t>::has_value,
-                                     &Recorded_motion::event);
+  auto motion = std::ranges::find_if(recording.motions, [](const Recorded_motion& recorded) {
+    return recorded.event.has_value();
+  });
   result.motions.assign(recording.motions.begin(), motion);
   result.triangles.clear();
   auto triangle = recording.triangles.begin();

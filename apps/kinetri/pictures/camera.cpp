@@ -111,8 +111,8 @@ Extents::Extents(const Viewer_page& page)
 void Extents::sample(const Viewer_page& page) {
   const Recording& recording = page.recording;
   // If points come and go, or turn, the camera would move to and fro: then it stays.
-  if (std::ranges::any_of(recording.motions, &std::optional<std::size_t>::has_value,
-                          &Recorded_motion::event)) {
+  if (std::ranges::any_of(recording.motions,
+                          [](const Recorded_motion& motion) { return motion.event.has_value(); })) {
     return;
   }
   std::vector<Box_2> samples;

@@ -42,8 +42,9 @@ double fast_speed(const Recording& recording) {
 // Where points turn at times that are left out, nobody knows where they have been.
 bool turns_are_left_out(const Recording& recording) {
   return recording.is_thinned &&
-         std::ranges::any_of(recording.motions, &std::optional<std::size_t>::has_value,
-                             &Recorded_motion::event);
+         std::ranges::any_of(recording.motions, [](const Recorded_motion& motion) {
+           return motion.event.has_value();
+         });
 }
 
 std::optional<Point_id> point_of(const Viewer_page& page, std::size_t points,
