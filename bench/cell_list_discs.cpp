@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri::bench {
 namespace {

@@ -52,9 +52,11 @@ foreach(library IN ITEMS "kinetri Targets development" "kinetri_io IoTargets io"
   install(EXPORT Kinetri${targets} NAMESPACE Kinetri:: DESTINATION ${package_dir} COMPONENT ${component})
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "kinetri/io" EXCLUDE)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri/io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri
-  COMPONENT io FILES_MATCHING PATTERN "*.h")
+  COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "io" EXCLUDE)
+foreach(folder IN ITEMS kinetri kinetri/impl)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/${folder}/io
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} COMPONENT io FILES_MATCHING PATTERN "*.h")
+endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/include/kinetri/version.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri COMPONENT development)
 

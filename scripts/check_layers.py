@@ -84,7 +84,7 @@ GENERATED = "kinetri/version.h"
 def layer_of(path):
     """The layer of a path relative to the root; None if it belongs to none."""
     parts = path.parts
-    for prefix in (("include", "kinetri"), ("src",), ("test",)):
+    for prefix in (("include", "kinetri", "impl"), ("include", "kinetri"), ("src",), ("test",)):
         if parts[: len(prefix)] == prefix and len(parts) > len(prefix) + 1:
             layer = parts[len(prefix)]
             return layer if layer in LAYERS else None

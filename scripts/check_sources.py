@@ -57,9 +57,13 @@ def expected_guard(path):
     return "_".join(re.sub(r"[^A-Za-z0-9]", "_", part) for part in path.parts[1:]).upper()
 
 
-def header_of(path):
-    """The public header that the source src/LAYER/NAME.cpp defines, if there is one."""
-    return pathlib.PurePath("include", "kinetri", *path.parts[1:]).with_suffix(".h")
+def header_of(path, root):
+    """The installed header that the source src/LAYER/NAME.cpp defines; None if there is none."""
+    for folder in ("kinetri", "kinetri/impl"):
+        header = pathlib.PurePath("include", folder, *path.parts[1:]).with_suffix(".h")
+        if (root / header).is_file():
+            return header
+    return None
 
 
 def problems(path, text, root):
@@ -74,8 +78,9 @@ def problems(path, text, root):
             yield 1, f"no include guard {guard}"
         if str(path) != FIRST_HEADER and not any(INCLUDE_OF_OURS.match(line) for line in lines):
             yield 1, f"no public header included; expected {FIRST_HEADER.removeprefix('include/')}"
-    if path.suffix == ".cpp" and path.parts[0] == "src" and (root / header_of(path)).is_file():
-        own = f'#include "{pathlib.PurePath(*header_of(path).parts[1:])}"'
+    header = header_of(path, root) if path.suffix == ".cpp" and path.parts[0] == "src" else None
+    if header:
+        own = f'#include "{pathlib.PurePath(*header.parts[1:])}"'
         first = next((i for i, line in enumerate(lines) if line.startswith("#include")), 0)
         if lines[first : first + 1] != [own]:
             # What proves that the header compiles alone (test/headers).

@@ -5,8 +5,8 @@
 #include <charconv>
 
 #include "cli/text.h"
-#include "io/text.h"
-#include "kinetri/io/points_file.h"
+#include "kinetri/impl/io/parse_number.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "cli/arguments.h"
 #include "cli/spelling.h"
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
 namespace {

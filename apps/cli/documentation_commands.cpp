@@ -12,8 +12,8 @@
 #include "cli/help.h"
 #include "cli/manual.h"
 #include "cli/text.h"
-#include "io/output_file.h"
-#include "io/text.h"
+#include "kinetri/impl/io/output_file.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
 namespace {

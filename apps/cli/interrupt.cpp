@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "cli/exit_code.h"
-#include "io/output_directory.h"
-#include "io/output_file.h"
+#include "kinetri/impl/io/output_directory.h"
+#include "kinetri/impl/io/output_file.h"
 
 namespace kinetri::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/version.h"
 
 namespace kinetri::app {

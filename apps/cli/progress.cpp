@@ -8,7 +8,7 @@
 
 #include "cli/terminal.h"
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
 namespace {

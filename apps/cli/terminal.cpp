@@ -10,7 +10,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "engine.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/observers/proximity_graphs.h"
 #include "kinetri/simulation/simulation_2.h"
 
@@ -353,23 +353,12 @@ void Engine_of<Core, Traits>::erase(std::span<const Point_id> ids) {
 template <template <class> class Core, class Traits>
 void Engine_of<Core, Traits>::set_velocities(std::span<const Point_id> ids,
                                              std::span<const double> velocities) {
-  if constexpr (is_simulation) {
-    std::vector<Vector_2> vectors;
-    vectors.reserve(ids.size());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      vectors.push_back({velocities[2 * i], velocities[2 * i + 1]});
-    }
-    core_->set_velocities(ids, vectors);
-  } else {
-    const double now = current_time().to_double();
-    std::vector<Motion> motions;
-    motions.reserve(ids.size());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      const Vector_2 velocity = {velocities[2 * i], velocities[2 * i + 1]};
-      motions.push_back(with_velocity_at(kinetic().motion(ids[i]), velocity, now));
-    }
-    core_->set_motions(ids, motions);
+  std::vector<Vector_2> vectors;
+  vectors.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    vectors.push_back({velocities[2 * i], velocities[2 * i + 1]});
   }
+  core_->set_velocities(ids, vectors);
 }
 
 template <template <class> class Core, class Traits>

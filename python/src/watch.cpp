@@ -4,9 +4,9 @@
 #include <array>
 #include <string_view>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/observers/answer_columns.h"
 #include "kinetri/io/certificate_log.h"
-#include "kinetri/observers/detail/answer_columns.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::python {

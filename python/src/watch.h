@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "kinetri/algebra/algebraic_number.h"
-#include "kinetri/events/basic_event.h"
+#include "kinetri/impl/events/basic_event.h"
 #include "kinetri/observers/cell_areas.h"
 
 namespace kinetri::python {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dyadic.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "representation.h"
 
 namespace kinetri {

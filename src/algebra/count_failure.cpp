@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "static_sturm_sequence.h"
 
 namespace kinetri {

@@ -7,7 +7,7 @@
 
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/algebra/sturm_sequence.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "kinetri/algebra/polynomial.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "static_sturm_sequence.h"
 
 namespace kinetri {

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 namespace {

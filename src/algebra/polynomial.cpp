@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "gmp_access.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 namespace {

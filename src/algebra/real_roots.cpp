@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "gmp_access.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "root_isolation.h"
 #include "sturm_counter.h"
 

@@ -7,7 +7,7 @@
 
 #include "dyadic.h"
 #include "kinetri/algebra/algebraic_number.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "representation.h"
 
 namespace kinetri {

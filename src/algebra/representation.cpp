@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "dyadic.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 

@@ -4,7 +4,7 @@
 #include "dyadic.h"
 #include "gmp_access.h"
 #include "kinetri/algebra/algebraic_number.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 namespace {

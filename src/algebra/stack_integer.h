@@ -15,7 +15,7 @@
 
 #include "gmp_access.h"
 #include "kinetri/algebra/number_types.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 

@@ -16,7 +16,7 @@
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/algebra/polynomial.h"
 #include "kinetri/algebra/sign.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "stack_integer.h"
 
 namespace kinetri {

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "kinetri/algebra/sign.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "static_polynomial.h"
 #include "sturm_terms.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 #include <string>
 #include <string_view>

@@ -4,8 +4,8 @@
 #include <ostream>
 #include <span>
 
-#include "json_writer.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/io/json_writer.h"
 
 namespace kinetri {
 namespace {

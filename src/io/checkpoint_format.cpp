@@ -5,10 +5,10 @@
 #include <array>
 #include <istream>
 
-#include "checksum.h"
 #include "kinetri/base/error.h"
-#include "text.h"
-#include "text_table.h"
+#include "kinetri/impl/io/checksum.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 
 namespace kinetri {
 namespace {

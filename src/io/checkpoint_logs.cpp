@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checkpoint_logs.h"
+#include "kinetri/impl/io/checkpoint_logs.h"
 
 #include <array>
 #include <fstream>
 #include <system_error>
 
-#include "checksum.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/checksum.h"
+#include "kinetri/impl/io/output_file.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/checkpoint_file.h"
-#include "output_file.h"
-#include "text.h"
-#include "text_table.h"
 
 namespace kinetri {
 namespace {

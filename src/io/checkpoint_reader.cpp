@@ -17,9 +17,9 @@
 #include "json_value.h"
 #include "kinetri/algebra/sturm_sequence.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/checkpoint_file.h"
-#include "text.h"
-#include "text_table.h"
 
 namespace kinetri {
 namespace {

@@ -8,10 +8,10 @@
 #include "checkpoint_format.h"
 #include "checkpoint_motion.h"
 #include "counters.h"
-#include "json_writer.h"
+#include "kinetri/impl/io/json_writer.h"
+#include "kinetri/impl/io/output_file.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/checkpoint_file.h"
-#include "output_file.h"
-#include "text.h"
 
 namespace kinetri {
 namespace {

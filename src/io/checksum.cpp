@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checksum.h"
+#include "kinetri/impl/io/checksum.h"
 
 #include <boost/crc.hpp>
 

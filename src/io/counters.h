@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "json_writer.h"
+#include "kinetri/impl/io/json_writer.h"
 #include "kinetri/kinetic/certificate_counters.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/triangulation/triangulation_counters.h"

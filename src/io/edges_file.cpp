@@ -4,7 +4,7 @@
 #include <ostream>
 #include <string>
 
-#include "text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 

@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "kinetri/io/points_file.h"
-#include "text.h"
-#include "text_table.h"
+#include "kinetri/impl/io/parse_number.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 
 namespace kinetri {
 namespace {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "json_value.h"
-#include "json_writer.h"
 #include "kinetri/base/error.h"
-#include "text.h"
+#include "kinetri/impl/io/json_writer.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

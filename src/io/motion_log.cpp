@@ -4,8 +4,8 @@
 #include <ostream>
 #include <string>
 
-#include "kinetri/base/check.h"
-#include "text.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

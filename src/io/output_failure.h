@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "output_file.h"
+#include "kinetri/impl/io/output_file.h"
 
 namespace kinetri {
 

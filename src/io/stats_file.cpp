@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stats_file.h"
+#include "kinetri/impl/io/stats_file.h"
 
 #include <ostream>
 #include <string>
 
 #include "counters.h"
-#include "json_writer.h"
+#include "kinetri/impl/io/json_writer.h"
 
 namespace kinetri {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

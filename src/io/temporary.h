@@ -17,7 +17,7 @@
 #include <filesystem>
 #include <string>
 
-#include "file_descriptor.h"
+#include "kinetri/impl/io/file_descriptor.h"
 
 namespace kinetri {
 

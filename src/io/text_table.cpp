@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "text_table.h"
+#include "kinetri/impl/io/text_table.h"
 
 #include <cerrno>
 #include <cstring>
@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "kinetri/base/error.h"
-#include "kinetri/io/points_file.h"
-#include "text.h"
+#include "kinetri/impl/io/parse_number.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

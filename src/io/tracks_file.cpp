@@ -11,10 +11,10 @@
 #include "io/tracks/degrees.h"
 #include "io/tracks/projection.h"
 #include "io/tracks/tracks_readers.h"
-#include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
-#include "text.h"
-#include "text_table.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 #include "utf8_input.h"
 
 namespace kinetri {

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "bytes.h"
-#include "json_writer.h"
 #include "kinetri/events/event_color.h"
+#include "kinetri/impl/io/bytes.h"
+#include "kinetri/impl/io/json_writer.h"
+#include "kinetri/impl/simulation/playback.h"
 #include "kinetri/version.h"
-#include "simulation/playback.h"
 #include "viewer_assets.h"
 
 namespace kinetri {

@@ -16,11 +16,11 @@
 #include <utility>
 #include <vector>
 
-#include "bytes.h"
 #include "json_value.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/bytes.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/viewer_page.h"
-#include "text.h"
 
 namespace kinetri {
 namespace {

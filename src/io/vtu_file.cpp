@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bytes.h"
-#include "text.h"
+#include "kinetri/impl/io/bytes.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

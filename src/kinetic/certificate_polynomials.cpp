@@ -2,7 +2,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 
 #include "certificate_formulas.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "length.h"
 #include "scaled_coordinates.h"
 

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <utility>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "scaled_coordinates.h"
 
 namespace kinetri {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinetri/base/check.h"
-#include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/incident.h"
 #include "observers/limited_cell.h"
 #include "observers/sides_of_cell.h"
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "kinetri/base/check.h"
-#include "kinetri/observers/detail/departures.h"
-#include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/observers/departures.h"
+#include "kinetri/impl/triangulation/incident.h"
 
 namespace kinetri {
 template <HasLinearMotion Traits>

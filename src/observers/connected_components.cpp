@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "observers/later_time_in_range.h"
 
 namespace kinetri {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/observers/detail/connections.h"
+#include "kinetri/impl/observers/connections.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/observers/dynamic_connectivity.h"
+#include "kinetri/impl/observers/dynamic_connectivity.h"
 
 #include <algorithm>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "observers/encounter_candidates_impl.h"
 #include "observers/later_time_in_range.h"
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/base/check.h"
-#include "kinetri/observers/edge_follower.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/observers/edge_follower.h"
 
 namespace kinetri::detail {
 

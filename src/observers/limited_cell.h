@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "kinetri/impl/triangulation/ball.h"
+#include "kinetri/impl/triangulation/clipped_polygon.h"
 #include "kinetri/observers/cell_areas.h"
-#include "kinetri/triangulation/detail/ball.h"
-#include "kinetri/triangulation/detail/clipped_polygon.h"
 #include "observers/triangulated_area.h"
 
 namespace kinetri::detail {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "observers/limited_cell.h"
 #include "observers/sides_of_cell.h"
 

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "kinetri/algebra/real_roots.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 
 namespace kinetri {

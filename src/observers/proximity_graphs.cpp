@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
-#include "kinetri/triangulation/detail/incident.h"
 
 namespace kinetri {
 namespace {

@@ -10,9 +10,9 @@
 #include <optional>
 #include <span>
 
-#include "kinetri/algebra/rounded_quotient.h"
+#include "kinetri/impl/algebra/rounded_quotient.h"
+#include "kinetri/impl/triangulation/ball.h"
 #include "kinetri/simulation/simulation_2.h"
-#include "kinetri/triangulation/detail/ball.h"
 #include "observers/limited_cell.h"
 
 namespace kinetri::detail {

@@ -8,7 +8,7 @@
 #include <array>
 #include <utility>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "kinetri/observers/kinetic_spanning_tree_2.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/observers/detail/spanning_tree_rows.h"
+#include "kinetri/impl/observers/spanning_tree_rows.h"
 
 #include <array>
 #include <cstddef>

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/base/check.h"
 #include "observers/triangulated_area.h"
 #include "observers/well_known_text.h"
 

@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
-#include "kinetri/triangulation/detail/incident.h"
 
 namespace kinetri {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/contact_turns.h"
 
-#include "kinetri/simulation/detail/contact_runs.h"
+#include "kinetri/impl/simulation/contact_runs.h"
 #include "kinetri/simulation/simulation_2_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 #include "simulation/contact_turns_impl.h"

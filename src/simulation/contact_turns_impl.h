@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/base/check.h"
-#include "kinetri/triangulation/detail/plain_loop.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/plain_loop.h"
 #include "simulation/contact_turns.h"
 
 namespace kinetri::detail {

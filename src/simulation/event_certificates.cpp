@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "kinetri/algebra/real_roots.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
-#include "kinetri/triangulation/detail/incident.h"
 
 namespace kinetri {
 namespace {

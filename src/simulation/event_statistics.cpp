@@ -8,7 +8,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiment.h"
+#include "kinetri/impl/simulation/experiment.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/simulation/scenarios.h"
 
 namespace kinetri {

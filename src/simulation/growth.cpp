@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "kinetri/algebra/number_types.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 namespace {

@@ -11,8 +11,8 @@
 #include <span>
 
 #include "kinetri/algebra/number_types.h"
-#include "kinetri/base/check.h"
-#include "kinetri/simulation/detail/disc_boxes.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/simulation/disc_boxes.h"
 #include "kinetri/simulation/growth.h"
 #include "kinetri/simulation/scenarios.h"
 #include "kinetri/simulation/simulation_2.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "playback.h"
+#include "kinetri/impl/simulation/playback.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 

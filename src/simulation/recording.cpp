@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <random>
 
-#include "kinetri/base/check.h"
 #include "kinetri/base/ids.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 namespace {

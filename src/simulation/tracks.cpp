@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 

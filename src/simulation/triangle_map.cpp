@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/simulation/detail/triangle_map.h"
+#include "kinetri/impl/simulation/triangle_map.h"
 
 #include <algorithm>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri::detail {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "wave.h"
+#include "kinetri/impl/simulation/wave.h"
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/simulation/scenarios.h"
 
 namespace kinetri {

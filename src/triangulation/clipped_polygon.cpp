@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/triangulation/detail/clipped_polygon.h"
+#include "kinetri/impl/triangulation/clipped_polygon.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri::detail {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "kinetri/base/check.h"
-#include "kinetri/kinetic/rounded_places.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/kinetic/rounded_places.h"
 #include "triangulation/field_present.h"
 #include "triangulation/field_raster.h"
 #include "triangulation/field_weights.h"

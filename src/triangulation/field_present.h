@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/algebra/rounded_quotient.h"
-#include "kinetri/base/check.h"
-#include "kinetri/kinetic/rounded_places.h"
-#include "kinetri/triangulation/detail/ball.h"
-#include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/impl/algebra/rounded_quotient.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetri/impl/triangulation/ball.h"
+#include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/triangulation/queries_2.h"
 
 namespace kinetri::detail {

@@ -11,9 +11,9 @@
 #include <cstddef>
 #include <span>
 
-#include "kinetri/base/compiler.h"
+#include "kinetri/impl/base/compiler.h"
+#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/kinetic/linear_motion_2.h"
-#include "kinetri/kinetic/rounded_places.h"
 
 namespace kinetri::detail {
 

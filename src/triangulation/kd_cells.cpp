@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/triangulation/detail/kd_cells.h"
+#include "kinetri/impl/triangulation/kd_cells.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri::detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/triangulation/detail/parallel.h"
+#include "kinetri/impl/triangulation/parallel.h"
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "kinetri/base/compiler.h"
+#include "kinetri/impl/base/compiler.h"
 
 namespace kinetri::detail {
 

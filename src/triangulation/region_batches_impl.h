@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/triangulation/detail/parallel.h"
+#include "kinetri/impl/triangulation/parallel.h"
 #include "triangulation/regions.h"
 
 namespace kinetri::detail {

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/kinetic/rounded_places.h"
-#include "kinetri/triangulation/detail/kd_cells.h"
-#include "kinetri/triangulation/detail/parallel.h"
-#include "kinetri/triangulation/detail/prefetch.h"
+#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetri/impl/triangulation/kd_cells.h"
+#include "kinetri/impl/triangulation/parallel.h"
+#include "kinetri/impl/triangulation/prefetch.h"
 #include "triangulation/regions.h"
 
 namespace kinetri::detail {

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "triangulation/regions.h"
 
 namespace kinetri::detail {

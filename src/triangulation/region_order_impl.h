@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/triangulation/detail/parallel.h"
+#include "kinetri/impl/triangulation/parallel.h"
 #include "triangulation/region_division_impl.h"
 #include "triangulation/regions.h"
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/base/check.h"
-#include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/incident.h"
 #include "triangulation/regions.h"
 
 namespace kinetri::detail {

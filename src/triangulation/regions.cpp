@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "kinetri/triangulation/detail/parallel.h"
+#include "kinetri/impl/triangulation/parallel.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 #include "triangulation/regions_impl.h"
 

@@ -146,9 +146,9 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/triangulation/detail/edge_changes.h"
-#include "kinetri/triangulation/detail/region_effort.h"
-#include "kinetri/triangulation/detail/region_runs.h"
+#include "kinetri/impl/triangulation/edge_changes.h"
+#include "kinetri/impl/triangulation/region_effort.h"
+#include "kinetri/impl/triangulation/region_runs.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {

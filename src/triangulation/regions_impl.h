@@ -11,8 +11,8 @@
 #include <limits>
 #include <span>
 
-#include "kinetri/base/check.h"
-#include "kinetri/triangulation/detail/parallel.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/parallel.h"
 #include "triangulation/region_batches_impl.h"
 #include "triangulation/region_division_impl.h"
 #include "triangulation/region_erasures_impl.h"

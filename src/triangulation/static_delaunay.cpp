@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/triangulation/detail/static_delaunay.h"
+#include "kinetri/impl/triangulation/static_delaunay.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "kinetri/kinetic/rounded_places.h"
-#include "kinetri/triangulation/detail/insertion_order.h"
-#include "kinetri/triangulation/detail/parallel.h"
+#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetri/impl/triangulation/insertion_order.h"
+#include "kinetri/impl/triangulation/parallel.h"
 
 namespace kinetri::detail {
 namespace {

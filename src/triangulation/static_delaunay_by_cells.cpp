@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/triangulation/detail/insertion_order.h"
-#include "kinetri/triangulation/detail/kd_cells.h"
-#include "kinetri/triangulation/detail/parallel.h"
-#include "kinetri/triangulation/detail/static_delaunay.h"
+#include "kinetri/impl/triangulation/insertion_order.h"
+#include "kinetri/impl/triangulation/kd_cells.h"
+#include "kinetri/impl/triangulation/parallel.h"
+#include "kinetri/impl/triangulation/static_delaunay.h"
 
 namespace kinetri::detail {
 namespace {

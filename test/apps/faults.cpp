@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/kinetri.h"
 
 namespace kinetri {

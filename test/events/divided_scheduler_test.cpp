@@ -2,7 +2,7 @@
 //
 // A scheduler in parts beside a sorted list: entries are found under their handles, and come in the
 // same order, however they are distributed.
-#include "kinetri/events/divided_scheduler.h"
+#include "kinetri/impl/events/divided_scheduler.h"
 
 #include <gtest/gtest.h>
 

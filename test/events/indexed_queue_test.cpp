@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The indexed queue against a slow and obvious one, and the rules for handles, counters and order.
-#include "kinetri/events/indexed_queue.h"
+#include "kinetri/impl/events/indexed_queue.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/events/detail/observer_list.h"
+#include "kinetri/impl/events/observer_list.h"
 
 #include <gtest/gtest.h>
 

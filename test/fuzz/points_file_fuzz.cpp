@@ -8,6 +8,7 @@
 
 #include "fuzz/fuzz.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/parse_number.h"
 #include "kinetri/io/points_file.h"
 
 namespace kinetri {

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Configures the project CONSUMER_DIR in WORK_DIR with the options OPTIONS (separated by |), builds its
-# target TARGET, runs PROGRAM, and compares what that prints with the file EXPECTED. Where REFUSED is
-# given, configuring must fail instead, with a message that matches it; where HINT is given,
-# nothing is built, and configuring must say what an empty CMAKE_BUILD_TYPE means (ON), or not (OFF). The
-# program must not be linked with a library that matches NEEDS_NOT, where that is given.
+# target TARGET, runs PROGRAM with the ARGUMENTS (separated by |), and compares what that prints with the file
+# EXPECTED, in the folder of the project. Where REFUSED is given, configuring must fail instead, with a message
+# that matches it; where HINT is given, nothing is built, and configuring must say what an empty
+# CMAKE_BUILD_TYPE means (ON), or not (OFF). The program must not be linked with a library that matches
+# NEEDS_NOT, where that is given.
 
 # Stops with the message and the text under it, which CMake shows as it is where it is indented.
 function(fail message text)
@@ -50,7 +51,9 @@ if(DEFINED NEEDS_NOT)
     fail("${PROGRAM} is linked with" "${libraries}")
   endif()
 endif()
-execute_process(COMMAND "${WORK_DIR}/${PROGRAM}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+string(REPLACE "|" ";" ARGUMENTS "${ARGUMENTS}")
+execute_process(COMMAND "${WORK_DIR}/${PROGRAM}" ${ARGUMENTS} OUTPUT_VARIABLE output
+  COMMAND_ERROR_IS_FATAL ANY)
 file(READ "${CONSUMER_DIR}/${EXPECTED}" expected)
 if(NOT output STREQUAL expected)
   fail("${PROGRAM} prints" "${output}expected\n${expected}")

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "io/output_file.h"
-#include "io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/output_file.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/simulation/scenarios.h"
 #include "kinetri/simulation/simulation_2.h"

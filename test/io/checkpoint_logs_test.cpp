@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The files that belong to a checkpoint are found again, and known again.
-#include "io/checkpoint_logs.h"
+#include "kinetri/impl/io/checkpoint_logs.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
 
-#include "io/output_file.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/output_file.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "support/temporary_directory.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/checksum.h"
+#include "kinetri/impl/io/checksum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/json_writer.h"
+#include "kinetri/impl/io/json_writer.h"
 
 #include <gtest/gtest.h>
 

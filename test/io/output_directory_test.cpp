@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Output directories are whole or not there, and every failure is reported.
-#include "io/output_directory.h"
+#include "kinetri/impl/io/output_directory.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Output files are whole or not there, and every failure is reported.
-#include "io/output_file.h"
+#include "kinetri/impl/io/output_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-#include "kinetri/io/points_file.h"
+#include "kinetri/impl/io/parse_number.h"
 
 namespace kinetri::parse_number_test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The statistics as JSON: outside programs look for these keys.
-#include "io/stats_file.h"
+#include "kinetri/impl/io/stats_file.h"
 
 #include <gtest/gtest.h>
 

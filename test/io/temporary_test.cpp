@@ -23,8 +23,8 @@
 #include <thread>
 #include <vector>
 
-#include "io/output_directory.h"
-#include "io/output_file.h"
+#include "kinetri/impl/io/output_directory.h"
+#include "kinetri/impl/io/output_file.h"
 #include "support/motions.h"
 #include "support/temporary_directory.h"
 

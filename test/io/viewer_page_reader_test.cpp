@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "kinetri/base/error.h"
+#include "kinetri/impl/simulation/playback.h"
 #include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/simulation/tracks.h"
-#include "simulation/playback.h"
 #include "support/disc_runs.h"
 #include "support/motions.h"
 #include "support/multiplier.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/observers/detail/answer_columns.h"
+#include "kinetri/impl/observers/answer_columns.h"
 #include "kinetri/observers/neighbor_lives.h"
 
 namespace kinetri::neighbor_exchanges_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulation/experiment.h"
+#include "kinetri/impl/simulation/experiment.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulation/wave.h"
+#include "kinetri/impl/simulation/wave.h"
 
 #include <gtest/gtest.h>
 

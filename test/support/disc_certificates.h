@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <random>
 
+#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/kinetic/disc_motion_2.h"
-#include "kinetri/kinetic/rounded_places.h"
 #include "support/certificates.h"
 
 namespace kinetri::test {

@@ -60,12 +60,14 @@ TEST_P(Batches, of_turns_are_as_a_new_triangulation) {
       const double now = 0.37 * round;
       kinetic.advance_to(now);
       recorder.events.clear();
+      std::vector<Vector_2> velocities;
       std::vector<Linear_motion_2> motions;
       for (const Point_id id : ids) {
         const double vx = component(random);
-        motions.push_back(with_velocity_at(kinetic.motion(id), {vx, component(random)}, now));
+        velocities.push_back({vx, component(random)});
+        motions.push_back(with_velocity_at(kinetic.motion(id), velocities.back(), now));
       }
-      kinetic.set_motions(ids, motions);
+      kinetic.set_velocities(ids, velocities);
       ASSERT_EQ(recorder.events.size(), ids.size());
       for (std::size_t i = 0; i < ids.size(); ++i) {
         EXPECT_EQ(recorder.events[i].kind, Event_kind::trajectory);
@@ -175,6 +177,12 @@ TEST(Batch, that_is_refused_changes_nothing) {
 TEST(Batch, of_nothing_does_nothing) {
   Kinetic_delaunay kinetic(test::random_motions(5, 10, 5, 1));
   kinetic.set_motions({}, {});
+  const std::vector<Vector_2> one = {{1, 2}};
+  EXPECT_PRECONDITION_ERROR(kinetic.set_velocities(ids, one),
+                            "2 ids and 1 velocities; expected as many of each");
+  const std::vector<Vector_2> infinite = {{1, 2}, {1, HUGE_VAL}};
+  EXPECT_PRECONDITION_ERROR(kinetic.set_velocities(ids, infinite),
+                            "the velocity of point 4 is not finite; expected two finite numbers");
   kinetic.erase(std::span<const Point_id>());
   EXPECT_EQ(kinetic.insert(std::span<const Linear_motion_2>()), 5u);
   EXPECT_EQ(kinetic.counters().number_of_events(), 0u);

@@ -2,7 +2,7 @@
 //
 // Points of one line, and nearly all of one line, are inserted with as many predicates as others
 // are, but for a factor; and the triangulation at the start of such points is right.
-#include "kinetri/triangulation/detail/insertion_order.h"
+#include "kinetri/impl/triangulation/insertion_order.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/triangulation/detail/kd_cells.h"
-#include "kinetri/triangulation/detail/static_delaunay.h"
+#include "kinetri/impl/triangulation/kd_cells.h"
+#include "kinetri/impl/triangulation/static_delaunay.h"
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 

@@ -32,7 +32,7 @@ import second_checker
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 KINETIC, FILTER, ALGEBRA = "src/kinetic/", "src/kinetic/filter/", "src/algebra/"
 TRAITS, ROOTS = KINETIC + "basic_kinetic_traits_2.cpp", ALGEBRA + "real_roots.cpp"
-DETAIL = "include/kinetri/triangulation/detail/"
+DETAIL = "include/kinetri/impl/triangulation/"
 COLUMNS = ("no end", "differ", "refuted", "true", "audits", "nothing differs")
 INFINITY = "std::numeric_limits<double>::infinity()"
 
@@ -83,7 +83,7 @@ MUTATIONS = (
      f"{{{{std::nextafter(place_rounded_correctly(position.x, old_velocity.x, epoch, t), {INFINITY})"),
     ("growth ignored in exact weights", KINETIC + "scaled_coordinates.h", "radius(disc.radius, disc.growth, disc.epoch)", "radius(disc.radius, 0.0, disc.epoch)"),
     ("every 50th row of the log left out", "src/io/event_log.cpp", "  out_ << line;", "  if (event.number % 50 != 49) out_ << line;"),
-    ("wall: velocity not turned around", "include/kinetri/simulation/detail/contacts_impl.h", "component = -component;", "component = +component;"),
+    ("wall: velocity not turned around", "include/kinetri/impl/simulation/contacts_impl.h", "component = -component;", "component = +component;"),
     ("every 50th event left out", DETAIL + "events_impl.h", "  flip_edge(edge, event_kind(event.kind));",
      "  static int executed = 0;\n  if (++executed % 50 == 0) return set_event(edge, no_event);\n  flip_edge(edge, event_kind(event.kind));"),
     ("points that reach the hull ignored", DETAIL + "events_impl.h", "  if (event.kind == Entry_kind::hull_insert) {",

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "answers/answer.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
 namespace {

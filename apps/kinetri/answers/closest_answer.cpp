@@ -4,7 +4,7 @@
 #include "answers/answer.h"
 #include "cli/arguments.h"
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/observers/closest_approaches.h"
 

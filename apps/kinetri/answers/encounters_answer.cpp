@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "answers/table_answer.h"
-#include "io/json_writer.h"
+#include "kinetri/impl/io/json_writer.h"
 
 namespace kinetri::app {
 namespace {

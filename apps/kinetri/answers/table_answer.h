@@ -17,8 +17,8 @@
 
 #include "answers/answer.h"
 #include "cli/text.h"
-#include "io/text.h"
-#include "kinetri/observers/detail/answer_columns.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/observers/answer_columns.h"
 
 namespace kinetri::app {
 
@@ -28,7 +28,7 @@ inline std::string label_column(std::string_view name) {
 }
 
 /// Writes a table: its header, and a row for each of `rows`. Columns are as
-/// observers/detail/answer_columns.h has them. A field about which nothing is known is empty. If
+/// impl/observers/answer_columns.h has them. A field about which nothing is known is empty. If
 /// there are labels of the points, by id, each column of points has a column of their labels; these
 /// columns are the last ones.
 template <class Columns, class Rows>

@@ -9,11 +9,11 @@
 #include "commands/commands.h"
 #include "commands/common_arguments.h"
 #include "commands/run_options.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/simulation/experiment.h"
 #include "outputs/gnuplot.h"
 #include "runs/experiment_run.h"
 #include "runs/simulation_run.h"
-#include "simulation/experiment.h"
 #include "sources/generated_source.h"
 
 namespace kinetri::app {

@@ -12,9 +12,9 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
-#include "io/text.h"
-#include "io/text_table.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 #include "outputs/gnuplot.h"
 #include "pictures/view_words.h"
 

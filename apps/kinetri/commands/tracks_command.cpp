@@ -12,7 +12,7 @@
 #include "commands/collisions_option.h"
 #include "commands/commands.h"
 #include "commands/run_options.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "runs/simulation_run.h"
 #include "sources/tracks_source.h"
 

@@ -6,7 +6,7 @@
 #include "commands/commands.h"
 #include "commands/common_arguments.h"
 #include "commands/run_options.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "runs/simulation_run.h"
 #include "sources/generated_source.h"
 

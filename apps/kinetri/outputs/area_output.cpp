@@ -7,8 +7,8 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
-#include "io/text.h"
-#include "io/text_table.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 #include "outputs/frame_times.h"
 
 namespace kinetri::app {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "cli/interrupt.h"
-#include "io/output_file.h"
-#include "io/text.h"
+#include "kinetri/impl/io/output_file.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/output_error.h"
 
 extern char** environ;

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "outputs/frame_times.h"
 
 namespace kinetri::app {

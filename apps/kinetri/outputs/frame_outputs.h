@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/output_directory.h"
+#include "kinetri/impl/io/output_directory.h"
 #include "kinetri/io/svg_frame.h"
 #include "kinetri/io/vtu_file.h"
 #include "runs/run_settings.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cli/arguments.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "outputs/regular_times.h"
 
 namespace kinetri::app {

@@ -2,7 +2,7 @@
 #include "outputs/gnuplot.h"
 
 #include "cli/arguments.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/output_error.h"
 #include "outputs/child_process.h"
 

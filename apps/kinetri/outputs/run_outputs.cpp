@@ -6,8 +6,8 @@
 
 #include "cli/arguments.h"
 #include "cli/interrupt.h"
-#include "io/checkpoint_logs.h"
-#include "io/text.h"
+#include "kinetri/impl/io/checkpoint_logs.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/checkpoint_file.h"
 
 namespace kinetri::app {

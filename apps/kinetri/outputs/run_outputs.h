@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "io/output_directory.h"
-#include "io/output_file.h"
+#include "kinetri/impl/io/output_directory.h"
+#include "kinetri/impl/io/output_file.h"
 #include "outputs/output_table.h"
 
 namespace kinetri {

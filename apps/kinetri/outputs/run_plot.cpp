@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "cli/text.h"
-#include "io/text.h"
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/events/event_color.h"
+#include "kinetri/impl/io/text.h"
 #include "outputs/gnuplot.h"
 #include "outputs/regular_times.h"
 

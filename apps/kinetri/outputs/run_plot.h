@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/stats_file.h"
+#include "kinetri/impl/io/stats_file.h"
 #include "kinetri/simulation/event_statistics.h"
 #include "sources/any_simulation.h"
 

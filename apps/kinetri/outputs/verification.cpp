@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/output_error.h"
 #include "outputs/motion_output.h"

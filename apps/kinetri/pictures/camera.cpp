@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "simulation/playback.h"
+#include "kinetri/impl/simulation/playback.h"
 
 namespace kinetri::app {
 namespace {

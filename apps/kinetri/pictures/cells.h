@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
+#include "kinetri/impl/simulation/playback.h"
 #include "kinetri/simulation/box_2.h"
-#include "simulation/playback.h"
 
 namespace kinetri::app {
 

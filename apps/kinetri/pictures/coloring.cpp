@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "pictures/theme.h"
 
 namespace kinetri::app {

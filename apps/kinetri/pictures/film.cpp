@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/output_error.h"
 
 namespace kinetri::app {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "pictures/scene.h"
 
 namespace kinetri::app {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "pictures/scene.h"
 
 namespace kinetri::app {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
 namespace {

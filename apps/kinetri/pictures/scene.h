@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "kinetri/impl/simulation/playback.h"
 #include "kinetri/io/viewer_page.h"
 #include "pictures/camera.h"
 #include "pictures/cells.h"
@@ -16,7 +17,6 @@
 #include "pictures/svg_drawing.h"
 #include "pictures/theme.h"
 #include "pictures/view_words.h"
-#include "simulation/playback.h"
 
 namespace kinetri::app {
 

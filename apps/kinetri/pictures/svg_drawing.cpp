@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "pictures/polygon_clipping.h"
 
 namespace kinetri::app {

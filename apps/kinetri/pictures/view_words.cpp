@@ -6,11 +6,11 @@
 #include <cmath>
 #include <functional>
 
-#include "base/from_chars.h"
 #include "cli/arguments.h"
 #include "cli/text.h"
-#include "io/text.h"
-#include "io/text_table.h"
+#include "kinetri/impl/base/from_chars.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/viewer_page.h"
 
 namespace kinetri::app {

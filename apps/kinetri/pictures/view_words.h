@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "kinetri/base/ids.h"
-#include "kinetri/events/basic_event.h"
+#include "kinetri/impl/events/basic_event.h"
 
 namespace kinetri::app {
 

@@ -15,11 +15,11 @@
 #include "cli/terminal.h"
 #include "cli/text.h"
 #include "cli/worker_threads.h"
-#include "io/output_file.h"
-#include "io/text.h"
 #include "kinetri/events/event_color.h"
+#include "kinetri/impl/io/output_file.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/simulation/experiment.h"
 #include "outputs/gnuplot.h"
-#include "simulation/experiment.h"
 
 namespace kinetri::app {
 namespace {

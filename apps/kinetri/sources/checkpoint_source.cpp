@@ -7,8 +7,8 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
-#include "io/checkpoint_logs.h"
-#include "io/text.h"
+#include "kinetri/impl/io/checkpoint_logs.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/checkpoint_file.h"
 #include "sources/any_simulation.h"
 

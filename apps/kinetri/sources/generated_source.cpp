@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/simulation/experiment.h"
 #include "kinetri/io/viewer_page.h"
-#include "simulation/experiment.h"
 #include "sources/any_simulation.h"
 
 namespace kinetri::app {

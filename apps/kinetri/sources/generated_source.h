@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "kinetri/impl/simulation/wave.h"
 #include "kinetri/simulation/collision_response.h"
-#include "simulation/wave.h"
 #include "sources/run_source.h"
 
 namespace kinetri {

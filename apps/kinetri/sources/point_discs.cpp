@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "cli/arguments.h"
-#include "io/text.h"
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
 #include "sources/run_source.h"
 
 namespace kinetri::app {

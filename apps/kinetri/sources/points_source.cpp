@@ -9,7 +9,7 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/points_file.h"
 #include "sources/any_simulation.h"
 #include "sources/point_discs.h"

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "kinetri/io/viewer_page.h"
 
 namespace kinetri::app {

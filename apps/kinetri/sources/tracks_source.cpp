@@ -12,8 +12,8 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
-#include "io/text.h"
-#include "io/text_table.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/tracks.h"
 #include "sources/any_simulation.h"

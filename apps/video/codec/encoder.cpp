@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/base/check.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/base/check.h"
 #include "video/codec/group_motion.h"
 #include "video/codec/moving_picture.h"
 #include "video/codec/optical_flow.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri::video {
 namespace {

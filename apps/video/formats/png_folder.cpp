@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/output_directory.h"
-#include "io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/output_directory.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::video {
 namespace {

@@ -13,9 +13,9 @@
 #include <string_view>
 #include <utility>
 
-#include "io/output_file.h"
-#include "io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/output_file.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::video {
 namespace {

@@ -9,8 +9,8 @@
 #include <ostream>
 #include <vector>
 
-#include "io/bytes.h"
-#include "io/json_writer.h"
+#include "kinetri/impl/io/bytes.h"
+#include "kinetri/impl/io/json_writer.h"
 #include "kinetri/simulation/recording.h"
 #include "video/codec/moving_picture.h"
 #include "video/player/player_assets.h"

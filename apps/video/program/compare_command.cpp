@@ -12,9 +12,9 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
-#include "io/output_file.h"
-#include "io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/output_file.h"
+#include "kinetri/impl/io/text.h"
 #include "video/codec/decoder.h"
 #include "video/codec/quality.h"
 #include "video/formats/y4m.h"

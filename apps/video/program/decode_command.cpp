@@ -12,7 +12,7 @@
 #include "cli/progress.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "video/codec/decoder.h"
 #include "video/program/commands.h"
 

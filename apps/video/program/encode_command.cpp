@@ -11,8 +11,8 @@
 #include "cli/arguments.h"
 #include "cli/progress.h"
 #include "cli/text.h"
-#include "io/output_file.h"
-#include "io/text.h"
+#include "kinetri/impl/io/output_file.h"
+#include "kinetri/impl/io/text.h"
 #include "video/codec/encoder.h"
 #include "video/program/commands.h"
 

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "cli/text.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "video/codec/moving_picture.h"
 #include "video/program/commands.h"
 #include "video/stream/stream_reader.h"

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "io/output_file.h"
+#include "kinetri/impl/io/output_file.h"
 #include "video/player/play_page.h"
 #include "video/program/commands.h"
 

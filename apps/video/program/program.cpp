@@ -7,7 +7,7 @@
 
 #include "cli/arguments.h"
 #include "cli/documentation_commands.h"
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "video/program/commands.h"
 
 namespace kinetri::video {

@@ -15,8 +15,8 @@
 #include <system_error>
 #include <utility>
 
-#include "io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
 #include "video/formats/y4m.h"
 
 namespace kinetri::video {

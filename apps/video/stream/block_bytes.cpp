@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/checksum.h"
+#include "kinetri/impl/io/checksum.h"
 
 namespace kinetri::video {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri::video {
 namespace {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/text.h"
+#include "kinetri/impl/io/text.h"
 #include "video/stream/block_bytes.h"
 
 namespace kinetri::video {

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 #include "video/stream/block_bytes.h"
 
 namespace kinetri::video {

@@ -30,7 +30,7 @@
 #include <optional>
 
 #include "kinetri/algebra/polynomial.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 

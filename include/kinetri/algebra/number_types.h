@@ -9,7 +9,7 @@
 #include <boost/multiprecision/gmp.hpp>
 
 #include "kinetri/algebra/sign.h"
-#include "kinetri/base/double_interval.h"
+#include "kinetri/impl/base/double_interval.h"
 
 namespace kinetri {
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "kinetri/algebra/algebraic_number.h"
-#include "kinetri/events/basic_event.h"
+#include "kinetri/impl/events/basic_event.h"
 
 namespace kinetri {
 

@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-#include "kinetri/events/basic_event.h"
+#include "kinetri/impl/events/basic_event.h"
 
 namespace kinetri {
 

@@ -23,27 +23,12 @@
 #include <iosfwd>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
 namespace kinetri {
-
-/// A number read from text, or what is wrong with the text.
-struct Parsed_number {
-  double value = 0;  ///< 0 if there is a problem
-  /// Empty if `value` is the number. Else the second half of a message that begins with the text:
-  /// "is not a number; expected ...".
-  std::string_view problem;
-};
-
-/// The binary64 number nearest to the decimal or hexadecimal floating point number that `text` is:
-/// an optional sign, then 12, 1.5, .5e-3, 0x1.8p3, ... Nothing may stand before or after it.
-/// Numbers that are too large for binary64, and numbers other than 0 that would become 0, are
-/// problems; subnormal ones are not. Does not depend on the locale.
-Parsed_number parse_number(std::string_view text);
 
 /// What a file of points holds. Entry i of each vector belongs to the point with the id i.
 struct Points_file {
@@ -75,11 +60,11 @@ struct Points_file {
 /// Throws Input_error `name:line: ...` for everything else: no header, or one in which a column is
 /// named by a number; a column that is missing or named twice, or one of a pair without the other;
 /// a row with too few or too many fields; a quotation mark that is not closed on its line; a field
-/// that is empty or not a number (see parse_number), a number with a decimal comma; a label that is
-/// empty; a negative radius; a mass that is not greater than 0; two points with the same label, or
-/// with the same motion, radius and growth (0 and -0 are the same), naming both lines; 2^32 - 1
-/// points or more; a stream that fails. Zero points are valid. Cost: linear, but for sorts that
-/// find equal points and labels: O(n log n) for every input.
+/// that is empty or not a number (as 12, -.5e-3 or 0x1.8p3, within the range of binary64), a number
+/// with a decimal comma; a label that is empty; a negative radius; a mass that is not greater than
+/// 0; two points with the same label, or with the same motion, radius and growth (0 and -0 are the
+/// same), naming both lines; 2^32 - 1 points or more; a stream that fails. Zero points are valid.
+/// Cost: linear, but for sorts that find equal points and labels: O(n log n) for every input.
 Points_file read_points(std::istream& in, const std::string& name);
 
 /// Reads the file `path`, or standard input if it is "-". Throws as read_points, and Input_error

@@ -246,7 +246,7 @@ std::vector<std::string> remarks_on_rows(const Tracks_file& file, Tracks_duplica
 /// for everything else, such as: a format that is not recognized, or is ambiguous, or for which the
 /// library was built without its library (SQLite, expat); no header; a column that is unknown,
 /// missing or named twice; a row with too few or too many fields; a field that is empty, or not a
-/// number where one is needed (see parse_number); a time that is out of the range of binary64; a
+/// number where one is needed (as in a points file); a time that is out of the range of binary64; a
 /// negative radius, or two radii of one id, naming both lines; one id at two places at one time,
 /// naming both lines, unless the options allow it; a frame rate, unit or order of columns in the
 /// file that contradicts the options, or another in it; degrees, unless a projection is chosen that

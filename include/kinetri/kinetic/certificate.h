@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "kinetri/algebra/algebraic_number.h"
-#include "kinetri/base/compiler.h"
-#include "kinetri/base/double_interval.h"
+#include "kinetri/impl/base/compiler.h"
+#include "kinetri/impl/base/double_interval.h"
 #include "kinetri/kinetic/certificate_counters.h"
 
 namespace kinetri {

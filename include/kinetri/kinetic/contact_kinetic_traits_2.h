@@ -71,9 +71,10 @@ namespace kinetri {
 /// `clamped_inside(motion, wall, times)`.
 template <class Traits>
 concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
+    MotionWithVelocity_2<typename Traits::Motion> &&
     requires(const Traits traits, const typename Traits::Motion motion,
              const typename Traits::Point_2 p, const Algebraic_number t, const Wall_2 wall,
-             const Vector_2 velocity, const Double_interval bounds) {
+             const Double_interval bounds) {
   { traits.contact_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
   { traits.next_contact_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
   { traits.wall_certificate(p, wall, t) } -> std::same_as<Certificate>;
@@ -92,7 +93,6 @@ concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.is_inside(p, wall, t) } -> std::same_as<bool>;
   { rounded_place(motion, 1.0) } -> std::same_as<Vector_2>;
   { rounded_velocity(motion, 1.0) } -> std::same_as<Vector_2>;
-  { with_velocity_at(motion, velocity, 1.0) } -> std::same_as<typename Traits::Motion>;
   { at_rest_at(motion, 1.0) } -> std::same_as<typename Traits::Motion>;
   { is_at_rest(motion) } -> std::same_as<bool>;
   { clamped_inside(motion, wall, bounds) } -> std::same_as<typename Traits::Motion>;

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "kinetri/base/double_interval.h"
+#include "kinetri/impl/base/double_interval.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 #include "kinetri/kinetic/wall_2.h"

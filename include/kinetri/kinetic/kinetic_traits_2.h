@@ -11,11 +11,19 @@
 #include <span>
 
 #include "kinetri/base/ids.h"
+#include "kinetri/impl/kinetic/flip_neighborhood.h"
 #include "kinetri/kinetic/certificate.h"
-#include "kinetri/kinetic/flip_neighborhood.h"
 #include "kinetri/kinetic/instant.h"
+#include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri {
+
+/// A motion that can go on with another velocity: `with_velocity_at(motion, velocity, t)` is the
+/// motion from then on, as for Linear_motion_2.
+template <class Motion>
+concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velocity) {
+  { with_velocity_at(motion, velocity, 1.0) } -> std::same_as<Motion>;
+};
 
 /// What the kinetic triangulation asks of a model of motion. The model has these types:
 ///

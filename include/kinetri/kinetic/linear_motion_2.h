@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kinetri/base/double_interval.h"
+#include "kinetri/impl/base/double_interval.h"
 #include "kinetri/kinetic/wall_2.h"
 
 namespace kinetri {

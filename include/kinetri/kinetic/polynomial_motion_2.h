@@ -4,7 +4,7 @@
 #ifndef KINETRI_KINETIC_POLYNOMIAL_MOTION_2_H
 #define KINETRI_KINETIC_POLYNOMIAL_MOTION_2_H
 
-#include "kinetri/base/double_interval.h"
+#include "kinetri/impl/base/double_interval.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/wall_2.h"
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/observers/detail/gap_of_pair.h"
+#include "kinetri/impl/observers/gap_of_pair.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include "kinetri/observers/detail/departures.h"
-#include "kinetri/observers/detail/failure_queue.h"
-#include "kinetri/observers/dynamic_connectivity.h"
-#include "kinetri/observers/edge_follower.h"
+#include "kinetri/impl/observers/departures.h"
+#include "kinetri/impl/observers/dynamic_connectivity.h"
+#include "kinetri/impl/observers/edge_follower.h"
+#include "kinetri/impl/observers/failure_queue.h"
 
 namespace kinetri {
 

@@ -20,11 +20,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "kinetri/events/detail/observer_list.h"
-#include "kinetri/observers/detail/departures.h"
-#include "kinetri/observers/detail/failure_queue.h"
-#include "kinetri/observers/detail/gap_of_pair.h"
-#include "kinetri/observers/edge_follower.h"
+#include "kinetri/impl/events/observer_list.h"
+#include "kinetri/impl/observers/departures.h"
+#include "kinetri/impl/observers/edge_follower.h"
+#include "kinetri/impl/observers/failure_queue.h"
+#include "kinetri/impl/observers/gap_of_pair.h"
 
 namespace kinetri {
 

@@ -21,8 +21,8 @@
 #include <span>
 #include <vector>
 
-#include "kinetri/observers/detail/failure_queue.h"
-#include "kinetri/observers/edge_follower.h"
+#include "kinetri/impl/observers/edge_follower.h"
+#include "kinetri/impl/observers/failure_queue.h"
 
 namespace kinetri {
 

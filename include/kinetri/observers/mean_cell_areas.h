@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "kinetri/impl/observers/edge_follower.h"
 #include "kinetri/observers/cell_areas.h"
-#include "kinetri/observers/edge_follower.h"
 
 namespace kinetri {
 

@@ -15,9 +15,9 @@
 #include <span>
 #include <vector>
 
-#include "kinetri/base/compiler.h"
-#include "kinetri/observers/detail/failure_queue.h"
-#include "kinetri/observers/edge_follower.h"
+#include "kinetri/impl/base/compiler.h"
+#include "kinetri/impl/observers/edge_follower.h"
+#include "kinetri/impl/observers/failure_queue.h"
 #include "kinetri/triangulation/queries_2.h"
 
 namespace kinetri {

@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/observers/edge_follower.h"
+#include "kinetri/impl/observers/edge_follower.h"
 
 namespace kinetri {
 

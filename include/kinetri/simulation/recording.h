@@ -13,12 +13,12 @@
 #include <span>
 #include <vector>
 
-#include "kinetri/base/double_interval.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
+#include "kinetri/impl/base/double_interval.h"
+#include "kinetri/impl/simulation/triangle_map.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/simulation/box_2.h"
-#include "kinetri/simulation/detail/triangle_map.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {

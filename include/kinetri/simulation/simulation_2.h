@@ -38,12 +38,12 @@
 #include <vector>
 
 #include "kinetri/base/error.h"
-#include "kinetri/base/flag_while.h"
 #include "kinetri/base/ids.h"
-#include "kinetri/events/detail/observer_list.h"
-#include "kinetri/events/divided_scheduler.h"
 #include "kinetri/events/event.h"
-#include "kinetri/events/event_scheduler.h"
+#include "kinetri/impl/base/flag_while.h"
+#include "kinetri/impl/events/divided_scheduler.h"
+#include "kinetri/impl/events/event_scheduler.h"
+#include "kinetri/impl/events/observer_list.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/simulation/overlap_observer.h"

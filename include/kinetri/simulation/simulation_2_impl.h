@@ -12,12 +12,12 @@
 #include <string>
 #include <utility>
 
-#include "kinetri/base/check.h"
-#include "kinetri/simulation/detail/contact_runs.h"
-#include "kinetri/simulation/detail/disc_numbers.h"
-#include "kinetri/simulation/detail/shortest_text.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/simulation/contact_runs.h"
+#include "kinetri/impl/simulation/disc_numbers.h"
+#include "kinetri/impl/simulation/shortest_text.h"
+#include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/simulation/simulation_2.h"
-#include "kinetri/triangulation/detail/point_problems.h"
 
 namespace kinetri {
 
@@ -443,13 +443,13 @@ void Simulation_2<Traits>::check_limit(const Entry& entry, std::uint64_t turning
 
 }  // namespace kinetri
 
-#include "kinetri/simulation/detail/audit_impl.h"
-#include "kinetri/simulation/detail/changes_impl.h"
-#include "kinetri/simulation/detail/contacts_impl.h"
-#include "kinetri/simulation/detail/disc_overlaps_impl.h"
-#include "kinetri/simulation/detail/hidden_links_impl.h"
-#include "kinetri/simulation/detail/overlaps_impl.h"
-#include "kinetri/simulation/detail/scheduling_impl.h"
-#include "kinetri/simulation/detail/snapshot_impl.h"
+#include "kinetri/impl/simulation/audit_impl.h"
+#include "kinetri/impl/simulation/changes_impl.h"
+#include "kinetri/impl/simulation/contacts_impl.h"
+#include "kinetri/impl/simulation/disc_overlaps_impl.h"
+#include "kinetri/impl/simulation/hidden_links_impl.h"
+#include "kinetri/impl/simulation/overlaps_impl.h"
+#include "kinetri/impl/simulation/scheduling_impl.h"
+#include "kinetri/impl/simulation/snapshot_impl.h"
 
 #endif  // KINETRI_SIMULATION_SIMULATION_2_IMPL_H

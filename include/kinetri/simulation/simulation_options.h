@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "kinetri/events/indexed_queue.h"
+#include "kinetri/impl/events/indexed_queue.h"
 #include "kinetri/simulation/box_2.h"
 #include "kinetri/simulation/collision_response.h"
 

@@ -22,8 +22,8 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/triangulation/detail/hidden_points.h"
-#include "kinetri/triangulation/detail/insertion_order.h"
+#include "kinetri/impl/triangulation/hidden_points.h"
+#include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {

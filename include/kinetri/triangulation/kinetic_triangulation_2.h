@@ -28,23 +28,23 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/base/check.h"
-#include "kinetri/base/compiler.h"
 #include "kinetri/base/error.h"
-#include "kinetri/base/flag_while.h"
 #include "kinetri/base/ids.h"
-#include "kinetri/events/detail/observer_list.h"
-#include "kinetri/events/divided_scheduler.h"
 #include "kinetri/events/event.h"
-#include "kinetri/events/event_scheduler.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/base/compiler.h"
+#include "kinetri/impl/base/flag_while.h"
+#include "kinetri/impl/events/divided_scheduler.h"
+#include "kinetri/impl/events/event_scheduler.h"
+#include "kinetri/impl/events/observer_list.h"
+#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetri/impl/triangulation/edge_changes.h"
+#include "kinetri/impl/triangulation/kinetic_triangulation_data_structure_2.h"
+#include "kinetri/impl/triangulation/prefetch.h"
+#include "kinetri/impl/triangulation/region_division.h"
+#include "kinetri/impl/triangulation/regular_triangulation.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
-#include "kinetri/kinetic/rounded_places.h"
 #include "kinetri/triangulation/audit.h"
-#include "kinetri/triangulation/detail/edge_changes.h"
-#include "kinetri/triangulation/detail/prefetch.h"
-#include "kinetri/triangulation/detail/region_division.h"
-#include "kinetri/triangulation/detail/regular_triangulation.h"
-#include "kinetri/triangulation/kinetic_triangulation_data_structure_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 #include "kinetri/triangulation/triangulation_snapshot.h"
 
@@ -293,6 +293,13 @@ class Kinetic_triangulation_2 {
   /// then. Precondition: as many motions as ids; each id is contained, and named once; the motions
   /// are finite.
   void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
+
+  /// Gives the points `ids` these velocities from now on: set_motions, each point going on from its
+  /// place at the binary64 number nearest to current_time(), rounded as `with_velocity_at` says.
+  /// Throws what set_motions throws. Precondition: as many velocities as ids; each id is contained,
+  /// and named once; velocities and places are finite.
+  void set_velocities(std::span<const Point_id> ids,
+                      std::span<const Vector_2> velocities) requires MotionWithVelocity_2<Motion>;
 
   /// Inserts points, which get consecutive ids, and returns the first id: an event `insert` for
   /// each point. Throws what set_motions throws. Precondition: the motions are finite, and there

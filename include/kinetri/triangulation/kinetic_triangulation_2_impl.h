@@ -10,9 +10,9 @@
 #include <chrono>
 #include <utility>
 
-#include "kinetri/base/check.h"
-#include "kinetri/triangulation/detail/hidden_points.h"
-#include "kinetri/triangulation/detail/point_problems.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/hidden_points.h"
+#include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
@@ -110,13 +110,13 @@ std::vector<Edge_ids> Kinetic_triangulation_2<Traits>::finite_edge_ids() const {
 
 }  // namespace kinetri
 
-#include "kinetri/triangulation/detail/certificates_impl.h"
-#include "kinetri/triangulation/detail/changes_impl.h"
-#include "kinetri/triangulation/detail/events_impl.h"
-#include "kinetri/triangulation/detail/rebuild_impl.h"
-#include "kinetri/triangulation/detail/scheduling_impl.h"
-#include "kinetri/triangulation/detail/snapshot_impl.h"
-#include "kinetri/triangulation/detail/start_impl.h"
-#include "kinetri/triangulation/detail/vertices_impl.h"
+#include "kinetri/impl/triangulation/certificates_impl.h"
+#include "kinetri/impl/triangulation/changes_impl.h"
+#include "kinetri/impl/triangulation/events_impl.h"
+#include "kinetri/impl/triangulation/rebuild_impl.h"
+#include "kinetri/impl/triangulation/scheduling_impl.h"
+#include "kinetri/impl/triangulation/snapshot_impl.h"
+#include "kinetri/impl/triangulation/start_impl.h"
+#include "kinetri/impl/triangulation/vertices_impl.h"
 
 #endif  // KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H

@@ -23,9 +23,9 @@
 
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
+#include "kinetri/impl/triangulation/ball.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
-#include "kinetri/triangulation/detail/ball.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {

@@ -10,8 +10,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "kinetri/base/check.h"
-#include "kinetri/triangulation/detail/incident.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/triangulation/queries_2.h"
 
 namespace kinetri {
@@ -413,10 +413,10 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const
 
 }  // namespace kinetri
 
-#include "kinetri/triangulation/detail/ball_cell_impl.h"
-#include "kinetri/triangulation/detail/nearest_neighbor_impl.h"
-#include "kinetri/triangulation/detail/voronoi_areas_impl.h"
-#include "kinetri/triangulation/detail/voronoi_cell_impl.h"
-#include "kinetri/triangulation/detail/voronoi_sides_impl.h"
+#include "kinetri/impl/triangulation/ball_cell_impl.h"
+#include "kinetri/impl/triangulation/nearest_neighbor_impl.h"
+#include "kinetri/impl/triangulation/voronoi_areas_impl.h"
+#include "kinetri/impl/triangulation/voronoi_cell_impl.h"
+#include "kinetri/impl/triangulation/voronoi_sides_impl.h"
 
 #endif  // KINETRI_TRIANGULATION_QUERIES_2_IMPL_H

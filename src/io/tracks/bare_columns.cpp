@@ -7,9 +7,9 @@
 
 #include "degrees.h"
 #include "io/frame_columns.h"
-#include "io/text.h"
 #include "kinetri/base/error.h"
-#include "kinetri/io/points_file.h"
+#include "kinetri/impl/io/parse_number.h"
+#include "kinetri/impl/io/text.h"
 #include "tracks_readers.h"
 
 namespace kinetri {

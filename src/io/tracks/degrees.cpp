@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/text.h"
-#include "io/text_table.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 
 namespace kinetri {
 namespace {

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "degrees.h"
-#include "io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
 #include "xml.h"
 
 namespace kinetri {

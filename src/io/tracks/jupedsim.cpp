@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "io/text.h"
 #include "kinetri/base/error.h"
-#include "kinetri/io/points_file.h"
+#include "kinetri/impl/io/parse_number.h"
+#include "kinetri/impl/io/text.h"
 #include "tracks_readers.h"
 
 #ifdef KINETRI_WITH_SQLITE

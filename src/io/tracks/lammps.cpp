@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "frames_of_atoms.h"
-#include "io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

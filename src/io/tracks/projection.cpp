@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "io/text.h"
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/io/text.h"
 #include "transverse_mercator.h"
 
 namespace kinetri {

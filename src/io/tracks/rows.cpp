@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "degrees.h"
-#include "io/text.h"
-#include "kinetri/io/points_file.h"
+#include "kinetri/impl/io/parse_number.h"
+#include "kinetri/impl/io/text.h"
 #include "tracks_readers.h"
 
 namespace kinetri {

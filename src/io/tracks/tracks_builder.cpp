@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
-#include "io/text.h"
-#include "io/text_table.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
+#include "kinetri/impl/io/text_table.h"
 
 namespace kinetri {
 namespace {

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "io/text.h"
 #include "kinetri/base/error.h"
-#include "kinetri/io/points_file.h"
+#include "kinetri/impl/io/parse_number.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "kinetri/base/check.h"
+#include "kinetri/impl/base/check.h"
 
 namespace kinetri {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "io/text.h"
 #include "kinetri/base/error.h"
-#include "kinetri/io/points_file.h"
+#include "kinetri/impl/io/parse_number.h"
+#include "kinetri/impl/io/text.h"
 
 #ifdef KINETRI_WITH_EXPAT
 #include <expat.h>

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "frames_of_atoms.h"
-#include "io/text.h"
 #include "kinetri/base/error.h"
-#include "kinetri/io/points_file.h"
+#include "kinetri/impl/io/parse_number.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "filter_result.h"
 #include "kinetri/algebra/sign.h"
-#include "kinetri/kinetic/flip_neighborhood.h"
+#include "kinetri/impl/kinetic/flip_neighborhood.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 #include "kinetri/kinetic/wall_2.h"

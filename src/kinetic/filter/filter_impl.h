@@ -14,7 +14,7 @@
 #include "differences.h"
 #include "filter.h"
 #include "judge.h"
-#include "kinetri/kinetic/certain_signs.h"
+#include "kinetri/impl/kinetic/certain_signs.h"
 
 namespace kinetri {
 namespace {

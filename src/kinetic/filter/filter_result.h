@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "kinetri/base/double_interval.h"
+#include "kinetri/impl/base/double_interval.h"
 
 namespace kinetri {
 

@@ -14,7 +14,7 @@
 #include "coordinate_pair.h"
 #include "frame.h"
 #include "in_circle_coefficients.h"
-#include "kinetri/base/double_interval.h"
+#include "kinetri/impl/base/double_interval.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "kinetri/algebra/algebraic_number.h"
-#include "kinetri/base/double_interval.h"
+#include "kinetri/impl/base/double_interval.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# For a program in apps that is built alone: how it is compiled. If it says so by KINETRI_NEEDED, also the
+# libraries, of an installed Kinetri (CMAKE_PREFIX_PATH), and what programs share (apps/cli).
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+include(${CMAKE_CURRENT_LIST_DIR}/KinetriTarget.cmake)
+if(KINETRI_NEEDED)
+  find_package(Kinetri REQUIRED COMPONENTS io)
+  add_subdirectory(${CMAKE_CURRENT_LIST_DIR}/../apps/cli cli)
+endif()

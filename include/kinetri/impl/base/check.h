@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The two tiers of checks that throw. The third tier, audits, returns a report instead
+// (kinetri/triangulation/audit.h).
+//
+//   KINETRI_PRECONDITION(condition, message)  the caller's duty; always on; Precondition_error
+//   KINETRI_ASSERT(condition, message)        our own invariant;  always on; Internal_error
+//
+// The message says what is wrong and, where that is not plain, what to do instead; it may be a
+// std::string, which is made only when it is needed.
+//
+// Both are for conditions whose cost is nothing beside the work they guard.
+#ifndef KINETRI_IMPL_BASE_CHECK_H
+#define KINETRI_IMPL_BASE_CHECK_H
+
+#include <string>
+
+#include "kinetri/base/platform.h"
+
+namespace kinetri::detail {
+
+[[noreturn]] void precondition_failed(const char* condition, const char* message, const char* file,
+                                      int line);
+[[noreturn]] inline void precondition_failed(const char* condition, const std::string& message,
+                                             const char* file, int line) {
+  precondition_failed(condition, message.c_str(), file, line);
+}
+[[noreturn]] void assertion_failed(const char* condition, const char* message, const char* file,
+                                   int line);
+
+}  // namespace kinetri::detail
+
+/// Throws Precondition_error, with the condition, the message and the place, where it is false.
+#define KINETRI_PRECONDITION(condition, message) \
+  ((condition) ? static_cast<void>(0)            \
+               : ::kinetri::detail::precondition_failed(#condition, message, __FILE__, __LINE__))
+
+/// Throws Internal_error with such a message.
+#define KINETRI_ASSERT(condition, message) \
+  ((condition) ? static_cast<void>(0)      \
+               : ::kinetri::detail::assertion_failed(#condition, message, __FILE__, __LINE__))
+
+#endif  // KINETRI_IMPL_BASE_CHECK_H

@@ -1,0 +1,510 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A scheduler in parts: several Event_schedulers that look like one. A run by regions gives each
+// region a part of its own, which one thread may use while others use other parts. In one part it
+// is an Event_scheduler, and costs no more than that.
+#ifndef KINETRI_IMPL_EVENTS_DIVIDED_SCHEDULER_H
+#define KINETRI_IMPL_EVENTS_DIVIDED_SCHEDULER_H
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <ranges>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/events/event_scheduler.h"
+
+namespace kinetri::detail {
+
+/// Entries in parts. A handle names the part in its highest bits, so that whoever has a handle
+/// needs nothing else to find the entry. `Policy` has the functions that Event_scheduler asks for,
+/// and these, which are called only where there are several parts, or to make them. A *subject* is
+/// what an entry is about, entry.subject().
+///
+/// | Function | Result |
+/// |---|---|
+/// | `part_of(subject)` | the part in which an entry about it belongs |
+/// | `handle(subject)` | the handle of its entry in the scheduler |
+/// | `set_handle(subject, handle)` | notes that its entry has another handle from now on |
+///
+/// `Entry::Kept` is what an entry says besides: `entry.kept()`, and Entry(subject, bounds, kept)
+/// without its exact time.
+///
+/// The order of entries is that of one scheduler, whatever their parts are. Several threads may
+/// call const functions at once, and functions of different parts; between forget_first() and the
+/// next settle() or pop() they may also call `erase` and `emplace` for entries of different parts.
+///
+/// The part that has the first entry is found by a tournament of all parts, which settle() and
+/// pop() begin and which later changes follow: so an operation costs O(log parts) comparisons more
+/// than in one part.
+template <class Entry, class Policy>
+class Divided_scheduler {
+ public:
+  using Part = Event_scheduler<Entry, Policy>;  ///< one of the parts
+
+  /// One part, without entries. The policy must outlive the scheduler.
+  explicit Divided_scheduler(const Policy& policy) : policy_(policy), first_(policy) {}
+
+  // ---- parts ----
+
+  /// Whether there are several parts.
+  bool is_divided() const noexcept { return !parts_.empty(); }
+
+  /// Distributes the entries over `count` parts, at most 65536; handles are others then. Only those
+  /// that belong elsewhere move where there are so many parts already. `blocks` are entries that
+  /// one thread moves: for_each_subject(block, function) calls function(subject) with what each of
+  /// them is about, in the same order each time. in_parallel(vector, work) calls work with each
+  /// element of a vector, by several threads if that helps. O(n). Until it is done, entries that
+  /// move take half as much memory again. If it throws, the scheduler can only be cleared.
+  template <class Block, class For_each_subject, class In_parallel>
+  void distribute(std::size_t count, const std::vector<Block>& blocks,
+                  const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
+    if (count == number_of_parts()) {
+      if (is_divided()) redistribute(blocks, for_each_subject, in_parallel);
+    } else {
+      divide(count, blocks, for_each_subject, in_parallel);
+    }
+  }
+
+  /// How many parts there are; at least one.
+  std::size_t number_of_parts() const noexcept { return is_divided() ? parts_.size() : 1; }
+  /// A part; the only one has the number 0.
+  Part& part(std::size_t number) { return is_divided() ? *parts_[number] : first_; }
+  const Part& part(std::size_t number) const { return is_divided() ? *parts_[number] : first_; }
+
+  /// To be called before the functions of parts change them: what is known of which part comes
+  /// first is forgotten. O(1).
+  void forget_first() noexcept { winners_.clear(); }
+
+  /// The part that holds the entry of a handle.
+  std::size_t part_of_handle(Queue_handle handle) const {
+    return static_cast<std::size_t>(std::uint64_t{handle} >> shift_);
+  }
+
+  /// Schedules an entry in a part. Its exact time is that of the same entry in `from`, if it has
+  /// been made there.
+  Queue_handle put(std::size_t to, Entry entry, const Part& from) {
+    if (entry.time == Time_pool::none) return named(to, part(to).emplace(entry));
+    Algebraic_number time = from.time_of(entry);
+    return named(to, part(to).push(entry, std::move(time)));
+  }
+
+  /// The handle here of what has this handle in its part.
+  Queue_handle named(std::size_t part, Queue_handle handle) const {
+    return named(part, handle, shift_);
+  }
+
+  // ---- the same as Event_scheduler ----
+
+  bool empty() const noexcept {
+    if (!is_divided()) return first_.empty();
+    if (is_first_known()) return parts_[winners_[1]]->empty();
+    return std::ranges::all_of(parts_, [](const auto& p) { return p->empty(); });
+  }
+  std::size_t size() const noexcept {
+    std::size_t result = first_.size();
+    for (const auto& part : parts_) result += part->size();
+    return result;
+  }
+  /// Without what a division has moved.
+  Queue_counters counters() const noexcept {
+    Queue_counters result = first_.counters();
+    for (const auto& part : parts_) {
+      result.pushed += part->counters().pushed;
+      result.discarded += part->counters().discarded;
+    }
+    result.peak = std::max<std::uint64_t>(result.peak, size());
+    return result;
+  }
+  bool contains(Queue_handle handle) const noexcept {
+    if (!is_divided()) return first_.contains(handle);
+    return part_of_handle(handle) < parts_.size() &&
+           part(part_of_handle(handle)).contains(local(handle));
+  }
+  const Entry& operator[](Queue_handle handle) const {
+    return is_divided() ? part(part_of_handle(handle))[local(handle)] : first_[handle];
+  }
+  template <class Amend>
+  void amend(Queue_handle handle, const Amend& function) {
+    is_divided() ? part(part_of_handle(handle)).amend(local(handle), function)
+                 : first_.amend(handle, function);
+  }
+  KINETRI_ALWAYS_INLINE const Entry& top() const {
+    if (is_divided()) [[unlikely]]
+      return top_of_parts();
+    return first_.top();
+  }
+  KINETRI_ALWAYS_INLINE void prefetch(Queue_handle handle) const {
+    if (!is_divided()) return first_.prefetch(handle);
+    if (handle != no_event) part(part_of_handle(handle)).prefetch(local(handle));
+  }
+  template <class Function>
+  void for_each(Function function) const {
+    first_.for_each(function);
+    for (const auto& part : parts_) part->for_each(function);
+  }
+  bool is_valid() const {
+    const auto is_right = [this](std::size_t match) {
+      return winners_[match] == winner(match, made);
+    };
+    const auto matches = std::views::iota(std::size_t{1}, std::max<std::size_t>(parts_.size(), 1));
+    return first_.is_valid() &&
+           std::ranges::all_of(parts_, [](const auto& part) { return part->is_valid(); }) &&
+           (!is_first_known() || std::ranges::all_of(matches, is_right));
+  }
+
+  template <class... Parts>
+  KINETRI_ALWAYS_INLINE Queue_handle emplace(Parts&&... parts) {
+    if (is_divided()) [[unlikely]]
+      return emplace_in_parts(Entry(std::forward<Parts>(parts)...));
+    return first_.emplace(std::forward<Parts>(parts)...);
+  }
+  Queue_handle push(Entry entry, Algebraic_number time) {
+    if (!is_divided()) return first_.push(std::move(entry), std::move(time));
+    const std::size_t to = policy_.part_of(entry.subject());
+    const Queue_handle result = named(to, part(to).push(std::move(entry), std::move(time)));
+    follow(to);
+    return result;
+  }
+  /// Leaves one part.
+  template <class Fill>
+  void assign(std::size_t size, Fill fill) {
+    first_.assign(size, std::move(fill));
+  }
+  KINETRI_ALWAYS_INLINE Entry pop() {
+    if (is_divided()) [[unlikely]]
+      return pop_of_parts();
+    return first_.pop();
+  }
+  KINETRI_ALWAYS_INLINE Entry erase(Queue_handle handle) {
+    if (is_divided()) [[unlikely]]
+      return erase_from_parts(handle);
+    return first_.erase(handle);
+  }
+  /// Takes all entries out, and leaves one part.
+  void clear() {
+    Queue_counters cleared = counters();
+    cleared.discarded += size();
+    first_.clear();
+    parts_.clear();
+    forget_first();
+    shift_ = shift_of(1);
+    first_.count_as(cleared);
+  }
+
+  const Algebraic_number& time(const Entry& entry) { return part_with(entry).time(entry); }
+  Algebraic_number time_of(const Entry& entry) const {
+    return const_cast<Divided_scheduler*>(this)->part_with(entry).Part::time_of(entry);
+  }
+  template <class Exact_time>
+  bool is_due(const Entry& entry, const Double_interval& bounds, const Exact_time& exact_time) {
+    return part_with(entry).is_due(entry, bounds, exact_time);
+  }
+  template <class Is_due, class Recheck>
+  KINETRI_ALWAYS_INLINE bool settle(const Is_due& is_due, const Recheck& recheck) {
+    if (is_divided()) [[unlikely]]
+      return settle_parts(is_due, recheck);
+    return first_.settle(is_due, recheck);
+  }
+
+ private:
+  // Distributes all entries over another number of parts.
+  template <class Block, class For_each_subject, class In_parallel>
+  void divide(std::size_t count, const std::vector<Block>& blocks,
+              const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
+    const Queue_counters before = counters();
+    forget_first();
+    if (is_divided()) {
+      in_parallel(parts_, [](const std::unique_ptr<Part>& part) { part->forget_order(); });
+    } else {
+      first_.forget_order();
+    }
+    struct Share {
+      const Block* block;
+      std::vector<Queue_handle> next;                               // of each part
+      std::size_t first = 0;                                        // of its entries among all
+      std::vector<std::uint16_t> parts;                             // of each of them
+      std::vector<std::pair<std::size_t, Algebraic_number>> times;  // of few: their numbers
+    };
+    std::vector<Share> shares;
+    for (const Block& block : blocks) {
+      shares.push_back({&block, std::vector<Queue_handle>(count, 0), 0, {}, {}});
+    }
+    in_parallel(shares, [&](Share& share) {
+      for_each_subject(*share.block, [&](const auto& subject) {
+        const std::size_t part = count == 1 ? 0 : policy_.part_of(subject);
+        share.parts.push_back(static_cast<std::uint16_t>(part));
+        ++share.next[part];
+      });
+    });
+    std::size_t number = 0;
+    for (Share& share : shares) share.first = std::exchange(number, number + share.parts.size());
+    // All in one piece, which goes back to the system when it is freed.
+    std::vector<Double_interval> bounds(number);
+    std::vector<typename Entry::Kept> kept(number);
+    in_parallel(shares, [&](Share& share) {
+      std::vector<Queue_handle> handles;
+      handles.reserve(share.parts.size());
+      for_each_subject(*share.block,
+                       [&](const auto& subject) { handles.push_back(policy_.handle(subject)); });
+      constexpr std::size_t ahead = 8;
+      for (std::size_t k = 0; k < handles.size(); ++k) {
+        if (k + ahead < handles.size()) prefetch(handles[k + ahead]);
+        const Entry& entry = (*this)[handles[k]];
+        bounds[share.first + k] = entry.bounds;
+        kept[share.first + k] = entry.kept();
+        if (entry.time == Time_pool::none) continue;
+        share.times.emplace_back(k, part(part_of_handle(handles[k])).time_of(entry));
+      }
+    });
+    // The memory of the entries is free again before they are made anew.
+    first_.clear();
+    in_parallel(parts_, [](std::unique_ptr<Part>& part) { part.reset(); });
+    parts_.clear();
+    struct Made {
+      std::unique_ptr<Part> part;
+      Queue_handle size = 0;
+    };
+    std::vector<Made> made(count);
+    for (std::size_t p = 0; p < count; ++p) {
+      if (count > 1) made[p].part = std::make_unique<Part>(policy_);
+      for (Share& share : shares) made[p].size += std::exchange(share.next[p], made[p].size);
+    }
+    in_parallel(made, [&](const Made& m) { (count == 1 ? first_ : *m.part).begin_assign(m.size); });
+    const unsigned shift = shift_of(count);
+    std::mutex times_are_kept;
+    in_parallel(shares, [&](Share& share) {
+      std::size_t k = 0;
+      auto time = share.times.begin();
+      for_each_subject(*share.block, [&](const auto& subject) {
+        const std::size_t to = share.parts[k];
+        const Queue_handle local_handle = share.next[to]++;
+        std::unique_ptr<Algebraic_number> exact;
+        if (time != share.times.end() && time->first == k) {
+          exact = std::make_unique<Algebraic_number>(std::move((time++)->second));
+        }
+        Part& part = count == 1 ? first_ : *made[to].part;
+        const std::size_t n = share.first + k;
+        part.assign_entry(local_handle, Entry(subject, bounds[n], kept[n]), std::move(exact),
+                          times_are_kept);
+        policy_.set_handle(subject, named(to, local_handle, shift));
+        ++k;
+      });
+      Share done = std::move(share);
+    });
+    for (Made& m : made) {
+      if (count > 1) parts_.push_back(std::move(m.part));
+    }
+    shift_ = shift;
+    if (count == 1) {
+      first_.end_assign();
+    } else {
+      in_parallel(parts_, [](const std::unique_ptr<Part>& part) {
+        part->end_assign();
+        part->count_as({});
+      });
+    }
+    first_.count_as(before);
+  }
+
+  // Moves the entries that belong in other parts now, since `part_of` of the policy has changed.
+  template <class Block, class For_each_subject, class In_parallel>
+  void redistribute(const std::vector<Block>& blocks, const For_each_subject& for_each_subject,
+                    const In_parallel& in_parallel) {
+    struct Moved {
+      Queue_handle handle;  // before
+      std::size_t to;
+      Entry entry = {};
+      std::unique_ptr<Algebraic_number> exact = {};
+    };
+    forget_first();
+    struct Share {
+      std::size_t number;  // of a block or a part
+      std::vector<Moved> moved = {};
+    };
+    std::vector<Share> from_blocks;
+    for (std::size_t b = 0; b < blocks.size(); ++b) from_blocks.push_back({b});
+    in_parallel(from_blocks, [&](Share& share) {
+      for_each_subject(blocks[share.number], [&](const auto& subject) {
+        const Queue_handle handle = policy_.handle(subject);
+        const std::size_t to = policy_.part_of(subject);
+        if (to != part_of_handle(handle)) share.moved.push_back({handle, to});
+      });
+    });
+    const auto dealt = [&](std::vector<Share>& shares, const auto& part_of_moved) {
+      std::vector<Share> result;
+      for (std::size_t p = 0; p < parts_.size(); ++p) result.push_back({p});
+      for (Share& share : shares) {
+        for (Moved& m : share.moved) result[part_of_moved(m)].moved.push_back(std::move(m));
+        share = {};
+      }
+      return result;
+    };
+    std::vector<Share> from_parts =
+        dealt(from_blocks, [this](const Moved& m) { return part_of_handle(m.handle); });
+    in_parallel(from_parts, [this](Share& share) {
+      Part& part = *parts_[share.number];
+      const Queue_counters before = part.counters();
+      for (Moved& m : share.moved) {
+        const Entry& entry = part[local(m.handle)];
+        if (entry.time != Time_pool::none) {
+          m.exact = std::make_unique<Algebraic_number>(part.time_of(entry));
+        }
+        m.entry = part.erase(local(m.handle));
+      }
+      part.count_as(before);
+    });
+    std::vector<Share> to_parts = dealt(from_parts, [](const Moved& m) { return m.to; });
+    in_parallel(to_parts, [this](Share& share) {
+      Part& part = *parts_[share.number];
+      const Queue_counters before = part.counters();
+      for (Moved& m : share.moved) {
+        const Queue_handle handle =
+            m.exact ? part.push(m.entry, std::move(*m.exact)) : part.emplace(m.entry);
+        policy_.set_handle(m.entry.subject(), named(share.number, handle));
+      }
+      part.count_as(before);
+    });
+  }
+
+  // What is done where there are several parts: not inlined, so that one part costs no more.
+  template <class Is_due, class Recheck>
+  bool settle_parts(const Is_due& is_due, const Recheck& recheck) {
+    find_first();
+    while (!empty() && is_due(top())) {
+      if (!policy_.is_recheck(top())) return true;
+      const Entry entry = pop();
+      recheck(std::span<const Entry>(&entry, 1));
+      find_first();  // what has been rechecked may have changed anything
+    }
+    return false;
+  }
+
+  // How many bits handles have in a part, of so many.
+  static unsigned shift_of(std::size_t count) {
+    return 32 - static_cast<unsigned>(std::bit_width(count - 1));
+  }
+  static Queue_handle named(std::size_t part, Queue_handle handle, unsigned shift) {
+    KINETRI_ASSERT((std::uint64_t{handle} >> shift) == 0, "the handle has room in its part");
+    return static_cast<Queue_handle>((std::uint64_t{part} << shift) | handle);
+  }
+
+  Queue_handle emplace_in_parts(const Entry& entry) {
+    const std::size_t to = policy_.part_of(entry.subject());
+    const Queue_handle result = named(to, part(to).emplace(entry));
+    follow(to);
+    return result;
+  }
+  const Entry& top_of_parts() const { return part(first_part()).top(); }
+  Entry pop_of_parts() {
+    find_first();
+    const std::size_t from = winners_[1];
+    Entry result = part(from).pop();
+    follow(from);
+    return result;
+  }
+  Entry erase_from_parts(Queue_handle handle) {
+    const std::size_t from = part_of_handle(handle);
+    Entry result = part(from).erase(local(handle));
+    follow(from);
+    return result;
+  }
+
+  // The tournament of p parts: match k, 1 <= k < p, is between the winners of 2 k and 2 k + 1, of
+  // which those from p on are the parts themselves. A part without entries loses.
+  bool is_first_known() const { return !winners_.empty(); }
+
+  std::size_t player(std::size_t k) const {
+    return k < parts_.size() ? winners_[k] : k - parts_.size();
+  }
+  // `time_in(part, entry)` is the exact time of an entry of the part.
+  template <class Time_in>
+  std::size_t winner(std::size_t match, const Time_in& time_in) const {
+    const std::size_t p = player(2 * match);
+    const std::size_t q = player(2 * match + 1);
+    if (parts_[q]->empty()) return p;
+    return parts_[p]->empty() || precedes(*parts_[q], *parts_[p], time_in) ? q : p;
+  }
+
+  void find_first() {
+    if (is_first_known()) return;
+    try {
+      winners_.resize(parts_.size());
+      for (std::size_t match = parts_.size(); --match > 0;) set_winner(match);
+    } catch (...) {  // a time needs memory
+      forget_first();
+      throw;
+    }
+  }
+
+  // A part has changed. Where memory is missing, the first entry is found again later.
+  void follow(std::size_t changed) noexcept {
+    if (!is_first_known()) return;
+    try {
+      for (std::size_t match = (parts_.size() + changed) / 2; match > 0; match /= 2) {
+        const std::size_t before = winners_[match];
+        set_winner(match);
+        // Nothing that it has changed goes further.
+        if (winners_[match] == before && before != changed) return;
+      }
+    } catch (...) {
+      forget_first();
+    }
+  }
+
+  void set_winner(std::size_t match) {
+    const auto kept = [](Part& part, const Entry& entry) -> const Algebraic_number& {
+      return part.time(entry);
+    };
+    winners_[match] = static_cast<std::uint16_t>(winner(match, kept));
+  }
+
+  // The part that has the first entry. Precondition: not empty.
+  std::size_t first_part() const {
+    if (is_first_known()) return winners_[1];
+    std::size_t first = 0;
+    for (std::size_t p = 1; p < parts_.size(); ++p) {
+      if (part(p).empty()) continue;
+      if (part(first).empty() || precedes(*parts_[p], *parts_[first], made)) first = p;
+    }
+    return first;
+  }
+
+  Queue_handle local(Queue_handle handle) const {
+    return static_cast<Queue_handle>(handle & ((std::uint64_t{1} << shift_) - 1));
+  }
+
+  Part& part_with(const Entry& entry) {
+    return is_divided() ? part(part_of_handle(policy_.handle(entry.subject()))) : first_;
+  }
+
+  // An exact time that is not kept, so that several threads may ask for it.
+  static Algebraic_number made(const Part& part, const Entry& entry) { return part.time_of(entry); }
+
+  // The first entries of two parts.
+  template <class Time_in>
+  bool precedes(Part& p, Part& q, const Time_in& time_in) const {
+    const Entry& a = p.top();
+    const Entry& b = q.top();
+    if (a.bounds.upper < b.bounds.lower) return true;
+    if (b.bounds.upper < a.bounds.lower) return false;
+    const auto order = time_in(p, a) <=> time_in(q, b);
+    return order != 0 ? order < 0 : policy_.precedes(a, b);
+  }
+
+  const Policy& policy_;
+  Part first_;                                // the only one, mostly; else empty
+  std::vector<std::unique_ptr<Part>> parts_;  // if there are several
+  std::vector<std::uint16_t> winners_;        // of the matches; empty if not known
+  unsigned shift_ = 32;                       // handles have so many bits in their part
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_EVENTS_DIVIDED_SCHEDULER_H

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the readers of text files with a row a line have in common: lines from a stream, fields of a
+// line, columns of a header, numbers of fields, and the errors that say where something is wrong.
+#ifndef KINETRI_IMPL_IO_TEXT_TABLE_H
+#define KINETRI_IMPL_IO_TEXT_TABLE_H
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/platform.h"
+
+namespace kinetri {
+
+/// What a file holds, for messages: "expected a file of points", "expected one point a line".
+struct Table_kind {
+  std::string_view content;  ///< "points"
+  std::string_view row;      ///< "point"
+};
+
+/// Opens the file `path`. Throws Input_error without a line if it is a directory or cannot be
+/// opened.
+std::ifstream open_table(const std::string& path, const Table_kind& kind);
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+/// `text` without the blanks around it.
+std::string_view trimmed(std::string_view text);
+
+/// The text with the letters A to Z as a to z.
+std::string in_lower_case(std::string_view text);
+
+/// The text as it is shown in a message: in quotes, on one line, printable, and not too long.
+std::string quoted(std::string_view text);
+
+/// Calls function(field) for each field between commas, trimmed; there is at least one.
+template <class Function>
+void for_each_field_between_commas(std::string_view line, Function function) {
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    function(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// Calls function(field) for each of the longest pieces without blanks.
+template <class Function>
+void for_each_field_between_blanks(std::string_view line, Function function) {
+  for (;;) {
+    const auto begin = std::find_if_not(line.begin(), line.end(), is_blank);
+    if (begin == line.end()) return;
+    const auto end = std::find_if(begin, line.end(), is_blank);
+    function(std::string_view(begin, end));
+    line = std::string_view(end, line.end());
+  }
+}
+
+/// The header line of a file that other programs may have written: R, pandas, spreadsheets.
+struct Csv_header {
+  static constexpr std::size_t ignored = static_cast<std::size_t>(-1);
+
+  std::vector<std::size_t> columns;        ///< of each field, an index into the names, or `ignored`
+  std::vector<std::string> ignored_names;  ///< of the columns that are ignored, `quoted`
+
+  bool has(std::size_t column) const {
+    return std::find(columns.begin(), columns.end(), column) != columns.end();
+  }
+};
+
+/// Gives the lines of a stream one after the other, from one buffer: those that are neither blank
+/// nor comments, without line ends and byte order mark. `in`, `name` and the texts of `kind` must
+/// outlive it.
+class Table_reader {
+ public:
+  Table_reader(std::istream& in, const std::string& name, const Table_kind& kind);
+
+  /// The next line, blank or comment or not; else as next().
+  std::optional<std::string_view> next_line();
+
+  /// The number of the last line, counted from 1.
+  std::size_t line() const { return line_; }
+
+  /// Calls function(comment) for each comment that next() skips from now on, without its #.
+  void watch_comments(std::function<void(std::string_view)> function) {
+    on_comment_ = std::move(function);
+  }
+
+  /// Lets is_row(line) decide from now on which lines that begin with # next() gives as rows, such
+  /// as one whose first field is the id #1.
+  void watch_rows(std::function<bool(std::string_view)> is_row) { is_row_ = std::move(is_row); }
+
+  /// The number of comments that next() has skipped.
+  std::size_t comments() const { return comments_; }
+
+  /// The next line; none at the end of the stream. Valid until the next call. Throws Input_error if
+  /// the line is too long or the stream fails.
+  std::optional<std::string_view> next();
+
+  /// Reads the header line: the column of each field, as an index into `names`. Throws Input_error
+  /// if there is none, if one of the first `required` columns is missing, or if a column is unknown
+  /// or named twice; the messages end in `expected`.
+  std::vector<std::size_t> read_header(std::span<const std::string_view> names,
+                                       std::size_t required, std::string_view expected);
+
+  /// Reads the header line of a file whose fields may be quoted and whose columns are separated by
+  /// commas or, where the header has none, by semicolons. Names are compared without regard to
+  /// case; columns with other names are ignored. Throws Input_error if there is no header, if one
+  /// of the first `required` columns is missing, if one of `names` is there twice, or if a name is
+  /// a number, so that the line is no header; the messages end in `expected`.
+  Csv_header read_csv_header(std::span<const std::string_view> names, std::size_t required,
+                             std::string_view expected);
+
+  /// Calls function(field) for each field of a line of such a file, trimmed, and without quotation
+  /// marks where it is quoted; there is at least one. Throws Input_error if a quotation mark is not
+  /// closed on the line or something stands behind it.
+  template <class Function>
+  void for_each_csv_field(std::string_view line, Function function) {
+    for (std::optional<std::string_view> rest = line; rest;) function(take_csv_field(rest));
+  }
+
+  /// Throws the Input_error of the last line.
+  [[noreturn]] void fail(const std::string& message) const;
+
+  /// Throws Input_error if a row with `fields` fields has not one for each of the `columns` columns
+  /// of the header.
+  void check_number_of_fields(std::size_t fields, std::size_t columns) const;
+
+  /// The number that the field stands for; Input_error, with the name of the column, if it stands
+  /// for none.
+  double number(std::string_view field, std::string_view column) const;
+
+ private:
+  std::string_view take_csv_field(std::optional<std::string_view>& rest);
+  std::string_view without_return(std::string_view line) const;
+  bool fill();
+  [[noreturn]] void fail_too_long() const;
+
+  std::istream& in_;
+  const std::string& name_;
+  Table_kind kind_;
+  std::function<void(std::string_view)> on_comment_;
+  std::function<bool(std::string_view)> is_row_;
+  std::size_t comments_ = 0;
+  char separator_ = ',';
+  std::string unquoted_;  // the last field that had quotation marks in it
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+  std::size_t line_ = 0;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_IMPL_IO_TEXT_TABLE_H

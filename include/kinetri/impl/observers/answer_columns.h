@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tables in which answers about a run are written: names and values of their columns, for the
+// program's files and the tables of the Python package alike.
+#ifndef KINETRI_IMPL_OBSERVERS_ANSWER_COLUMNS_H
+#define KINETRI_IMPL_OBSERVERS_ANSWER_COLUMNS_H
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "kinetri/impl/observers/connections.h"
+#include "kinetri/impl/observers/spanning_tree_rows.h"
+#include "kinetri/observers/closest_approaches.h"
+#include "kinetri/observers/connected_components.h"
+#include "kinetri/observers/encounters.h"
+#include "kinetri/observers/mean_cell_areas.h"
+#include "kinetri/observers/nearest_neighbors.h"
+#include "kinetri/observers/neighbor_lives.h"
+
+namespace kinetri::detail {
+
+/// The columns of a table. `Row` is what a row is made of, and rows(observer) gives them all.
+///
+/// visit(column) calls column(name, value) for each column, in their order. `value` is a member of
+/// Row, or a function of one; std::invoke(value, row) gives what stands in the row:
+/// - Algebraic_number: an exact time, which files give as its tight_interval() in two columns,
+///   name_lo and name_hi;
+/// - Point_id: a point, or no_point where there is none;
+/// - std::size_t: a count; bool; a text;
+/// - double: a number, NaN where there is none.
+///
+/// A column about which nothing is known in any row, because that was not asked for, has a third
+/// argument, false.
+struct Approach_columns {
+  using Row = Approach;
+  bool has_gaps = false;  ///< whether the points are discs
+
+  static auto rows(auto& observer) { return observer.approaches(); }
+  void visit(const auto& column) const {
+    column("a", [](const Row& row) { return row.points[0]; });
+    column("b", [](const Row& row) { return row.points[1]; });
+    column("time", &Row::time);
+    column("distance", &Row::distance);
+    if (has_gaps) column("gap", &Row::gap);
+  }
+};
+
+struct Encounter_columns {
+  using Row = Encounter;
+  bool has_gaps = false;  ///< whether the points are discs
+
+  static auto rows(auto& observer) { return observer.encounters(); }
+  void visit(const auto& column) const {
+    column("a", [](const Row& row) { return row.points[0]; });
+    column("b", [](const Row& row) { return row.points[1]; });
+    column("begin", &Row::begin);
+    column("end", &Row::end);
+    column("closest", &Row::closest);
+    column("distance", &Row::distance);
+    if (has_gaps) column("gap", &Row::gap);
+  }
+};
+
+struct Component_columns {
+  using Row = Component_event;
+
+  static const std::vector<Row>& rows(auto& observer) { return observer.events(); }
+  static void visit(const auto& column) {
+    column("time", &Row::time);
+    column("kind", [](const Row& row) { return name(row.kind); });
+    column("a", [](const Row& row) { return row.points[0]; });
+    column("b", [](const Row& row) { return row.points[1]; });
+    column("components", &Row::components);
+    column("largest", &Row::largest);
+  }
+};
+
+/// `Name` is what a and b are called by: Point_id, or a text.
+template <class Name>
+struct Connection_columns {
+  using Row = Connection;
+  std::vector<std::array<Name, 2>> names;  ///< of each pair
+
+  static auto rows(auto& observer) { return observer.connections(); }
+  void visit(const auto& column) const {
+    column("a", [this](const Row& row) { return names[row.pair][0]; });
+    column("b", [this](const Row& row) { return names[row.pair][1]; });
+    column("begin", &Row::begin);
+    column("end", &Row::end);
+  }
+};
+
+struct Spanning_tree_columns {
+  using Row = Spanning_tree_row;
+
+  static auto rows(auto& observer) { return observer.rows(); }
+  static void visit(const auto& column) {
+    column("time", &Row::time);
+    column("kind", [](const Row& row) { return name(row.kind); });
+    column("a", [](const Row& row) { return row.edge[0]; });
+    column("b", [](const Row& row) { return row.edge[1]; });
+    column("length", &Row::length);
+  }
+};
+
+struct Neighbor_life_columns {
+  using Row = Neighbor_life;
+  bool has_ridge = false;  ///< whether there is a threshold
+
+  static auto rows(auto& observer) { return observer.lives(); }
+  void visit(const auto& column) const {
+    column("a", [](const Row& row) { return row.points[0]; });
+    column("b", [](const Row& row) { return row.points[1]; });
+    column("begin", &Row::begin);
+    column("end", &Row::end);
+    column("begins_by", [](const Row& row) { return name(row.begins_by); });
+    column("ends_by", [](const Row& row) { return name(row.ends_by); });
+    column("short", &Row::is_short, has_ridge);
+  }
+};
+
+struct Exchange_columns {
+  using Row = Point_exchanges;
+  bool has_ridge = false;  ///< whether there is a threshold
+
+  static auto rows(auto& observer) { return observer.exchanges(); }
+  void visit(const auto& column) const {
+    column("id", &Row::id);
+    column("from", &Row::from);
+    column("until", &Row::until);
+    column("gained", &Row::gained);
+    column("lost", &Row::lost);
+    column("short", &Row::short_ones, has_ridge);
+    column("rate", &rate);
+  }
+
+  /// The exchanges that are not short in a unit of time; NaN of a point that was there for no time.
+  static double rate(const Row& row) {
+    const double duration = row.until.to_double() - row.from.to_double();
+    const std::size_t counted = row.gained + row.lost - row.short_ones;
+    return duration > 0 ? static_cast<double>(counted) / duration
+                        : std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
+struct Nearest_neighbor_columns {
+  using Row = Nearest_neighbor_change;
+
+  static const std::vector<Row>& rows(auto& observer) { return observer.changes(); }
+  static void visit(const auto& column) {
+    column("time", &Row::time);
+    column("id", &Row::id);
+    column("before", &Row::before);
+    column("after", &Row::after);
+  }
+};
+
+struct Mean_area_columns {
+  using Row = Mean_cell_area;
+
+  static auto rows(auto& observer) { return observer.means(); }
+  static void visit(const auto& column) {
+    column("id", &Row::id);
+    column("from", &Row::from);
+    column("until", &Row::until);
+    column("area", &Row::area);
+    column("error", &Row::error);
+  }
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_OBSERVERS_ANSWER_COLUMNS_H

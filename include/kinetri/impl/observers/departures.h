@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points that go at the time at which others come: both are there at that time, but never in one
+// triangulation.
+#ifndef KINETRI_IMPL_OBSERVERS_DEPARTURES_H
+#define KINETRI_IMPL_OBSERVERS_DEPARTURES_H
+
+#include <CGAL/box_intersection_d.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/observers/gap_of_pair.h"
+#include "kinetri/impl/simulation/disc_boxes.h"
+
+namespace kinetri::detail {
+
+/// Calls `function` with the index of each disc of `gone` and each of `come` whose gap may be at
+/// most `range` at the time: all such pairs, and perhaps others. Cost: O(k log k) for k discs, and
+/// as many pairs. Precondition: range >= 0.
+template <class Disc, class Function>
+void for_each_pair_in_range(const std::vector<Disc>& gone, const std::vector<Disc>& come,
+                            double range, const Algebraic_number& time, Function function) {
+  const Double_interval times = time.tight_interval();
+  const auto boxes = [&](const std::vector<Disc>& discs, double reach) {
+    std::vector<Disc_box> result;
+    for (Disc disc : discs) {
+      disc.radius = std::nextafter(disc.radius + reach, std::numeric_limits<double>::infinity());
+      const auto index = static_cast<Point_id>(result.size());
+      result.push_back(box_around(disc, index, times.lower, times));
+    }
+    return result;
+  };
+  std::vector<Disc_box> boxes_gone = boxes(gone, range);
+  std::vector<Disc_box> boxes_come = boxes(come, 0);
+  CGAL::box_intersection_d(boxes_gone.begin(), boxes_gone.end(), boxes_come.begin(),
+                           boxes_come.end(),
+                           [&](const auto& p, const auto& q) { function(p.info(), q.info()); });
+}
+
+/// The points that have gone at one time.
+template <class Point_2>
+class Departures {
+ public:
+  /// Some points have changed at `time`, as Edge_follower::change tells. Calls `meet` with each
+  /// point that has gone at that time, so far, and each that comes, if their boxes meet: all pairs
+  /// that are in range of each other then, and perhaps others. Points without radii of their own
+  /// have `radius`. Cost: O(k log k) for k such points and as many pairs.
+  template <class Changed_points, class Graph, class Meet>
+  void change(const Algebraic_number& time, const Changed_points& changed, const Graph& graph,
+              double range, double radius, const Meet& meet) {
+    if (changed.empty()) return;
+    if (time_ != time) gone_.clear();
+    time_ = time;
+    std::vector<Point_id> come;
+    for (const auto& [id, before] : changed) {
+      const bool is_there = graph.contains(id);
+      if (before && !is_there) gone_.push_back(*before);
+      if (!before && is_there) come.push_back(id);
+    }
+    if (gone_.empty() || come.empty()) return;
+    using Disc = decltype(disc_about(gone_.front().motion(), radius));
+    std::vector<Disc> discs_gone;
+    for (const Point_2& point : gone_) discs_gone.push_back(disc_about(point.motion(), radius));
+    std::vector<Disc> discs_come;
+    for (const Point_id id : come) {
+      discs_come.push_back(disc_about(graph.point(id).motion(), radius));
+    }
+    for_each_pair_in_range(discs_gone, discs_come, range, time, [&](std::size_t i, std::size_t k) {
+      meet(gone_[i], graph.point(come[k]));
+    });
+  }
+
+ private:
+  std::vector<Point_2> gone_;
+  Algebraic_number time_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_OBSERVERS_DEPARTURES_H

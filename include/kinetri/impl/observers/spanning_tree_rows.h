@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Euclidean minimum spanning tree over time, as the rows of one table.
+#ifndef KINETRI_IMPL_OBSERVERS_SPANNING_TREE_ROWS_H
+#define KINETRI_IMPL_OBSERVERS_SPANNING_TREE_ROWS_H
+
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "kinetri/observers/kinetic_spanning_tree_2.h"
+
+namespace kinetri::detail {
+
+/// What a Spanning_tree_row tells.
+enum class Spanning_tree_row_kind : std::uint8_t {
+  start,     ///< an edge of the tree at the start
+  remove,    ///< an edge of the tree just before the time and not just after it
+  add,       ///< an edge of the tree just after the time and not just before it
+  longest,   ///< the longest edge of the tree, from the time on
+  least,     ///< the least range at which all points are connected, over all of the time
+  greatest,  ///< the greatest such range
+};
+
+/// The kind's name in files: "start", "remove", ...
+std::string_view name(Spanning_tree_row_kind kind);
+
+/// A row: what is told of an edge.
+struct Spanning_tree_row {
+  Algebraic_number time;                                        ///< exact
+  Spanning_tree_row_kind kind = Spanning_tree_row_kind::start;  ///< what happens
+  Edge_ids edge = {no_point, no_point};                         ///< the smaller id first
+  /// Of `longest`, `least` and `greatest`, the length of the edge at the time, rounded to nearest,
+  /// ties to even; else NaN.
+  double length = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// An observer that follows a Kinetic_spanning_tree_2 from the current time on.
+template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+class Spanning_tree_rows {
+ public:
+  /// @{
+  /// The object must not outlive what it observes.
+  explicit Spanning_tree_rows(Simulation_2<Traits>& simulation);
+  explicit Spanning_tree_rows(Kinetic_triangulation_2<Traits>& triangulation);
+  /// @}
+
+  /// The edges at the start, sorted; then in the order of time what changes, at one time removed
+  /// edges before added ones, and then the longest edge if it is another one than before; and at
+  /// the end the least and the greatest range, each at the first time at which it is that. These
+  /// two, and longest edges, are those of two or more points. Cost: see Kinetic_spanning_tree_2.
+  std::vector<Spanning_tree_row> rows();
+
+ private:
+  Kinetic_spanning_tree_2<Traits> tree_;
+  Algebraic_number start_;
+  std::vector<Edge_ids> at_start_;
+};
+
+extern template class Spanning_tree_rows<Linear_kinetic_traits_2>;
+extern template class Spanning_tree_rows<Polynomial_kinetic_traits_2>;
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_OBSERVERS_SPANNING_TREE_ROWS_H

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs by regions of a simulation, contacts and all, as the simulation sees them. They are defined
+// in src/simulation/contact_turns.cpp, for the library's own traits.
+#ifndef KINETRI_IMPL_SIMULATION_CONTACT_RUNS_H
+#define KINETRI_IMPL_SIMULATION_CONTACT_RUNS_H
+
+#include <cstddef>
+#include <functional>
+
+#include "kinetri/impl/triangulation/region_runs.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri::detail {
+
+/// What a simulation asks of runs by regions, with the threads that set_threads gave it.
+template <class Simulation>
+struct Contact_runs {
+  using Time = typename Simulation::Time;  ///< of events
+
+  /// Whether contacts can be executed in windows of time; see Contact_turns::can_run.
+  static bool can_run(const Simulation& simulation);
+  /// As advance_to of the simulation, with the same result; see Region_run::advance_to.
+  static std::size_t advance_to(Simulation& simulation, const Time& until,
+                                const std::function<bool()>& may_go_on);
+  /// Puts the queues into one part again.
+  static void join(Simulation& simulation);
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_CONTACT_RUNS_H

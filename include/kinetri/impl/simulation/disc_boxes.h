@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which discs of many may touch: boxes around them, in binary64.
+#ifndef KINETRI_IMPL_SIMULATION_DISC_BOXES_H
+#define KINETRI_IMPL_SIMULATION_DISC_BOXES_H
+
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/impl/base/double_interval.h"
+#include "kinetri/kinetic/disc_motion_2.h"
+
+namespace kinetri::detail {
+
+/// A box that holds a disc, with the id of the disc.
+using Disc_box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Point_id>;
+
+/// A box that certainly holds the disc at each of the times; the whole plane where numbers
+/// overflow. Precondition: t is one of the times.
+template <HasWeight Motion>
+Disc_box box_around(const Motion& disc, Point_id id, double t, const Double_interval& times) {
+  const Vector_2 centre = rounded_place(disc, t);
+  // Each has four roundings at most, each of two unit roundoffs of its terms, in any rounding mode;
+  // the sums and differences below have four more.
+  const double change = std::abs(disc.growth) * std::abs(t - disc.epoch);
+  const double terms = std::abs(disc.radius) + change;
+  const double radius = std::abs(rounded_radius(disc, t)) + 0x1p-48 * terms +
+                        2 * std::abs(disc.growth) * (times.upper - times.lower);
+  const double reach =
+      (radius + place_error(disc, t, times) + 0x1p-50 * (std::abs(centre.x) + std::abs(centre.y))) *
+          (1 + 0x1p-48) +
+      std::numeric_limits<double>::min();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double lower[] = {centre.x - reach, centre.y - reach};
+  double upper[] = {centre.x + reach, centre.y + reach};
+  if (!std::isfinite(lower[0] + lower[1] + upper[0] + upper[1])) {
+    lower[0] = lower[1] = -infinite;
+    upper[0] = upper[1] = infinite;
+  }
+  return {lower, upper, id};
+}
+
+/// Calls `function` with the ids of each two boxes that have a common point, once. O(n log^2 n),
+/// and what the pairs take.
+template <class Function>
+void for_each_pair_of_boxes(std::vector<Disc_box>& boxes, Function function) {
+  CGAL::box_self_intersection_d(
+      boxes.begin(), boxes.end(),
+      [&](const Disc_box& a, const Disc_box& b) { function(a.info(), b.info()); });
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_DISC_BOXES_H

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Ball arithmetic: a real number is known by a midpoint, which is an unevaluated sum of two
+// binary64 numbers, and a radius. What is rounded correctly, and decided, from about 100 bits needs
+// no exact arithmetic; where the radius is too large, the caller turns to that. Sources: T. Dekker,
+// A floating-point technique for extending the available precision, Numerische Mathematik 18, 1971;
+// F. Johansson, Arb: efficient arbitrary-precision midpoint-radius interval arithmetic, IEEE
+// Transactions on Computers 66, 2017. docs/MATH.md, section 10, derives the constants.
+#ifndef KINETRI_IMPL_TRIANGULATION_BALL_H
+#define KINETRI_IMPL_TRIANGULATION_BALL_H
+
+#include <cfenv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/impl/base/compiler.h"
+#include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
+
+namespace kinetri::detail {
+
+/// Contains a real number: it is at most `radius` away from high + low, but for factors near 1 from
+/// the rounding of radii. Therefore what is decided uses twice the radius. |low| is at most half a
+/// unit in the last place of `high`. Nothing is known where a member is not finite. Right only
+/// where rounding is to nearest, as ball_of checks.
+struct Ball {
+  double high = 0;
+  double low = 0;
+  double radius = 0;
+
+  /// Zero.
+  Ball() = default;
+  /// The number alone.
+  explicit Ball(double value) : high(value) {}
+  /// The three members.
+  Ball(double high_part, double low_part, double r) : high(high_part), low(low_part), radius(r) {}
+
+  /// Contains every number.
+  static Ball unknown() { return {0, 0, std::numeric_limits<double>::infinity()}; }
+
+  /// Whether the number is certainly greater than zero.
+  bool is_positive() const { return high + low > 2 * radius; }
+  /// Whether it is certainly not zero.
+  bool is_nonzero() const { return std::abs(high + low) > 2 * radius; }
+  /// Whether it is certainly zero.
+  bool is_zero() const { return high == 0 && low == 0 && radius == 0; }
+
+  /// The number rounded to nearest, ties to even, where that is certain (the test of A. Ziv, Fast
+  /// evaluation of elementary mathematical functions with correctly rounded last bit, ACM
+  /// Transactions on Mathematical Software 17, 1991). Zero has no sign.
+  std::optional<double> rounded() const {
+    const double reach = radius == 0 ? 0 : 2 * radius + 0x1p-105 * std::abs(high);
+    const double lower = high + (low - reach);
+    const double upper = high + (low + reach);
+    if (lower != upper || !std::isfinite(lower)) return std::nullopt;
+    return lower + 0.0;
+  }
+};
+
+namespace ball {
+
+inline constexpr double tiny = std::numeric_limits<double>::min();
+
+// high + low is a + b exactly; in the second form where |a| >= |b| or a is zero.
+KINETRI_ALWAYS_INLINE void exact_sum(double a, double b, double& high, double& low) {
+  high = a + b;
+  const double b_there = high - a;
+  low = (a - (high - b_there)) + (b - b_there);
+}
+KINETRI_ALWAYS_INLINE void fast_exact_sum(double a, double b, double& high, double& low) {
+  high = a + b;
+  low = b - (high - a);
+}
+
+// The rest a b - product, exactly but for underflow, without an instruction that not every
+// processor has. NaN where a factor is 2^996 or more.
+KINETRI_ALWAYS_INLINE double rest_of_product(double a, double b, double product) {
+  constexpr double splitter = 0x1p27 + 1;
+  const double a_far = splitter * a;
+  const double b_far = splitter * b;
+  const double a_high = a_far - (a_far - a);
+  const double b_high = b_far - (b_far - b);
+  const double a_low = a - a_high;
+  const double b_low = b - b_high;
+  return a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low);
+}
+
+}  // namespace ball
+
+KINETRI_ALWAYS_INLINE Ball operator-(const Ball& a) {
+  return {-a.high, -a.low, a.radius};
+}
+
+/// Of two binary64 numbers exact.
+KINETRI_ALWAYS_INLINE Ball operator+(const Ball& a, const Ball& b) {
+  double sum = 0;
+  double rest = 0;
+  ball::exact_sum(a.high, b.high, sum, rest);
+  const double low = a.low + b.low;
+  Ball result;
+  ball::exact_sum(sum, rest + low, result.high, result.low);
+  result.radius = a.radius + b.radius;
+  if (a.low != 0 || b.low != 0) {
+    result.radius += 0x1p-102 * (std::abs(a.high) + std::abs(b.high));
+  }
+  return result;
+}
+KINETRI_ALWAYS_INLINE Ball operator-(const Ball& a, const Ball& b) {
+  return a + -b;
+}
+
+/// Of two binary64 numbers exact, short of underflow.
+KINETRI_ALWAYS_INLINE Ball operator*(const Ball& a, const Ball& b) {
+  const double product = a.high * b.high;
+  const double rest = ball::rest_of_product(a.high, b.high, product);
+  const double low = a.high * b.low + a.low * b.high;
+  const double size = std::abs(product);
+  Ball result;
+  ball::fast_exact_sum(product, rest + low, result.high, result.low);
+  result.radius = std::abs(a.high) * b.radius + std::abs(b.high) * a.radius + a.radius * b.radius;
+  if (a.low != 0 || b.low != 0) result.radius += 0x1p-101 * size;
+  const bool may_underflow = size < 0x1p-900 && a.high != 0 && b.high != 0;
+  if (may_underflow || a.radius != 0 || b.radius != 0) result.radius += ball::tiny;
+  return result;
+}
+
+/// Unknown where the divisor is not known well.
+KINETRI_ALWAYS_INLINE Ball operator/(const Ball& a, const Ball& b) {
+  const double size = std::abs(b.high);
+  if (!(b.radius < 0x1p-20 * size)) return Ball::unknown();
+  const double quotient = a.high / b.high;
+  const Ball rest = a - Ball(quotient) * b;
+  const double correction = rest.high / b.high;
+  Ball result;
+  ball::exact_sum(quotient, correction, result.high, result.low);
+  result.radius =
+      (rest.radius + std::abs(rest.high) * (0x1p-50 + b.radius / size)) / size + ball::tiny;
+  return result;
+}
+
+/// Times two, exactly.
+inline Ball twice(const Ball& a) {
+  return {2 * a.high, 2 * a.low, 2 * a.radius};
+}
+
+/// Contains the number. Refines it to some 128 bits where it is not a binary64 number. Unknown
+/// where this thread does not round to nearest.
+inline Ball ball_of(const Algebraic_number& number) {
+  if (std::fegetround() != FE_TONEAREST) return Ball::unknown();
+  const Double_interval interval = number.interval();
+  if (interval.lower == interval.upper) return Ball(interval.lower);
+  number.refine_to_bits(128);
+  const auto [lower, upper] = number.isolating_interval();
+  const double high = to_double(lower);
+  if (!std::isfinite(high)) return Ball::unknown();
+  const double low = to_double(lower - to_rational(high));
+  const Rational rest = upper - to_rational(high) - to_rational(low);
+  const Rational rest_below = to_rational(high) + to_rational(low) - lower;
+  return {high, low, to_interval(rest > rest_below ? rest : rest_below).upper};
+}
+
+/// Whether `high` is off by at most about half a unit in its last place.
+inline bool is_known_well(const Ball& a) {
+  return a.radius <= 0x1p-60 * std::abs(a.high);
+}
+
+/// A place in the plane.
+struct Ball_2 {
+  Ball x;
+  Ball y;
+};
+
+/// Contains the place at the time that `t` contains.
+inline Ball_2 ball_place(const Linear_motion_2& motion, const Ball& t) {
+  const Ball elapsed = t - Ball(motion.epoch);
+  const auto place = [&](double position, double velocity) {
+    return velocity == 0 ? Ball(position) : Ball(position) + Ball(velocity) * elapsed;
+  };
+  return {place(motion.position.x, motion.velocity.x), place(motion.position.y, motion.velocity.y)};
+}
+/// As for linear motions.
+inline Ball_2 ball_place(const Polynomial_motion_2& motion, const Ball& t) {
+  const Ball elapsed = t - Ball(motion.epoch);
+  const auto place = [&](double Vector_2::*axis) {
+    Ball sum;
+    if (motion.jerk.*axis != 0) sum = Ball(motion.jerk.*axis) / Ball(6) * elapsed;
+    if (motion.acceleration.*axis != 0) sum = sum + Ball(motion.acceleration.*axis) * Ball(0.5);
+    if (!sum.is_zero()) sum = sum * elapsed;
+    sum = sum + Ball(motion.velocity.*axis);
+    return sum.is_zero() ? Ball(motion.position.*axis)
+                         : Ball(motion.position.*axis) + sum * elapsed;
+  };
+  return {place(&Vector_2::x), place(&Vector_2::y)};
+}
+/// Of another motion nothing is known.
+template <class Motion>
+Ball_2 ball_place(const Motion& /*motion*/, const Ball& /*t*/) {
+  return {Ball::unknown(), Ball::unknown()};
+}
+
+/// Contains the weight of a disc at the time that `t` contains.
+template <class CentreMotion>
+Ball ball_weight(const Basic_disc_motion_2<CentreMotion>& disc, const Ball& t) {
+  const Ball radius = disc.growth == 0
+                          ? Ball(disc.radius)
+                          : Ball(disc.radius) + Ball(disc.growth) * (t - Ball(disc.epoch));
+  return radius * radius + Ball(disc.weight);
+}
+/// Of another motion nothing is known.
+template <class Motion>
+Ball ball_weight(const Motion& /*motion*/, const Ball& /*t*/) {
+  return Ball::unknown();
+}
+
+/// A place whose coordinates are off by at most `error` each.
+struct Approximate_place {
+  Vector_2 place;
+  double error = std::numeric_limits<double>::infinity();
+};
+
+/// The place at a time that `t` is off from by at most half a unit in its last place.
+inline Approximate_place approximate_place(const Linear_motion_2& motion, double t) {
+  const auto& [position, velocity, epoch] = motion;
+  const double size =
+      std::abs(position.x) + std::abs(position.y) +
+      (std::abs(t) + std::abs(t - epoch)) * (std::abs(velocity.x) + std::abs(velocity.y));
+  return {rounded_place(motion, t), 0x1p-49 * size + ball::tiny};
+}
+/// As for linear motions.
+inline Approximate_place approximate_place(const Polynomial_motion_2& motion, double t) {
+  const auto size = [](const Vector_2& v) { return std::abs(v.x) + std::abs(v.y); };
+  const double span = std::abs(t) + std::abs(t - motion.epoch);
+  const double sizes = size(motion.position) +
+                       span * (size(motion.velocity) +
+                               span * (size(motion.acceleration) + span * size(motion.jerk)));
+  return {rounded_place(motion, t), 0x1p-47 * sizes + ball::tiny};
+}
+/// Of another motion nothing is known.
+template <class Motion>
+Approximate_place approximate_place(const Motion& /*motion*/, double /*t*/) {
+  return {};
+}
+
+/// Whether the two places are certainly farther apart than `distance`, in x or in y.
+inline bool are_apart(const Approximate_place& a, const Approximate_place& b, double distance = 0) {
+  const double errors = 2 * (a.error + b.error);
+  return std::abs(a.place.x - b.place.x) > distance + errors ||
+         std::abs(a.place.y - b.place.y) > distance + errors;
+}
+
+KINETRI_ALWAYS_INLINE Ball_2 operator-(const Ball_2& a, const Ball_2& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+
+KINETRI_ALWAYS_INLINE Ball squared_length(const Ball_2& d) {
+  return d.x * d.x + d.y * d.y;
+}
+
+/// Not less than the length of a vector with that squared length.
+inline double length_bound(const Ball& squared_length) {
+  return std::sqrt(squared_length.high + 4 * squared_length.radius) * (1 + 0x1p-50);
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_BALL_H

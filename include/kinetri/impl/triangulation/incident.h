@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The walks around a vertex of a CGAL triangulation, in counterclockwise order.
+#ifndef KINETRI_IMPL_TRIANGULATION_INCIDENT_H
+#define KINETRI_IMPL_TRIANGULATION_INCIDENT_H
+
+#include <type_traits>
+
+#include "kinetri/base/platform.h"
+
+namespace kinetri::detail {
+
+/// The index of a vertex of a face, without branches, which nothing could predict.
+template <class Face_handle, class Vertex_handle>
+int index_in(Face_handle face, Vertex_handle v) {
+  return (face->vertex(1) == v ? 1 : 0) + (face->vertex(2) == v ? 2 : 0);
+}
+
+/// Calls `function` with the handle of each face at `v`, infinite ones too, and the index of `v` in
+/// the face. The function must not change the faces at `v`. Precondition: the dimension is 2.
+template <class Triangulation, class Function>
+void for_each_face_at(const Triangulation& /*triangulation*/,
+                      typename Triangulation::Vertex_handle v, Function function) {
+  const typename Triangulation::Face_handle first = v->face();
+  auto face = first;
+  do {
+    const int i = index_in(face, v);
+    if constexpr (std::is_invocable_v<Function, decltype(face), int>) {
+      function(face, i);
+    } else {
+      function(face);
+    }
+    face = face->neighbor(Triangulation::ccw(i));
+  } while (face != first);
+}
+
+/// Calls `function` with the handle of each finite neighbor of `v`. Does nothing where there is
+/// only one point.
+template <class Triangulation, class Function>
+void for_each_neighbor(const Triangulation& triangulation, typename Triangulation::Vertex_handle v,
+                       Function function) {
+  if (triangulation.dimension() < 1) return;
+  const auto visit = [&](typename Triangulation::Vertex_handle neighbor) {
+    if (!triangulation.is_infinite(neighbor)) function(neighbor);
+  };
+  if (triangulation.dimension() == 2) {
+    return for_each_face_at(triangulation, v,
+                            [&](auto face, int i) { visit(face->vertex(Triangulation::ccw(i))); });
+  }
+  auto neighbor = triangulation.incident_vertices(v);
+  const auto first = neighbor;
+  do {
+    visit(neighbor);
+  } while (++neighbor != first);
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_INCIDENT_H

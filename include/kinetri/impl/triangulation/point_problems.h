@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What may be wrong with the points of a triangulation, in words.
+#ifndef KINETRI_IMPL_TRIANGULATION_POINT_PROBLEMS_H
+#define KINETRI_IMPL_TRIANGULATION_POINT_PROBLEMS_H
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri::detail {
+
+inline constexpr const char* too_many_points = "too many points; expected fewer than 2^32 - 1";
+
+inline std::string not_finite_problem(std::size_t id) {
+  return "the motion of point " + std::to_string(id) + " has a number that is not finite";
+}
+
+// Apart from where it is used, which is small and often inlined.
+inline std::string unknown_id_problem(std::size_t id) {
+  return "no point has the id " + std::to_string(id) + "; ask contains(id) first";
+}
+
+// Precondition: as many velocities as ids, all of them finite.
+inline void check_velocities(std::span<const Point_id> ids, std::span<const Vector_2> velocities) {
+  KINETRI_PRECONDITION(ids.size() == velocities.size(),
+                       std::to_string(ids.size()) + " ids and " +
+                           std::to_string(velocities.size()) +
+                           " velocities; expected as many of each");
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    KINETRI_PRECONDITION(std::isfinite(velocities[i].x) && std::isfinite(velocities[i].y),
+                         "the velocity of point " + std::to_string(ids[i]) +
+                             " is not finite; expected two finite numbers");
+  }
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_POINT_PROBLEMS_H

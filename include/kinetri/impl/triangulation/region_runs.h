@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs by regions, which execute the events of very many points by several threads, as their caller
+// sees them. They are defined in src/triangulation/regions.cpp, for the library's own traits.
+#ifndef KINETRI_IMPL_TRIANGULATION_REGION_RUNS_H
+#define KINETRI_IMPL_TRIANGULATION_REGION_RUNS_H
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <type_traits>
+
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
+
+namespace kinetri::detail {
+
+/// Whether the library has runs by regions of these traits.
+template <class Traits>
+inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_traits_2> ||
+                                        std::is_same_v<Traits, Polynomial_kinetic_traits_2> ||
+                                        std::is_same_v<Traits, Disc_kinetic_traits_2> ||
+                                        std::is_same_v<Traits, Polynomial_disc_kinetic_traits_2>;
+
+/// Whether a run by regions may be faster than the plain loop: of so many points, with so many
+/// threads (0: those of oneTBB's arena) of those that oneTBB has here.
+bool may_pay_by_regions(std::size_t points, std::size_t threads);
+
+/// What a triangulation asks of runs by regions, with the threads that set_threads gave it.
+template <class KineticTriangulation>
+struct Region_runs {
+  using Time = typename KineticTriangulation::Time;      ///< of events
+  using Change = typename KineticTriangulation::Change;  ///< of a point
+
+  /// As advance_to of the triangulation, with the same result; see Region_run::advance_to.
+  static std::size_t advance_to(KineticTriangulation& kinetic, const Time& until,
+                                const std::function<bool()>& may_go_on);
+  /// Gives points other motions at the present time. Precondition: the queue is in parts, the
+  /// triangles stay embedded, and no point has a weight.
+  static void make_turns(KineticTriangulation& kinetic, std::span<const Change> turns);
+  /// Puts the queue into one part again.
+  static void join(KineticTriangulation& kinetic);
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_REGION_RUNS_H

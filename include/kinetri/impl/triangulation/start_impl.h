@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Kinetic_triangulation_2: the triangulation at a time, from the points
+// alone.
+#ifndef KINETRI_IMPL_TRIANGULATION_START_IMPL_H
+#define KINETRI_IMPL_TRIANGULATION_START_IMPL_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/incident.h"
+#include "kinetri/impl/triangulation/insertion_order.h"
+#include "kinetri/impl/triangulation/static_delaunay.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
+
+namespace kinetri {
+
+// The triangulation just after the present time.
+template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::build_now(std::span<const Point_2> points) const
+    -> Triangulation {
+  return build(points, current_time(),
+               traits_.instantaneous_traits({current_time(), Time_side::after}));
+}
+
+// The places of all points at the present time, if there is a way to round them.
+template <KineticTraits_2 Traits>
+Rounded_places Kinetic_triangulation_2<Traits>::places_now() const {
+  if constexpr (HasRoundedPlace<Motion>) {
+    const auto point_of = [](Vertex_handle v) -> const Point_2& { return v->point(); };
+    return Rounded_places(triangulation_.finite_vertex_handles(), current_time(), point_of);
+  } else {
+    return {};
+  }
+}
+
+// The triangulation at the instant of the traits, which is just after `time`. That of the rounded
+// places is nearly the same, and made fast; where it is not certain to be the only one after some
+// flips, CGAL inserts the points.
+template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, const Time& time,
+                                            const Instantaneous_traits& traits) -> Triangulation {
+  Triangulation result(traits);
+  if constexpr (HasRoundedPlace<Motion>) {
+    constexpr std::size_t few = 16;  // are inserted as fast
+    const Rounded_places places(points, time);
+    if (points.size() >= few && places.are_finite()) {
+      if (build_from_places(points, places, result)) return result;
+      result.clear();
+    }
+  }
+  if constexpr (is_weighted) {
+    if (!have_equal_weights(points)) return build_regular(points, traits);
+  }
+  const auto insert_all = [&](auto& triangulation) {
+    std::vector<Point_2> in_order(points.begin(), points.end());
+    detail::sort_for_insertion(in_order, traits);
+    // CGAL keeps one vertex for points in one place. Points in one place just after a time are in
+    // one place at all times.
+    Edge_ids coincident = {no_point, no_point};  // of all such pairs, that of the least second id
+    const auto note = [&coincident](Vertex_handle v, const Point_2& point) {
+      const Point_id kept = v->point().id();
+      if (kept != point.id() && point.id() < coincident[1]) coincident = {kept, point.id()};
+    };
+    detail::insert_in_order(triangulation, in_order, std::identity(), note);
+    const auto [a, b] = coincident;
+    if (b != no_point) throw Coincident_trajectories_error(std::min(a, b), std::max(a, b));
+    KINETRI_ASSERT(triangulation.number_of_vertices() == points.size(), "every point has a vertex");
+  };
+  if constexpr (is_weighted) {
+    result.as_delaunay(insert_all);
+  } else {
+    insert_all(result);
+  }
+  return result;
+}
+
+// The regular triangulation at the instant of the traits. Throws if two points have the same
+// trajectory and the same weight: CGAL keeps one vertex for these if one of them is not hidden.
+template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::build_regular(std::span<const Point_2> points,
+                                                    const Instantaneous_traits& traits)
+    -> Triangulation {
+  Triangulation result(traits);
+  if constexpr (is_weighted) {
+    std::vector<Point_2> sorted(points.begin(), points.end());
+    detail::sort_for_insertion(sorted, traits);
+    detail::insert_in_order(result, sorted, std::identity(), [](Vertex_handle, const Point_2&) {});
+    // Those that are in one place just after a time are so at all times, and so are next to one
+    // another in this order. Those in the place of a vertex are there when two are alike.
+    std::vector<const Point_2*> in_order;
+    for (const Point_2& point : points) in_order.push_back(&point);
+    const bool are_all_there = result.tds().number_of_vertices() - 1 == points.size();
+    if (are_all_there) {
+      in_order.clear();
+      for (const Vertex_handle v : result.hidden_vertex_handles()) in_order.push_back(&v->point());
+    }
+    const auto compare = traits.compare_xy_2_object();
+    std::ranges::sort(in_order, [&](const Point_2* p, const Point_2* q) {
+      const auto order = compare(*p, *q);
+      return order == CGAL::SMALLER || (order == CGAL::EQUAL && p->id() < q->id());
+    });
+    for (auto first = in_order.begin(); first != in_order.end(); ++first) {
+      for (auto other = first + 1; other != in_order.end(); ++other) {
+        if (compare(**first, **other) != CGAL::EQUAL) break;
+        if (!same_trajectory((*first)->motion(), (*other)->motion())) continue;
+        throw Coincident_trajectories_error((*first)->id(), (*other)->id());
+      }
+    }
+    KINETRI_ASSERT(are_all_there, "every point has a vertex");
+  }
+  return result;
+}
+
+// Makes `result`, which is empty, the triangulation of the points at the instant of its traits,
+// from that of their rounded places. Returns false, and leaves anything, where the rounded places
+// have another hull or a triangle that turns over, or where several triangulations are Delaunay.
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2> points,
+                                                        const Rounded_places& places,
+                                                        Triangulation& result) {
+  std::vector<Vector_2> in_order;
+  std::vector<double> weights_in_order;
+  in_order.reserve(points.size());
+  for (const Point_2& point : points) {
+    in_order.push_back(places[point.id()]);
+    if (places.weights().empty()) continue;
+    weights_in_order.push_back(places.weights()[point.id() - places.first()]);
+    if (!std::isfinite(weights_in_order.back())) return false;
+  }
+  const detail::Static_points rounded = {in_order, weights_in_order, places.error(),
+                                         places.error_of_weights()};
+  const detail::Static_delaunay found = detail::static_delaunay(rounded);
+  if (found.faces.empty()) return false;
+  auto& tds = result.tds();
+  tds.faces().clear();
+  tds.set_dimension(2);
+  std::vector<Vertex_handle> vertices(points.size());
+  for (const Point_id i : found.order) {
+    vertices[i] = tds.create_vertex();
+    vertices[i]->set_point(points[i]);
+  }
+  std::vector<Face_handle> faces;
+  faces.reserve(found.faces.size());
+  for (const auto& face : found.faces) {
+    const auto vertex = [&](std::size_t i) {
+      const Point_id id = face.vertices[i];
+      return id == no_point ? result.infinite_vertex() : vertices[id];
+    };
+    faces.push_back(tds.create_face(vertex(0), vertex(1), vertex(2)));
+    for (std::size_t i = 0; i < 3; ++i) vertex(i)->set_face(faces.back());
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& [a, b, c] = found.faces[f].neighbors;
+    faces[f]->set_neighbors(faces[a], faces[b], faces[c]);
+  }
+  if constexpr (is_weighted) {
+    for (const auto& [point, face] : found.hidden) result.hide(vertices[point], faces[face]);
+  }
+  // Mostly the places are enough.
+  if (detail::is_certainly_delaunay(found, rounded)) return is_hull_convex(result, places);
+  if (!places.weights().empty()) return false;
+  return is_embedded(result, places) && flip_until_delaunay(result, places);
+}
+
+// Whether all triangles turn left, and the hull is convex. Then a triangulation whose faces make a
+// sphere is embedded (see check_restored).
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::is_embedded(const Triangulation& triangulation,
+                                                  const Rounded_places& places) {
+  return std::ranges::all_of(triangulation.finite_face_handles(),
+                             [&](Face_handle face) {
+                               return is_left_turn(triangulation, places, face->vertex(0),
+                                                   face->vertex(1), face->vertex(2));
+                             }) &&
+         is_hull_convex(triangulation, places);
+}
+
+// Whether the points make a left turn at the instant of the triangulation's traits, near which the
+// places are.
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::is_left_turn(const Triangulation& triangulation,
+                                                   const Rounded_places& places, Vertex_handle a,
+                                                   Vertex_handle b, Vertex_handle c) {
+  const Sign known = places.orientation(a->point().id(), b->point().id(), c->point().id());
+  if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
+  const auto orientation = triangulation.geom_traits().orientation_2_object();
+  return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
+}
+
+// Whether the hull turns left at each of its vertices and goes around once.
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::is_hull_convex(const Triangulation& triangulation,
+                                                     const Rounded_places& places) {
+  const Instantaneous_traits& now = triangulation.geom_traits();
+  const auto is_less = [&](Vertex_handle v, Vertex_handle w) {
+    const auto by_x = now.compare_x_2_object()(v->point(), w->point());
+    return by_x == CGAL::SMALLER ||
+           (by_x == CGAL::EQUAL &&
+            now.compare_y_2_object()(v->point(), w->point()) == CGAL::SMALLER);
+  };
+  // Around the infinite vertex they come clockwise.
+  std::vector<Vertex_handle> hull;
+  detail::for_each_neighbor(triangulation, triangulation.infinite_vertex(),
+                            [&](Vertex_handle v) { hull.push_back(v); });
+  std::size_t least_vertices = 0;
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    const Vertex_handle next = hull[k];
+    const Vertex_handle here = hull[(k + 1) % hull.size()];
+    const Vertex_handle previous = hull[(k + 2) % hull.size()];
+    if (!is_left_turn(triangulation, places, previous, here, next)) return false;
+    if (is_less(here, previous) && is_less(here, next)) ++least_vertices;
+  }
+  return least_vertices == 1;
+}
+
+// Flips edges until the triangulation, which is embedded, is Delaunay. Returns false if it is not
+// the only one that is: if four points are cocircular. Each edge is looked at from the side that
+// its ids choose, so that equal points get equal faces in an equal order; addresses choose another
+// side in each run.
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangulation,
+                                                          const Rounded_places& places) {
+  const auto exact_side = triangulation.geom_traits().side_of_oriented_circle_2_object();
+  const auto side = [&](Face_handle face, const Point_2& s) {
+    const Point_2& p = face->vertex(0)->point();
+    const Point_2& q = face->vertex(1)->point();
+    const Point_2& r = face->vertex(2)->point();
+    const Sign known = places.side_of_oriented_circle(p.id(), q.id(), r.id(), s.id());
+    return known != CGAL::ZERO ? known : exact_side(p, q, r, s);
+  };
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (const Face_handle face : triangulation.finite_face_handles()) {
+      for (int i = 0; i < 3; ++i) {
+        if (!is_chosen_side(Edge(face, i))) continue;
+        const Face_handle beyond = face->neighbor(i);
+        if (triangulation.is_infinite(beyond)) continue;
+        const Vertex_handle opposite = beyond->vertex(triangulation.tds().mirror_index(face, i));
+        const auto where = side(face, opposite->point());
+        if (where == CGAL::ON_ORIENTED_BOUNDARY) return false;
+        if (where == CGAL::ON_NEGATIVE_SIDE) continue;
+        triangulation.tds().flip(face, i);
+        is_changed = true;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_IMPL_TRIANGULATION_START_IMPL_H

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Delaunay triangulation of static points in doubles, or the regular one of weighted points, by
+// CGAL's fastest kernel, as plain numbers. A kinetic triangulation begins with that of the rounded
+// places of its points, and checks each triangle and edge for the points as they are.
+#ifndef KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
+#define KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri::detail {
+
+/// The faces of a triangulation, as plain numbers.
+struct Static_delaunay {
+  /// A face, as CGAL has it: neighbor i is opposite vertex i.
+  struct Face {
+    std::array<Point_id, 3> vertices;        ///< counterclockwise; no_point is the infinite vertex
+    std::array<std::uint32_t, 3> neighbors;  ///< positions in `faces`
+  };
+
+  /// All faces, infinite ones too.
+  std::vector<Face> faces;
+  /// The points in an order in which near ones follow one another.
+  std::vector<Point_id> order;
+  /// The hidden points, and the position in `faces` of the one that each is above.
+  std::vector<std::pair<Point_id, std::uint32_t>> hidden;
+};
+
+/// Where points are, with their weights, if they differ, and bounds for the errors.
+struct Static_points {
+  std::span<const Vector_2> places;  ///< numbered from 0
+  std::span<const double> weights;   ///< the same; none without weights
+  double error = 0;                  ///< of each coordinate
+  double weight_error = 0;           ///< of each weight
+};
+
+/// The triangulation of the places, which are numbered from 0. Empty if there is none with a vertex
+/// for each place: if two places are equal, or all are on a line. Precondition: all coordinates are
+/// finite. O(n log n), some microseconds a point. Many points without weights are divided into
+/// cells, for several threads, as static_delaunay_by_cells says; by how many threads, the result
+/// does not depend on it.
+Static_delaunay static_delaunay(const Static_points& points);
+
+/// The same for points without weights, cell by cell [Funke and Sanders 2017]: several threads
+/// triangulate the places of a cell each. A triangle whose circle is inside of its cell is one of
+/// all places. The ends of the other triangles are on the border; a triangulation of these alone
+/// fills what is left. Empty also where that does not fit together, as where four places are on a
+/// circle, and where half of the places or more are on the border. Circles are rounded: where that
+/// matters, a triangle may not be Delaunay (see is_certainly_delaunay). Precondition: cells > 0.
+Static_delaunay static_delaunay_by_cells(std::span<const Vector_2> places, std::size_t cells);
+
+/// Whether all triangles certainly turn left, the certificates of all edges between two of them
+/// certainly hold, and hidden points are certainly inside of and above their faces, for points that
+/// are as near to the places and weights as the errors say. Several threads look.
+bool is_certainly_delaunay(const Static_delaunay& triangulation, const Static_points& points);
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
