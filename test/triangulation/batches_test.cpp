@@ -151,6 +151,13 @@ TEST(Batch, that_is_refused_changes_nothing) {
                             "point 3 is named twice; expected each point once");
   EXPECT_PRECONDITION_ERROR(set({3, 4}, {one}),
                             "2 ids and 1 motions; expected a motion for each id");
+  const std::vector<Point_id> two = {3, 4};
+  const std::vector<Vector_2> single = {{1, 2}};
+  EXPECT_PRECONDITION_ERROR(kinetic.set_velocities(two, single),
+                            "2 ids and 1 velocities; expected as many of each");
+  const std::vector<Vector_2> infinite = {{1, 2}, {1, std::numeric_limits<double>::infinity()}};
+  EXPECT_PRECONDITION_ERROR(kinetic.set_velocities(two, infinite),
+                            "the velocity of point 4 is not finite; expected two finite numbers");
   EXPECT_THROW(set({3, 40}, {one, other}), Precondition_error);
   EXPECT_THROW(set({3, 4}, {one, {{1, 2}, {std::numeric_limits<double>::infinity(), 0}, 0}}),
                Precondition_error);
@@ -177,12 +184,6 @@ TEST(Batch, that_is_refused_changes_nothing) {
 TEST(Batch, of_nothing_does_nothing) {
   Kinetic_delaunay kinetic(test::random_motions(5, 10, 5, 1));
   kinetic.set_motions({}, {});
-  const std::vector<Vector_2> one = {{1, 2}};
-  EXPECT_PRECONDITION_ERROR(kinetic.set_velocities(ids, one),
-                            "2 ids and 1 velocities; expected as many of each");
-  const std::vector<Vector_2> infinite = {{1, 2}, {1, HUGE_VAL}};
-  EXPECT_PRECONDITION_ERROR(kinetic.set_velocities(ids, infinite),
-                            "the velocity of point 4 is not finite; expected two finite numbers");
   kinetic.erase(std::span<const Point_id>());
   EXPECT_EQ(kinetic.insert(std::span<const Linear_motion_2>()), 5u);
   EXPECT_EQ(kinetic.counters().number_of_events(), 0u);
