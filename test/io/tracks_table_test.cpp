@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -181,15 +180,15 @@ TEST(Read_tracks, degrees_are_refused_unless_a_projection_is_chosen) {
   const Tracks_file file = read_options(text, options);
   const auto& seen = file.tracks[0].observations;
   EXPECT_EQ(seen[0].place, (Vector_2{-seen[1].place.x, -seen[1].place.y}));
-  constexpr double degree = 6371008.8 * std::numbers::pi / 180;
-  EXPECT_NEAR(seen[1].place.y, degree * 0.03125, 1e-6);
-  EXPECT_NEAR(seen[1].place.x, degree * 0.25 * std::cos(50.03125 * std::numbers::pi / 180), 1e-6);
+  // Degrees of longitude and latitude at 50.03125 degrees north, in metres.
+  EXPECT_NEAR(seen[1].place.x, 71649.27 * 0.25, 0.01);
+  EXPECT_NEAR(seen[1].place.y, 111229.67 * 0.03125, 0.01);
   EXPECT_EQ(file.remarks,
             (std::vector<std::string>{
                 "places are degrees, as the columns 'lon' and 'lat' say",
                 "places are in metres from the longitude 8.25 and the latitude 50.03125 "
-                "(equirectangular projection); distances are off by at most 0.066 % of those on a "
-                "sphere, which are off by up to 0.7 % on earth (less with --projection utm)"}));
+                "(equirectangular projection of the ellipsoid of WGS 84); distances are off by at "
+                "most 0.066 %"}));
   std::swap(options.columns.x, options.columns.y);
   EXPECT_EQ(read_options_error(text, options),
             "t.csv: x is the column 'lat', and y 'lon'; expected the longitude as x, and the "

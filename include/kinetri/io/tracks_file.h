@@ -124,12 +124,13 @@ enum class Tracks_projection {
   refused,  ///< files that have degrees by their standard, or in columns with such names, are
             ///< refused
   none,     ///< they are places as they are: x is the longitude, y the latitude
-  /// x and y are degrees, and become metres on a sphere with the mean radius R = 6371008.8 m of the
-  /// earth, equirectangular about the middle of the data (l, p), which is that of their bounding
-  /// box: x = R cos(p) (x - l), y = R (y - p), angles in radians (J. P. Snyder, Map projections: a
-  /// working manual, U.S. Geological Survey Professional Paper 1395, 1987, section 12). Distances
-  /// are compared with those on the sphere, which are off by up to 0.7 % themselves, since the
-  /// earth is none.
+  /// x and y are degrees on the ellipsoid of WGS 84, and become metres, equirectangular about the
+  /// middle of the data (l, p), which is that of their bounding box: x = N cos(p) (x - l),
+  /// y = M (y - p), angles in radians, with the radii of curvature at p, of the meridian,
+  /// M = a (1 - e^2) / (1 - e^2 sin(p)^2)^(3/2), and in the prime vertical,
+  /// N = a / (1 - e^2 sin(p)^2)^(1/2) (J. P. Snyder, Map projections: a working manual, U.S.
+  /// Geological Survey Professional Paper 1395, 1987, section 12, with the radii of equations 4-18
+  /// and 4-20, so that lengths are right at the middle).
   local,
   /// x and y are degrees on the ellipsoid of WGS 84, and become metres in the zone of Universal
   /// Transverse Mercator that the middle of the data is in: x from 500000 m west of its central

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "atom_boxes.h"
 #include "frames_of_atoms.h"
 #include "io/text.h"
 #include "kinetri/base/error.h"
@@ -83,9 +84,9 @@ class Xyz_reader {
       read_frame(lines_.count(*line));
     }
     Tracks_file result = builder_.finish();
-    widths_.settle_jumps(result, input_,
-                         "expected places that go on beyond the box, or pbc=\"F F F\" in the "
-                         "comments if these do");
+    boxes_.settle_jumps(result, input_,
+                        "expected places that go on beyond the box, or pbc=\"F F F\" in the "
+                        "comments if these do");
     result.format = Tracks_format::xyz;
     if (times_ != Times::times) {
       note_frame_rate(result, input_, std::nullopt,
@@ -103,7 +104,7 @@ class Xyz_reader {
     const std::string comment(lines_.expect("a comment"));
     const Columns columns = columns_of(comment);
     const double time = time_of(comment);
-    add_widths(comment);
+    add_box(comment);
     if (frame_ > 0 && columns.id.has_value() != has_ids_) {
       lines_.fail(
           "the atoms of some frames have ids, and those of others have not; expected ids in "
@@ -200,8 +201,7 @@ class Xyz_reader {
     return time.value.number;
   }
 
-  // Of a box whose sides are parallel to the axes; in another one nobody can tell.
-  void add_widths(std::string_view comment) {
+  void add_box(std::string_view comment) {
     const auto lattice = value_of(comment, "lattice");
     if (!lattice) return;
     std::vector<double> numbers;
@@ -214,12 +214,12 @@ class Xyz_reader {
     std::vector<std::string_view> flags;
     for_each_field_between_blanks(value_of(comment, "pbc").value_or("T T T"),
                                   [&](std::string_view flag) { flags.push_back(flag); });
-    const bool is_rectangle =
-        numbers[1] == 0 && numbers[2] == 0 && numbers[3] == 0 && numbers[5] == 0;
-    for (std::size_t i = 0; is_rectangle && i < 2; ++i) {
-      const bool is_periodic = i < flags.size() && (flags[i] == "T" || flags[i] == "1");
-      if (is_periodic && numbers[4 * i] > 0) widths_.add(i, numbers[4 * i]);
+    Atom_box box;
+    for (std::size_t i = 0; i < 3; ++i) {
+      box.edges[i] = {numbers[3 * i], numbers[3 * i + 1]};
+      box.is_periodic[i] = i < flags.size() && (flags[i] == "T" || flags[i] == "1");
     }
+    boxes_.add(lines_.line(), box);
   }
 
   // Only the order of atoms says which is which.
@@ -243,7 +243,7 @@ class Xyz_reader {
   const Tracks_input& input_;
   Atom_lines lines_;
   Tracks_builder builder_;
-  Periodic_widths widths_;
+  Atom_boxes boxes_;
   std::size_t frame_ = 0;
   std::size_t atoms_ = 0;
   bool has_ids_ = false;
