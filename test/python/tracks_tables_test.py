@@ -255,7 +255,7 @@ def test_dates_and_times_in_two_columns(tmp_path):
 
 @pytest.mark.parametrize("text, options, message", [
     ("t,id,lon,lat\n0,a,12,55\n", {"columns": {"t": "t", "id": "id", "x": "lon", "y": "lat"}}, WAY_OUT),
-    ("1 2 3 4 5\n", {}, "expected format='table', columns={'t': '1', 'id': '2', 'x': '3', 'y': '4'}, with the numbers"),
+    ("1 2 3 4 5\n", {}, "expected format='table', columns={'t': 'N', 'id': 'N', 'x': 'N', 'y': 'N'}, with the number of"),
     ("0 1 0 0\n5 1 5 0\n", {"fps": 5}, "mean either of two things: with format='frames', the order frame id x y"),
     ("when,id,x,y\n", {}, "or columns={'t': 'NAME', 'id': 'NAME', 'x': 'NAME', 'y': 'NAME'} for the names in another"),
     ("t,id,x,y\n1/5/2024 10:00:00,a,1,2\n", {}, "or date_format='%d/%m/%Y %H:%M:%S' or date_format='%m/%d/%Y %H:%M:%S'"),

@@ -28,10 +28,10 @@ constexpr std::string_view expect_id_first =
     "is their order, add the line '# id frame x y' above the rows";
 constexpr std::string_view expect_id_first_of_many =
     "; expected id, frame, x and y in this order: read the file with --format table --columns "
-    "t=1,id=2,x=3,y=4, with the numbers of its columns, or, if this is their order, add the line "
+    "t=N,id=N,x=N,y=N, with the number of each column, or, if this is their order, add the line "
     "'# id frame x y' above the rows";
 constexpr std::string_view with_numbers_of_columns =
-    "--format table --columns t=1,id=2,x=3,y=4, with the numbers of its columns";
+    "--format table --columns t=N,id=N,x=N,y=N, with the number of each column, from 1 on";
 constexpr std::string_view expect_four = "4, frame, id, x and y, separated by tabs or blanks";
 constexpr std::string_view as_if_exchanged = ", as if the first two columns were exchanged";
 

@@ -106,6 +106,30 @@ struct Parsed_time {
 Parsed_time parse_time(std::string_view field, std::string_view column,
                        const Tracks_file_options& options);
 
+/// Times that are whole numbers of 8, 10 or 12 digits, which all are dates without signs between,
+/// as 20200131: their differences are no seconds.
+class Dates_of_digits {
+ public:
+  /// Notes the field of a time.
+  void note(std::string_view field);
+
+  /// Throws Input_error if all that were noted are such dates, unless the options say what form
+  /// dates have, or that times are frames.
+  void expect_none(const std::string& name, const Tracks_file_options& options) const;
+
+ private:
+  bool are_all_ = true;
+  std::string first_;
+};
+
+/// What to say of a row with another number of fields than the header has columns, or without a
+/// header the first row has fields.
+std::string problem_of_row(std::size_t fields, std::size_t columns, bool has_header);
+
+/// What to say of a field that is no number since it has a decimal comma, in a table of fields
+/// with this character between: "has a decimal comma; expected ..."; empty if it is another.
+std::string problem_of_comma(std::string_view field, char separator);
+
 /// Whether the field says that there is no number: it is empty, NaN, NA, N/A, null, None or \N, in
 /// any case.
 bool is_missing(std::string_view field);
