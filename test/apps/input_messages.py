@@ -10,8 +10,8 @@ COMMANDS = "generate, simulate, resume, tracks, wave, experiment, render, comple
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice, lattice-jitter or packing"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
 TRACKS_COLUMNS = ("t,id,x,y and optionally radius, in any order, or --columns t=NAME,id=NAME,x=NAME,y=NAME "
-                  "for the names in another table, --columns t=1,id=2,x=3,y=4 for the numbers of columns of one without a "
-                  "header, or a file in one of the formats that --format lists")
+                  "for the names in another table, --columns t=N,id=N,x=N,y=N for the numbers of the columns, from 1 on, of one "
+                  "without a header, or a file in one of the formats that --format lists")
 
 
 def usage_cases():
@@ -126,7 +126,7 @@ def meaning_cases():
     yield case("tracks t.csv --columns t=t,name,x=x", piece="name")
     yield case("tracks t.csv --columns t=t,t=u", column="t")
     yield case("tracks t.csv --columns ''")
-    yield case("tracks t.csv --date-format %H:%M", format="%H:%M")
+    yield case("tracks t.csv --date-format %m", format="%m")
     yield case("tracks t.csv --unwrap nearest", file="t.csv")
     yield case("tracks t.csv --format rows --columns t=t,id=id,x=x,y=y", file="t.csv", format="rows")
     yield simulate("--fps 5", option="--fps,--frames-per-time")

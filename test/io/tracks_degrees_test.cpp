@@ -390,10 +390,11 @@ TEST(Read_tracks_projection, local_keeps_a_tenth_of_a_percent) {
 }
 
 TEST(Read_tracks_projection, what_is_too_wide_for_figures_is_refused_without) {
-  const std::string error = read_options_error(places({{-100, 10}, {75, 20}, {0, 0}}),
-                                               projected(Tracks_projection::utm));
-  EXPECT_TRUE(contains(error, ": too far apart for --projection utm to keep distances, and 0.1 % "
-                              "is allowed; expected a file for each region"))
+  const std::string error =
+      read_options_error(places({{-100, 10}, {75, 20}, {0, 0}}), projected(Tracks_projection::utm));
+  EXPECT_TRUE(contains(error,
+                       ": too far apart for --projection utm to keep distances, and 0.1 % "
+                       "is allowed; expected a file for each region"))
       << error;
 }
 
@@ -416,7 +417,7 @@ TEST(Read_tracks_projection, preconditions_are_checked) {
                             "the projection makes no metres of degrees");
   EXPECT_PRECONDITION_ERROR(transverse_mercator(90, 0),
                             "a place is too far from the central meridian, or not on earth");
-  EXPECT_PRECONDITION_ERROR(read_options("", {.date_format = "%H"}),
+  EXPECT_PRECONDITION_ERROR(read_options("", {.date_format = "%m"}),
                             "the format of dates is wrong");
 }
 

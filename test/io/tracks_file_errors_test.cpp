@@ -70,8 +70,11 @@ INSTANTIATE_TEST_SUITE_P(
                    "t.csv:2: the row has 3 fields; expected 4, one for each column of the header"},
         Bad_tracks{"t,id,x,y\n0\n",
                    "t.csv:2: the row has 1 field; expected 4, one for each column of the header"},
-        Bad_tracks{"t,id,x,y\n0,a,1,2,\n",
-                   "t.csv:2: the row has 5 fields; expected 4, one for each column of the header"},
+        Bad_tracks{
+            "t,id,x,y\n0,a,1,2,\n",
+            "t.csv:2: the row has 5 fields; expected 4, one for each column of the header; if the "
+            "first field is the name of a row, as R's write.table writes it, expected a name for "
+            "it in the header, and --columns t=NAME,id=NAME,x=NAME,y=NAME"},
         Bad_tracks{"t,id,x,y\n\n0,a,,2\n", "t.csv:3: the column x is empty; expected a number"},
         Bad_tracks{"t,id,x,y\n0, ,1,2\n", "t.csv:2: the column id is empty; expected any text"},
         Bad_tracks{"t,id,x,y\n0,a,1,2 m\n",

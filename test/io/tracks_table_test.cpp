@@ -88,7 +88,8 @@ TEST(Read_tracks_table, errors_name_line_and_column) {
            {"time,E,N\n", "1: the column 'name' is missing; expected one of 'time', 'E', 'N'"},
            {"0 1 2 3\n",
             "1: the column 'time' is missing; expected one of '0', '1', '2', '3', or, since these "
-            "seem to be no names, numbers of columns, as in --columns t=1,id=2,x=3,y=4"},
+            "seem to be no names, the numbers of the columns, from 1 on, in --columns "
+            "t=N,id=N,x=N,y=N"},
            {"time,name,E,N,E\n", "1: the column 'E' is named twice; expected names that differ"},
            {"time,name,E,N\n0,a,1\n",
             "2: the row has 3 fields; expected 4, one for each column of the header"},
@@ -98,7 +99,8 @@ TEST(Read_tracks_table, errors_name_line_and_column) {
             "2: the column N is 'north', which is not a number; expected a decimal or hexadecimal "
             "floating point number such as -1.5, 2e-3 or 0x1.8p3"},
            {"time;name;E;N\n0;a;1,5;2\n",
-            "2: the column E is '1,5', with a decimal comma; expected a decimal point, as in 1.5"},
+            "2: the column E is '1,5', which has a decimal comma; expected a decimal point, as sed "
+            "'s/,/./g' FILE makes of all commas"},
            {"time,name,E,N\n0,\"a\" b,1,2\n",
             "2: something stands behind a quoted field; expected ',' or the end of the row"},
            {"time,name,E,N\n0,\"a,1,2\n0,b,1,2\n",

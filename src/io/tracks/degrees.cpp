@@ -172,12 +172,12 @@ Angle angle_in_name(std::string_view name) {
   if (words.empty()) return Angle::none;
   const auto has = [&](auto test) { return std::any_of(words.begin(), words.end(), test); };
   const bool has_degrees = has([&](const std::string& w) { return is_among(w, degree_words); }) ||
-                           has_sign_of_degrees(name) || names_wgs84(name);
+                           has_sign_of_degrees(name);
   if (!unit_of_length(words).empty() && !has_degrees) return Angle::none;
   if (has([&](const std::string& w) { return is_among(w, radians); })) return Angle::radians;
   if (has(is_longitude)) return Angle::longitude;
   if (has(is_latitude)) return Angle::latitude;
-  return has_degrees ? Angle::degrees : Angle::none;
+  return has_degrees || names_wgs84(name) ? Angle::degrees : Angle::none;
 }
 
 bool says_degrees(std::string_view comment) {

@@ -109,9 +109,13 @@ class Rows_reader {
       ++rows_without_place_;
       return;
     }
+    std::size_t fields = 0;
+    for_each_field_between_commas(line, [&](std::string_view /*field*/) { ++fields; });
+    // Of fewer, what is no number says more.
+    if (fields > columns_.size()) table_.fail(problem_of_row(fields, columns_.size(), true));
     Tracks_row row;
     row.line = table_.line();
-    std::size_t fields = 0;
+    fields = 0;
     for_each_field_between_commas(line, [&](std::string_view field) {
       if (fields < columns_.size()) take(row, field, columns_[fields]);
       ++fields;
