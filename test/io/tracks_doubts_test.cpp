@@ -96,6 +96,10 @@ TEST(Read_tracks_doubts, times_since_1970_are_of_a_known_unit) {
     expect_doubt(text, "x", "y", "times are those since 1970");
     EXPECT_TRUE(has_piece(read_options_error(text, {}), "times are those since 1970"));
   }
+  const std::string bare =
+      "# frame id x y\n1704067200 a 5.123456 60.123456\n1704067260 a 5.133456 60.123456\n";
+  EXPECT_TRUE(has_piece(read_options_error(bare, {}), "times are those since 1970"));
+  EXPECT_EQ(read_options_error(bare, {.projection = Tracks_projection::utm}), "");
   // A walk, and numbers that are no such times.
   EXPECT_EQ(read_options_error(slow_rows("x", "y", "1704067200", "1704067200.01"), {}), "");
   EXPECT_EQ(read_options_error(slow_rows("x", "y", "100000000", "100000060"), {}), "");
@@ -258,6 +262,16 @@ TEST(Read_tracks_doubts, times_of_day_are_seconds_since_midnight_of_one_day) {
   const Tracks_file file = read_options(day("00:00:10", "01:00:00.5"), {.date_format = "%T"});
   EXPECT_EQ(shown(file), "a: 10 (1, 2) line 2 3600.5 (3, 4) line 3");
   EXPECT_EQ(file.remarks.back(), "times are times of day, in seconds since midnight");
+  EXPECT_EQ(read_options_error(day("095950", "100000"), {}),
+            "t.csv: all times are numbers that look like times of day, such as 095950; expected "
+            "--date-format '%H%M%S' if they are, or, if they are numbers, at least one with a "
+            "decimal point, as in 095950.0");
+  EXPECT_EQ(shown(read_options(day("095950", "100000"), {.date_format = "%H%M%S"})),
+            "a: 35990 (1, 2) line 2 36000 (3, 4) line 3");
+  EXPECT_EQ(read_options_error(day("115950", "120000"), {}), "");
+  EXPECT_EQ(read_options_error(day("095950", "096000"), {}), "");
+  EXPECT_EQ(read_options_error(day("000000", "000001"), {}), "");
+  EXPECT_EQ(read_options_error(day("095950.0", "100000"), {}), "");
   EXPECT_EQ(read_options_error(day("23:59:50", "00:00:10"), {.date_format = "%H:%M:%S"}),
             "t.csv: times of day go back in 1 row, as they do past midnight; expected dates with "
             "them, also in two columns, as in --columns t=DATE+TIME, or rows of one day in the "

@@ -161,7 +161,7 @@ enum class Tracks_duplicates {
 
 /// What becomes of atoms that leave a periodic box and come in on its other side.
 enum class Tracks_unwrap {
-  refused,  ///< files in which an image of an atom's next place is nearer are refused
+  refused,  ///< files are refused in which an image of an atom's next place is nearer than it
   nearest,  ///< an atom goes on to the nearest image of its next place
 };
 

@@ -64,6 +64,7 @@ struct Reading {
 
   Frame_columns columns;
   Tracks_builder builder;
+  Signs_of_degrees signs;
   std::size_t rows_without_place = 0;
   std::string problem;  // that makes it impossible
 };
@@ -285,6 +286,7 @@ class Bare_columns_reader {
     if (!time.problem.empty()) table_.fail(time.problem);
     row.time = time.value;
     row.line = table_.line();
+    reading.signs.note(row.place, fields_[columns.x], fields_[columns.y]);
     reading.builder.add(row);
   }
 
@@ -353,6 +355,7 @@ class Bare_columns_reader {
     if (wanted_ == Tracks_format::frames && !is_order_confirmed()) {
       if (const auto sign = sign_in_rows(result.tracks)) fail_for_sign(*sign, false);
     }
+    reading.signs.expect_none(result, input_.name, input_.options.projection, "x", "y");
     result.format =
         reading.columns.frame < reading.columns.id ? Tracks_format::frames : Tracks_format::ids;
     result.comment_lines = table_.comments() - used_comments_;

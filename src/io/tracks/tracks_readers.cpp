@@ -120,9 +120,20 @@ bool is_date_of_digits(std::string_view field) {
          parse_timestamp(field, "%Y%m%d%H%M%S").problem.empty();
 }
 
-// The form of a date of so many digits; empty if there is none.
+// The form of a date of so many digits, or of a time of day; empty if there is none.
 std::string_view form_of_digits(std::size_t digits) {
-  return digits == 8 ? "%Y%m%d" : digits == 10 ? "%Y%m%d%H" : digits == 12 ? "%Y%m%d%H%M" : "";
+  switch (digits) {
+    case 6:
+      return "%H%M%S";
+    case 8:
+      return "%Y%m%d";
+    case 10:
+      return "%Y%m%d%H";
+    case 12:
+      return "%Y%m%d%H%M";
+    default:
+      return {};
+  }
 }
 
 // "--date-format F or --date-format G", of those of the forms that the field has.
@@ -188,19 +199,25 @@ std::string problem_of_comma(std::string_view field, char separator) {
 void Dates_of_digits::note(std::string_view field) {
   if (!are_all_) return;
   const std::string_view form = form_of_digits(field.size());
-  are_all_ = !form.empty() && (field.starts_with("19") || field.starts_with("20")) &&
+  const bool is_of_day = !form.empty() && is_form_of_day(form);
+  are_all_ = !form.empty() && (is_of_day || field.starts_with("19") || field.starts_with("20")) &&
              (first_.empty() || first_.size() == field.size()) &&
              parse_timestamp(field, form).problem.empty();
+  // What shows a time of day; other numbers of six digits are too often numbers, also of frames.
+  has_zero_ = has_zero_ || (field.starts_with('0') && !field.starts_with("00"));
   if (first_.empty()) first_ = field;
 }
 
 void Dates_of_digits::expect_none(const std::string& name,
                                   const Tracks_file_options& options) const {
   if (!are_all_ || first_.empty() || !options.date_format.empty() || options.fps) return;
+  const std::string_view form = form_of_digits(first_.size());
+  const bool is_of_day = is_form_of_day(form);
+  if (is_of_day && !has_zero_) return;
   throw Input_error(
       name, 0,
-      joined("all times are numbers that look like dates, such as ", first_,
-             "; expected --date-format '", form_of_digits(first_.size()),
+      joined("all times are numbers that look like ", is_of_day ? "times of day" : "dates",
+             ", such as ", first_, "; expected --date-format '", form,
              "' if they are, or, if they are numbers, at least one with a decimal point, as in ",
              first_, ".0"));
 }

@@ -107,7 +107,8 @@ Parsed_time parse_time(std::string_view field, std::string_view column,
                        const Tracks_file_options& options);
 
 /// Times that are whole numbers of 8, 10 or 12 digits, which all are dates without signs between,
-/// as 20200131: their differences are no seconds.
+/// as 20200131, or of 6 digits, which all are times of day, some with one 0 at the beginning, as
+/// 095950: their differences are no seconds.
 class Dates_of_digits {
  public:
   /// Notes the field of a time.
@@ -119,6 +120,7 @@ class Dates_of_digits {
 
  private:
   bool are_all_ = true;
+  bool has_zero_ = false;
   std::string first_;
 };
 
