@@ -287,6 +287,42 @@ TEST(Read_tracks_xyz, who_leaves_a_tilted_box_is_unwrapped_or_refused) {
   EXPECT_EQ(error_of(lattice_frame(cell, "0.1 1 1") + lattice_frame(cell, "0.9 1 1")), "");
 }
 
+TEST(Read_tracks_xyz, the_cell_of_ipi_is_a_box) {
+  const auto cell = [](const std::string& numbers, const std::string& units, const std::string& a,
+                       const std::string& b) {
+    const std::string comment = "1\n# CELL(abcABC): " + numbers + " Step: ";
+    return comment + "0 Bead: 0 " + units + "\nO " + a + "\n" + comment + "100 Bead: 0 " + units +
+           "\nO " + b + "\n";
+  };
+  const Tracks_file_options nearest = {.unwrap = Tracks_unwrap::nearest};
+  const std::string in_angstroms = "positions{angstrom} cell{angstrom}";
+  const std::string square = "10.0 10.0 10.0 90 90 90";
+  const std::string left = cell(square, in_angstroms, "9.5 2 0", "0.5 2 0");
+  EXPECT_TRUE(has_piece(error_of(left),
+                        "atom '0' goes 9 since line 3, more than half of the "
+                        "periodic box, which is 10 wide"));
+  EXPECT_EQ(shown(read_options(left, nearest)), "0: 0 (9.5, 2) line 3 100 (10.5, 2) line 6");
+  EXPECT_EQ(error_of(cell(square, in_angstroms, "1 2 0", "5 2 0")), "");
+  // As the message advises where places go on.
+  EXPECT_EQ(error_of(cell(square, in_angstroms + " pbc=\"F F F\"", "9.5 2 0", "0.5 2 0")), "");
+  // 18.9 bohr are 10 angstroms; without words both are in bohr.
+  EXPECT_TRUE(
+      has_piece(error_of(cell("18.9 18.9 18.9 90 90 90", "positions{angstrom} cell{atomic_unit}",
+                              "9.5 2 0", "0.5 2 0")),
+                "which is 10.001"));
+  EXPECT_EQ(error_of(cell("18.9 18.9 18.9 90 90 90", "", "9.4 2 0", "0.5 2 0")), "");
+  EXPECT_TRUE(
+      has_piece(error_of(cell(square, "positions{picometer} cell{angstrom}", "9 2 0", "1 2 0")),
+                "the cell has another unit than the positions"));
+  EXPECT_EQ(error_of("1\n# CELL(abcABC): 1 2\nO 1 2 3\n"),
+            "t.csv:2: the cell has 2 numbers; expected 6");
+  // A hexagonal box: up and to the right.
+  const Tracks_file file =
+      read_options(cell("10 10 20 90 90 60", in_angstroms, "7 8 0", "2.5 0.5 0"), nearest);
+  EXPECT_NEAR(file.tracks[0].observations[1].place.x, 7.5, 1e-12);
+  EXPECT_NEAR(file.tracks[0].observations[1].place.y, 0.5 + 8.66025403784438646, 1e-12);
+}
+
 // A box that changes has no single one to go on in.
 TEST(Read_tracks_xyz, boxes_that_change_are_not_unwrapped) {
   const std::string text = lattice_frame("10 0 0 0 10 0 0 0 10", "1 1 0") +

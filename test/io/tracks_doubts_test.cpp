@@ -231,6 +231,9 @@ TEST(Read_tracks_doubts, numbers_that_are_dates_are_refused) {
         "t,id,x,y\n" + std::string(first) + ".0,a,1,2\n" + second + ",a,3,4\n";
     EXPECT_EQ(read_options_error(number, {}), "");
   }
+  // Before two places of one id on one day are.
+  EXPECT_TRUE(has_piece(read_options_error("t,id,x,y\n20200131,a,1,2\n20200131,a,3,4\n", {}),
+                        "all times are numbers that look like dates"));
   // One that is no date, and frames.
   EXPECT_EQ(read_options_error("t,id,x,y\n20200131,a,1,2\n20200132,a,3,4\n", {}), "");
   Tracks_file_options frames = with_columns("x", "y");
@@ -281,8 +284,16 @@ TEST(Read_tracks_doubts, times_of_day_are_seconds_since_midnight_of_one_day) {
                                "4\n",
                                {.columns = {.t = "date+t", .id = "id", .x = "x", .y = "y"}})),
             "a: 0 (1, 2) line 2 20 (3, 4) line 3");
-  EXPECT_TRUE(has_piece(read_options_error("t,id,x,y\n2024-05-01 9:59:50,a,1,2\n", {}),
-                        "expected that, or --date-format '%Y-%m-%d %H:%M:%S'"));
+  for (const auto& [date, form] : {std::pair{"2024-05-01 9:59:50", "%Y-%m-%d %H:%M:%S"},
+                                   {"2024-05-01 09:59:50 UTC", "%Y-%m-%d %H:%M:%S %Z"},
+                                   {"2024-032", "%Y-%j"},
+                                   {"13.02.24 10:00", "%d.%m.%y %H:%M"}}) {
+    const std::string text = "t,id,x,y\n" + std::string(date) + ",a,1,2\n";
+    EXPECT_TRUE(has_piece(read_options_error(text, {}),
+                          "expected that, or --date-format '" + std::string(form) + "'"))
+        << read_options_error(text, {});
+    EXPECT_EQ(read_options_error(text, {.date_format = form}), "");
+  }
 }
 
 // ---- rows ----
@@ -319,6 +330,28 @@ TEST(Read_tracks_doubts, a_comment_of_degrees_does_not_come_before_a_wrong_heade
                         "t.csv:1: the comment says that places are in degrees"));
   EXPECT_TRUE(has_piece(read_options_error("t,id,x,y\n# lon lat\n" + rows, {}),
                         "t.csv:2: the comment says that places are in degrees"));
+}
+
+TEST(Read_tracks_doubts, rows_with_one_coordinate_by_a_word_are_no_observations) {
+  const std::string text = "t,id,x,y\n0,a,1,2\n1,a,nan,2\n2,a,3,NA\n3,a,,\n4,a,5,6\n";
+  for (const Tracks_file_options& options : {with_columns("x", "y"), Tracks_file_options{}}) {
+    const Tracks_file file = read_options(text, options);
+    EXPECT_EQ(shown(file), "a: 0 (1, 2) line 2 4 (5, 6) line 6");
+    EXPECT_EQ(file.rows_without_place, 3U);
+    EXPECT_EQ(read_options_error("t,id,x,y\n0,a,1,\n", options),
+              "t.csv:2: the column y is empty; expected a number");
+  }
+  const Tracks_file bare = read_options("# id frame x y\na 0 1 2\na 1 nan 2\na 2 3 4\n", {});
+  EXPECT_EQ(shown(bare), "a: 0 (1, 2) line 2 2 (3, 4) line 4");
+}
+
+TEST(Read_tracks_doubts, quoted_fields_of_rows_are_read_as_the_message_advises) {
+  for (const std::string row : {"0,a,\"1\",2", "0,\"Ada, A.\",1,2"}) {
+    const std::string text = "t,id,x,y\n" + row + "\n";
+    EXPECT_TRUE(has_piece(read_options_error(text, {}),
+                          "or --columns t=t,id=id,x=x,y=y, which reads quoted fields"));
+    EXPECT_EQ(read_options_error(text, with_columns("x", "y")), "");
+  }
 }
 
 TEST(Read_tracks_doubts, features_without_a_place_are_no_observations) {

@@ -125,8 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_tracks{"inf a 1 2\n",
                    "t.csv:1: the column frame is 'inf', which is not finite; expected a finite "
                    "number"},
-        Bad_tracks{"0 a 1 nan\n",
-                   "t.csv:1: the column y is 'nan', which is not finite; expected a finite number"},
+        Bad_tracks{"0 a 1 inf\n",
+                   "t.csv:1: the column y is 'inf', which is not finite; expected a finite number"},
         Bad_tracks{"0 a 1e-999 1\n",
                    "t.csv:1: the column x is '1e-999', which is out of the range of binary64; "
                    "expected 0, or a magnitude from 4.9e-324 to 1.8e308"},

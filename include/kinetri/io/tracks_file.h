@@ -29,11 +29,11 @@
 // A file in UTF-16 is read as the same text in UTF-8.
 //
 // In rows and table, lines below the header whose times and places begin with no digit, sign or
-// point name units, and are left out. A row whose places are both empty, NaN, NA, N/A, null or None
-// is no observation; nor is, in a table, one without an id, and where places are degrees, one at
-// the latitude 91 or the longitude 181, by which AIS says that it knows no place, and one at (0, 0)
-// if all others are farther than a degree from there. Nor is a feature of GeoJSON without geometry,
-// or with null or NaN for all coordinates.
+// point name units, and are left out. A row whose places are both empty, or one of them NaN, NA,
+// N/A, null or None is no observation; nor is, in a table, one without an id, and where places are
+// degrees, one at the latitude 91 or the longitude 181, by which AIS says that it knows no place,
+// and one at (0, 0) if all others are farther than a degree from there. Nor is a feature of GeoJSON
+// without geometry, or with null or NaN for all coordinates.
 //
 // In a table, a first column that the header does not name and whose first field is in quotation
 // marks has the names of rows, as R's write.table writes them, and is left out.

@@ -265,7 +265,7 @@ class Bare_columns_reader {
   void add(Reading& reading) {
     const Frame_columns& columns = reading.columns;
     if (is_row_of_ids_ && columns.id != 0) return;
-    if (is_missing(fields_[columns.x]) && is_missing(fields_[columns.y])) {
+    if (is_without_place(fields_[columns.x], fields_[columns.y])) {
       ++reading.rows_without_place;
       return;
     }

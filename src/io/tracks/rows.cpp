@@ -25,6 +25,7 @@ constexpr std::string_view or_other_table =
     "t=N,id=N,x=N,y=N for the numbers of the columns, from 1 on, of one without a header, or a "
     "file "
     "in one of the formats that --format lists";
+constexpr std::string_view quoted_fields = "t=t,id=id,x=x,y=y, which reads quoted fields";
 
 class Rows_reader {
  public:
@@ -50,8 +51,8 @@ class Rows_reader {
     auto line = table_.next();
     for (; line && is_of_words(*line); line = table_.next()) ++rows_of_words;
     for (; line; line = table_.next()) add(*line);
-    Tracks_file result = builder_.finish();
     dates_.expect_none(input_.name, input_.options);
+    Tracks_file result = builder_.finish();
     signs_.expect_none(result, input_.name, input_.options.projection, "x", "y");
     result.format = Tracks_format::rows;
     result.has_radii = has(radius);
@@ -105,14 +106,19 @@ class Rows_reader {
   }
 
   void add(std::string_view line) {
-    if (split(line) && is_missing(fields_[x]) && is_missing(fields_[y])) {
+    if (split(line) && is_without_place(fields_[x], fields_[y])) {
       ++rows_without_place_;
       return;
     }
     std::size_t fields = 0;
     for_each_field_between_commas(line, [&](std::string_view /*field*/) { ++fields; });
     // Of fewer, what is no number says more.
-    if (fields > columns_.size()) table_.fail(problem_of_row(fields, columns_.size(), true));
+    if (fields > columns_.size()) {
+      table_.fail(line.find('"') == std::string_view::npos
+                      ? problem_of_row(fields, columns_.size(), true)
+                      : joined("the row has quotation marks, and ", fields, " fields; expected ",
+                               columns_.size(), " plain ones, or --columns ", quoted_fields));
+    }
     Tracks_row row;
     row.line = table_.line();
     fields = 0;
@@ -128,8 +134,8 @@ class Rows_reader {
   void take(Tracks_row& row, std::string_view field, std::size_t column) {
     if (column != id && field.starts_with('"')) {
       table_.fail(joined("the column ", columns_of_rows[column], " is ", quoted(field),
-                         ", with a quotation mark; expected a plain number, or --columns "
-                         "t=t,id=id,x=x,y=y, which reads quoted fields"));
+                         ", with a quotation mark; expected a plain number, or --columns ",
+                         quoted_fields));
     }
     switch (column) {
       case t: {

@@ -53,8 +53,8 @@ class Named_columns_reader {
     table_.watch_rows([this](std::string_view line) { return is_row(line); });
     for (; row && is_of_words(*row); row = table_.next()) take_units();
     for (; row; row = table_.next()) add(*row);
-    Tracks_file result = builder_.finish();
     dates_.expect_none(input_.name, input_.options);
+    Tracks_file result = builder_.finish();
     if (degrees_remark_.empty()) {
       signs_.expect_none(result, input_.name, input_.options.projection, names_[x], names_[y]);
     }
@@ -329,7 +329,7 @@ class Named_columns_reader {
     if (fields_.size() != number_of_fields_) {
       fail(first_line, problem_of_row(fields_.size(), number_of_fields_, !has_numbers_));
     }
-    if (is_missing(fields_[columns_[x]]) && is_missing(fields_[columns_[y]])) {
+    if (is_without_place(fields_[columns_[x]], fields_[columns_[y]])) {
       ++rows_without_place_;
       return;
     }

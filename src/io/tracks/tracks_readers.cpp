@@ -103,6 +103,13 @@ bool is_missing(std::string_view field) {
   return std::find(words.begin(), words.end(), in_lower_case(field)) != words.end();
 }
 
+bool is_without_place(std::string_view x, std::string_view y) {
+  const auto is_missing_by_word = [](std::string_view field) {
+    return !field.empty() && is_missing(field);
+  };
+  return (is_missing(x) && is_missing(y)) || is_missing_by_word(x) || is_missing_by_word(y);
+}
+
 bool is_word(std::string_view field) {
   if (field.empty()) return true;
   constexpr std::string_view begins_numbers = "0123456789+-.";

@@ -136,6 +136,10 @@ std::string problem_of_comma(std::string_view field, char separator);
 /// any case.
 bool is_missing(std::string_view field);
 
+/// Whether the coordinates of a row say that there is no place: both are missing, or one by a word,
+/// as NaN. One that is empty beside another may be a fault of the file.
+bool is_without_place(std::string_view x, std::string_view y);
+
 /// Whether the field may be a unit, or another word of a header: it begins with no digit, sign or
 /// point, has no control characters, and says not that a number is missing, unless it is empty.
 bool is_word(std::string_view field);
