@@ -16,7 +16,7 @@ namespace kinetri {
 /// Two stays are on one path from this time on, for a while.
 struct Shared_path {
   std::array<std::size_t, 2> stays;  ///< the smaller number first
-  double time = 0;
+  double time = 0;                   ///< from which they are
 };
 
 /// Those of some stays that share a path, decided exactly.
