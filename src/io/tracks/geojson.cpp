@@ -43,19 +43,25 @@ std::size_t line_in(std::string_view message) {
 }
 
 // Some programs write NaN, which is no JSON, for a number that they do not know: null instead.
-std::string without_nan(std::string text) {
+std::string without_nan(const std::string& text) {
   constexpr std::string_view nan = "NaN";
+  std::string result;
+  result.reserve(text.size());
   bool is_in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (is_in_string && text[i] == '\\') {
-      ++i;
+    if (!is_in_string && std::string_view(text).substr(i).starts_with(nan)) {
+      result += "null";
+      i += nan.size() - 1;
+      continue;
+    }
+    result += text[i];
+    if (is_in_string && text[i] == '\\' && i + 1 < text.size()) {
+      result += text[++i];
     } else if (text[i] == '"') {
       is_in_string = !is_in_string;
-    } else if (!is_in_string && std::string_view(text).substr(i).starts_with(nan)) {
-      text.replace(i, nan.size(), "null");
     }
   }
-  return text;
+  return result;
 }
 
 json parsed(const Tracks_input& input) {
