@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -119,6 +120,9 @@ class RunAnswers:
 
     def _advance(self, until: TimeLike, observer: _kinetri.Observer | None, progress: Progress) -> int:
         raise NotImplementedError
+
+    def _go(self, until: Time, observer: _kinetri.Observer | None, show: Callable[[float], object] | None) -> int:
+        return self._engine.advance(until, observer, show)
 
     def watch(self, about: str, *, number: int | None = None, range: float | None = None,
               ridge: float | None = None, between: ArrayLike | None = None) -> Watch:
@@ -395,7 +399,7 @@ class RunAnswers:
         end = float(frames[-1]) if len(frames) > 0 else float(self.time)
         with progress_bar(progress, float(self.time), end) as show:
             for time in frames:
-                self._engine.advance(Time(time), None, show)
+                self._go(Time(time), None, show)
                 frame_ids, frame_areas = self._engine.cell_areas(limits)
                 ids.append(frame_ids)
                 areas.append(frame_areas)

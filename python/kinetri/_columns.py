@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _arrays
 from ._types import ArrayLike, Floats
-from .errors import PreconditionError
+from .errors import InputError, PreconditionError
 
 
 def values_of(column: Any) -> Any:
@@ -35,7 +35,9 @@ def seconds_of(t: ArrayLike) -> tuple[Floats, np.datetime64 | None]:
             "pandas.to_datetime(t, utc=True) makes of texts in ISO 8601, and of others with format=, such as "
             "'%d/%m/%Y %H:%M'")
     if array.dtype.kind not in "mM":
-        return _arrays.float_array("t", array, (None,)), None
+        numbers = _arrays.float_array("t", array, (None,))
+        _expect_no_dates_of_digits(numbers)
+        return numbers, None
     if np.any(np.isnat(array)):
         raise PreconditionError(f"t[{int(np.argmax(np.isnat(array)))}] is not a time; expected dates or durations")
     if np.datetime_data(array.dtype)[0] in "YM":  # which have no length
@@ -45,6 +47,28 @@ def seconds_of(t: ArrayLike) -> tuple[Floats, np.datetime64 | None]:
     origin = array.min() if array.dtype.kind == "M" and array.size > 0 else None
     durations = array if array.dtype.kind == "m" else array - origin if origin is not None else array[:0] - array[:0]
     return _arrays.float_array("t", durations / np.timedelta64(1, "s"), (None,)), origin
+
+
+# Of numbers that are dates, by their digits.
+_FORMS_OF_DIGITS = {8: "%Y%m%d", 10: "%Y%m%d%H", 12: "%Y%m%d%H%M", 14: "%Y%m%d%H%M%S"}
+
+
+def _expect_no_dates_of_digits(numbers: Floats) -> None:
+    """Throws if all numbers are dates without signs between, as 20200131, whose differences are no seconds."""
+    if len(numbers) == 0 or not np.all((numbers >= 1e7) & (numbers < 1e14) & (numbers == np.floor(numbers))):
+        return
+    texts = [str(int(number)) for number in np.unique(numbers)]
+    form = _FORMS_OF_DIGITS.get(len(texts[0]))
+    for text in texts:
+        if form is None or len(text) != len(texts[0]) or text[:2] not in ("19", "20"):
+            return
+        try:
+            datetime.datetime.strptime(text, form)
+        except ValueError:
+            return
+    raise PreconditionError(
+        f"t has numbers that look like dates, such as {int(numbers[0])}; expected pandas.to_datetime(t, format={form!r}) "
+        "if they are, or smaller numbers, as t - t.min()")
 
 
 # The dtype of an array of them.
@@ -100,3 +124,58 @@ def things_of(names: npt.NDArray[Any], times: Floats) -> tuple[list[Any], npt.ND
     rank = np.empty(len(distinct), dtype=np.int64)
     rank[order] = np.arange(len(distinct))
     return [name.item() if hasattr(name, "item") else name for name in distinct[order]], rank[thing]
+
+
+def merged_places(thing: npt.NDArray[np.int64], times: Floats, places: Floats, rows: npt.NDArray[np.int64],
+                  labels: list[Any], duplicates: str | None) -> tuple[npt.NDArray[np.bool_], int]:
+    """Which of the observations, which are sorted, are kept, and how many others had another place at the same time.
+
+    The kept ones get the place that `duplicates` says. `rows` are their numbers in messages.
+    """
+    if duplicates not in (None, "first", "last", "mean", "refuse"):
+        raise PreconditionError(f"duplicates is {duplicates!r}; expected one of 'first', 'last', 'mean', 'refuse'")
+    same = (thing[1:] == thing[:-1]) & (times[1:] == times[:-1])
+    keep = np.ones(len(times), dtype=bool)
+    keep[1:] = ~same
+    differ = np.flatnonzero(same & np.any(places[1:] != places[:-1], axis=1)) + 1
+    if len(differ) == 0:
+        return keep, 0
+    begins = np.flatnonzero(keep)
+    ends = np.append(begins[1:], len(times))
+    groups = np.unique(np.searchsorted(begins, differ, side="right") - 1)
+    # Few may come of rounded times; many, of several things with one name.
+    conflicts = np.bincount(thing[begins[groups]], minlength=len(labels))
+    is_refused = conflicts > 0
+    if duplicates is None:
+        is_refused &= 2 * conflicts >= np.bincount(thing[keep], minlength=len(labels))
+    if duplicates in (None, "refuse") and np.any(is_refused):
+        i = next(int(i) for i in differ if is_refused[thing[i]])
+        raise InputError(
+            f"rows {rows[i - 1]} and {rows[i]}: {labels[thing[i]]!r} is at two places at t = {times[i]}; expected one "
+            "observation of a thing at a time, or duplicates='first', 'last' or 'mean', which says what to take")
+    others = 0
+    for begin, end in zip(begins[groups].tolist(), ends[groups].tolist()):
+        distinct = list(dict.fromkeys(map(tuple, places[begin:end].tolist())))
+        others += len(distinct) - 1
+        if duplicates == "last":
+            places[begin] = places[end - 1]
+        elif duplicates == "mean":
+            for number, place in enumerate(distinct[1:], start=2):
+                places[begin] += np.array(place) / number - places[begin] / number
+    return keep, others
+
+
+def seen_places(x: ArrayLike, y: ArrayLike, size: int) -> tuple[Floats, Floats, npt.NDArray[np.int64]]:
+    """The coordinates of the rows that have some, those whose x and y are not both NaN, and the numbers of these rows."""
+    for name, column in (("x", x), ("y", y)):
+        _arrays.expect_no_mask(name, column)
+    columns = [np.asarray(column) for column in (x, y)]
+    if all(column.dtype.kind == "f" and column.shape == (size,) for column in columns):
+        is_missing = np.isnan(columns[0]) & np.isnan(columns[1])
+        if np.any(is_missing):
+            x, y = (np.where(is_missing, 0, column) for column in columns)
+    else:
+        is_missing = np.zeros(size, dtype=bool)
+    x, y = _arrays.float_array("x", x, (size,)), _arrays.float_array("y", y, (size,))
+    seen = np.flatnonzero(~is_missing)
+    return x[seen], y[seen], seen

@@ -343,7 +343,7 @@ class MovingPoints(RunAnswers):
         int
             The number of events; 0 if there is no event.
         """
-        return self._engine.step(until, None)
+        return self._step(until, None)
 
     def record(self, until: TimeLike, *, kinds: str | Iterable[str] | None = None,
                progress: Progress = False) -> Events:
@@ -402,7 +402,7 @@ class MovingPoints(RunAnswers):
             With an exact time.
         """
         seen = _kinetri.EventList()
-        while self._engine.step(until, seen) > 0:
+        while self._step(until, seen) > 0:
             yield from seen.take()
         if until is not None:
             self.advance_to(until)
@@ -410,9 +410,12 @@ class MovingPoints(RunAnswers):
     def _advance(self, until: TimeLike, observer: _kinetri.Observer | None, progress: Progress) -> int:
         until = Time(until)
         if not progress:
-            return self._engine.advance(until, observer, None)
+            return self._go(until, observer, None)
         with progress_bar(progress, float(self.time), float(until)) as show:
-            return self._engine.advance(until, observer, show)
+            return self._go(until, observer, show)
+
+    def _step(self, until: TimeLike | None, observer: _kinetri.Observer | None) -> int:
+        return self._engine.step(until, observer)
 
     # ---- changes ----
 

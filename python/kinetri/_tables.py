@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import csv
 import os
+import warnings
 from typing import Any, Protocol
 
 from .errors import InputError, PreconditionError
+
+# Names of columns of heights, in lower case.
+_THIRD_COORDINATES = ("z", "zu", "pos_z", "position_z", "z_position", "zpos", "altitude", "alt", "elevation", "ele",
+                      "height", "depth")
 
 
 class SupportsToPandas(Protocol):
@@ -75,7 +80,20 @@ def read_as_csv(path: str, arrow: tuple[str, str], columns: dict[str, str],
         df[name] = _as_text(df[name])
     # Texts in quotation marks keep blanks at their ends, and all numbers their digits.
     text: str = df.to_csv(index=False, quoting=csv.QUOTE_NONNUMERIC)
-    return text, columns, f"columns that are not used: {_list_of(others)}" if others else None
+    return text, columns, remark_on(others)
+
+
+def remark_on(unused: list[Any]) -> str | None:
+    """A remark on columns that are not used, if there are any."""
+    return f"columns that are not used: {_list_of(unused)}" if unused else None
+
+
+def warn_of_third_coordinates(df: Any, unused: list[Any], stacklevel: int) -> None:
+    """Warns of unused columns that are third coordinates, by their names, and vary."""
+    varying = [name for name in unused if str(name).lower() in _THIRD_COORDINATES and df[name].nunique(dropna=True) > 1]
+    if varying:
+        warnings.warn(f"the columns {_list_of(varying)} vary, and are left out: tracks are in the plane of x and y",
+                      stacklevel=stacklevel + 1)
 
 
 def _read(path: str, name: str, function: str) -> Any:

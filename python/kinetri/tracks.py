@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _columns, _kinetri, _tables
+from . import _arrays, _coincidence, _columns, _kinetri, _tables
 from ._moving import Simulation
 from ._response import engine_response
 from ._track_answers import TrackAnswers
-from ._types import ArrayLike, Collisions, Events, Floats, Path, Progress
-from .errors import InputError, PreconditionError
+from ._kinetri import Time
+from ._types import ArrayLike, Collisions, Events, Floats, Path, Progress, TimeLike
+from .errors import CoincidentTrajectoriesError, InputError, PreconditionError
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -72,7 +73,8 @@ class Tracks(TrackAnswers):
     @classmethod
     def from_arrays(cls, t: ArrayLike, id: ArrayLike, x: ArrayLike, y: ArrayLike, *,
                     radius: ArrayLike | None = None, max_gap: float | None = None,
-                    projection: str | None = None) -> Tracks:
+                    projection: str | None = None, duplicates: str | None = None,
+                    coincident: str | None = None) -> Tracks:
         """Tracks of columns, one row for each observation, in any order.
 
         Parameters
@@ -95,13 +97,21 @@ class Tracks(TrackAnswers):
             are refused. Places are degrees if the attribute `name` of x or y says so, as that of a
             `pandas.Series` may: `lon`, `location-lat`, `decimalLongitude`, `x (deg)`. Where names say
             nothing, those are refused that look like degrees: within 180 and 90, with four decimals, and
-            hardly moving, where times are dates.
+            hardly moving, where times are dates or seconds since 1970.
+        duplicates : str, optional
+            What is taken of several places of an id at one time: `first`, `last` or `mean`; or `refuse`.
+            By default the first, but rows are refused where half of the times of an id or more have several.
+        coincident : str, optional
+            What becomes of things that are at one place for some time: `refuse` (the default), by the
+            simulation that comes to that time, or `leave-out`, which leaves out all of such a group but the one
+            that comes first.
 
         Returns
         -------
         Tracks
             Its `remarks` say what was concluded of degrees, and how far distances are off. Of degrees, rows at
-            the longitude 181 or the latitude 91, by which AIS says that it knows no place, are left out.
+            the longitude 181 or the latitude 91, by which AIS says that it knows no place, are left out, and those
+            at (0, 0) if all others are farther than a degree from there; and so are rows whose x and y are NaN.
 
         Raises
         ------
@@ -123,63 +133,80 @@ class Tracks(TrackAnswers):
         >>> ships.remarks
         ['places are in metres of UTM, zone 33 north (EPSG:32633); distances are off by at most 0.0052 %']
         """
-        return cls._of_columns(t, id, x, y, radius, max_gap, projection, "Tracks.from_arrays",
+        return cls._of_columns(t, id, x, y, radius, max_gap, projection, duplicates, coincident, "Tracks.from_arrays",
                                getattr(x, "name", None), getattr(y, "name", None))
 
     @classmethod
     def _of_columns(cls, t: ArrayLike, id: ArrayLike, x: ArrayLike, y: ArrayLike, radius: ArrayLike | None,
-                    max_gap: float | None, projection: str | None, caller: str, x_name: Any, y_name: Any) -> Tracks:
+                    max_gap: float | None, projection: str | None, duplicates: str | None, coincident: str | None,
+                    caller: str, x_name: Any, y_name: Any) -> Tracks:
         """As `from_arrays`, for `caller`, with the names of the columns, which may be None."""
+        leaves_out = _coincidence.leaves_out(coincident)
         t, origin = _columns.seconds_of(t)
         size = len(t)
-        x = _arrays.float_array("x", x, (size,))
-        y = _arrays.float_array("y", y, (size,))
+        x, y, seen = _columns.seen_places(x, y, size)
         _arrays.expect_no_mask("id", id)
         names = np.asarray(id)
         if names.shape != (size,):
             raise PreconditionError(f"id has the shape {names.shape}; expected ({size},)")
+        if radius is not None:
+            radius = _arrays.column("radius", radius, size)[seen]
+        without_place = size - len(seen)
+        t, names, size = t[seen], names[seen], len(seen)
         labels, thing = _columns.things_of(names, t)
         order = np.lexsort((t, thing))
+        rows = seen[order]
         thing, times = thing[order], t[order]
         places = np.column_stack((x[order], y[order])) if size > 0 else np.empty((0, 2))
-        sizes = None if radius is None else _arrays.column("radius", radius, size)[order]
-        keep = np.ones(size, dtype=bool)
-        same = (thing[1:] == thing[:-1]) & (times[1:] == times[:-1])
-        differ = same & np.any(places[1:] != places[:-1], axis=1)
-        if np.any(differ):
-            i = int(np.argmax(differ))
-            raise InputError(
-                f"rows {order[i]} and {order[i + 1]}: {labels[thing[i]]!r} is at two places at "
-                f"t = {times[i]}; expected one observation of a thing at a time")
-        keep[1:] = ~same
+        sizes = None if radius is None else np.asarray(radius)[order]
+        keep, others = _columns.merged_places(thing, times, places, rows, labels, duplicates)
         radii = None
         if sizes is not None:
             change = (thing[1:] == thing[:-1]) & (sizes[1:] != sizes[:-1])
             if np.any(change):
                 i = int(np.argmax(change))
                 raise InputError(
-                    f"rows {order[i]} and {order[i + 1]}: {labels[thing[i]]!r} has the radii {sizes[i]} "
+                    f"rows {rows[i]} and {rows[i + 1]}: {labels[thing[i]]!r} has the radii {sizes[i]} "
                     f"and {sizes[i + 1]}; expected one radius of a thing")
             if np.any(sizes < 0):
                 i = int(np.argmax(sizes < 0))
-                raise InputError(f"row {order[i]}: the radius is {sizes[i]}; expected at least 0")
+                raise InputError(f"row {rows[i]}: the radius is {sizes[i]}; expected at least 0")
             radii = sizes[np.searchsorted(thing, np.arange(len(labels)))]
         thing, times, places = thing[keep], times[keep], np.ascontiguousarray(places[keep])
         offsets = np.searchsorted(thing, np.arange(len(labels) + 1)).astype(np.uint64)
         x_name, y_name = ("" if name is None else str(name) for name in (x_name, y_name))
         file = _kinetri.project_tracks(
-            times, places, offsets, (order[keep] + 1).astype(np.uint64), "" if origin is None else str(origin), caller,
-            x_name, y_name, _projection_word(projection))
+            times, places, offsets, (rows[keep] + 1).astype(np.uint64), "" if origin is None else str(origin), caller,
+            x_name, y_name, _projection_word(projection), duplicates or "automatic", others)
         kept = [int(thing) for thing in file["ids"]]
         tracks = cls(file["times"], file["places"], file["offsets"], [labels[thing] for thing in kept],
                      None if radii is None else radii[kept], max_gap, origin)
         tracks.remarks = file["remarks"]
+        if without_place > 0:
+            tracks.remarks.append(f"{without_place} row{'' if without_place == 1 else 's'} left out, having NaN as place")
+        if leaves_out:
+            tracks._leave_out_coincident()
         return tracks
+
+    def _leave_out_coincident(self) -> None:
+        kept, remarks = _coincidence.kept_things(self._times, self._places, self._offsets, self._radii, self._max_gap,
+                                                 self.labels)
+        self.remarks += remarks
+        if not remarks:
+            return
+        ends = self._offsets.astype(np.intp)
+        rows = np.concatenate([np.arange(ends[thing], ends[thing + 1]) for thing in kept])
+        sizes = [ends[thing + 1] - ends[thing] for thing in kept]
+        self._times, self._places = self._times[rows], np.ascontiguousarray(self._places[rows])
+        self._offsets = np.concatenate(([0], np.cumsum(sizes))).astype(np.uint64)
+        self.labels = [self.labels[thing] for thing in kept]
+        self._radii = None if self._radii is None else self._radii[kept]
 
     @classmethod
     def from_dataframe(cls, df: pd.DataFrame | SupportsToPandas, *, t: str = "t", id: str = "id", x: str = "x",
                        y: str = "y", radius: str | None = None, max_gap: float | None = None,
-                       projection: str | None = None) -> Tracks:
+                       projection: str | None = None, duplicates: str | None = None,
+                       coincident: str | None = None) -> Tracks:
         """Tracks of a table, one row for each observation, in any order.
 
         Parameters
@@ -194,10 +221,14 @@ class Tracks(TrackAnswers):
             As in `from_arrays`.
         projection : str, optional
             As in `from_arrays`; the names of the columns x and y say whether places are degrees.
+        duplicates, coincident : str, optional
+            As in `from_arrays`.
 
         Returns
         -------
         Tracks
+            Its `remarks` name the columns that are not used. There is a warning if one of these is of a third
+            coordinate, such as `z`, and varies.
 
         Raises
         ------
@@ -223,15 +254,21 @@ class Tracks(TrackAnswers):
         times = df[t]
         if getattr(times.dtype, "tz", None) is not None:
             times = times.dt.tz_convert("UTC").dt.tz_localize(None)
-        return cls._of_columns(
+        unused = [name for name in columns if name not in names.values()]
+        _tables.warn_of_third_coordinates(df, unused, stacklevel=2)
+        tracks = cls._of_columns(
             _columns.values_of(times), _columns.values_of(df[id]), _columns.values_of(df[x]), _columns.values_of(df[y]),
-            None if radius is None else _columns.values_of(df[radius]), max_gap, projection, "Tracks.from_dataframe", x, y)
+            None if radius is None else _columns.values_of(df[radius]), max_gap, projection, duplicates, coincident,
+            "Tracks.from_dataframe", x, y)
+        remark = _tables.remark_on(unused)
+        tracks.remarks += [] if remark is None else [remark]
+        return tracks
 
     @classmethod
     def read(cls, path: Path, *, format: str = "auto", fps: float | None = None,
              columns: Mapping[str, str] | None = None, projection: str | None = None,
              date_format: str | None = None, duplicates: str | None = None, unwrap: str | None = None,
-             max_gap: float | None = None) -> Tracks:
+             coincident: str | None = None, max_gap: float | None = None) -> Tracks:
         """Tracks of a file, in the formats that the program reads, or of Parquet, Feather or Arrow.
 
         Parquet, Feather and Arrow files (the last two with the same content) are read as the table that pandas
@@ -258,13 +295,16 @@ class Tracks(TrackAnswers):
             middle of the data, `utm` those of a zone of UTM, and both are refused where distances can be
             off by more than 0.1 %. Without one, files with degrees are refused.
         date_format : str, optional
-            The form of dates that are not ISO 8601, such as ``"%d/%m/%Y %H:%M:%S"``.
+            The form of dates that are not ISO 8601, such as ``"%d/%m/%Y %H:%M:%S"``; or of times of day, such as
+            ``"%H:%M:%S"``, which become seconds since midnight, if they are of one day.
         duplicates : str, optional
             What is taken of several places of an id at one time: `first`, `last` or `mean`; or `refuse`.
             By default the first, but a file is refused where half of the times of an id or more have
             several.
         unwrap : str, optional
             `nearest` lets atoms that leave a periodic box go on to the nearest image of their next place.
+        coincident : str, optional
+            As in `from_arrays`.
         max_gap : float, optional
             As in `from_arrays`.
 
@@ -281,6 +321,7 @@ class Tracks(TrackAnswers):
         PreconditionError
             If a format, column or projection is unknown, or `fps` is given for a file that has times.
         """
+        leaves_out = _coincidence.leaves_out(coincident)
         name, text, unused = str(path), None, None
         columns = _names_of_columns(columns)
         arrow = _tables.arrow_format(name) if format in ("auto", "table") else None
@@ -299,6 +340,8 @@ class Tracks(TrackAnswers):
         tracks.frame_rate = file["frame_rate"]
         tracks.walkable_area = file["walkable_area"] or None
         tracks.remarks = file["remarks"] + ([] if unused is None else [unused])
+        if leaves_out:
+            tracks._leave_out_coincident()
         return tracks
 
     @property
@@ -341,7 +384,8 @@ class Tracks(TrackAnswers):
         Raises
         ------
         CoincidentTrajectoriesError
-            By the call that advances time, if two things have the same trajectory for a while.
+            By the call that advances time, if two things have the same trajectory for a while. The message names
+            them, and other pairs that have one; see `coincident` of `from_arrays`.
         """
         start = self.start if start is None else _arrays.one_number("start", start)
         until = self.end if until is None else _arrays.one_number("until", until)
@@ -353,7 +397,7 @@ class Tracks(TrackAnswers):
             self._times, self._places, self._offsets, self._radii, start, until, self._max_gap,
             _arrays.box_tuple("box", box), bool(rim),
             0.0 if radius is None else _arrays.one_number("radius", radius), engine_response(collisions))
-        return TracksSimulation._around(engine, collisions=collisions, tracks=self, end=until,
+        return TracksSimulation._around(engine, collisions=collisions, tracks=self, _start=start, end=until,
                                         stays=stays)
 
     def record(self, *, start: float | None = None, until: float | None = None,
@@ -418,7 +462,29 @@ class TracksSimulation(Simulation):
 
     tracks: Tracks
     stays: npt.NDArray[np.uint64]
+    _start: float
     end: float
+
+    def _go(self, until: Time, observer: _kinetri.Observer | None, show: Callable[[float], object] | None) -> int:
+        try:
+            return super()._go(until, observer, show)
+        except CoincidentTrajectoriesError as error:
+            raise self._named(error) from None
+
+    def _step(self, until: TimeLike | None, observer: _kinetri.Observer | None) -> int:
+        try:
+            return super()._step(until, observer)
+        except CoincidentTrajectoriesError as error:
+            raise self._named(error) from None
+
+    def _named(self, error: CoincidentTrajectoriesError) -> CoincidentTrajectoriesError:
+        """The error with labels, unless it is of points that are no stays."""
+        if max(error.ids) >= len(self.stays):
+            return error
+        tracks = self.tracks
+        _, pairs, are_all = _kinetri.shared_paths(tracks._times, tracks._places, tracks._offsets, tracks._radii,
+                                                  self._start, self.end, tracks._max_gap)
+        return _coincidence.named(error, [self.label(id) for id in range(len(self.stays))], pairs, are_all)
 
     def label(self, id: int) -> Any:
         """The name of the thing that a point is.

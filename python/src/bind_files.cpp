@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -16,9 +17,11 @@
 #include "bindings.h"
 #include "kinetri/base/error.h"
 #include "kinetri/io/points_file.h"
+#include "kinetri/impl/io/shared_paths.h"
 #include "kinetri/io/tracks_file.h"
 #include "kinetri/simulation/packing.h"
 #include "kinetri/simulation/scenarios.h"
+#include "kinetri/simulation/tracks.h"
 #include "numpy_arrays.h"
 #include "parameter_names.h"
 
@@ -166,18 +169,47 @@ py::dict tracks_file(const std::string& path, const std::optional<std::string>& 
                            options.duplicates);
 }
 
+// Things that share a path: of each thing the first of its group; and of each pair, at most ten,
+// its stays and the time from which they do, and whether these are all.
+py::tuple shared_paths_of(const Array<double>& times, const Array<double>& places,
+                          const Array<std::uint64_t>& offsets,
+                          const std::optional<Array<double>>& radii, double from, double until,
+                          double longest_gap) {
+  std::vector<std::vector<Observation_2>> tracks;
+  for (py::ssize_t i = 0; i + 1 < offsets.size(); ++i) {
+    std::vector<Observation_2>& track = tracks.emplace_back();
+    for (std::uint64_t j = offsets.data()[i]; j < offsets.data()[i + 1]; ++j) {
+      track.push_back({times.data()[j], {places.data()[2 * j], places.data()[2 * j + 1]}});
+    }
+  }
+  std::vector<double> of_tracks;
+  if (radii) of_tracks.assign(radii->data(), radii->data() + radii->size());
+  const Shared_paths paths = without_gil([&] {
+    const std::vector<Stay> stays =
+        stays_of(tracks, {.from = from, .until = until, .longest_gap = longest_gap});
+    return shared_paths(tracks, stays, of_tracks, from, until);
+  });
+  py::list pairs;
+  for (const auto& [stays, time] : paths.first)
+    pairs.append(py::make_tuple(stays[0], stays[1], time));
+  std::vector<std::uint64_t> first(paths.companion.begin(), paths.companion.end());
+  return py::make_tuple(array_of<std::uint64_t>(std::move(first)), pairs, paths.are_all);
+}
+
 // The observations of each thing, from offsets[i] on; `rows` are the numbers that name them in
 // messages, from 1 on. The ids of the result are the numbers of the things, as texts.
 py::dict projected_tracks(const Array<double>& times, const Array<double>& places,
                           const Array<std::uint64_t>& offsets, const Array<std::uint64_t>& rows,
                           const std::string& origin, const std::string& name,
                           const std::string& name_of_x, const std::string& name_of_y,
-                          const std::string& projection) {
+                          const std::string& projection, const std::string& duplicates,
+                          std::size_t rows_at_another_place) {
   Tracks_file file;
   file.format = Tracks_format::table;
   file.place_name = "observation";
   file.origin = origin;
   file.observations = static_cast<std::size_t>(times.size());
+  file.rows_at_another_place = rows_at_another_place;
   const auto time = times.unchecked<1>();
   const auto place = places.unchecked<2>();
   const auto offset = offsets.unchecked<1>();
@@ -195,7 +227,7 @@ py::dict projected_tracks(const Array<double>& times, const Array<double>& place
                              return project_tracks(std::move(file), name,
                                                    {.x = name_of_x, .y = name_of_y}, chosen);
                            }),
-                           Tracks_duplicates::automatic);
+                           duplicates_of(duplicates));
 }
 
 template <class Enumerator, std::size_t n>
@@ -254,6 +286,7 @@ void bind_files(py::module_& module) {
   module.def("read_points", points_file);
   module.def("read_tracks", tracks_file);
   module.def("project_tracks", projected_tracks);
+  module.def("shared_paths", shared_paths_of);
   module.def("scenario", scenario);
   module.def("packing", packing);
 }

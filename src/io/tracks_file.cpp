@@ -10,6 +10,7 @@
 
 #include "io/tracks/degrees.h"
 #include "io/tracks/projection.h"
+#include "io/tracks/timestamp.h"
 #include "io/tracks/tracks_readers.h"
 #include "kinetri/base/error.h"
 #include "kinetri/impl/base/check.h"
@@ -72,15 +73,15 @@ void expect_tracks(const Tracks_file& file) {
   }
 }
 
-// Leaves out the observations of which `is_none` says that they have no place.
+// Leaves out the observations of which `is_none` says that they have no place; how many.
 template <class Is_none>
-void leave_out_no_places(Tracks_file& file, const Is_none& is_none) {
+std::size_t leave_out_no_places(Tracks_file& file, const Is_none& is_none) {
   std::size_t left_out = 0;
   for (Track& track : file.tracks) {
     left_out += std::erase_if(track.observations,
                               [&](const Track_observation& seen) { return is_none(seen.place); });
   }
-  if (left_out == 0) return;
+  if (left_out == 0) return 0;
   std::erase_if(file.tracks, [](const Track& track) { return track.observations.empty(); });
   std::stable_sort(file.tracks.begin(), file.tracks.end(), [](const Track& a, const Track& b) {
     const Track_observation& of_a = a.observations.front();
@@ -88,13 +89,40 @@ void leave_out_no_places(Tracks_file& file, const Is_none& is_none) {
     return of_a.time != of_b.time ? of_a.time < of_b.time : of_a.line < of_b.line;
   });
   file.observations -= left_out;
-  file.rows_without_place += left_out;
+  return left_out;
+}
+
+// Trackers write the longitude 0 and the latitude 0 where they know no place. Where another place
+// is near, things may have been there.
+void leave_out_null_island(Tracks_file& file) {
+  constexpr double near = 1;  // in degrees
+  std::size_t others = 0;
+  std::size_t there = 0;
+  for (const Track& track : file.tracks) {
+    for (const Track_observation& seen : track.observations) {
+      if (is_null_island(seen.place)) {
+        ++there;
+        continue;
+      }
+      ++others;
+      if (std::abs(seen.place.x) <= near && std::abs(seen.place.y) <= near) return;
+    }
+  }
+  if (there == 0 || others == 0) return;
+  leave_out_no_places(file, is_null_island);
+  file.remarks.push_back(
+      joined(there, there == 1 ? " row" : " rows",
+             " left out, at the longitude 0 and the latitude 0, which stand for no place where all "
+             "others are farther than a degree from there (--projection none keeps them)"));
 }
 
 void project_if_asked(Tracks_file& file, const std::string& name, Tracks_projection projection) {
   if (projection == Tracks_projection::local || projection == Tracks_projection::utm) {
     // Where no name says that these are degrees, one number alone may be a fault.
-    leave_out_no_places(file, [](const Vector_2& place) { return place == Vector_2{181, 91}; });
+    file.rows_without_place += leave_out_no_places(file, [](const Vector_2& place) {
+      return place == Vector_2{181, 91};
+    });
+    leave_out_null_island(file);
     project(file, name, projection);
   }
 }
@@ -119,6 +147,19 @@ Tracks_file read_as(Tracks_format format, const Tracks_input& input) {
                              "--format table"));
   }
   return reader.read(input);
+}
+
+// Of one day, times ascend in the rows of each thing; past midnight they go back.
+void expect_one_day(Tracks_file& file, const std::string& name) {
+  if (file.rows_out_of_order > 0) {
+    throw Input_error(
+        name, 0,
+        joined("times of day go back in ", file.rows_out_of_order,
+               file.rows_out_of_order == 1 ? " row" : " rows",
+               ", as they do past midnight; expected dates with them, also in two columns, as in "
+               "--columns t=DATE+TIME, or rows of one day in the order of time"));
+  }
+  file.remarks.emplace_back("times are times of day, in seconds since midnight");
 }
 
 Tracks_file_options options_of(Tracks_format format, double fps) {
@@ -175,11 +216,11 @@ Tracks_file project_tracks(Tracks_file file, const std::string& name, const Trac
         signs.note(seen.place, joined(seen.place.x), joined(seen.place.y));
       }
     }
-    signs.expect_none(file, name, projection);
+    signs.expect_none(file, name, projection, columns.x, columns.y);
   } else {
     file.remarks.push_back(named.remark);
   }
-  if (named.are_degrees) leave_out_no_places(file, is_no_place);
+  if (named.are_degrees) file.rows_without_place += leave_out_no_places(file, is_no_place);
   project_if_asked(file, name, projection);
   return file;
 }
@@ -208,6 +249,9 @@ Tracks_file read_tracks(std::istream& in, const std::string& name,
       file.format == Tracks_format::lammps || file.format == Tracks_format::xyz;
   if (options.unwrap != Tracks_unwrap::refused && !is_of_atoms) {
     throw Input_error(name, 0, "has no periodic box; expected no --unwrap");
+  }
+  if (!options.date_format.empty() && is_form_of_day(options.date_format) && file.origin.empty()) {
+    expect_one_day(file, name);
   }
   project_if_asked(file, name, options.projection);
   return file;

@@ -10,8 +10,8 @@ COMMANDS = "generate, simulate, resume, tracks, wave, experiment, render, comple
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice, lattice-jitter or packing"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
 TRACKS_COLUMNS = ("t,id,x,y and optionally radius, in any order, or --columns t=NAME,id=NAME,x=NAME,y=NAME "
-                  "for the names in another table, --columns t=1,id=2,x=3,y=4 for the numbers of columns of one without a "
-                  "header, or a file in one of the formats that --format lists")
+                  "for the names in another table, --columns t=N,id=N,x=N,y=N for the numbers of the columns, from 1 on, of one "
+                  "without a header, or a file in one of the formats that --format lists")
 
 
 def usage_cases():
@@ -126,7 +126,7 @@ def meaning_cases():
     yield case("tracks t.csv --columns t=t,name,x=x", piece="name")
     yield case("tracks t.csv --columns t=t,t=u", column="t")
     yield case("tracks t.csv --columns ''")
-    yield case("tracks t.csv --date-format %H:%M", format="%H:%M")
+    yield case("tracks t.csv --date-format %m", format="%m")
     yield case("tracks t.csv --unwrap nearest", file="t.csv")
     yield case("tracks t.csv --format rows --columns t=t,id=id,x=x,y=y", file="t.csv", format="rows")
     yield simulate("--fps 5", option="--fps,--frames-per-time")
@@ -240,6 +240,20 @@ def table_cases():
     yield tracks("t,id,x,y\ns,,deg,deg\n", "--columns t=t,id=id,x=x,y=y", line=2, what="units", x="deg", y="deg")
     yield tracks("2024-05-01T00:00:00Z,a,8.0000,50.0000\n2024-05-01T00:16:40Z,a,8.5000,50.0000\n", by_number,
                  speed=0.0005)
+    slow = "8.0000,50.0000\n{},a,8.5000,50.0000\n"
+    yield tracks("1704067200,a," + slow.format(1704068200), by_number, speed=0.0005)
+    yield tracks("t,id,gps_x,gps_y\n0,a," + slow.format(1000), "--columns t=t,id=id,x=gps_x,y=gps_y", x="gps_x",
+                 y="gps_y", speed=0.0005)
+    yield tracks("0;a;1,5;2\n", by_number, line=1, column=3, text="1,5")
+    yield tracks('0,a,"1,5",2\n', by_number, line=1, column=3, text="1,5", separator=",")
+    yield tracks('t,id,x,y\n0,a,"1",2\n', line=2, column="x", text='"1"')
+    yield tracks("t,id,x,y\n1,0,a,1,2\n", line=2, n=5, columns=4)
+    day = "t,id,x,y\n23:59:50,a,1,2\n00:00:10,a,1,2\n"
+    yield tracks(day, line=2, column="t", text="23:59:50", format="%H:%M:%S")
+    yield tracks(day, "--date-format %T")
+    yield tracks("t,id,x,y\n20200131,a,1,2\n", text="20200131", format="%Y%m%d")
+    yield tracks("<Tracks/>", line=1)
+    yield tracks("<?xml version='1.0' encoding='windows-1252'?><fcd-export/>", line=1, encoding="windows-1252")
     yield tracks("0,a,10,60\n0,b,10,0\n", by_number + " --projection local", west=10, east=10, south=0, north=60,
                  error="73 %", other="0.036 %")
     yield tracks("0,a,10,60\n0,b,100,0\n", by_number + " --projection utm", west=10, east=100, south=0, north=60,

@@ -104,16 +104,15 @@ TEST_F(Recordings, of_things_that_only_meet_are_left_alone) {
 TEST_F(Recordings, are_read_as_the_messages_advise) {
   const Arguments by_number = {"--format", "table", "--columns", "t=1,id=2,x=3,y=4"};
   const std::string many = "780 1 8 0 3 1\n786 1 9 0 3 1\n780 2 8 5 3 1\n786 2 9 5 3 1\n";
-  expect_advice(many, {}, "--format table --columns t=1,id=2,x=3,y=4", by_number);
+  const char* const numbers = "--columns t=N,id=N,x=N,y=N";
+  expect_advice(many, {}, "--format table --columns t=N,id=N,x=N,y=N", by_number);
   expect_advice(many, {"--format", "frames"}, "expected 4", by_number);
-  expect_advice("1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n", {"--format", "ids"},
-                "--format table --columns t=1,id=2,x=3,y=4", by_number);
-  expect_advice("1,1,10,20,5\n2,1,11,20,5\n", {}, "--columns t=1,id=2,x=3,y=4",
-                {"--columns", "t=1,id=2,x=3,y=4"});
-  expect_advice("1,1,10,20,5\n2,1,11,20,5\n", {"--format", "frames"},
-                "--format table --columns t=1,id=2,x=3,y=4", by_number);
-  expect_advice("1,1,10,20\n2,1,11,20\n", {"--columns", "t=t,id=id,x=x,y=y"},
-                "--columns t=1,id=2,x=3,y=4", by_number);
+  expect_advice("1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n", {"--format", "ids"}, numbers, by_number);
+  expect_advice("1,1,10,20,5\n2,1,11,20,5\n", {}, numbers, {"--columns", "t=1,id=2,x=3,y=4"});
+  expect_advice("1,1,10,20,5\n2,1,11,20,5\n", {"--format", "frames"}, numbers, by_number);
+  expect_advice("1,1,10,20\n2,1,11,20\n", {"--columns", "t=t,id=id,x=x,y=y"}, numbers, by_number);
+  // As it stands the advice names no columns, so that nobody exchanges two by it.
+  EXPECT_EQ(tracks(many, {"--format", "table", "--columns", "t=N,id=N,x=N,y=N"}).exit_code, 2);
   expect_advice("1 7 0 0\n2 7 1 0\n", {}, "with --format frames", {"--format", "frames"});
   expect_advice("7 1 0 0\n8 1 1 0\n9 1 2 0\n", {"--format", "ids"},
                 "read the file with --format frames", {"--format", "frames"});
@@ -132,6 +131,9 @@ TEST_F(Recordings, are_read_as_the_messages_advise) {
   expect_advice(ships, lon, "--projection none", with("none"));
   expect_advice(ships, lon, "--projection utm", with("utm"));
   expect_advice(ships, with("local"), "expected --projection utm, by which", with("utm"));
+  const std::string commented = "# longitude latitude\ntime,name,E,N\n0,a,10,60\n9,a,10.01,60\n";
+  expect_advice(commented, {}, "--columns t=NAME,id=NAME,x=NAME,y=NAME",
+                {"--columns", "t=time,id=name,x=E,y=N", "--projection", "utm"});
   const std::string near = "t,id,lon,lat\n0,a,10,60\n9,a,10.01,60\n";
   expect_advice(near, lon, "--projection local", with("local"));
   const auto box = [](int timestep, const char* x) {
@@ -142,6 +144,18 @@ TEST_F(Recordings, are_read_as_the_messages_advise) {
            x + " 5\n";
   };
   expect_advice(box(0, "9") + box(1, "1"), {}, "--unwrap nearest", {"--unwrap", "nearest"});
+  const std::string track =
+      "<particle><detection t=\"0\" x=\"1\" y=\"2\"/><detection t=\"1\" "
+      "x=\"2\" y=\"2\"/></particle></Tracks>";
+  expect_advice("<Tracks nTracks=\"1\">" + track, {}, "expected one, or --fps", {"--fps", "25"});
+  expect_advice("<Tracks frameInterval=\"0\">" + track, {}, "or --fps", {"--fps", "25"});
+  const std::string of_day = "t,id,x,y\n9:59:50,a,1,2\n10:00:00,a,3,2\n";
+  expect_advice(of_day, {}, "or --date-format '%H:%M:%S', which makes it seconds since midnight",
+                {"--date-format", "%H:%M:%S"});
+  expect_advice("t,id,x,y\n20200131,a,1,2\n20200201,a,3,2\n", {}, "expected --date-format '%Y%m%d'",
+                {"--date-format", "%Y%m%d"});
+  expect_advice("t,id,x,y\n0,a,\"1\",2\n1,a,\"3\",2\n", {}, "--columns t=t,id=id,x=x,y=y",
+                {"--columns", "t=t,id=id,x=x,y=y"});
 }
 
 // ---- the summary ----

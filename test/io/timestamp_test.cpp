@@ -112,7 +112,7 @@ TEST(Timestamp, numbers_do_not_look_like_dates) {
 }
 
 TEST(Parse_timestamp, of_a_wrong_format_is_a_precondition_error) {
-  EXPECT_PRECONDITION_ERROR(parse_timestamp("5", "%H"), "the format of dates is wrong");
+  EXPECT_PRECONDITION_ERROR(parse_timestamp("5", "%m"), "the format of dates is wrong");
 }
 
 }  // namespace

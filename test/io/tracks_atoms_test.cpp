@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 namespace kinetri::tracks_atoms_test {
 namespace {
 
+using test::has_piece;
 using test::read_options;
 using test::read_options_error;
 using test::shown;
@@ -80,7 +82,7 @@ TEST(Read_tracks_lammps, jumps_through_the_boundary_are_refused) {
   EXPECT_EQ(two("7 9.5 0", "7 0.25 0", "pp ff pp"),
             "t.csv:20: atom '7' goes 9.25 since line 10, more than half of the periodic box, which "
             "is 10 wide: it left on one side and came in on the other; expected a dump with xu yu, "
-            "or with x y ix iy, and enough frames, or --unwrap nearest, which lets atoms go the "
+            "or with x y ix iy iz, and enough frames, or --unwrap nearest, which lets atoms go the "
             "shortest way");
   EXPECT_NE(two("7 5 3.5", "7 5 -1", "ff pp pp"), "");
   EXPECT_EQ(two("7 5 3.5", "7 5 -1", "pp ff pp"), "");
@@ -114,11 +116,11 @@ TEST(Read_tracks_lammps, errors_name_the_line) {
            {frame(0, "id x y", {"1 2 3", "1 2 4"}),
             "11: id '1' is at two places at t = 0: at (2, 4), and at (2, 3) in line 10; expected "
             "one, or --duplicates first, last or mean, which says what to take"},
-           {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 9 "
-            "1\n0 "
-            "9 0\n0 9 0\nITEM: ATOMS id xs ys\n1 2 3\n",
-            "9: scaled places and images need a box that is a rectangle; expected xu yu, or x y "
-            "without ix iy, or such a box"},
+           {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS id xs ys\n1 2 3\n",
+            "5: scaled places and images need the box; expected ITEM: BOX BOUNDS above, or xu yu"},
+           {"ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS abc origin pp pp pp\n4 3 0\n",
+            "4: an edge of the box is no three numbers, with one of the corner behind them; "
+            "expected four numbers"},
            {"ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS pp pp pp\n4 3\n",
             "4: the bounds of the box are no two numbers of which the second is the greater; "
             "expected the lower and the upper bound"},
@@ -132,28 +134,78 @@ TEST(Read_tracks_lammps, errors_name_the_line) {
   }
 }
 
-TEST(Read_tracks_lammps, a_tilted_box_is_as_wide_as_it_is) {
-  // The rectangle around it is 14 wide, the box 10.
-  const auto tilted = [](int timestep, const std::string& atom) {
-    return "ITEM: TIMESTEP\n" + std::to_string(timestep) +
-           "\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 14 4\n0 9 0\n0 1 "
-           "-1\nITEM: ATOMS id x y\n" +
-           atom + "\n";
-  };
-  EXPECT_NE(
-      error_of(tilted(0, "7 1 1") + tilted(1, "7 6.5 1"))
-          .find("atom '7' goes 5.5 since line 10, more than half of the periodic box, which is "
-                "10 wide"),
-      std::string::npos);
-  // Its sides in y are from 1 to 9.
-  EXPECT_NE(error_of(tilted(0, "7 1 1") + tilted(1, "7 1 5.5")).find("which is 8 wide"),
-            std::string::npos);
-  EXPECT_EQ(error_of(tilted(0, "7 1 1") + tilted(1, "7 6 5")), "");
-  // Of a box that is given by its edges nothing is known.
-  const std::string general =
-      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n9 0 0 "
-      "0\n1 9 0 0\n0 0 9 0\nITEM: ATOMS id x y\n7 1 2\n";
-  EXPECT_EQ(shown(read_options(general, {})), "7: 0 (1, 2) line 10");
+// One atom in a box that is tilted by xy = 5, with the edges (10, 0) and (5, 10), in two forms.
+std::string tilted_frame(int timestep, const std::string& columns, const std::string& atom,
+                         bool has_edges = false, const std::string& toward_z = "0") {
+  return "ITEM: TIMESTEP\n" + std::to_string(timestep) +
+         "\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS " +
+         (has_edges ? "abc origin pp pp pp\n10 0 0 0\n5 10 0 0\n" + toward_z + " 0 10 0\n"
+                    : "xy xz yz pp pp pp\n0 " + std::string(toward_z == "0" ? "15" : "18") +
+                          " 5\n0 10 " + toward_z + "\n0 10 0\n") +
+         "ITEM: ATOMS " + columns + "\n" + atom + "\n";
+}
+
+TEST(Read_tracks_lammps, places_in_a_tilted_box_are_those_of_its_edges) {
+  const std::string expected = "7: 0 (7, 9.5) line 10 1 (7, 10.5) line 20";
+  for (const bool has_edges : {false, true}) {
+    for (const auto& [columns, first, second] :
+         {std::tuple{"id xu yu", "7 7 9.5", "7 7 10.5"},
+          {"id x y ix iy iz", "7 7 9.5 0 0 0", "7 2 0.5 0 1 0"},
+          {"id xs ys zs ix iy iz", "7 0.225 0.95 0.5 0 0 0", "7 0.175 0.05 0.5 0 1 0"},
+          {"id xsu ysu", "7 0.225 0.95", "7 0.175 1.05"}}) {
+      SCOPED_TRACE(columns);
+      const Tracks_file file = read_options(
+          tilted_frame(0, columns, first, has_edges) + tilted_frame(1, columns, second, has_edges),
+          {});
+      EXPECT_EQ(shown(file), expected);
+    }
+    // Toward z by 3 as well.
+    const auto toward_z = [&](const std::string& columns, const std::string& atom) {
+      return tilted_frame(0, columns, atom, has_edges, "3");
+    };
+    EXPECT_EQ(shown(read_options(toward_z("id xs ys zs", "7 0.25 0.5 0.5"), {})),
+              "7: 0 (6.5, 5) line 10");
+    EXPECT_EQ(shown(read_options(toward_z("id x y ix iy iz", "7 1 2 0 0 -1"), {})),
+              "7: 0 (-2, 2) line 10");
+    // What the message advises.
+    EXPECT_EQ(error_of(toward_z("id xs ys", "7 0.25 0.5")),
+              "t.csv:9: the box is tilted toward z; expected zs as well, or xu yu");
+    EXPECT_EQ(error_of(toward_z("id xs ys ix iy", "7 0.25 0.5 0 0")),
+              "t.csv:9: the box is tilted toward z; expected zs and iz as well, or xu yu");
+    EXPECT_EQ(error_of(toward_z("id xs ys zs ix iy iz", "7 0.25 0.5 0.5 0 0 0")), "");
+    EXPECT_EQ(error_of(toward_z("id xu yu", "7 0.25 0.5")), "");
+  }
+}
+
+TEST(Read_tracks_lammps, who_leaves_a_tilted_box_is_unwrapped_or_refused) {
+  for (const bool has_edges : {false, true}) {
+    const auto two = [&](const std::string& a, const std::string& b,
+                         const std::string& toward_z = "0") {
+      return tilted_frame(0, "id x y", a, has_edges, toward_z) +
+             tilted_frame(1, "id x y", b, has_edges, toward_z);
+    };
+    const Tracks_file_options nearest = {.unwrap = Tracks_unwrap::nearest};
+    // Through the top, and the right side.
+    for (const auto& [from, to, place] : {std::tuple{"7 7 9.5", "7 2 0.5", "(7, 10.5)"},
+                                          {"7 9.5 1", "7 0.5 1", "(10.5, 1)"},
+                                          {"7 2 0.5", "7 6.5 9.5", "(1.5, -0.5)"}}) {
+      const std::string error = error_of(two(from, to));
+      EXPECT_TRUE(has_piece(error, "it left on one side and came in on the other")) << error;
+      EXPECT_TRUE(has_piece(error, "or --unwrap nearest")) << error;
+      const Tracks_file file = read_options(two(from, to), nearest);
+      EXPECT_TRUE(has_piece(shown(file), place)) << shown(file);
+    }
+    EXPECT_EQ(error_of(two("7 1 1", "7 5.5 1")), "");
+    EXPECT_EQ(error_of(two("7 6 2", "7 8 6")), "");
+    // Where z tells through which side an atom left, nothing is guessed.
+    const std::string error = error_of(two("7 2 5", "7 4.9 5", "3"));
+    EXPECT_TRUE(has_piece(error, "expected a dump with xu yu, or with x y ix iy iz")) << error;
+    EXPECT_FALSE(has_piece(error, "--unwrap")) << error;
+    EXPECT_TRUE(has_piece(read_options_error(two("7 2 5", "7 4.9 5", "3"), nearest),
+                          "the box is tilted so that places in the plane do not tell through which "
+                          "side an atom left; expected a dump with xu yu"));
+    EXPECT_EQ(error_of(two("7 2 5", "7 3.4 5", "3")), "");
+  }
 }
 
 TEST(Read_tracks_lammps, columns_that_are_not_used_are_named_once) {
@@ -206,6 +258,81 @@ TEST(Read_tracks_xyz, timesteps_in_comments_are_times) {
   const Tracks_file file = read_options(
       "1\nAtoms. Timestep: 100\nAr 1 2 0\n1\nAtoms. Timestep: 300\nAr 3 4 0\n", {.fps = 100});
   EXPECT_EQ(shown(file), "0: 1 (1, 2) line 3 3 (3, 4) line 6");
+}
+
+std::string lattice_frame(const std::string& lattice, const std::string& atom) {
+  return "1\nLattice=\"" + lattice + "\" pbc=\"T T T\"\nAr " + atom + "\n";
+}
+
+TEST(Read_tracks_xyz, who_leaves_a_tilted_box_is_unwrapped_or_refused) {
+  const Tracks_file_options nearest = {.unwrap = Tracks_unwrap::nearest};
+  // The first two boxes have the same images, though the second one is far longer.
+  for (const std::string lattice : {"10 0 0 5 10 0 0 0 10", "10 0 0 95 10 0 0 0 10",
+                                    "10 0 0 0 0 10 5 10 0", "5 10 0 -10 0 0 0 0 10"}) {
+    SCOPED_TRACE(lattice);
+    const std::string text = lattice_frame(lattice, "7 9.5 0") + lattice_frame(lattice, "2 0.5 0");
+    const std::string error = error_of(text);
+    EXPECT_TRUE(has_piece(error, "t.csv:6: atom '0' goes ")) << error;
+    EXPECT_TRUE(has_piece(error, "or --unwrap nearest")) << error;
+    EXPECT_EQ(shown(read_options(text, nearest)), "0: 0 (7, 9.5) line 3 1 (7, 10.5) line 6");
+  }
+  // A cubic crystal, by the edges of its primitive cell.
+  const std::string cell = "0 2 2 2 0 2 2 2 0";
+  const std::string text = lattice_frame(cell, "0.1 1 1") + lattice_frame(cell, "1.9 1 1");
+  EXPECT_TRUE(has_piece(error_of(text),
+                        "; expected places that go on beyond the box, or pbc=\"F F F\" "
+                        "in the comments if these do"));
+  EXPECT_FALSE(has_piece(error_of(text), "--unwrap"));
+  EXPECT_TRUE(has_piece(read_options_error(text, nearest), ", and no --unwrap"));
+  EXPECT_EQ(error_of(lattice_frame(cell, "0.1 1 1") + lattice_frame(cell, "0.9 1 1")), "");
+}
+
+TEST(Read_tracks_xyz, the_cell_of_ipi_is_a_box) {
+  const auto cell = [](const std::string& numbers, const std::string& units, const std::string& a,
+                       const std::string& b) {
+    const std::string comment = "1\n# CELL(abcABC): " + numbers + " Step: ";
+    return comment + "0 Bead: 0 " + units + "\nO " + a + "\n" + comment + "100 Bead: 0 " + units +
+           "\nO " + b + "\n";
+  };
+  const Tracks_file_options nearest = {.unwrap = Tracks_unwrap::nearest};
+  const std::string in_angstroms = "positions{angstrom} cell{angstrom}";
+  const std::string square = "10.0 10.0 10.0 90 90 90";
+  const std::string left = cell(square, in_angstroms, "9.5 2 0", "0.5 2 0");
+  EXPECT_TRUE(has_piece(error_of(left),
+                        "atom '0' goes 9 since line 3, more than half of the "
+                        "periodic box, which is 10 wide"));
+  EXPECT_EQ(shown(read_options(left, nearest)), "0: 0 (9.5, 2) line 3 100 (10.5, 2) line 6");
+  EXPECT_EQ(error_of(cell(square, in_angstroms, "1 2 0", "5 2 0")), "");
+  // As the message advises where places go on.
+  EXPECT_EQ(error_of(cell(square, in_angstroms + " pbc=\"F F F\"", "9.5 2 0", "0.5 2 0")), "");
+  // 18.9 bohr are 10 angstroms; without words both are in bohr.
+  EXPECT_TRUE(
+      has_piece(error_of(cell("18.9 18.9 18.9 90 90 90", "positions{angstrom} cell{atomic_unit}",
+                              "9.5 2 0", "0.5 2 0")),
+                "which is 10.001"));
+  EXPECT_EQ(error_of(cell("18.9 18.9 18.9 90 90 90", "", "9.4 2 0", "0.5 2 0")), "");
+  EXPECT_TRUE(
+      has_piece(error_of(cell(square, "positions{picometer} cell{angstrom}", "9 2 0", "1 2 0")),
+                "the cell has another unit than the positions"));
+  EXPECT_EQ(error_of("1\n# CELL(abcABC): 1 2\nO 1 2 3\n"),
+            "t.csv:2: the cell has 2 numbers; expected 6");
+  // A hexagonal box: up and to the right.
+  const Tracks_file file =
+      read_options(cell("10 10 20 90 90 60", in_angstroms, "7 8 0", "2.5 0.5 0"), nearest);
+  EXPECT_NEAR(file.tracks[0].observations[1].place.x, 7.5, 1e-12);
+  EXPECT_NEAR(file.tracks[0].observations[1].place.y, 0.5 + 8.66025403784438646, 1e-12);
+}
+
+// A box that changes has no single one to go on in.
+TEST(Read_tracks_xyz, boxes_that_change_are_not_unwrapped) {
+  const std::string text = lattice_frame("10 0 0 0 10 0 0 0 10", "1 1 0") +
+                           lattice_frame("11 0 0 0 10 0 0 0 10", "10 1 0");
+  EXPECT_TRUE(has_piece(error_of(text), "atom '0' goes 9"));
+  EXPECT_FALSE(has_piece(error_of(text), "--unwrap"));
+  EXPECT_TRUE(
+      has_piece(read_options_error(text, {.unwrap = Tracks_unwrap::nearest}),
+                "t.csv:5: the box differs from that of the frame before; expected places that "
+                "go on beyond the box"));
 }
 
 TEST(Read_tracks_xyz, errors_name_the_line) {

@@ -4,6 +4,7 @@
 // projections make of them.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -353,8 +354,48 @@ TEST(Read_tracks_projection, what_no_projection_keeps_is_refused_by_each) {
 TEST(Read_tracks_projection, local_says_how_far_distances_are_off) {
   const Tracks_file file =
       read_options(places({{36.95, -1.45}, {36.95, -1.451}}), projected(Tracks_projection::local));
-  EXPECT_NEAR(distance(file), 111.195, 0.001);
+  EXPECT_NEAR(distance(file), 110.575, 0.001);
   EXPECT_TRUE(contains(file.remarks.back(), "distances are off by at most")) << file.remarks.back();
+}
+
+TEST(Read_tracks_projection, local_is_right_on_the_ellipsoid) {
+  // Lengths in metres of a degree of longitude, and of one of latitude, on WGS 84.
+  const std::array<std::array<double, 3>, 4> degrees = {{{0, 111319.49, 110574.28},
+                                                         {30, 96486.28, 110852.44},
+                                                         {60, 55800.00, 111412.29},
+                                                         {75, 28902.01, 111618.38}}};
+  for (const auto& [latitude, along_parallel, along_meridian] : degrees) {
+    const Tracks_file east = read_options(places({{10, latitude}, {10.001, latitude}}),
+                                          projected(Tracks_projection::local));
+    EXPECT_NEAR(distance(east), along_parallel / 1000, 0.0001) << latitude;
+    const Tracks_file north =
+        read_options(places({{10, latitude - 0.0005}, {10, latitude + 0.0005}}),
+                     projected(Tracks_projection::local));
+    EXPECT_NEAR(distance(north), along_meridian / 1000, 0.0001) << latitude;
+  }
+}
+
+// On the ellipsoid and not on the sphere: 0.08 degrees of latitude at 60 degrees north change the
+// length of a parallel by 0.12 %.
+TEST(Read_tracks_projection, local_keeps_a_tenth_of_a_percent) {
+  const auto places_of = [](double half) { return places({{10, 60 - half}, {10.1, 60 + half}}); };
+  const Tracks_file file = read_options(places_of(0.03), projected(Tracks_projection::local));
+  EXPECT_TRUE(contains(file.remarks.back(),
+                       "(equirectangular projection of the ellipsoid of WGS 84); distances are off "
+                       "by at most 0.091 %"))
+      << file.remarks.back();
+  EXPECT_TRUE(
+      contains(read_options_error(places_of(0.04), projected(Tracks_projection::local)),
+               "by --projection local distances would be wrong by up to 0.12 %, and 0.1 % is"));
+}
+
+TEST(Read_tracks_projection, what_is_too_wide_for_figures_is_refused_without) {
+  const std::string error =
+      read_options_error(places({{-100, 10}, {75, 20}, {0, 0}}), projected(Tracks_projection::utm));
+  EXPECT_TRUE(contains(error,
+                       ": too far apart for --projection utm to keep distances, and 0.1 % "
+                       "is allowed; expected a file for each region"))
+      << error;
 }
 
 TEST(Read_tracks_projection, goes_on_over_the_antimeridian) {
@@ -376,7 +417,7 @@ TEST(Read_tracks_projection, preconditions_are_checked) {
                             "the projection makes no metres of degrees");
   EXPECT_PRECONDITION_ERROR(transverse_mercator(90, 0),
                             "a place is too far from the central meridian, or not on earth");
-  EXPECT_PRECONDITION_ERROR(read_options("", {.date_format = "%H"}),
+  EXPECT_PRECONDITION_ERROR(read_options("", {.date_format = "%m"}),
                             "the format of dates is wrong");
 }
 

@@ -70,8 +70,11 @@ INSTANTIATE_TEST_SUITE_P(
                    "t.csv:2: the row has 3 fields; expected 4, one for each column of the header"},
         Bad_tracks{"t,id,x,y\n0\n",
                    "t.csv:2: the row has 1 field; expected 4, one for each column of the header"},
-        Bad_tracks{"t,id,x,y\n0,a,1,2,\n",
-                   "t.csv:2: the row has 5 fields; expected 4, one for each column of the header"},
+        Bad_tracks{
+            "t,id,x,y\n0,a,1,2,\n",
+            "t.csv:2: the row has 5 fields; expected 4, one for each column of the header; if the "
+            "first field is the name of a row, as R's write.table writes it, expected a name for "
+            "it in the header, and --columns t=NAME,id=NAME,x=NAME,y=NAME"},
         Bad_tracks{"t,id,x,y\n\n0,a,,2\n", "t.csv:3: the column x is empty; expected a number"},
         Bad_tracks{"t,id,x,y\n0, ,1,2\n", "t.csv:2: the column id is empty; expected any text"},
         Bad_tracks{"t,id,x,y\n0,a,1,2 m\n",
@@ -122,8 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad_tracks{"inf a 1 2\n",
                    "t.csv:1: the column frame is 'inf', which is not finite; expected a finite "
                    "number"},
-        Bad_tracks{"0 a 1 nan\n",
-                   "t.csv:1: the column y is 'nan', which is not finite; expected a finite number"},
+        Bad_tracks{"0 a 1 inf\n",
+                   "t.csv:1: the column y is 'inf', which is not finite; expected a finite number"},
         Bad_tracks{"0 a 1e-999 1\n",
                    "t.csv:1: the column x is '1e-999', which is out of the range of binary64; "
                    "expected 0, or a magnitude from 4.9e-324 to 1.8e308"},

@@ -56,9 +56,8 @@ TEST(Recognized_tracks, what_nothing_recognizes_is_refused_with_all_that_is_poss
   const std::string expected =
       "expected a header line with the columns t,id,x,y and optionally radius, in any order, or "
       "--columns t=NAME,id=NAME,x=NAME,y=NAME for the names in another table, --columns "
-      "t=1,id=2,x=3,y=4 for the numbers of columns of one without a header, or a file in one of "
-      "the "
-      "formats that --format lists";
+      "t=N,id=N,x=N,y=N for the numbers of the columns, from 1 on, of one without a header, or a "
+      "file in one of the formats that --format lists";
   EXPECT_EQ(automatic_error(""), "t.csv:1: the file is empty; " + expected);
   EXPECT_EQ(automatic_error("time,name,x,y\n"), "t.csv:1: unknown column 'time'; " + expected);
   EXPECT_EQ(automatic_error("t,id,x,y,w\n"), "t.csv:1: unknown column 'w'; " + expected);
@@ -139,7 +138,7 @@ TEST(Read_tracks_ids, may_have_more_columns) {
   EXPECT_EQ(read_options_error("1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n", ids),
             "t.csv: none of the 3 ids is in two frames, as if the first two columns were "
             "exchanged; expected id, frame, x and y in this order: read the file with --format "
-            "table --columns t=1,id=2,x=3,y=4, with the numbers of its columns, or, if this is "
+            "table --columns t=N,id=N,x=N,y=N, with the number of each column, or, if this is "
             "their order, add the line '# id frame x y' above the rows");
   EXPECT_EQ(read_options_error("1 7 0 0 9\n2 7 0 0 9\n3 7 0 0 9\n",
                                {.format = Tracks_format::table,

@@ -120,13 +120,11 @@ TEST(Read_tracks_geojson, errors_say_where) {
   const std::string good = point("[8, 50]", R"("id": "Ada", "time": 0)");
   for (
       const auto& [text, message] : {
-          std::pair{
-              std::string("{"),
-              "t.csv:1: is no JSON as it should be, or ends here; expected GeoJSON, as far as "
-              "it was written"},
+          std::pair{std::string("{"),
+                    "t.csv:1: is not valid JSON, or ends too early; expected GeoJSON, and all of "
+                    "the file"},
           {collection(good).substr(0, 60) + "\n]",
-           "t.csv:2: is no JSON as it should be, or ends here; expected GeoJSON, as far as it was "
-           "written"},
+           "t.csv:2: is not valid JSON, or ends too early; expected GeoJSON, and all of the file"},
           {"[1, 2]", "t.csv: the file has no type; expected an object of GeoJSON"},
           {"{\"type\": 5}", "t.csv: the file has no type; expected an object of GeoJSON"},
           {"{\"type\": \"Point\"}",

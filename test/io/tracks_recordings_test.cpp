@@ -77,7 +77,7 @@ TEST(Read_tracks_numbers, must_be_there) {
   EXPECT_TRUE(contains(read_options_error("", {.columns = numbers}), "the file is empty"));
   // Names that are not there, in a table without names.
   EXPECT_TRUE(contains(read_options_error("0 1 2 3\n", {.columns = names}),
-                       "numbers of columns, as in --columns t=1,id=2,x=3,y=4"));
+                       "the numbers of the columns, from 1 on, in --columns t=N,id=N,x=N,y=N"));
 }
 
 TEST(Read_tracks_numbers, columns_that_are_not_used_are_named_or_counted) {
@@ -97,7 +97,7 @@ TEST(Read_tracks_bare, rows_of_more_than_four_numbers_are_refused) {
     const std::string error = read_options_error(text, {});
     EXPECT_TRUE(contains(error,
                          "and nothing says what they are; expected --format table --columns "
-                         "t=1,id=2,x=3,y=4, with the numbers of its columns"))
+                         "t=N,id=N,x=N,y=N, with the number of each column, from 1 on"))
         << error;
     EXPECT_EQ(read_options_error(text, {.format = Tracks_format::table, .columns = numbers}), "");
     EXPECT_EQ(read_options_error("# id frame x y z\n" + std::string(text), {.fps = 25.0}), "");
@@ -111,7 +111,7 @@ TEST(Read_tracks_bare, commas_are_told_where_blanks_are_expected) {
   for (const Tracks_format format : {Tracks_format::frames, Tracks_format::ids}) {
     EXPECT_TRUE(contains(read_options_error("1,1,10,20\n", {.format = format}),
                          "the row has commas or semicolons; expected fields that are separated by "
-                         "tabs or blanks, or --format table --columns t=1,id=2,x=3,y=4"));
+                         "tabs or blanks, or --format table --columns t=N,id=N,x=N,y=N"));
   }
 }
 
@@ -277,7 +277,7 @@ TEST(Read_tracks_dates, that_do_not_fit_the_form_are_errors) {
               "")
         << date;
   }
-  for (const char* const format : {"", "%H:%M", "%d/%m", "%Y-%m-%d %I:%M", "%Y-%m-%d %Q",
+  for (const char* const format : {"", "%m %H:%M", "%d/%m", "%Y-%m-%d %I:%M", "%Y-%m-%d %Q",
                                    "%Y-%m-%d %", "%Y-%m-%d %S", "%Y %Y-%m-%d", "%Y-%m-%d %M"}) {
     EXPECT_NE(problem_of_date_format(format), "") << format;
   }
@@ -304,8 +304,8 @@ TEST(Read_tracks_dates, the_message_about_another_form_gives_an_option_that_work
 
 TEST(Read_tracks_dates, that_no_form_fits_are_told_which_forms_there_are) {
   EXPECT_EQ(
-      test::rows_error("t,id,x,y\n12:00:01,a,1,2\n"),
-      "t.csv:2: the column t is '12:00:01', which is neither a number nor a date in ISO 8601, "
+      test::rows_error("t,id,x,y\n12:00:01:05,a,1,2\n"),
+      "t.csv:2: the column t is '12:00:01:05', which is neither a number nor a date in ISO 8601, "
       "as 2024-05-01T12:00:00Z is; expected one of the two, or --date-format for dates in "
       "another form");
 }

@@ -81,14 +81,14 @@ TEST(Read_tracks_sumo, errors_name_the_line) {
            "7: id 'a' is at two places at t = 1: at (1, 0), and at (0, 0) in line 6; expected one, "
            "or --duplicates first, last or mean, which says what to take"},
           {begin + "<vehicle id='a' x='0'",
-           "6: is no XML as it should be: unclosed token; expected floating-car data of SUMO, as "
-           "far as it was written"},
+           "6: is not well-formed XML: unclosed token; expected floating-car data of SUMO, and "
+           "all of the file"},
           {begin + "<vehicle id='a' x='0' y='0'/>\n",
-           "7: is no XML as it should be: no element found; expected floating-car data of SUMO, as "
-           "far as it was written"},
+           "7: is not well-formed XML: no element found; expected floating-car data of SUMO, and "
+           "all of the file"},
           {header + "</timestep>",
-           "5: is no XML as it should be: mismatched tag; expected floating-car data of SUMO, as "
-           "far as it was written"},
+           "5: is not well-formed XML: mismatched tag; expected floating-car data of SUMO, and "
+           "all of the file"},
       }) {
     EXPECT_EQ(error_of(text), "t.csv:" + std::string(message));
   }

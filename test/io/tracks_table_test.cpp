@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -89,7 +88,8 @@ TEST(Read_tracks_table, errors_name_line_and_column) {
            {"time,E,N\n", "1: the column 'name' is missing; expected one of 'time', 'E', 'N'"},
            {"0 1 2 3\n",
             "1: the column 'time' is missing; expected one of '0', '1', '2', '3', or, since these "
-            "seem to be no names, numbers of columns, as in --columns t=1,id=2,x=3,y=4"},
+            "seem to be no names, the numbers of the columns, from 1 on, in --columns "
+            "t=N,id=N,x=N,y=N"},
            {"time,name,E,N,E\n", "1: the column 'E' is named twice; expected names that differ"},
            {"time,name,E,N\n0,a,1\n",
             "2: the row has 3 fields; expected 4, one for each column of the header"},
@@ -99,7 +99,8 @@ TEST(Read_tracks_table, errors_name_line_and_column) {
             "2: the column N is 'north', which is not a number; expected a decimal or hexadecimal "
             "floating point number such as -1.5, 2e-3 or 0x1.8p3"},
            {"time;name;E;N\n0;a;1,5;2\n",
-            "2: the column E is '1,5', with a decimal comma; expected a decimal point, as in 1.5"},
+            "2: the column E is '1,5', which has a decimal comma; expected a decimal point, as sed "
+            "'s/,/./g' FILE makes of all commas"},
            {"time,name,E,N\n0,\"a\" b,1,2\n",
             "2: something stands behind a quoted field; expected ',' or the end of the row"},
            {"time,name,E,N\n0,\"a,1,2\n0,b,1,2\n",
@@ -181,15 +182,15 @@ TEST(Read_tracks, degrees_are_refused_unless_a_projection_is_chosen) {
   const Tracks_file file = read_options(text, options);
   const auto& seen = file.tracks[0].observations;
   EXPECT_EQ(seen[0].place, (Vector_2{-seen[1].place.x, -seen[1].place.y}));
-  constexpr double degree = 6371008.8 * std::numbers::pi / 180;
-  EXPECT_NEAR(seen[1].place.y, degree * 0.03125, 1e-6);
-  EXPECT_NEAR(seen[1].place.x, degree * 0.25 * std::cos(50.03125 * std::numbers::pi / 180), 1e-6);
+  // Degrees of longitude and latitude at 50.03125 degrees north, in metres.
+  EXPECT_NEAR(seen[1].place.x, 71649.27 * 0.25, 0.01);
+  EXPECT_NEAR(seen[1].place.y, 111229.67 * 0.03125, 0.01);
   EXPECT_EQ(file.remarks,
             (std::vector<std::string>{
                 "places are degrees, as the columns 'lon' and 'lat' say",
                 "places are in metres from the longitude 8.25 and the latitude 50.03125 "
-                "(equirectangular projection); distances are off by at most 0.066 % of those on a "
-                "sphere, which are off by up to 0.7 % on earth (less with --projection utm)"}));
+                "(equirectangular projection of the ellipsoid of WGS 84); distances are off by at "
+                "most 0.066 %"}));
   std::swap(options.columns.x, options.columns.y);
   EXPECT_EQ(read_options_error(text, options),
             "t.csv: x is the column 'lat', and y 'lon'; expected the longitude as x, and the "

@@ -11,8 +11,8 @@ import pytest
 import kinetri
 from kinetri import Tracks
 
-#: A degree on the sphere of `local`.
-DEGREE = 6371008.8 * np.pi / 180
+#: Degrees of longitude and latitude in metres, at 55.01 degrees north on the ellipsoid of WGS 84.
+DEGREES = np.array([63978.21, 111323.71])
 SHIPS = {"t": [0, 600, 0, 600], "id": ["a", "a", "b", "b"], "x": [12.0, 12.01, 12.02, 12.02],
          "y": [55.0, 55.0, 55.01, 55.02]}
 WAY_OUT = ("expected projection='local', which makes them metres about the middle of the data, projection='utm', which "
@@ -41,10 +41,9 @@ def test_degrees_by_names(x, y):
     for make in ways(x, y, projection="local").values():
         tracks = make()
         assert tracks.remarks[0] == f"places are degrees, as the columns '{x}' and '{y}' say"
-        assert "(equirectangular projection); distances are off by at most" in tracks.remarks[1]
-        assert tracks.remarks[1].endswith("(less with projection='utm')")
+        assert "(equirectangular projection of the ellipsoid of WGS 84); distances are off by at most" in tracks.remarks[1]
         ends = np.diff(tracks.simulation().positions(), axis=0)[0]
-        assert np.allclose(ends, [0.02 * DEGREE * np.cos(np.radians(55.01)), 0.01 * DEGREE])
+        assert np.allclose(ends, [0.02, 0.01] * DEGREES, rtol=1e-6)
 
 
 def test_a_projection_without_names_and_its_metres():
@@ -256,7 +255,7 @@ def test_dates_and_times_in_two_columns(tmp_path):
 
 @pytest.mark.parametrize("text, options, message", [
     ("t,id,lon,lat\n0,a,12,55\n", {"columns": {"t": "t", "id": "id", "x": "lon", "y": "lat"}}, WAY_OUT),
-    ("1 2 3 4 5\n", {}, "expected format='table', columns={'t': '1', 'id': '2', 'x': '3', 'y': '4'}, with the numbers"),
+    ("1 2 3 4 5\n", {}, "expected format='table', columns={'t': 'N', 'id': 'N', 'x': 'N', 'y': 'N'}, with the number of"),
     ("0 1 0 0\n5 1 5 0\n", {"fps": 5}, "mean either of two things: with format='frames', the order frame id x y"),
     ("when,id,x,y\n", {}, "or columns={'t': 'NAME', 'id': 'NAME', 'x': 'NAME', 'y': 'NAME'} for the names in another"),
     ("t,id,x,y\n1/5/2024 10:00:00,a,1,2\n", {}, "or date_format='%d/%m/%Y %H:%M:%S' or date_format='%m/%d/%Y %H:%M:%S'"),

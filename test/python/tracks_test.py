@@ -382,7 +382,7 @@ def test_files_that_are_read_with_wrong_options(tmp_path):
             ("t.csv", {"columns": {"z": "z"}}, "columns has 'z'; expected 't', 'id', 'x', 'y' and 'radius'"),
             ("t.csv", {"projection": "mercator"}, "projection is 'mercator'; expected one of 'none', 'local', 'utm'"),
             ("t.csv", {"duplicates": "all"}, "duplicates is 'all'; expected one of 'first', 'last', 'mean', 'refuse'"),
-            ("t.csv", {"date_format": "%H"}, "date_format is '%H', which has no day"),
+            ("t.csv", {"date_format": "%m"}, "date_format is '%m', which has no day"),
             ("t.csv", {"unwrap": "all"}, "unwrap is 'all'; expected 'nearest'")):
         with pytest.raises(kinetri.PreconditionError, match=message):
             Tracks.read(tmp_path / file, **options)

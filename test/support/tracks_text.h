@@ -48,6 +48,11 @@ inline std::string shown(const Tracks_file& file) {
   return out.str();
 }
 
+/// Whether a message has this piece.
+inline bool has_piece(const std::string& text, const std::string& piece) {
+  return text.find(piece) != std::string::npos;
+}
+
 inline std::string rows_error(const std::string& text) {
   return message_of<Input_error>([&] { rows(text); });
 }

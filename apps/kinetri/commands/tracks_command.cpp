@@ -163,24 +163,26 @@ Command tracks_command() {
   result.add("--format", &options->format, choice_type(format_names()), format_help());
   result.add(
       "--columns", &options->columns, "t=T,id=ID,x=X,y=Y",
-      "The names of these columns, and of radius=R if there is one, in a table that is separated "
-      "by "
-      "commas, semicolons, tabs or blanks; their numbers, from 1 on, where it has no header; with "
-      "plus signs between, t=DATE+TIME, where the times are in several columns; in "
-      "GeoJSON, the properties t and id");
+      "Which columns of a table have the times, ids and places, and with radius=R the radii: their "
+      "names in the header, or in a table without a header their numbers, from 1 on, as in "
+      "t=1,id=2,x=3,y=4. Times in two columns have a plus sign between, t=DATE+TIME. Fields are "
+      "separated by commas, semicolons, tabs or blanks. In GeoJSON, the properties t and id");
   result.add(
       "--projection", &options->projection, choice_type(projections),
       "Places in degrees of longitude and latitude: none takes them as they are; local makes "
-      "them metres, by an equirectangular projection about the middle of the data; utm those of "
-      "its zone of UTM. Both are refused where distances can be off by more than 0.1 %");
+      "them metres, by an equirectangular projection about the middle of the data; utm makes "
+      "them metres of its zone of UTM. A file in which distances would be off by more than 0.1 % "
+      "is refused");
   result.add(
       "--date-format", &options->date_format, "F",
       "The form of dates that are not ISO 8601, such as '%d/%m/%Y %H:%M:%S' (as of strptime; "
-      "%S takes a fraction)");
-  result.add("--duplicates", &options->duplicates, choice_type(duplicates),
-             "Several places of an id at one time: take the first or last in the file, or their "
-             "mean, or refuse the file (default: first, but refuse where half of the times of an "
-             "id or more have several)");
+      "%S takes a fraction); or of times of day, such as %H:%M:%S, which become seconds since "
+      "midnight");
+  result.add(
+      "--duplicates", &options->duplicates, choice_type(duplicates),
+      "Several places of an id at one time: take the first or last in the file, or their "
+      "mean, or refuse the file (default: take the first, and refuse a file in which half of "
+      "the times of an id or more have several places)");
   result.add("--unwrap", &options->unwrap, choice_type(unwraps),
              "Atoms that leave a periodic box and come in on its other side go on to the nearest "
              "image of their next place (default: they are refused)");

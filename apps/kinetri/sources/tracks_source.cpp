@@ -14,10 +14,10 @@
 #include "cli/text.h"
 #include "kinetri/impl/io/text.h"
 #include "kinetri/impl/io/text_table.h"
+#include "kinetri/impl/io/shared_paths.h"
 #include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/tracks.h"
 #include "sources/any_simulation.h"
-#include "sources/shared_paths.h"
 
 namespace kinetri::app {
 namespace {

@@ -29,26 +29,34 @@
 // A file in UTF-16 is read as the same text in UTF-8.
 //
 // In rows and table, lines below the header whose times and places begin with no digit, sign or
-// point name units, and are left out. A row whose places are both empty, NaN, NA, N/A, null or None
-// is no observation; nor is, in a table, one without an id, and where places are degrees, one at
-// the latitude 91 or the longitude 181, by which AIS says that it knows no place.
+// point name units, and are left out. A row whose places are both empty, or one of them NaN, NA,
+// N/A, null or None is no observation; nor is, in a table, one without an id, and where places are
+// degrees, one at the latitude 91 or the longitude 181, by which AIS says that it knows no place,
+// and one at (0, 0) if all others are farther than a degree from there. Nor is a feature of GeoJSON
+// without geometry, or with null or NaN for all coordinates.
 //
-// Files with rows `frame id x y` and with rows `id frame x y` look alike. What tells them apart is
-// a sign: a comment that names the columns, without which Tracks_format::automatic takes rows of
-// four fields alone; a comment that gives a frame rate, which files of ids have; whole numbers as
-// ids that never repeat, while a frame does; or places that make sense only in the other order.
-// Tracks_format::automatic takes the order that the signs are for, and refuses a file without a
-// sign, or with signs for both. The formats frames and ids refuse a file with a sign of the other
-// order. A comment line `# frame id x y` or `# id frame x y` confirms the order: with it, only a
-// comment that contradicts it is refused.
+// In a table, a first column that the header does not name and whose first field is in quotation
+// marks has the names of rows, as R's write.table writes them, and is left out.
+//
+// Files with rows `frame id x y` and with rows `id frame x y` look alike. What tells the order is a
+// comment that names the columns, without which Tracks_format::automatic takes rows of four fields
+// alone; a comment that gives a frame rate, which files of ids have; whole numbers as ids that
+// never repeat, while a frame does; or places that make sense only in the other order.
+// Tracks_format::automatic takes the order that these tell, and refuses a file in which none of
+// them does, or in which they contradict each other. The formats frames and ids refuse a file in
+// which one of them tells the other order. A comment line `# frame id x y` or `# id frame x y`
+// confirms the order: with it, only a comment that contradicts it is refused.
 //
 // A column of times, and a time in GeoJSON, is a number, or a date and time in ISO 8601 (such as
 // 2024-05-01T12:00:00.5Z) or in Tracks_file_options::date_format; all of a file are of one kind.
-// Dates become seconds since the earliest of the file, rounded to nearest.
+// Dates become seconds since the earliest of the file, rounded to nearest; times of day, in a form
+// of Tracks_file_options::date_format without a day, seconds since midnight. Whole numbers that all
+// are dates by their digits, as 20200131, are refused.
 //
 // Places are taken for degrees where the file says so: GeoJSON and GPX by their standard, SUMO in
 // the comment that shows its configuration, a table by the names of its columns (lon, location-lat,
-// decimalLongitude, GPSLatitude, x_deg) or by units in brackets or below the header (x (deg)).
+// decimalLongitude, GPSLatitude, x_deg, x_wgs84) or by units in brackets or below the header (x
+// (deg)). Where a table or SUMO does not say it, places that look like degrees are refused.
 //
 // An id is its text: 1 and 1.0 are two ids. Numbers are read as those of files of points are
 // (kinetri/io/points_file.h).
@@ -124,12 +132,13 @@ enum class Tracks_projection {
   refused,  ///< files that have degrees by their standard, or in columns with such names, are
             ///< refused
   none,     ///< they are places as they are: x is the longitude, y the latitude
-  /// x and y are degrees, and become metres on a sphere with the mean radius R = 6371008.8 m of the
-  /// earth, equirectangular about the middle of the data (l, p), which is that of their bounding
-  /// box: x = R cos(p) (x - l), y = R (y - p), angles in radians (J. P. Snyder, Map projections: a
-  /// working manual, U.S. Geological Survey Professional Paper 1395, 1987, section 12). Distances
-  /// are compared with those on the sphere, which are off by up to 0.7 % themselves, since the
-  /// earth is none.
+  /// x and y are degrees on the ellipsoid of WGS 84, and become metres, equirectangular about the
+  /// middle of the data (l, p), which is that of their bounding box: x = N cos(p) (x - l),
+  /// y = M (y - p), angles in radians, with the radii of curvature at p, of the meridian,
+  /// M = a (1 - e^2) / (1 - e^2 sin(p)^2)^(3/2), and in the prime vertical,
+  /// N = a / (1 - e^2 sin(p)^2)^(1/2) (J. P. Snyder, Map projections: a working manual, U.S.
+  /// Geological Survey Professional Paper 1395, 1987, section 12, with the radii of equations 4-18
+  /// and 4-20, so that lengths are right at the middle).
   local,
   /// x and y are degrees on the ellipsoid of WGS 84, and become metres in the zone of Universal
   /// Transverse Mercator that the middle of the data is in: x from 500000 m west of its central
@@ -142,8 +151,8 @@ enum class Tracks_projection {
 
 /// What becomes of several places of one id at one time.
 enum class Tracks_duplicates {
-  automatic,  ///< as first; but refused if, for an id, half of the times or more have several
-              ///< places, since then the id may be that of several things
+  automatic,  ///< as first; but the file is refused if half of the times of an id or more have
+              ///< several places, since then the id may be that of several things
   refuse,     ///< the file is refused
   first,      ///< the place that comes first in the file is taken
   last,       ///< the last one
@@ -152,7 +161,7 @@ enum class Tracks_duplicates {
 
 /// What becomes of atoms that leave a periodic box and come in on its other side.
 enum class Tracks_unwrap {
-  refused,  ///< files in which an atom goes farther than half of the box are refused
+  refused,  ///< files are refused in which an image of an atom's next place is nearer than it
   nearest,  ///< an atom goes on to the nearest image of its next place
 };
 
@@ -278,10 +287,10 @@ Tracks_file read_tracks_file(const std::string& path, Tracks_format format, doub
 /// of a table: it decides whether they are degrees, x the longitude and y the latitude, and
 /// projects them. What says so are the names `columns.x` and `columns.y` (an empty name says
 /// nothing), and where these say nothing, what the places show whose times are dates, which they
-/// are where the file has an `origin`. Places in degrees at the longitude 181 or the latitude 91
-/// are left out, and counted in `rows_without_place`; the times and the `origin` stay as they are.
-/// What was concluded, and how far distances are off, is added to the remarks. `name` stands at the
-/// beginning of messages.
+/// are where the file has an `origin`, or seconds since 1970. Places in degrees at the longitude
+/// 181 or the latitude 91 are left out, and counted in `rows_without_place`, and those at (0, 0) as
+/// read_tracks does; the times and the `origin` stay as they are. What was concluded, and how far
+/// distances are off, is added to the remarks. `name` stands at the beginning of messages.
 ///
 /// Throws Input_error if places are degrees, or look like them, and `projection` is `refused`; if
 /// names say radians, or two units of length, or the latitude is x; if places that are to be

@@ -28,10 +28,10 @@ constexpr std::string_view expect_id_first =
     "is their order, add the line '# id frame x y' above the rows";
 constexpr std::string_view expect_id_first_of_many =
     "; expected id, frame, x and y in this order: read the file with --format table --columns "
-    "t=1,id=2,x=3,y=4, with the numbers of its columns, or, if this is their order, add the line "
+    "t=N,id=N,x=N,y=N, with the number of each column, or, if this is their order, add the line "
     "'# id frame x y' above the rows";
 constexpr std::string_view with_numbers_of_columns =
-    "--format table --columns t=1,id=2,x=3,y=4, with the numbers of its columns";
+    "--format table --columns t=N,id=N,x=N,y=N, with the number of each column, from 1 on";
 constexpr std::string_view expect_four = "4, frame, id, x and y, separated by tabs or blanks";
 constexpr std::string_view as_if_exchanged = ", as if the first two columns were exchanged";
 
@@ -64,6 +64,7 @@ struct Reading {
 
   Frame_columns columns;
   Tracks_builder builder;
+  Signs_of_degrees signs;
   std::size_t rows_without_place = 0;
   std::string problem;  // that makes it impossible
 };
@@ -264,7 +265,7 @@ class Bare_columns_reader {
   void add(Reading& reading) {
     const Frame_columns& columns = reading.columns;
     if (is_row_of_ids_ && columns.id != 0) return;
-    if (is_missing(fields_[columns.x]) && is_missing(fields_[columns.y])) {
+    if (is_without_place(fields_[columns.x], fields_[columns.y])) {
       ++reading.rows_without_place;
       return;
     }
@@ -285,6 +286,7 @@ class Bare_columns_reader {
     if (!time.problem.empty()) table_.fail(time.problem);
     row.time = time.value;
     row.line = table_.line();
+    reading.signs.note(row.place, fields_[columns.x], fields_[columns.y]);
     reading.builder.add(row);
   }
 
@@ -353,6 +355,7 @@ class Bare_columns_reader {
     if (wanted_ == Tracks_format::frames && !is_order_confirmed()) {
       if (const auto sign = sign_in_rows(result.tracks)) fail_for_sign(*sign, false);
     }
+    reading.signs.expect_none(result, input_.name, input_.options.projection, "x", "y");
     result.format =
         reading.columns.frame < reading.columns.id ? Tracks_format::frames : Tracks_format::ids;
     result.comment_lines = table_.comments() - used_comments_;

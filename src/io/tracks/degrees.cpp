@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -90,29 +91,55 @@ bool contains_one(std::string_view text, std::span<const std::string_view> piece
 }
 
 bool is_longitude(std::string_view word) {
-  constexpr std::array<std::string_view, 5> names = {"lon", "lng", "long", "longi", "lons"};
-  // Also in German and Danish; in Chinese, Japanese and Russian (without the first letter).
-  constexpr std::array<std::string_view, 7> pieces = {"longitud",
-                                                      "l\xC3\xA4ngengrad",
-                                                      "laengengrad",
-                                                      "\xE7\xBB\x8F\xE5\xBA\xA6",
-                                                      "\xE7\xB5\x8C\xE5\xBA\xA6",
-                                                      "\xD0\xBE\xD0\xBB\xD0\xB3\xD0\xBE\xD1\x82",
-                                                      "lengdegrad"};
+  constexpr std::array<std::string_view, 7> names = {"lon",  "lng",    "long",        "longi",
+                                                     "lons", "laenge", "l\xC3\xA4nge"};
+  // Also in German, Danish, Dutch and Finnish; in Chinese, Japanese, Korean and Russian (without
+  // the first letter).
+  constexpr std::array<std::string_view, 10> pieces = {"longitud",
+                                                       "l\xC3\xA4ngengrad",
+                                                       "laengengrad",
+                                                       "\xE7\xBB\x8F\xE5\xBA\xA6",
+                                                       "\xE7\xB5\x8C\xE5\xBA\xA6",
+                                                       "\xD0\xBE\xD0\xBB\xD0\xB3\xD0\xBE\xD1\x82",
+                                                       "lengdegrad",
+                                                       "lengtegraad",
+                                                       "pituusaste",
+                                                       "\xEA\xB2\xBD\xEB\x8F\x84"};
   if (word.find("longitudinal") != std::string_view::npos) return false;
   return is_short_name(word, names) || contains_one(word, pieces);
 }
 
 bool is_latitude(std::string_view word) {
-  constexpr std::array<std::string_view, 3> names = {"lat", "lats", "lati"};
-  constexpr std::array<std::string_view, 6> pieces = {"latitud",
+  constexpr std::array<std::string_view, 4> names = {"lat", "lats", "lati", "breite"};
+  constexpr std::array<std::string_view, 9> pieces = {"latitud",
                                                       "breitengrad",
                                                       "\xE7\xBA\xAC\xE5\xBA\xA6",
                                                       "\xE7\xB7\xAF\xE5\xBA\xA6",
                                                       "\xD0\xB8\xD1\x80\xD0\xBE\xD1\x82",
-                                                      "breddegrad"};
+                                                      "breddegrad",
+                                                      "breedtegraad",
+                                                      "leveysaste",
+                                                      "\xEC\x9C\x84\xEB\x8F\x84"};
   if (word.find("latitudinal") != std::string_view::npos) return false;
   return is_short_name(word, names) || contains_one(word, pieces);
+}
+
+// Whether the name has that of the reference system WGS 84, whose coordinates are degrees, or its
+// number.
+bool names_wgs84(std::string_view name) {
+  constexpr std::array<std::string_view, 3> systems = {"wgs", "crs84", "4326"};
+  const std::string lower = in_lower_case(name);
+  return contains_one(lower, systems) && lower.find("utm") == std::string::npos;
+}
+
+// Whether columns of such names often have degrees, but also metres.
+bool is_often_of_degrees(std::string_view name) {
+  constexpr std::array<std::string_view, 5> pieces = {"gps", "gnss", "geo", "coord", "point"};
+  constexpr std::array<std::string_view, 2> short_names = {"lo", "la"};
+  const std::vector<std::string> words = words_of(name);
+  return contains_one(in_lower_case(name), pieces) ||
+         std::any_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return is_among(word, short_names); });
 }
 
 // The unit of length that is the last of several words, in one spelling; empty if it is none.
@@ -150,7 +177,7 @@ Angle angle_in_name(std::string_view name) {
   if (has([&](const std::string& w) { return is_among(w, radians); })) return Angle::radians;
   if (has(is_longitude)) return Angle::longitude;
   if (has(is_latitude)) return Angle::latitude;
-  return has_degrees ? Angle::degrees : Angle::none;
+  return has_degrees || names_wgs84(name) ? Angle::degrees : Angle::none;
 }
 
 bool says_degrees(std::string_view comment) {
@@ -229,6 +256,7 @@ bool is_no_place(const Vector_2& degrees) {
 }
 
 void Signs_of_degrees::note(const Vector_2& place, std::string_view x, std::string_view y) {
+  if (is_null_island(place)) return;
   ++rows_;
   if (!is_on_earth(place)) return;
   ++rows_in_range_;
@@ -240,31 +268,64 @@ void Signs_of_degrees::note(const Vector_2& place, std::string_view x, std::stri
   if (has_many_digits(x) && has_many_digits(y)) ++rows_of_many_digits_;
 }
 
+namespace {
+
+// How many seconds the unit of the times is, if they are dates, or if all are numbers of units
+// since 1970 in the years from 1989 to 2039.
+std::optional<double> known_unit(const Tracks_file& file) {
+  if (!file.origin.empty()) return 1;
+  constexpr double first = 6e8;
+  constexpr double last = 2.2e9;
+  for (const double unit : {1., 1e-3, 1e-6, 1e-9}) {
+    const bool are_all =
+        std::all_of(file.tracks.begin(), file.tracks.end(), [&](const Track& track) {
+          return track.observations.front().time * unit >= first &&
+                 track.observations.back().time * unit <= last;
+        });
+    if (are_all) return unit;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 void Signs_of_degrees::expect_none(const Tracks_file& file, const std::string& name,
-                                   Tracks_projection projection) const {
-  if (projection != Tracks_projection::refused || file.origin.empty()) return;
+                                   Tracks_projection projection, const std::string& of_x,
+                                   const std::string& of_y) const {
+  if (projection != Tracks_projection::refused) return;
   // Others say that there is no place, as 181 and 91, or -999.
   constexpr std::size_t in_ten = 9;
   if (rows_ == 0 || 10 * rows_in_range_ < in_ten * rows_) return;
   if (2 * rows_of_many_digits_ < rows_in_range_) return;
+  const std::optional<double> unit = known_unit(file);
+  const bool has_length =
+      !unit_of_length(words_of(of_x)).empty() || !unit_of_length(words_of(of_y)).empty();
+  const bool is_often = !has_length && (is_often_of_degrees(of_x) || is_often_of_degrees(of_y));
+  if (!unit && !is_often) return;
+  const auto is_place = [](const Vector_2& place) {
+    return is_on_earth(place) && !is_null_island(place);
+  };
   double way = 0;
   double duration = 0;
   for (const Track& track : file.tracks) {
     const auto& seen = track.observations;
     for (std::size_t i = 1; i < seen.size(); ++i) {
-      if (!is_on_earth(seen[i].place) || !is_on_earth(seen[i - 1].place)) continue;
+      if (!is_place(seen[i].place) || !is_place(seen[i - 1].place)) continue;
       way +=
           std::hypot(seen[i].place.x - seen[i - 1].place.x, seen[i].place.y - seen[i - 1].place.y);
     }
-    duration += seen.back().time - seen.front().time;
+    duration += unit.value_or(1) * (seen.back().time - seen.front().time);
   }
   // In metres 3 mm a second; in degrees 330 m.
   constexpr double greatest_speed = 0.003;
   if (!(way < greatest_speed * duration)) return;
   throw Input_error(
       name, 0,
-      joined("nothing says what the places are, and they look like degrees: times are dates, and "
-             "numbers within 180 and 90, most with four decimals or more, change by ",
+      joined("nothing says what the places are, and they look like degrees: ",
+             !file.origin.empty() ? "times are dates"
+             : unit               ? "times are those since 1970"
+                                  : joined("the columns are ", quoted(of_x), " and ", quoted(of_y)),
+             ", and numbers within 180 and 90, most with four decimals or more, change by ",
              way / duration,
              " a second; expected --projection local or --projection utm if they are longitude and "
              "latitude, or --projection none, which takes them as they are"));

@@ -26,7 +26,8 @@ enum class Angle {
 /// latitude, their like in other languages, also behind or before words such as gps and deg
 /// (`location-long`, `decimalLatitude`, `GPSLongitude`, `stoplat`); deg and degrees (`x_deg`,
 /// `X (deg)`). Not where the name ends in a unit of length, as `lat_m` does; nor are `lateral` and
-/// `longitudinal` such words.
+/// `longitudinal` such words. Names of the reference system WGS 84 (`x_wgs84`, `X_4326`) say
+/// degrees.
 Angle angle_in_name(std::string_view name);
 
 /// Whether a comment says that places are longitude and latitude: it names the two, without
@@ -60,19 +61,27 @@ bool is_no_place(const Vector_2& degrees);
 /// Whether a place may be one in degrees: at most 180 and 90.
 bool is_on_earth(const Vector_2& degrees);
 
-/// What in the rows of a table shows degrees, where no name says what places are: dates as times,
-/// numbers of which nine in ten or more are in the range of degrees, and of these at least half
-/// have four decimals or more, and motion that would be slow in metres, and not too fast in
-/// degrees.
+/// Whether a place is the longitude 0 and the latitude 0, in the sea, which is what many programs
+/// write that do not know a place.
+inline bool is_null_island(const Vector_2& degrees) {
+  return degrees == Vector_2{0, 0};
+}
+
+/// What in the rows of a table shows degrees, where no name says what places are: numbers of which
+/// nine in ten or more are in the range of degrees, and of these at least half have four decimals
+/// or more; motion that would be slow in metres, and not too fast in degrees; and, so that slow is
+/// known, dates as times, or seconds since 1970 or thousandths of them or smaller parts, or else
+/// names of columns that are often of degrees. The place (0, 0) says nothing.
 class Signs_of_degrees {
  public:
   /// Notes a place, and its numbers as texts: the fields that it was read from.
   void note(const Vector_2& place, std::string_view x, std::string_view y);
 
   /// Throws Input_error if the file of this name, which has all rows that were noted, shows these
-  /// signs, and no projection says what becomes of degrees.
-  void expect_none(const Tracks_file& file, const std::string& name,
-                   Tracks_projection projection) const;
+  /// signs, and no projection says what becomes of degrees. `of_x` and `of_y` are the names of the
+  /// columns.
+  void expect_none(const Tracks_file& file, const std::string& name, Tracks_projection projection,
+                   const std::string& of_x, const std::string& of_y) const;
 
  private:
   std::size_t rows_ = 0;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What dumps of LAMMPS and files of XYZ have in common: frames that say how many atoms follow, and
-// places in a periodic box.
+// What dumps of LAMMPS and files of XYZ have in common: frames that say how many atoms follow.
 #ifndef KINETRI_SRC_IO_TRACKS_FRAMES_OF_ATOMS_H
 #define KINETRI_SRC_IO_TRACKS_FRAMES_OF_ATOMS_H
 
-#include <array>
-#include <limits>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,34 +44,6 @@ class Atom_lines {
   const std::string& name_;
   Table_reader table_;
   std::vector<std::string_view> fields_;
-};
-
-/// Where atoms that leave a box come in on its other side, their path between two frames is not the
-/// straight line. The widths of a box in the directions of x and y in which it is periodic and
-/// places may jump; the least of all frames.
-class Periodic_widths {
- public:
-  /// The width in a frame.
-  void add(std::size_t direction, double width);
-
-  /// The box of a frame is tilted: who leaves it in the direction of y also jumps in that of x.
-  void add_tilt() { is_tilted_ = true; }
-
-  /// Lets atoms go on to the nearest image of their next place, if the options ask for that. Else
-  /// throws Input_error if an atom goes farther than half a width from one frame to the next, which
-  /// is a jump; the message ends in `expected`. Throws also if there is no box, or none of one
-  /// width, in which to unwrap, or if two images are equally near.
-  void settle_jumps(Tracks_file& file, const Tracks_input& input, std::string_view expected) const;
-
- private:
-  void expect_no_jumps(const Tracks_file& file, const std::string& name,
-                       std::string_view expected) const;
-  void unwrap(Tracks_file& file, const std::string& name) const;
-
-  std::array<double, 2> least_ = {std::numeric_limits<double>::infinity(),
-                                  std::numeric_limits<double>::infinity()};
-  std::array<double, 2> greatest_ = {0, 0};
-  bool is_tilted_ = false;
 };
 
 }  // namespace kinetri

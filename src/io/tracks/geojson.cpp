@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <istream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -41,13 +42,36 @@ std::size_t line_in(std::string_view message) {
   return line.problem.empty() ? static_cast<std::size_t>(line.value) : 0;
 }
 
+// Some programs write NaN, which is no JSON, for a number that they do not know: null instead.
+std::string without_nan(const std::string& text) {
+  constexpr std::string_view nan = "NaN";
+  std::string result;
+  result.reserve(text.size());
+  bool is_in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!is_in_string && std::string_view(text).substr(i).starts_with(nan)) {
+      result += "null";
+      i += nan.size() - 1;
+      continue;
+    }
+    result += text[i];
+    if (is_in_string && text[i] == '\\' && i + 1 < text.size()) {
+      result += text[++i];
+    } else if (text[i] == '"') {
+      is_in_string = !is_in_string;
+    }
+  }
+  return result;
+}
+
 json parsed(const Tracks_input& input) {
   const auto is_kept = [](int depth, json::parse_event_t /*event*/, json& /*value*/) {
     if (depth > greatest_depth) throw Too_deep();
     return true;
   };
+  const std::string text = without_nan(std::string(std::istreambuf_iterator<char>(input.in), {}));
   try {
-    return json::parse(input.in, is_kept);
+    return json::parse(text, is_kept);
   } catch (const json::parse_error& error) {
     if (input.in.bad()) {
       throw Input_error(input.name, line_in(error.what()),
@@ -55,8 +79,7 @@ json parsed(const Tracks_input& input) {
     }
     throw Input_error(
         input.name, line_in(error.what()),
-        "is no JSON as it should be, or ends here; expected GeoJSON, as far as it was "
-        "written");
+        "is not valid JSON, or ends too early; expected GeoJSON, and all of the file");
   } catch (const json::out_of_range&) {
     throw Input_error(
         input.name, 0,
@@ -113,8 +136,10 @@ class Geojson_reader {
       fail("/type",
            joined("is ", kinetri::quoted(type), "; expected 'FeatureCollection' or 'Feature'"));
     }
+    dates_.expect_none(input_.name, input_.options);
     Tracks_file result = builder_.finish();
     result.format = Tracks_format::geojson;
+    result.rows_without_place = features_without_place_;
     if (!system.empty()) {
       const bool is_projected = input_.options.projection == Tracks_projection::local ||
                                 input_.options.projection == Tracks_projection::utm;
@@ -168,6 +193,11 @@ class Geojson_reader {
 
   void add_feature(const json& feature, const std::string& pointer) {
     ++feature_;
+    // Without a place (RFC 7946, section 3.2).
+    if (feature.is_object() && feature.contains("geometry") && feature["geometry"].is_null()) {
+      ++features_without_place_;
+      return;
+    }
     const json& geometry = member(feature, pointer, "geometry", json::value_t::object);
     const std::string type = type_of(geometry, pointer + "/geometry");
     const json& properties = member(feature, pointer, "properties", json::value_t::object);
@@ -267,16 +297,23 @@ class Geojson_reader {
 
   void add(const std::string& id, const json& time, const std::string& time_pointer,
            const json& place, const std::string& place_pointer) {
+    const auto is_null = [](const json& number) { return number.is_null(); };
+    if (place.is_array() && std::all_of(place.begin(), place.end(), is_null)) {
+      ++features_without_place_;
+      return;
+    }
     Tracks_row row;
     row.id = id;
     row.line = feature_;
     if (time.is_number()) {
       row.time.number = time.get<double>();
+      dates_.note(time.dump());
     } else if (time.is_string()) {
       const Parsed_time read =
           parse_time(time.get_ref<const std::string&>(), time_pointer, input_.options);
       if (!read.problem.empty()) fail("", read.problem);
       row.time = read.value;
+      dates_.note(time.get_ref<const std::string&>());
     } else {
       fail(time_pointer, "is no time; expected a number or a date");
     }
@@ -292,9 +329,11 @@ class Geojson_reader {
 
   const Tracks_input& input_;
   Tracks_builder builder_;
+  Dates_of_digits dates_;
   std::string time_name_;
   std::string id_name_;
   std::size_t feature_ = 0;  // its number, from 1 on, while it is read
+  std::size_t features_without_place_ = 0;
   bool has_third_ = false;
 };
 

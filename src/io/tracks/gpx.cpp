@@ -179,10 +179,7 @@ class Trackmate_reader : public Xml_tracks {
       if (name != "Tracks") {
         fail(joined("the first element is ", quoted(name), "; expected 'Tracks'"));
       }
-      interval_ = number(attributes, name, "frameInterval");
-      if (!(interval_ > 0)) {
-        fail(joined("the frameInterval is ", interval_, "; expected a number greater than 0"));
-      }
+      if (!input().options.fps) take_interval(attributes);
       for (const auto& [key, value] : attributes) {
         if (key == "timeUnits") time_unit_ = value;
         if (key == "spaceUnits") length_unit_ = value;
@@ -208,6 +205,18 @@ class Trackmate_reader : public Xml_tracks {
       }
     }
     builder_.add(row);
+  }
+
+  void take_interval(const Xml_attributes& attributes) {
+    const auto is_interval = [](const auto& pair) { return pair.first == "frameInterval"; };
+    if (std::ranges::none_of(attributes, is_interval)) {
+      fail(
+          "the tracks have no frameInterval; expected one, or --fps, the frames in a unit of time");
+    }
+    interval_ = number(attributes, "Tracks", "frameInterval");
+    if (interval_ > 0) return;
+    fail(joined("the frameInterval is ", interval_,
+                "; expected a number greater than 0, or --fps, the frames in a unit of time"));
   }
 
   Tracks_builder builder_;

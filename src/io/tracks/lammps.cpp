@@ -3,12 +3,13 @@
 // Tracks as text dumps of LAMMPS: sections ITEM: UNITS once and ITEM: TIME, if asked for, before
 // ITEM: TIMESTEP (write_header in src/dump_custom.cpp of LAMMPS) or behind it, ITEM: NUMBER OF
 // ATOMS, ITEM: BOX BOUNDS and ITEM: ATOMS with the names of columns, of which id and x y, xu yu, xs
-// ys or xsu ysu are read; ix iy say how often an atom has gone around the box.
+// ys or xsu ysu are read; ix iy iz say how often an atom has gone around the box.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
+#include "atom_boxes.h"
 #include "frames_of_atoms.h"
 #include "kinetri/base/error.h"
 #include "kinetri/impl/io/text.h"
@@ -21,20 +22,12 @@ constexpr std::string_view expected_columns =
     "; expected id, and x y, xu yu, xs ys or xsu ysu, in ITEM: ATOMS";
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// One direction of the box.
-struct Bounds {
-  double low = 0;
-  double high = 0;
-  bool is_periodic = false;
-
-  double width() const { return high - low; }
-};
-
 // How the columns of a section give places.
 struct Columns {
   std::size_t id = none;
-  std::array<std::size_t, 2> place = {none, none};
-  std::array<std::size_t, 2> image = {none, none};
+  // Of x, y and z, which is needed where the box is tilted toward z.
+  std::array<std::size_t, 3> place = {none, none, none};
+  std::array<std::size_t, 3> image = {none, none, none};
   bool is_scaled = false;
   bool is_unwrapped = false;
   std::size_t least_fields = 0;
@@ -60,8 +53,8 @@ class Lammps_reader {
       lines_.fail("the file ends in the middle of a frame; expected its atoms");
     }
     Tracks_file result = builder_.finish();
-    widths_.settle_jumps(result, input_,
-                         "expected a dump with xu yu, or with x y ix iy, and enough frames");
+    boxes_.settle_jumps(result, input_,
+                        "expected a dump with xu yu, or with x y ix iy iz, and enough frames");
     result.format = Tracks_format::lammps;
     if (has_times_.value_or(false)) {
       result.remarks.push_back("times are those of ITEM: TIME");
@@ -101,38 +94,49 @@ class Lammps_reader {
     lines_.fail(joined("the frame has ITEM: ", section, " twice; expected its atoms between"));
   }
 
+  // By the bounds of the rectangle around a box, which is tilted by xy, xz and yz
+  // (https://docs.lammps.org/Howto_triclinic.html), or by its three edges and its corner (abc
+  // origin, https://docs.lammps.org/dump.html).
   void read_box(const std::string& section) {
     std::vector<std::string_view> flags;
     for_each_field_between_blanks(std::string_view(section).substr(10),
                                   [&](std::string_view flag) { flags.push_back(flag); });
-    is_tilted_ = !flags.empty() && flags.front() == "xy";
-    // A box in any direction, by its three edges.
-    has_box_ = flags.empty() || flags.front() != "abc";
+    const bool has_edges = !flags.empty() && flags.front() == "abc";
+    const bool is_tilted = !flags.empty() && flags.front() == "xy";
     const std::size_t first = flags.size() < 3 ? flags.size() : flags.size() - 3;
-    std::array<double, 3> tilts = {};  // xy, xz, yz
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::vector<double> numbers;
+    std::array<std::vector<double>, 3> numbers;
+    for (std::vector<double>& of_line : numbers) {
       for_each_field_between_blanks(
           lines_.expect("the bounds of the box"),
-          [&](std::string_view field) { numbers.push_back(lines_.number(field, "BOX BOUNDS")); });
-      if (!has_box_) continue;
-      if (numbers.size() < (is_tilted_ ? 3 : 2) || numbers[0] > numbers[1]) {
-        lines_.fail(
-            "the bounds of the box are no two numbers of which the second is the greater; "
-            "expected the lower and the upper bound");
+          [&](std::string_view field) { of_line.push_back(lines_.number(field, "BOX BOUNDS")); });
+      if (has_edges ? of_line.size() == 4
+                    : of_line.size() >= (is_tilted ? 3 : 2) && of_line[0] <= of_line[1]) {
+        continue;
       }
-      if (is_tilted_) tilts[i] = numbers[2];
-      if (i > 1) continue;
-      bounds_[i] = {numbers[0], numbers[1], first + i < flags.size() && flags[first + i] == "pp"};
+      lines_.fail(has_edges
+                      ? "an edge of the box is no three numbers, with one of the corner behind "
+                        "them; expected four numbers"
+                      : "the bounds of the box are no two numbers of which the second is the "
+                        "greater; expected the lower and the upper bound");
     }
-    // The bounds of a tilted box are those of the rectangle around it
-    // (https://docs.lammps.org/Howto_triclinic.html).
-    const auto [xy, xz, yz] = tilts;
-    if (xy != 0) widths_.add_tilt();
-    bounds_[0].low -= std::min({0., xy, xz, xy + xz});
-    bounds_[0].high -= std::max({0., xy, xz, xy + xz});
-    bounds_[1].low -= std::min(0., yz);
-    bounds_[1].high -= std::max(0., yz);
+    box_ = Atom_box{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      box_->is_periodic[i] = first + i < flags.size() && flags[first + i] == "pp";
+      if (has_edges) box_->edges[i] = {numbers[i][0], numbers[i][1]};
+    }
+    if (has_edges) {
+      box_->corner = {numbers[0][3], numbers[1][3]};
+      return;
+    }
+    const double xy = is_tilted ? numbers[0][2] : 0;
+    const double xz = is_tilted ? numbers[1][2] : 0;
+    const double yz = is_tilted ? numbers[2][2] : 0;
+    const double left = numbers[0][0] - std::min({0., xy, xz, xy + xz});
+    const double right = numbers[0][1] - std::max({0., xy, xz, xy + xz});
+    const double bottom = numbers[1][0] - std::min(0., yz);
+    const double top = numbers[1][1] - std::max(0., yz);
+    box_->corner = {left, bottom};
+    box_->edges = {{{right - left, 0}, {xy, top - bottom}, {xz, yz}}};
   }
 
   Columns columns_of(std::string_view names) {
@@ -146,13 +150,13 @@ class Lammps_reader {
     result.id = index("id");
     result.least_fields = columns.size();
     struct Kind {
-      std::string_view x, y;
+      std::string_view x, y, z;
       bool is_scaled, is_unwrapped;
     };
-    constexpr std::array<Kind, 4> kinds = {{{"xu", "yu", false, true},
-                                            {"x", "y", false, false},
-                                            {"xsu", "ysu", true, true},
-                                            {"xs", "ys", true, false}}};
+    constexpr std::array<Kind, 4> kinds = {{{"xu", "yu", "zu", false, true},
+                                            {"x", "y", "z", false, false},
+                                            {"xsu", "ysu", "zsu", true, true},
+                                            {"xs", "ys", "zs", true, false}}};
     const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& candidate) {
       return index(candidate.x) != none && index(candidate.y) != none;
     });
@@ -160,17 +164,22 @@ class Lammps_reader {
       lines_.fail(
           joined("the atoms have no ", result.id == none ? "id" : "places", expected_columns));
     }
-    result.place = {index(kind->x), index(kind->y)};
-    result.image = {index("ix"), index("iy")};
+    result.place = {index(kind->x), index(kind->y), index(kind->z)};
+    result.image = {index("ix"), index("iy"), index("iz")};
     result.is_scaled = kind->is_scaled;
     result.is_unwrapped = kind->is_unwrapped;
     constexpr std::array<std::string_view, 4> third = {"z", "zu", "zs", "zsu"};
+    const auto is_among = [](std::size_t i, const std::array<std::size_t, 3>& fields) {
+      return i == fields[0] || i == fields[1];
+    };
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const bool is_third = std::find(third.begin(), third.end(), columns[i]) != third.end();
       has_third_ = has_third_ || is_third;
-      const bool is_place = i == result.place[0] || i == result.place[1];
-      const bool is_image = result.adds_images() && (i == result.image[0] || i == result.image[1]);
-      if (i != result.id && !is_place && !is_image && !is_third) unused_.add(columns[i]);
+      const bool is_image = result.adds_images() && (is_among(i, result.image) ||
+                                                     (i == result.image[2] && leads_toward_z()));
+      if (i != result.id && !is_among(i, result.place) && !is_image && !is_third) {
+        unused_.add(columns[i]);
+      }
     }
     return result;
   }
@@ -183,41 +192,57 @@ class Lammps_reader {
     }
     const Columns columns = columns_of(names);
     const bool has_images = columns.image[0] != none && columns.image[1] != none;
-    if ((columns.is_scaled || columns.adds_images()) && (!has_box_ || is_tilted_)) {
-      lines_.fail(
-          "scaled places and images need a box that is a rectangle; expected xu yu, or x y "
-          "without ix iy, or such a box");
-    }
-    for (std::size_t i = 0; has_box_ && i < 2; ++i) {
-      const bool may_jump = !columns.is_unwrapped && !has_images;
-      if (may_jump && bounds_[i].is_periodic) widths_.add(i, bounds_[i].width());
-    }
+    expect_box(columns);
+    if (box_ && !columns.is_unwrapped && !has_images) boxes_.add(lines_.line(), *box_);
     const double time = time_of_section();
     for (std::size_t i = 0; i < *atoms_; ++i) {
       const auto& fields = lines_.atom(i, *atoms_, columns.least_fields);
-      const auto coordinate = [&](std::size_t direction) {
-        return coordinate_of(fields, columns, direction);
-      };
-      builder_.add({fields[columns.id], {time}, {coordinate(0), coordinate(1)}, lines_.line()});
+      builder_.add({fields[columns.id], {time}, place_of(fields, columns), lines_.line()});
     }
     timestep_.reset();
     time_.reset();
     atoms_.reset();
   }
 
-  double coordinate_of(const std::vector<std::string_view>& fields, const Columns& columns,
-                       std::size_t direction) const {
-    const std::string_view name = direction == 0 ? "x" : "y";
-    const Bounds& bounds = bounds_[direction];
-    double result = lines_.number(fields[columns.place[direction]], name);
-    if (columns.is_scaled) result = bounds.low + result * bounds.width();
-    if (columns.adds_images()) {
-      result += lines_.number(fields[columns.image[direction]], "ix or iy") * bounds.width();
+  // Whether the third edge of the box leads aside.
+  bool leads_toward_z() const { return box_ && !(box_->edges[2] == Vector_2{}); }
+
+  // The box, and the third coordinates, that places need.
+  void expect_box(const Columns& columns) const {
+    if (!columns.is_scaled && !columns.adds_images()) return;
+    if (!box_) {
+      lines_.fail(
+          "scaled places and images need the box; expected ITEM: BOX BOUNDS above, or xu yu");
     }
-    if (!std::isfinite(result)) {
-      lines_.fail(joined("the place ", name,
-                         " is out of the range of binary64; expected smaller "
-                         "numbers"));
+    if (!leads_toward_z()) return;
+    const bool has_all = (!columns.is_scaled || columns.place[2] != none) &&
+                         (!columns.adds_images() || columns.image[2] != none);
+    if (has_all) return;
+    lines_.fail(joined("the box is tilted toward z; expected ",
+                       columns.is_scaled ? (columns.is_unwrapped ? "zsu" : "zs") : "",
+                       columns.is_scaled && columns.adds_images() ? " and " : "",
+                       columns.adds_images() ? "iz" : "", " as well, or xu yu"));
+  }
+
+  Vector_2 place_of(const std::vector<std::string_view>& fields, const Columns& columns) const {
+    Vector_2 result;
+    const auto add_edges = [&](const std::array<std::size_t, 3>& of_edges, std::string_view names) {
+      for (std::size_t i = 0; i < (leads_toward_z() ? 3 : 2); ++i) {
+        const double times = lines_.number(fields[of_edges[i]], names);
+        result.x += times * box_->edges[i].x;
+        result.y += times * box_->edges[i].y;
+      }
+    };
+    if (columns.is_scaled) {
+      result = box_->corner;
+      add_edges(columns.place, "of a scaled place");
+    } else {
+      result = {lines_.number(fields[columns.place[0]], "x"),
+                lines_.number(fields[columns.place[1]], "y")};
+    }
+    if (columns.adds_images()) add_edges(columns.image, "ix, iy or iz");
+    if (!std::isfinite(result.x) || !std::isfinite(result.y)) {
+      lines_.fail("the place is out of the range of binary64; expected smaller numbers");
     }
     return result;
   }
@@ -237,14 +262,12 @@ class Lammps_reader {
   const Tracks_input& input_;
   Atom_lines lines_;
   Tracks_builder builder_;
-  Periodic_widths widths_;
+  Atom_boxes boxes_;
   std::optional<double> timestep_;  // of the frame
   std::optional<double> time_;      // of the frame
   std::optional<std::size_t> atoms_;
   std::optional<bool> has_times_;  // of all frames so far
-  std::array<Bounds, 2> bounds_;
-  bool has_box_ = false;
-  bool is_tilted_ = false;
+  std::optional<Atom_box> box_;
   bool has_third_ = false;
   Unused_names unused_;
 };

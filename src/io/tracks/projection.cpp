@@ -6,19 +6,16 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <string_view>
 
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/io/text.h"
 #include "transverse_mercator.h"
+#include "wgs84.h"
 
 namespace kinetri {
 namespace {
 
-// The mean radius (2a + b) / 3 of the ellipsoid GRS 80 in metres (H. Moritz, Geodetic reference
-// system 1980, Journal of Geodesy 74, 2000).
-constexpr double mean_radius = 6371008.8;
-constexpr double radians_in_degree = std::numbers::pi / 180;
 constexpr double greatest_error = 0.001;
 constexpr double widest = 170;  // in degrees of longitude, of what any projection here could take
 
@@ -72,26 +69,30 @@ Extent extent_of(Tracks_file& file, const std::string& name) {
   return result;
 }
 
-// By how much distances on the sphere can be wrong in the equirectangular projection about the
-// middle of the extent, as a part of them: lengths along a meridian are right, and those along a
-// parallel wrong by the quotient of the cosines.
+// By how much distances on the ellipsoid can be wrong in the equirectangular projection about the
+// middle of the extent, as a part of them: by as much as lengths along a meridian or a parallel
+// that shortest paths reach.
 double error_of_local(const Extent& extent) {
   if (extent.longitudes.size() > widest) return std::numeric_limits<double>::infinity();
-  // A great circle between places of one latitude goes nearer to the pole than they are.
-  const double half = extent.longitudes.size() / 2 * radians_in_degree;
+  // A shortest path between places of one latitude goes nearer to the pole than they are. By
+  // Clairaut's relation it is a great circle in reduced latitudes, whose longitudes are longer by
+  // at most 1 / (1 - flattening).
+  const double half =
+      extent.longitudes.size() / 2 * wgs84::radians_in_degree / (1 - wgs84::flattening);
   const auto toward_pole = [half](double latitude) {
-    return std::atan(std::tan(latitude * radians_in_degree) / std::cos(half));
+    return std::atan(std::tan(latitude * wgs84::radians_in_degree) / std::cos(half)) /
+           wgs84::radians_in_degree;
   };
-  const double middle = extent.latitudes.middle() * radians_in_degree;
+  const wgs84::Radii middle = wgs84::radii_at(extent.latitudes.middle());
+  const auto& [south, north] = extent.latitudes;
+  const bool has_equator = south < 0 && north > 0;
   double result = 0;
-  for (const double latitude : {extent.latitudes.least, extent.latitudes.greatest}) {
-    for (const double reached : {latitude * radians_in_degree, toward_pole(latitude)}) {
-      result = std::max(result, std::abs(std::cos(middle) / std::cos(reached) - 1));
-    }
-  }
-  // The widest parallel, if the extent has it.
-  if (extent.latitudes.least < 0 && extent.latitudes.greatest > 0) {
-    result = std::max(result, 1 - std::cos(middle));
+  // Both radii grow or shrink from the equator to the poles.
+  for (const double latitude :
+       {south, north, toward_pole(south), toward_pole(north), has_equator ? 0 : south}) {
+    const wgs84::Radii there = wgs84::radii_at(latitude);
+    result = std::max({result, std::abs(middle.meridian / there.meridian - 1),
+                       std::abs(middle.parallel / there.parallel - 1)});
   }
   return result;
 }
@@ -131,9 +132,8 @@ double error_of_utm(const Extent& extent) {
   return result;
 }
 
-// As "0.034 %".
+// As "0.034 %". Precondition: it is finite.
 std::string percent(double part) {
-  if (!std::isfinite(part)) return "any amount";
   std::array<char, 32> buffer;
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), 100 * part,
                                     std::chars_format::general, 2);
@@ -154,13 +154,17 @@ void expect_small_error(const Extent& extent, const std::string& name,
   const double utm = error_of_utm(extent);
   if ((is_local ? local : utm) <= greatest_error) return;
   const bool is_other_right = (is_local ? utm : local) <= greatest_error;
+  const double wrong = is_local ? local : utm;
+  const std::string_view name_of_it = is_local ? "--projection local" : "--projection utm";
+  const std::string_view name_of_other = is_local ? "--projection utm" : "--projection local";
   throw Input_error(
       name, 0,
-      joined("the places are ", text_of(extent), ": by --projection ", is_local ? "local" : "utm",
-             " distances would be wrong by up to ", percent(is_local ? local : utm),
+      joined("the places are ", text_of(extent), ": ",
+             std::isfinite(wrong)
+                 ? joined("by ", name_of_it, " distances would be wrong by up to ", percent(wrong))
+                 : joined("too far apart for ", name_of_it, " to keep distances"),
              ", and 0.1 % is allowed; expected ",
-             is_other_right ? joined("--projection ", is_local ? "utm" : "local",
-                                     ", by which they are wrong by at most ",
+             is_other_right ? joined(name_of_other, ", by which they are wrong by at most ",
                                      percent(is_local ? utm : local), ", or ")
                             : std::string(),
              "a file for each region, or --projection none, which takes degrees as they are"));
@@ -168,18 +172,18 @@ void expect_small_error(const Extent& extent, const std::string& name,
 
 void project_locally(Tracks_file& file, const Extent& extent) {
   const Vector_2 middle = {extent.longitudes.middle(), extent.latitudes.middle()};
-  const double metres_in_degree = mean_radius * radians_in_degree;
-  const double of_longitude = metres_in_degree * std::cos(middle.y * radians_in_degree);
+  const auto [meridian, parallel] = wgs84::radii_at(middle.y);
+  const double of_longitude = parallel * wgs84::radians_in_degree;
+  const double of_latitude = meridian * wgs84::radians_in_degree;
   for_each_observation(file, [&](Track_observation& seen) {
     seen.place = {of_longitude * (seen.place.x - middle.x),
-                  metres_in_degree * (seen.place.y - middle.y)};
+                  of_latitude * (seen.place.y - middle.y)};
   });
   file.remarks.push_back(
       joined("places are in metres from the longitude ", middle.x, " and the latitude ", middle.y,
-             " (equirectangular projection); distances are off by at most ",
-             percent(error_of_local(extent)),
-             " of those on a sphere, which are off by up to 0.7 % on earth (less with "
-             "--projection utm)"));
+             " (equirectangular projection of the ellipsoid of WGS 84); distances are off by at "
+             "most ",
+             percent(error_of_local(extent))));
 }
 
 void project_to_zone(Tracks_file& file, const Extent& extent) {

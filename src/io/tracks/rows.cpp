@@ -22,8 +22,10 @@ constexpr std::string_view expected_columns =
     "expected a header line with the columns t,id,x,y and optionally radius, in any order";
 constexpr std::string_view or_other_table =
     ", or --columns t=NAME,id=NAME,x=NAME,y=NAME for the names in another table, --columns "
-    "t=1,id=2,x=3,y=4 for the numbers of columns of one without a header, or a file in one of the "
-    "formats that --format lists";
+    "t=N,id=N,x=N,y=N for the numbers of the columns, from 1 on, of one without a header, or a "
+    "file "
+    "in one of the formats that --format lists";
+constexpr std::string_view quoted_fields = "t=t,id=id,x=x,y=y, which reads quoted fields";
 
 class Rows_reader {
  public:
@@ -35,20 +37,23 @@ class Rows_reader {
   Tracks_file read() {
     table_.watch_comments([this](std::string_view comment) {
       if (!says_degrees(comment)) return;
-      expect_projection(input_.name, table_.line(), input_.options.projection,
-                        "the comment says that places are");
+      line_of_degrees_ = table_.line();
+      if (!columns_.empty()) expect_no_degrees();
     });
     const bool is_automatic = input_.options.format == Tracks_format::automatic;
     columns_ = table_.read_header(
         columns_of_rows, required_columns,
         is_automatic ? joined(expected_columns, or_other_table) : std::string(expected_columns));
+    // Another header needs other options than a projection alone.
+    if (line_of_degrees_ > 0) expect_no_degrees();
     table_.watch_rows([this](std::string_view line) { return is_row(line); });
     std::size_t rows_of_words = 0;
     auto line = table_.next();
     for (; line && is_of_words(*line); line = table_.next()) ++rows_of_words;
     for (; line; line = table_.next()) add(*line);
+    dates_.expect_none(input_.name, input_.options);
     Tracks_file result = builder_.finish();
-    signs_.expect_none(result, input_.name, input_.options.projection);
+    signs_.expect_none(result, input_.name, input_.options.projection, "x", "y");
     result.format = Tracks_format::rows;
     result.has_radii = has(radius);
     result.comment_lines = table_.comments();
@@ -62,6 +67,11 @@ class Rows_reader {
   }
 
  private:
+  void expect_no_degrees() const {
+    expect_projection(input_.name, line_of_degrees_, input_.options.projection,
+                      "the comment says that places are");
+  }
+
   bool has(Column column) const {
     return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
   }
@@ -96,27 +106,42 @@ class Rows_reader {
   }
 
   void add(std::string_view line) {
-    if (split(line) && is_missing(fields_[x]) && is_missing(fields_[y])) {
+    if (split(line) && is_without_place(fields_[x], fields_[y])) {
       ++rows_without_place_;
       return;
     }
+    std::size_t fields = 0;
+    for_each_field_between_commas(line, [&](std::string_view /*field*/) { ++fields; });
+    // Of fewer, what is no number says more.
+    if (fields > columns_.size()) {
+      table_.fail(line.find('"') == std::string_view::npos
+                      ? problem_of_row(fields, columns_.size(), true)
+                      : joined("the row has quotation marks, and ", fields, " fields; expected ",
+                               columns_.size(), " plain ones, or --columns ", quoted_fields));
+    }
     Tracks_row row;
     row.line = table_.line();
-    std::size_t fields = 0;
+    fields = 0;
     for_each_field_between_commas(line, [&](std::string_view field) {
       if (fields < columns_.size()) take(row, field, columns_[fields]);
       ++fields;
     });
-    table_.check_number_of_fields(fields, columns_.size());
+    if (fields != columns_.size()) table_.fail(problem_of_row(fields, columns_.size(), true));
     signs_.note(row.place, fields_[x], fields_[y]);
     builder_.add(row);
   }
 
   void take(Tracks_row& row, std::string_view field, std::size_t column) {
+    if (column != id && field.starts_with('"')) {
+      table_.fail(joined("the column ", columns_of_rows[column], " is ", quoted(field),
+                         ", with a quotation mark; expected a plain number, or --columns ",
+                         quoted_fields));
+    }
     switch (column) {
       case t: {
         Parsed_time time = parse_time(field, columns_of_rows[t], input_.options);
         if (!time.problem.empty()) table_.fail(time.problem);
+        dates_.note(field);
         row.time = time.value;
         return;
       }
@@ -145,8 +170,10 @@ class Rows_reader {
   Tracks_builder builder_;
   std::vector<std::size_t> columns_;
   std::array<std::string_view, column_count> fields_;  // of the row
+  std::size_t line_of_degrees_ = 0;  // of a comment that says it; 0 if there is none
   std::size_t rows_without_place_ = 0;
   Signs_of_degrees signs_;
+  Dates_of_digits dates_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 // above shows the configuration of SUMO; with fcd-output.geo in it, places are degrees.
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "degrees.h"
 #include "kinetri/base/error.h"
@@ -40,6 +41,8 @@ class Sumo_reader : public Xml_tracks {
   // `<fcd-output.geo value="true"/>`.
   void comment(std::string_view text) override {
     constexpr std::string_view option = "fcd-output.geo";
+    has_configuration_ =
+        has_configuration_ || text.find("<configuration") != std::string_view::npos;
     const std::size_t at = text.find(option);
     if (at == std::string_view::npos) return;
     std::string_view value = text.substr(at + option.size());
@@ -83,36 +86,66 @@ class Sumo_reader : public Xml_tracks {
       if (name != "id" && name != "x" && name != "y" && name != "z") unused_.add(name);
     }
     expect_kind(row, kind);
-    for (const auto& [name, value] : attributes) {
-      if (name == "speed") note_speed(row, parse_number(value));
-    }
+    note_motion(row, attributes);
     builder_.add(row);
   }
 
   // In degrees, things hardly move at the speed that they have in metres.
-  void note_speed(const Tracks_row& row, const Parsed_number& speed) {
-    if (!speed.problem.empty()) return;
-    are_in_range_ = are_in_range_ && std::abs(row.place.x) <= 180 && std::abs(row.place.y) <= 90;
+  void note_motion(const Tracks_row& row, const Xml_attributes& attributes) {
+    std::optional<double> speed;
+    bool has_decimals = true;
+    for (const auto& [name, value] : attributes) {
+      const Parsed_number parsed = parse_number(value);
+      if (name == "speed" && parsed.problem.empty()) speed = parsed.value;
+      if (name == "x" || name == "y") has_decimals = has_decimals && has_many_decimals(value);
+    }
+    are_in_range_ = are_in_range_ && is_on_earth(row.place);
+    ++rows_;
+    if (has_decimals) ++rows_of_many_decimals_;
     Kind& known = kinds_.find(row.id)->second;
     const double duration = time_ - known.time;
     if (known.has_place && duration > 0) {
-      way_ += std::hypot(row.place.x - known.place.x, row.place.y - known.place.y);
-      way_by_speed_ += speed.value * duration;
+      const double way = std::hypot(row.place.x - known.place.x, row.place.y - known.place.y);
+      way_ += way;
+      duration_ += duration;
+      if (speed) {
+        way_with_speed_ += way;
+        way_by_speed_ += *speed * duration;
+      }
     }
     known.has_place = true;
     known.time = time_;
     known.place = row.place;
   }
 
+  // SUMO writes metres with two decimals, and degrees with six, unless it is told otherwise.
+  static bool has_many_decimals(std::string_view number) {
+    constexpr std::size_t many = 4;
+    const std::size_t point = number.find('.');
+    return point != std::string_view::npos && number.size() - point > many;
+  }
+
   void expect_no_doubt() const {
-    constexpr double greatest_quotient = 0.001;
     if (input().options.projection != Tracks_projection::refused || !are_in_range_) return;
-    if (!(way_ < greatest_quotient * way_by_speed_)) return;
+    constexpr double greatest_quotient = 0.001;
+    constexpr double greatest_speed = 0.003;  // in degrees 330 m a second
+    std::string why;
+    if (way_by_speed_ > 0) {
+      if (!(way_with_speed_ < greatest_quotient * way_by_speed_)) return;
+      why = joined("things go ", way_with_speed_, " where their speeds make ", way_by_speed_);
+    } else if (has_configuration_) {
+      return;
+    } else if (way_ > 0) {
+      if (!(way_ < greatest_speed * duration_)) return;
+      why = joined("things go ", way_ / duration_, " a second");
+    } else {
+      if (rows_ == 0 || 2 * rows_of_many_decimals_ < rows_) return;
+      why = "most have four decimals or more";
+    }
     throw Input_error(
         input().name, 0,
-        joined("the places look like degrees (fcd-output.geo): they are within 180 and 90, and "
-               "things go ",
-               way_, " where their speeds make ", way_by_speed_,
+        joined("the places look like degrees (fcd-output.geo): they are within 180 and 90, and ",
+               why,
                "; expected --projection local or --projection utm if they are longitude and "
                "latitude, or --projection none, which takes them as they are"));
   }
@@ -141,9 +174,14 @@ class Sumo_reader : public Xml_tracks {
   bool are_degrees_ = false;
   bool has_third_ = false;
   Unused_names unused_;
+  bool has_configuration_ = false;  // a comment of SUMO shows it
   bool are_in_range_ = true;
-  double way_ = 0;           // of all things
-  double way_by_speed_ = 0;  // as their speeds say
+  std::size_t rows_ = 0;
+  std::size_t rows_of_many_decimals_ = 0;
+  double way_ = 0;             // of all things
+  double duration_ = 0;        // in which they went it
+  double way_with_speed_ = 0;  // of those with a speed
+  double way_by_speed_ = 0;    // as their speeds say
   double time_ = 0;
   std::map<std::string, Kind, std::less<>> kinds_;  // of each id
 };

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <optional>
 
+#include "column_names.h"
 #include "degrees.h"
 #include "fields.h"
 #include "kinetri/base/error.h"
@@ -28,26 +29,6 @@ constexpr std::array<char, 4> separators = {',', ';', '\t', ' '};
 constexpr std::size_t longest_record = std::size_t{1} << 20U;
 constexpr std::size_t most_lines = 1000;  // of a record, which is split anew for each
 constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-// The column that a name is the number of, from 0 on; none if it is no number.
-std::optional<std::size_t> column_number(const std::string& name) {
-  constexpr std::size_t most_digits = 7;
-  if (name.empty() || name.size() > most_digits || name.front() == '0') return std::nullopt;
-  if (name.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
-  return static_cast<std::size_t>(parse_number(name).value) - 1;
-}
-
-// The names that a name of times has between plus signs; the name itself if it has none.
-std::vector<std::string> parts_of(const std::string& name) {
-  std::vector<std::string> result;
-  for (std::string_view rest = name;;) {
-    const std::size_t plus = rest.find('+');
-    result.emplace_back(rest.substr(0, plus));
-    if (result.back().empty()) return {name};
-    if (plus == std::string_view::npos) return result;
-    rest.remove_prefix(plus + 1);
-  }
-}
 
 class Named_columns_reader {
  public:
@@ -72,8 +53,11 @@ class Named_columns_reader {
     table_.watch_rows([this](std::string_view line) { return is_row(line); });
     for (; row && is_of_words(*row); row = table_.next()) take_units();
     for (; row; row = table_.next()) add(*row);
+    dates_.expect_none(input_.name, input_.options);
     Tracks_file result = builder_.finish();
-    if (degrees_remark_.empty()) signs_.expect_none(result, input_.name, input_.options.projection);
+    if (degrees_remark_.empty()) {
+      signs_.expect_none(result, input_.name, input_.options.projection, names_[x], names_[y]);
+    }
     result.format = Tracks_format::table;
     result.has_radii = columns_[radius] != none;
     if (!result.origin.empty() && input_.options.fps) {
@@ -179,7 +163,9 @@ class Named_columns_reader {
         if (says_degrees(last_comment)) line_of_degrees = last_line;
         expect_no_degrees_in_comment(line_of_degrees);
         table_.watch_rows([this](std::string_view row) { return is_row(row); });
-        return table_.next();
+        const auto row = table_.next();
+        if (row) take_names_of_rows(*row);
+        return row;
       }
       is_header_comment_ = true;
       if (take_header(last_comment)) {
@@ -245,6 +231,19 @@ class Named_columns_reader {
     return false;
   }
 
+  // Tables that R's write.table writes have a first column that the header does not name: names of
+  // rows, in quotation marks.
+  void take_names_of_rows(std::string_view row) {
+    if (trimmed(row).front() != '"') return;
+    if (fields_.split(row, separator_) != Fields::Result::complete) return;
+    if (fields_.size() != number_of_fields_ + 1) return;
+    for (std::size_t& column : columns_) column += column == none ? 0 : 1;
+    for (std::size_t& field : fields_of_time_) ++field;
+    header_.insert(header_.begin(), "");
+    ++number_of_fields_;
+    has_names_of_rows_ = true;
+  }
+
   // The fields, separated so that there are the most.
   std::vector<std::string> most_fields(std::string_view line) {
     std::vector<std::string> result;
@@ -274,8 +273,8 @@ class Named_columns_reader {
     std::string expected = list_of(there);
     if (!has_header) {
       append(expected,
-             ", or, since these seem to be no names, numbers of columns, as in --columns "
-             "t=1,id=2,x=3,y=4");
+             ", or, since these seem to be no names, the numbers of the columns, from 1 on, in "
+             "--columns t=N,id=N,x=N,y=N");
     }
     table_.fail(joined("the column ", quoted(missing == names.end() ? names_[t] : *missing),
                        " is missing; expected one of ", expected));
@@ -328,12 +327,9 @@ class Named_columns_reader {
     const std::size_t first_line = table_.line();
     split(line, first_line);
     if (fields_.size() != number_of_fields_) {
-      fail(first_line,
-           joined("the row has ", fields_.size(), fields_.size() == 1 ? " field" : " fields",
-                  "; expected ", number_of_fields_,
-                  has_numbers_ ? ", as the first row has" : ", one for each column of the header"));
+      fail(first_line, problem_of_row(fields_.size(), number_of_fields_, !has_numbers_));
     }
-    if (is_missing(fields_[columns_[x]]) && is_missing(fields_[columns_[y]])) {
+    if (is_without_place(fields_[columns_[x]], fields_[columns_[y]])) {
       ++rows_without_place_;
       return;
     }
@@ -407,10 +403,18 @@ class Named_columns_reader {
            joined("the column ", names_of_time_[*empty], " is empty; expected a part of the time"));
     }
     Parsed_time result = parse_time(time_text(), names_[t], input_.options);
+    if (!result.problem.empty() && input_.options.date_format.empty()) {
+      const std::string of_comma = problem_of_comma(time_text(), separator_);
+      if (!of_comma.empty()) {
+        fail(line,
+             joined("the column ", names_[t], " is ", quoted(time_text()), ", which ", of_comma));
+      }
+    }
     if (result.problem.empty() && input_.options.fps && !result.value.date) {
       result = time_of_frame(result.value.number, *input_.options.fps);
     }
     if (!result.problem.empty()) fail(line, result.problem);
+    dates_.note(time_text());
     return result.value;
   }
 
@@ -420,11 +424,9 @@ class Named_columns_reader {
     if (field.empty()) fail(line, joined("the column ", name, " is empty; expected a number"));
     const Parsed_number parsed = parse_number(field);
     if (parsed.problem.empty()) return parsed.value;
-    if (separator_ != ',' && field.find(',') != std::string_view::npos) {
-      fail(line, joined("the column ", name, " is ", quoted(field),
-                        ", with a decimal comma; expected a decimal point, as in 1.5"));
-    }
-    fail(line, joined("the column ", name, " is ", quoted(field), ", which ", parsed.problem));
+    const std::string of_comma = problem_of_comma(field, separator_);
+    fail(line, joined("the column ", name, " is ", quoted(field), ", which ",
+                      of_comma.empty() ? std::string(parsed.problem) : of_comma));
   }
 
   // ---- what the summary says ----
@@ -437,10 +439,16 @@ class Named_columns_reader {
                                     units_.empty() ? "" : ": ", units_));
     }
     Unused_names unused;
-    for (std::size_t field = 0; field < header_.size(); ++field) {
-      if (!is_used(field)) unused.add(header_[field]);
+    if (has_names_of_rows_) {
+      file.remarks.emplace_back("the first column, which the header does not name, is left out");
     }
-    if (header_.empty()) unused.add_without_names(number_of_fields_ - used_fields());
+    std::size_t without_names = 0;
+    for (std::size_t field = has_names_of_rows_ ? 1 : 0; field < number_of_fields_; ++field) {
+      if (is_used(field)) continue;
+      ++without_names;
+      if (!header_.empty()) unused.add(header_[field]);
+    }
+    if (header_.empty()) unused.add_without_names(without_names);
     unused.add_remarks(file);
   }
 
@@ -448,13 +456,6 @@ class Named_columns_reader {
     return std::find(columns_.begin(), columns_.end(), field) != columns_.end() ||
            std::find(fields_of_time_.begin(), fields_of_time_.end(), field) !=
                fields_of_time_.end();
-  }
-
-  std::size_t used_fields() const {
-    std::size_t result = 0;
-    for (std::size_t field = 0; field < number_of_fields_; ++field)
-      if (is_used(field)) ++result;
-    return result;
   }
 
   [[noreturn]] void fail(std::size_t line, const std::string& message) const {
@@ -474,6 +475,7 @@ class Named_columns_reader {
   bool has_numbers_ = false;         // the user gives numbers of columns, not names
   bool is_header_comment_ = false;   // the header is a comment
   std::vector<std::string> header_;  // its fields, if there is one
+  bool has_names_of_rows_ = false;   // in the first column
   bool are_degrees_ = false;
   std::string degrees_remark_;
   std::string units_;  // of rows below the header
@@ -481,6 +483,7 @@ class Named_columns_reader {
   std::size_t rows_without_place_ = 0;
   std::size_t rows_without_id_ = 0;
   Signs_of_degrees signs_;
+  Dates_of_digits dates_;
   Fields fields_;
   std::string record_;  // if it has several lines
 };

@@ -336,8 +336,10 @@ std::string problem_of_date_format(std::string_view format) {
   const auto has = [&](std::string_view directives) {
     return there.find_first_of(directives) != std::string::npos;
   };
-  if (!has("Yy") || !(has("j") || (has("mbBh") && has("de")))) {
-    return "has no day; expected a year (%Y or %y), a month (%m or %b) and a day (%d), or %j";
+  const bool has_day = has("Yy") && (has("j") || (has("mbBh") && has("de")));
+  if (!has_day && (!has("HI") || has("YymbBhdejaA"))) {
+    return "has no day; expected a year (%Y or %y), a month (%m or %b) and a day (%d), or %j, or "
+           "times of day alone";
   }
   const bool has_hour = has("H") || (has("I") && has("p"));
   if ((has("I") || has("p") || has("MSf")) && !has_hour) {
@@ -347,6 +349,16 @@ std::string problem_of_date_format(std::string_view format) {
     return "has seconds without minutes, or a fraction without seconds; expected both";
   }
   return {};
+}
+
+bool is_form_of_day(std::string_view format) {
+  const std::string whole = without_short_forms(format);
+  for (std::size_t i = 0; i + 1 < whole.size(); ++i) {
+    if (whole[i] != '%') continue;
+    ++i;
+    if (whole[i] == 'Y' || whole[i] == 'y') return false;
+  }
+  return true;
 }
 
 Parsed_timestamp parse_timestamp(std::string_view text, std::string_view format) {

@@ -42,13 +42,47 @@ Parsed_timestamp parse_timestamp(std::string_view text);
 Parsed_timestamp parse_timestamp(std::string_view text, std::string_view format);
 
 /// Forms of dates that are often met, for messages.
-inline constexpr std::array<std::string_view, 24> likely_date_formats = {
-    "%d/%m/%Y %H:%M:%S", "%m/%d/%Y %H:%M:%S", "%d/%m/%Y %H:%M",    "%m/%d/%Y %H:%M",
-    "%d.%m.%Y %H:%M:%S", "%d.%m.%Y %H:%M",    "%d-%m-%Y %H:%M:%S", "%m-%d-%Y %H:%M:%S",
-    "%Y/%m/%d %H:%M:%S", "%Y/%m/%d %H:%M",    "%Y.%m.%d %H:%M:%S", "%m/%d/%Y %I:%M:%S %p",
-    "%d %b %Y %H:%M:%S", "%Y%m%dT%H%M%S%z",   "%Y%m%dT%H%M%S",     "%Y%m%d %H:%M:%S",
-    "%Y%m%d %H%M%S",     "%d/%m/%y %H:%M:%S", "%d/%m/%Y",          "%m/%d/%Y",
-    "%d.%m.%Y",          "%Y%m%d%H%M%S",      "%d-%b-%Y %H:%M:%S", "%a %b %d %H:%M:%S %Y"};
+inline constexpr std::array<std::string_view, 33> likely_date_formats = {"%Y-%m-%d %H:%M:%S",
+                                                                         "%Y-%m-%d %H:%M",
+                                                                         "%Y-%m-%d %I:%M:%S %p",
+                                                                         "%Y-%m-%d %H:%M:%S %Z",
+                                                                         "%a, %d %b %Y %H:%M:%S %Z",
+                                                                         "%Y-%j",
+                                                                         "%d/%m/%y %H:%M",
+                                                                         "%m/%d/%y %H:%M",
+                                                                         "%d.%m.%y %H:%M",
+                                                                         "%d/%m/%Y %H:%M:%S",
+                                                                         "%m/%d/%Y %H:%M:%S",
+                                                                         "%d/%m/%Y %H:%M",
+                                                                         "%m/%d/%Y %H:%M",
+                                                                         "%d.%m.%Y %H:%M:%S",
+                                                                         "%d.%m.%Y %H:%M",
+                                                                         "%d-%m-%Y %H:%M:%S",
+                                                                         "%m-%d-%Y %H:%M:%S",
+                                                                         "%Y/%m/%d %H:%M:%S",
+                                                                         "%Y/%m/%d %H:%M",
+                                                                         "%Y.%m.%d %H:%M:%S",
+                                                                         "%m/%d/%Y %I:%M:%S %p",
+                                                                         "%d %b %Y %H:%M:%S",
+                                                                         "%Y%m%dT%H%M%S%z",
+                                                                         "%Y%m%dT%H%M%S",
+                                                                         "%Y%m%d %H:%M:%S",
+                                                                         "%Y%m%d %H%M%S",
+                                                                         "%d/%m/%y %H:%M:%S",
+                                                                         "%d/%m/%Y",
+                                                                         "%m/%d/%Y",
+                                                                         "%d.%m.%Y",
+                                                                         "%Y%m%d%H%M%S",
+                                                                         "%d-%b-%Y %H:%M:%S",
+                                                                         "%a %b %d %H:%M:%S %Y"};
+
+/// Those of times of day.
+inline constexpr std::array<std::string_view, 4> likely_forms_of_day = {"%H:%M:%S", "%H:%M",
+                                                                        "%I:%M:%S %p", "%I:%M %p"};
+
+/// Whether a form has hours and no day: what has it is the time since midnight, on 1970-01-01.
+/// Precondition: problem_of_date_format(format) is empty.
+bool is_form_of_day(std::string_view format);
 
 /// The binary64 number nearest to the seconds from `a` to `b`. Precondition: a <= b, and both have
 /// a zone or neither has.

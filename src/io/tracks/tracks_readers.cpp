@@ -103,6 +103,13 @@ bool is_missing(std::string_view field) {
   return std::find(words.begin(), words.end(), in_lower_case(field)) != words.end();
 }
 
+bool is_without_place(std::string_view x, std::string_view y) {
+  const auto is_missing_by_word = [](std::string_view field) {
+    return !field.empty() && is_missing(field);
+  };
+  return (is_missing(x) && is_missing(y)) || is_missing_by_word(x) || is_missing_by_word(y);
+}
+
 bool is_word(std::string_view field) {
   if (field.empty()) return true;
   constexpr std::string_view begins_numbers = "0123456789+-.";
@@ -120,17 +127,45 @@ bool is_date_of_digits(std::string_view field) {
          parse_timestamp(field, "%Y%m%d%H%M%S").problem.empty();
 }
 
-// Of a time in a form that is not asked for.
-std::string problem_of_time(std::string_view field) {
+// The form of a date of so many digits, or of a time of day; empty if there is none.
+std::string_view form_of_digits(std::size_t digits) {
+  switch (digits) {
+    case 6:
+      return "%H%M%S";
+    case 8:
+      return "%Y%m%d";
+    case 10:
+      return "%Y%m%d%H";
+    case 12:
+      return "%Y%m%d%H%M";
+    default:
+      return {};
+  }
+}
+
+// "--date-format F or --date-format G", of those of the forms that the field has.
+std::string formats_of(std::string_view field, std::span<const std::string_view> likely) {
   std::string formats;
-  for (const std::string_view format : likely_date_formats) {
+  for (const std::string_view format : likely) {
     if (!parse_timestamp(field, format).problem.empty()) continue;
     append(formats, formats.empty() ? "" : " or ", "--date-format '", format, "'");
   }
+  return formats;
+}
+
+// Of a time in a form that is not asked for.
+std::string problem_of_time(std::string_view field) {
+  const std::string of_day = formats_of(field, likely_forms_of_day);
+  if (!of_day.empty()) {
+    return joined(
+        "is a time of day without a date; expected dates with times, also in two columns, as in "
+        "--columns t=DATE+TIME, or ",
+        of_day, ", which makes it seconds since midnight if all are of one day");
+  }
+  const std::string formats = formats_of(field, likely_date_formats);
   if (formats.empty() && field.find(':') != std::string_view::npos) {
     return "is neither a number nor a date in ISO 8601, as 2024-05-01T12:00:00Z is; expected one "
-           "of "
-           "the two, or --date-format for dates in another form";
+           "of the two, or --date-format for dates in another form";
   }
   if (formats.empty()) return {};
   return joined("is a date, but not in ISO 8601, as 2024-05-01T12:00:00Z is; expected that, or ",
@@ -138,6 +173,61 @@ std::string problem_of_time(std::string_view field) {
 }
 
 }  // namespace
+
+std::string problem_of_row(std::size_t fields, std::size_t columns, bool has_header) {
+  return joined("the row has ", fields, fields == 1 ? " field" : " fields", "; expected ", columns,
+                has_header ? ", one for each column of the header" : ", as the first row has",
+                has_header && fields == columns + 1
+                    ? "; if the first field is the name of a row, as R's write.table writes it, "
+                      "expected a name for it in the header, and --columns "
+                      "t=NAME,id=NAME,x=NAME,y=NAME"
+                    : "");
+}
+
+std::string problem_of_comma(std::string_view field, char separator) {
+  const std::size_t comma = field.find(',');
+  if (comma == std::string_view::npos || field.find(',', comma + 1) != std::string_view::npos ||
+      field.find_first_not_of("0123456789+-.,eE") != std::string_view::npos ||
+      !parse_number(field.substr(comma + 1)).problem.empty()) {
+    return {};
+  }
+  const bool has_point = field.find('.') != std::string_view::npos;
+  if (separator != ',' && !has_point) {
+    return "has a decimal comma; expected a decimal point, as sed 's/,/./g' FILE makes of all "
+           "commas";
+  }
+  return joined(
+      "has a decimal comma; expected a decimal point, as python3 -c \"import pandas; "
+      "pandas.read_csv('FILE', sep='",
+      separator == '\t' ? "\\t" : std::string(1, separator), "', decimal=','",
+      has_point ? ", thousands='.'" : "", ").to_csv('FILE.csv', index=False)\" makes of it");
+}
+
+void Dates_of_digits::note(std::string_view field) {
+  if (!are_all_) return;
+  const std::string_view form = form_of_digits(field.size());
+  const bool is_of_day = !form.empty() && is_form_of_day(form);
+  are_all_ = !form.empty() && (is_of_day || field.starts_with("19") || field.starts_with("20")) &&
+             (first_.empty() || first_.size() == field.size()) &&
+             parse_timestamp(field, form).problem.empty();
+  // What shows a time of day; other numbers of six digits are too often numbers, also of frames.
+  has_zero_ = has_zero_ || (field.starts_with('0') && !field.starts_with("00"));
+  if (first_.empty()) first_ = field;
+}
+
+void Dates_of_digits::expect_none(const std::string& name,
+                                  const Tracks_file_options& options) const {
+  if (!are_all_ || first_.empty() || !options.date_format.empty() || options.fps) return;
+  const std::string_view form = form_of_digits(first_.size());
+  const bool is_of_day = is_form_of_day(form);
+  if (is_of_day && !has_zero_) return;
+  throw Input_error(
+      name, 0,
+      joined("all times are numbers that look like ", is_of_day ? "times of day" : "dates",
+             ", such as ", first_, "; expected --date-format '", form,
+             "' if they are, or, if they are numbers, at least one with a decimal point, as in ",
+             first_, ".0"));
+}
 
 Parsed_time parse_time(std::string_view field, std::string_view column,
                        const Tracks_file_options& options) {
@@ -151,7 +241,11 @@ Parsed_time parse_time(std::string_view field, std::string_view column,
   };
   if (!options.date_format.empty()) {
     const Parsed_timestamp parsed = parse_timestamp(field, options.date_format);
-    result.value.date = parsed.value;
+    if (is_form_of_day(options.date_format)) {
+      result.value.number = parsed.problem.empty() ? seconds_between({}, parsed.value) : 0;
+    } else {
+      result.value.date = parsed.value;
+    }
     if (!parsed.problem.empty()) {
       fail(joined(parsed.problem, " in the form '", options.date_format,
                   "'; expected another --date-format, or none for numbers and ISO 8601"));
@@ -159,7 +253,10 @@ Parsed_time parse_time(std::string_view field, std::string_view column,
   } else if (looks_like_timestamp(field)) {
     const Parsed_timestamp parsed = parse_timestamp(field);
     result.value.date = parsed.value;
-    if (!parsed.problem.empty()) fail(parsed.problem);
+    if (!parsed.problem.empty()) {
+      const bool has_form = !formats_of(field, likely_date_formats).empty();
+      fail(has_form ? problem_of_time(field) : std::string(parsed.problem));
+    }
   } else {
     const Parsed_number parsed = parse_number(field);
     result.value.number = parsed.value;

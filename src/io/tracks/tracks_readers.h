@@ -106,9 +106,39 @@ struct Parsed_time {
 Parsed_time parse_time(std::string_view field, std::string_view column,
                        const Tracks_file_options& options);
 
+/// Times that are whole numbers of 8, 10 or 12 digits, which all are dates without signs between,
+/// as 20200131, or of 6 digits, which all are times of day, some with one 0 at the beginning, as
+/// 095950: their differences are no seconds.
+class Dates_of_digits {
+ public:
+  /// Notes the field of a time.
+  void note(std::string_view field);
+
+  /// Throws Input_error if all that were noted are such dates, unless the options say what form
+  /// dates have, or that times are frames.
+  void expect_none(const std::string& name, const Tracks_file_options& options) const;
+
+ private:
+  bool are_all_ = true;
+  bool has_zero_ = false;
+  std::string first_;
+};
+
+/// What to say of a row with another number of fields than the header has columns, or without a
+/// header the first row has fields.
+std::string problem_of_row(std::size_t fields, std::size_t columns, bool has_header);
+
+/// What to say of a field that is no number since it has a decimal comma, in a table of fields
+/// with this character between: "has a decimal comma; expected ..."; empty if it is another.
+std::string problem_of_comma(std::string_view field, char separator);
+
 /// Whether the field says that there is no number: it is empty, NaN, NA, N/A, null, None or \N, in
 /// any case.
 bool is_missing(std::string_view field);
+
+/// Whether the coordinates of a row say that there is no place: both are missing, or one by a word,
+/// as NaN. One that is empty beside another may be a fault of the file.
+bool is_without_place(std::string_view x, std::string_view y);
 
 /// Whether the field may be a unit, or another word of a header: it begins with no digit, sign or
 /// point, has no control characters, and says not that a number is missing, unless it is empty.

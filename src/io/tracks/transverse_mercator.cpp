@@ -4,16 +4,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "kinetri/impl/base/check.h"
+#include "wgs84.h"
 
 namespace kinetri {
 namespace {
 
-// WGS 84 (NIMA TR8350.2, third edition, 2000, table 3.1).
-constexpr double equatorial_radius = 6378137;
-constexpr double flattening = 1 / 298.257223563;
+using wgs84::e2;
+using wgs84::equatorial_radius;
+using wgs84::flattening;
+
 constexpr double scale_on_meridian = 0.9996;
 
 // The third flattening, and its powers.
@@ -42,10 +43,8 @@ constexpr std::array<double, 6> alpha = {
 Mercator_place transverse_mercator(double longitude, double latitude) {
   KINETRI_PRECONDITION(std::abs(longitude) <= 80 && std::abs(latitude) <= 90,
                        "a place is too far from the central meridian, or not on earth");
-  constexpr double radians = std::numbers::pi / 180;
-  const double lambda = longitude * radians;
-  const double phi = latitude * radians;
-  const double e2 = flattening * (2 - flattening);
+  const double lambda = longitude * wgs84::radians_in_degree;
+  const double phi = latitude * wgs84::radians_in_degree;
   const double e = std::sqrt(e2);
   // The tangents of the latitude and of the conformal latitude (equations 7 to 9).
   const double tau = std::tan(phi);

@@ -85,8 +85,11 @@ class Xml_parser {
       const XML_Status status = XML_Parse(parser_.get(), piece.data(), size, is_last ? 1 : 0);
       if (problem_) std::rethrow_exception(problem_);
       if (status != XML_STATUS_OK) {
-        fail(joined("is no XML as it should be: ", XML_ErrorString(XML_GetErrorCode(parser_.get())),
-                    "; expected ", tracks_.content_, ", as far as it was written"));
+        // What stands from the error on, of what was given last.
+        const auto behind = static_cast<std::size_t>(
+            std::clamp<std::int64_t>(given - XML_GetCurrentByteIndex(parser_.get()), 0, size));
+        fail_for_syntax(std::string_view(piece.data(), static_cast<std::size_t>(size))
+                            .substr(static_cast<std::size_t>(size) - behind));
       }
       if (given - XML_GetCurrentByteIndex(parser_.get()) >
           longest_token + static_cast<std::int64_t>(piece_size)) {
@@ -100,13 +103,38 @@ class Xml_parser {
     void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
   };
 
+  // Where XML is not well formed; the text begins there.
+  [[noreturn]] void fail_for_syntax(std::string_view text) {
+    const XML_Error error = XML_GetErrorCode(parser_.get());
+    if (error == XML_ERROR_UNKNOWN_ENCODING) {
+      fail(joined("is in the encoding ", quoted(encoding_), "; expected UTF-8, as iconv -f ",
+                  encoding_, " -t UTF-8 FILE | sed '1s/", encoding_, "/UTF-8/' makes of it"));
+    }
+    const std::string_view token = text.substr(0, text.find_first_of("<>\n", 1));
+    const auto is_beyond_ascii = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+    if (error == XML_ERROR_INVALID_TOKEN && encoding_.empty() &&
+        std::any_of(token.begin(), token.end(), is_beyond_ascii)) {
+      fail(
+          "has bytes that are not of UTF-8, and names no other encoding; expected UTF-8, as iconv "
+          "-f WINDOWS-1252 -t UTF-8 FILE makes of it, with the encoding that it is in");
+    }
+    fail(joined("is not well-formed XML: ", XML_ErrorString(error), "; expected ", tracks_.content_,
+                ", and all of the file"));
+  }
+
   // What the declaration calls UTF-16 is UTF-8 here: the stream has converted it, or it could not
   // be read as far as that.
   void heed_encoding(std::string_view head) {
     if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);  // the byte order mark
     if (!head.starts_with("<?xml")) return;
-    const std::string declaration = in_lower_case(head.substr(0, head.find("?>")));
-    if (declaration.find("utf-16") != std::string::npos) XML_SetEncoding(parser_.get(), "UTF-8");
+    const std::string_view declaration = head.substr(0, head.find("?>"));
+    if (in_lower_case(declaration).find("utf-16") != std::string::npos) {
+      XML_SetEncoding(parser_.get(), "UTF-8");
+    }
+    std::string_view rest =
+        declaration.substr(std::min(declaration.find("encoding"), declaration.size()));
+    rest = rest.substr(std::min(rest.find_first_of("\"'"), rest.size()));
+    if (!rest.empty()) encoding_ = rest.substr(1, rest.find(rest.front(), 1) - 1);
   }
 
   [[noreturn]] void fail(const std::string& message) {
@@ -181,6 +209,7 @@ class Xml_parser {
   Xml_tracks& tracks_;
   std::unique_ptr<XML_ParserStruct, Free> parser_;
   std::exception_ptr problem_;
+  std::string encoding_;            // that the declaration names; empty if it names none
   std::vector<std::string> texts_;  // of the elements that are open
   Xml_attributes attributes_;
 };

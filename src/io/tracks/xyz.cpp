@@ -2,13 +2,18 @@
 //
 // Tracks as XYZ: frames of a number of atoms, a line of comment, and a line `element x y z` for
 // each atom. Extended XYZ says in its comment which fields are what
-// (Properties=species:S:1:pos:R:3), the box (Lattice="..", pbc="T T F"), and often a time.
+// (Properties=species:S:1:pos:R:3), the box (Lattice="..", pbc="T T F"), and often a time. i-PI
+// writes the box as CELL(abcABC).
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <initializer_list>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "atom_boxes.h"
 #include "frames_of_atoms.h"
 #include "kinetri/base/error.h"
 #include "kinetri/impl/io/parse_number.h"
@@ -83,9 +88,9 @@ class Xyz_reader {
       read_frame(lines_.count(*line));
     }
     Tracks_file result = builder_.finish();
-    widths_.settle_jumps(result, input_,
-                         "expected places that go on beyond the box, or pbc=\"F F F\" in the "
-                         "comments if these do");
+    boxes_.settle_jumps(result, input_,
+                        "expected places that go on beyond the box, or pbc=\"F F F\" in the "
+                        "comments if these do");
     result.format = Tracks_format::xyz;
     if (times_ != Times::times) {
       note_frame_rate(result, input_, std::nullopt,
@@ -103,7 +108,7 @@ class Xyz_reader {
     const std::string comment(lines_.expect("a comment"));
     const Columns columns = columns_of(comment);
     const double time = time_of(comment);
-    add_widths(comment);
+    add_box(comment);
     if (frame_ > 0 && columns.id.has_value() != has_ids_) {
       lines_.fail(
           "the atoms of some frames have ids, and those of others have not; expected ids in "
@@ -200,10 +205,12 @@ class Xyz_reader {
     return time.value.number;
   }
 
-  // Of a box whose sides are parallel to the axes; in another one nobody can tell.
-  void add_widths(std::string_view comment) {
+  void add_box(std::string_view comment) {
     const auto lattice = value_of(comment, "lattice");
-    if (!lattice) return;
+    if (!lattice) {
+      add_cell(comment);
+      return;
+    }
     std::vector<double> numbers;
     for_each_field_between_blanks(*lattice, [&](std::string_view field) {
       numbers.push_back(lines_.number(field, "Lattice"));
@@ -211,15 +218,77 @@ class Xyz_reader {
     if (numbers.size() != 9) {
       lines_.fail(joined("the lattice has ", numbers.size(), " numbers; expected 9"));
     }
+    Atom_box box;
+    box.is_periodic = periodic_directions(comment);
+    for (std::size_t i = 0; i < 3; ++i) box.edges[i] = {numbers[3 * i], numbers[3 * i + 1]};
+    boxes_.add(lines_.line(), box);
+  }
+
+  static std::array<bool, 3> periodic_directions(std::string_view comment) {
     std::vector<std::string_view> flags;
     for_each_field_between_blanks(value_of(comment, "pbc").value_or("T T T"),
                                   [&](std::string_view flag) { flags.push_back(flag); });
-    const bool is_rectangle =
-        numbers[1] == 0 && numbers[2] == 0 && numbers[3] == 0 && numbers[5] == 0;
-    for (std::size_t i = 0; is_rectangle && i < 2; ++i) {
-      const bool is_periodic = i < flags.size() && (flags[i] == "T" || flags[i] == "1");
-      if (is_periodic && numbers[4 * i] > 0) widths_.add(i, numbers[4 * i]);
+    std::array<bool, 3> result = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[i] = i < flags.size() && (flags[i] == "T" || flags[i] == "1");
     }
+    return result;
+  }
+
+  // Of i-PI: `CELL(abcABC): 10.0 10.0 10.0 90.0 90.0 90.0 ... positions{angstrom} cell{angstrom}`,
+  // the lengths of the edges and the angles between b and c, a and c, a and b; a is along x, and b
+  // in the plane (https://docs.ipi-code.org, class Cell).
+  void add_cell(std::string_view comment) {
+    constexpr std::string_view key = "cell(abcabc):";
+    const std::string lower = in_lower_case(comment);
+    const std::size_t at = lower.find(key);
+    if (at == std::string::npos) return;
+    std::vector<double> numbers;
+    for_each_field_between_blanks(comment.substr(at + key.size()), [&](std::string_view field) {
+      if (numbers.size() < 6) numbers.push_back(lines_.number(field, "CELL(abcABC)"));
+    });
+    if (numbers.size() < 6) {
+      lines_.fail(joined("the cell has ", numbers.size(), " numbers; expected 6"));
+    }
+    const std::optional<double> unit = unit_of_cell(lower);
+    if (!unit) {
+      lines_.fail(
+          "the cell has another unit than the positions; expected one unit, or angstrom and "
+          "atomic_unit");
+    }
+    const auto cosine = [](double degrees) {
+      return degrees == 90 ? 0 : std::cos(radians(degrees));
+    };
+    const double a = *unit * numbers[0];
+    const double b = *unit * numbers[1];
+    const double c = *unit * numbers[2];
+    const double sine = std::sin(radians(numbers[5]));
+    Atom_box box;
+    box.edges = {{{a, 0},
+                  {b * cosine(numbers[5]), b * sine},
+                  {c * cosine(numbers[4]),
+                   c * (cosine(numbers[3]) - cosine(numbers[4]) * cosine(numbers[5])) / sine}}};
+    box.is_periodic = periodic_directions(comment);
+    boxes_.add(lines_.line(), box);
+  }
+
+  static double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+  // Units of the positions in one of the cell; none if that is not known.
+  static std::optional<double> unit_of_cell(const std::string& comment) {
+    constexpr double angstroms_in_bohr = 0.529177210903;  // CODATA 2018
+    const auto unit_behind = [&](std::string_view name) -> std::string {
+      const std::size_t at = comment.find(name);
+      if (at == std::string::npos) return "atomic_unit";
+      const std::size_t begin = at + name.size();
+      return comment.substr(begin, comment.find('}', begin) - begin);
+    };
+    const std::string of_positions = unit_behind("positions{");
+    const std::string of_cell = unit_behind("cell{");
+    if (of_positions == of_cell) return 1;
+    if (of_positions == "angstrom" && of_cell == "atomic_unit") return angstroms_in_bohr;
+    if (of_positions == "atomic_unit" && of_cell == "angstrom") return 1 / angstroms_in_bohr;
+    return std::nullopt;
   }
 
   // Only the order of atoms says which is which.
@@ -243,7 +312,7 @@ class Xyz_reader {
   const Tracks_input& input_;
   Atom_lines lines_;
   Tracks_builder builder_;
-  Periodic_widths widths_;
+  Atom_boxes boxes_;
   std::size_t frame_ = 0;
   std::size_t atoms_ = 0;
   bool has_ids_ = false;

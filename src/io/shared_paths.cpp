@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sources/shared_paths.h"
+#include "kinetri/impl/io/shared_paths.h"
 
 #include <algorithm>
 #include <map>
@@ -9,7 +9,7 @@
 
 #include "kinetri/algebra/number_types.h"
 
-namespace kinetri::app {
+namespace kinetri {
 namespace {
 
 constexpr std::size_t most_pairs = 10;
@@ -141,4 +141,4 @@ Shared_paths shared_paths(std::span<const std::vector<Observation_2>> tracks,
   return search.result();
 }
 
-}  // namespace kinetri::app
+}  // namespace kinetri
