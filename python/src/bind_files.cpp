@@ -16,8 +16,8 @@
 
 #include "bindings.h"
 #include "kinetri/base/error.h"
-#include "kinetri/io/points_file.h"
 #include "kinetri/impl/io/shared_paths.h"
+#include "kinetri/io/points_file.h"
 #include "kinetri/io/tracks_file.h"
 #include "kinetri/simulation/packing.h"
 #include "kinetri/simulation/scenarios.h"

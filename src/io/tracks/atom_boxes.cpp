@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "kinetri/impl/io/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/text.h"
 
 namespace kinetri {
 namespace {

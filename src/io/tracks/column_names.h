@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinetri/impl/io/parse_number.h"
 #include "kinetri/io/points_file.h"
 
 namespace kinetri {
