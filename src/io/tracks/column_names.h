@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "kinetri/impl/io/parse_number.h"
-#include "kinetri/io/points_file.h"
 
 namespace kinetri {
 
