@@ -15,9 +15,9 @@ from ._arrays import NO_POINT
 from ._kinetri import Time
 from ._page import Page
 from ._progress import progress_bar
-from ._response import engine_response
+from ._response import Collisions, engine_response
 from ._snapshot import Snapshot
-from ._types import ArrayLike, Box, Collisions, Events, Floats, Ids, IdsLike, Path, Progress, TimeLike
+from ._types import ArrayLike, Box, Events, Floats, Ids, IdsLike, Path, Progress, TimeLike
 from .errors import PreconditionError, SnapshotError
 from .events import table_of, take
 

@@ -2,15 +2,22 @@
 """Pictures by matplotlib."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from ._moving import MovingPoints
+from ._types import Floats, Ids
 
 
-def draw(points: MovingPoints, ax: Any, ids: bool, style: dict[str, Any]) -> Any:
+class Drawn(Protocol):
+    """What is drawn."""
+
+    def positions(self) -> Floats: ...
+    def radii(self) -> Floats: ...
+    def edges(self) -> Ids: ...
+
+
+def draw(points: Drawn, ax: Any, ids: bool, style: dict[str, Any]) -> Any:
     """Draws edges, discs and points on the axes, and gives these."""
     import matplotlib.pyplot as plt
     from matplotlib.collections import EllipseCollection, LineCollection

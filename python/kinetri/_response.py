@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, Union
 
 import numpy as np
 
@@ -40,6 +40,11 @@ class Response:
     erases_b: bool = False
     stops_a: bool = False
     stops_b: bool = False
+
+
+#: What discs do when they touch.
+Collisions = Union[
+    ResponseName, Literal["none"], Callable[["Contact"], Union[Response, tuple["ArrayLike | None", "ArrayLike | None"], None]], None]
 
 
 def respond(name: ResponseName, contact: Contact) -> Response:

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import hashlib
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
-if TYPE_CHECKING:
-    from ._moving import MovingPoints
+
+class Restorer(Protocol):
+    """A class whose objects a snapshot restores."""
+
+    __name__: str
+
+    def _restored(self, state: bytes, attributes: dict[str, Any]) -> Any: ...
 
 
 class Snapshot:
@@ -21,7 +26,7 @@ class Snapshot:
         The content of a checkpoint file.
     """
 
-    def __init__(self, restorer: type[MovingPoints], state: bytes, attributes: dict[str, Any]) -> None:
+    def __init__(self, restorer: Restorer, state: bytes, attributes: dict[str, Any]) -> None:
         self._restorer = restorer
         self.state = state
         self._attributes = attributes  # those that the engine does not have

@@ -11,8 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
-    from ._kinetri import Contact, Time
-    from ._response import Response
+    from ._kinetri import Time
 
 #: Numbers that are taken exactly: lists of lists, arrays of any kind, tables.
 ArrayLike = npt.ArrayLike
@@ -31,6 +30,3 @@ TimeLike = Union[float, Fraction, "np.integer[Any]", "np.floating[Any]", "Time"]
 Progress = Union[bool, Callable[[float], object]]
 #: The built-in responses of discs that touch.
 ResponseName = Literal["log", "swap", "elastic", "stop", "remove"]
-#: What discs do when they touch.
-Collisions = Union[
-    ResponseName, Literal["none"], Callable[["Contact"], Union["Response", tuple["ArrayLike | None", "ArrayLike | None"], None]], None]

@@ -12,10 +12,10 @@ import numpy.typing as npt
 
 from . import _arrays, _coincidence, _columns, _kinetri, _tables
 from ._moving import Simulation
-from ._response import engine_response
+from ._response import Collisions, engine_response
 from ._track_answers import TrackAnswers
 from ._kinetri import Time
-from ._types import ArrayLike, Collisions, Events, Floats, Path, Progress, TimeLike
+from ._types import ArrayLike, Events, Floats, Path, Progress, TimeLike
 from .errors import CoincidentTrajectoriesError, InputError, PreconditionError
 
 if TYPE_CHECKING:
