@@ -7,6 +7,8 @@ cmake_minimum_required(VERSION 3.25)
 set(theirs "${WORK_DIR}/of others/kinetri")
 set(original "${theirs}/Kinetri")
 file(REMOVE_RECURSE "${theirs}" "${PREFIX}")
+# What a run that was interrupted has recorded is about folders that are no longer there.
+file(REMOVE "${BUILD_DIR}/install_folders.txt")
 file(MAKE_DIRECTORY "${theirs}")
 
 function(install)

@@ -97,10 +97,10 @@ class Packages(unittest.TestCase):
     def test_files_of_the_libraries(self):
         files = self.files("libkinetri-dev")
         of_files = self.files("libkinetri-io-dev")
-        public = {str(file.relative_to(SOURCE)) for file in (SOURCE / "include").rglob("*.h")}
-        io = {file for file in public if file.startswith("include/kinetri/io/")}
+        headers = {str(file.relative_to(SOURCE)) for file in (SOURCE / "include").rglob("*.h")}
+        io = {file for file in headers if file.startswith(("include/kinetri/io/", "include/kinetri/impl/io/"))}
         self.assertEqual({file[4:] for file in files if file.startswith("usr/include/")},
-                         public - io | {"include/kinetri/version.h"})
+                         headers - io | {"include/kinetri/version.h"})
         self.assertEqual({file[4:] for file in of_files if file.startswith("usr/include/")}, io)
         self.assertLessEqual({"libkinetri_io.a", "kinetri-io.pc", "KinetriIoTargets.cmake"},
                              {pathlib.Path(file).name for file in of_files})
