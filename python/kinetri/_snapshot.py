@@ -3,15 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from typing import Any, Protocol
-
-
-class Restorer(Protocol):
-    """A class whose objects a snapshot restores."""
-
-    __name__: str
-
-    def _restored(self, state: bytes, attributes: dict[str, Any]) -> Any: ...
+from typing import Any
 
 
 class Snapshot:
@@ -26,7 +18,7 @@ class Snapshot:
         The content of a checkpoint file.
     """
 
-    def __init__(self, restorer: Restorer, state: bytes, attributes: dict[str, Any]) -> None:
+    def __init__(self, restorer: type[Any], state: bytes, attributes: dict[str, Any]) -> None:
         self._restorer = restorer
         self.state = state
         self._attributes = attributes  # those that the engine does not have
