@@ -78,11 +78,11 @@ std::string read_checkpoint_state(std::istream& in, const std::string& file_name
   if (first.empty()) fail("is empty; expected a checkpoint");
   const std::string_view without_end(first.data(), std::min(first.find('\n'), first.size()));
   if (!first.starts_with(format_name)) {
-    fail(joined("is no checkpoint: it begins with ", quoted(without_end),
+    fail(joined("is no checkpoint: it begins with ", in_quotes(without_end),
                 "; expected a file whose first line is '", format_name, version, "'"));
   }
   if (without_end.substr(format_name.size()) != version) {
-    fail(joined("is a checkpoint of version ", quoted(without_end.substr(format_name.size())),
+    fail(joined("is a checkpoint of version ", in_quotes(without_end.substr(format_name.size())),
                 "; expected version ", version, ": take the kinetri that wrote it"));
   }
   std::string file = first;

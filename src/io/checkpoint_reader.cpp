@@ -248,7 +248,7 @@ Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
   Checkpoint result;
   result.response = state.member("response").text();
   if (!read_snapshot(state, motion.text(), result.simulation)) {
-    motion.fail(joined("is ", kinetri::quoted(motion.text()), "; expected one of ",
+    motion.fail(joined("is ", kinetri::in_quotes(motion.text()), "; expected one of ",
                        names_of_motions(result.simulation)));
   }
   result.logs = logs(state.member("logs"));

@@ -80,7 +80,7 @@ class Points_reader {
     result_.comment_lines = table_.comments();
     if (header_.has(z)) {
       for (const Column column : {z, vz}) {
-        result_.ignored_columns.push_back(quoted(column_names[column]));
+        result_.ignored_columns.push_back(in_quotes(column_names[column]));
       }
     }
     reject_equal_labels();
@@ -191,7 +191,7 @@ class Points_reader {
       if (is_new) continue;
       throw Input_error(
           name_, result_.lines[point],
-          joined("the column id is ", quoted(known->first), ", as in line ",
+          joined("the column id is ", in_quotes(known->first), ", as in line ",
                  result_.lines[known->second],
                  "; expected ids that differ, or another name of the column (where points have "
                  "several rows, they are tracks)"));

@@ -103,7 +103,7 @@ enum class Lock { got, held_by_another, impossible };
 
 // Locks what is open. Got is only what is still there, under the path: another process may have
 // removed it, and have released its lock, meanwhile.
-Lock lock(const File_descriptor& descriptor, const std::string& path) {
+Lock lock_file(const File_descriptor& descriptor, const std::string& path) {
   if (::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0) {
     return errno == EWOULDBLOCK ? Lock::held_by_another : Lock::impossible;
   }
@@ -126,7 +126,7 @@ void remove_left_over(Temporary_kind kind, const fs::path& directory,
     const File_descriptor descriptor = opened(kind, path);
     // Who has made it holds a lock, or, between making and locking it, does not get the lock that
     // is held here, and makes another one.
-    if (descriptor && lock(descriptor, path) == Lock::got) remove(kind, descriptor, path);
+    if (descriptor && lock_file(descriptor, path) == Lock::got) remove(kind, descriptor, path);
   }
 }
 
@@ -147,7 +147,7 @@ Made_temporary make_temporary(Temporary_kind kind, const fs::path& target) {
       return made;
     }
     if (place.empty()) return made;
-    switch (lock(made.descriptor, made.path)) {
+    switch (lock_file(made.descriptor, made.path)) {
       case Lock::got:
         return made;
       case Lock::held_by_another:  // which removes it

@@ -50,7 +50,7 @@ std::string in_lower_case(std::string_view text) {
   return result;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::size_t length = std::min(text.size(), longest_quotation);
   const auto splits_character = [text](std::size_t i) {  // UTF-8
     return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80;
@@ -97,7 +97,7 @@ std::vector<std::size_t> Table_reader::read_header(std::span<const std::string_v
   for_each_field_between_commas(*header, [&](std::string_view field) {
     const auto found = std::find(names.begin(), names.end(), field);
     if (found == names.end()) {
-      fail(joined("unknown column ", quoted(field), "; ", expected));
+      fail(joined("unknown column ", in_quotes(field), "; ", expected));
     }
     const auto column = static_cast<std::size_t>(found - names.begin());
     if (seen[column]) fail(joined("the column ", field, " is named twice; ", expected));
@@ -124,10 +124,10 @@ Csv_header Table_reader::read_csv_header(std::span<const std::string_view> names
     });
     if (found == names.end()) {
       if (parse_number(field).problem.empty()) {
-        fail(joined("unknown column ", quoted(field), "; ", expected));
+        fail(joined("unknown column ", in_quotes(field), "; ", expected));
       }
       header.columns.push_back(Csv_header::ignored);
-      header.ignored_names.push_back(quoted(field));
+      header.ignored_names.push_back(in_quotes(field));
       return;
     }
     const auto column = static_cast<std::size_t>(found - names.begin());
@@ -159,7 +159,7 @@ std::string_view Table_reader::take_csv_field(std::optional<std::string_view>& r
   for (;;) {
     const std::size_t mark = text.find('"', from);
     if (mark == std::string_view::npos) {
-      fail(joined("a quotation mark is not closed: ", quoted(text.substr(begin)),
+      fail(joined("a quotation mark is not closed: ", in_quotes(text.substr(begin)),
                   "; expected a second one on the same line"));
     }
     unquoted_ += text.substr(from, mark - from);
@@ -171,7 +171,7 @@ std::string_view Table_reader::take_csv_field(std::optional<std::string_view>& r
   text.remove_prefix(from);
   const std::string_view behind = take_up_to(text.find(separator_));
   if (!behind.empty()) {
-    fail(joined("something stands behind a quoted field: ", quoted(behind), "; expected '",
+    fail(joined("something stands behind a quoted field: ", in_quotes(behind), "; expected '",
                 separator_, "' or the end of the line"));
   }
   return trimmed(unquoted_);
@@ -190,12 +190,12 @@ void Table_reader::check_number_of_fields(std::size_t fields, std::size_t column
 double Table_reader::number(std::string_view field, std::string_view column) const {
   if (field.empty()) fail(joined("the column ", column, " is empty; expected a number"));
   if (separator_ == ';' && field.find(',') != std::string_view::npos) {
-    fail(joined("the column ", column, " is ", quoted(field),
+    fail(joined("the column ", column, " is ", in_quotes(field),
                 ", with a decimal comma; expected a decimal point, as in 1.5"));
   }
   const Parsed_number parsed = parse_number(field);
   if (!parsed.problem.empty()) {
-    fail(joined("the column ", column, " is ", quoted(field), ", which ", parsed.problem));
+    fail(joined("the column ", column, " is ", in_quotes(field), ", which ", parsed.problem));
   }
   return parsed.value;
 }

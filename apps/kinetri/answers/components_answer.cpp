@@ -30,7 +30,7 @@ std::vector<Point_id> points_named(const std::string& name, const Run_source& so
   std::vector<Point_id> result = source.points_named(name);
   std::erase_if(result, [&](Point_id id) { return id >= next_id; });
   if (!result.empty()) return result;
-  throw Usage_error(joined("--between: there is no point ", kinetri::quoted(name), " in ",
+  throw Usage_error(joined("--between: there is no point ", kinetri::in_quotes(name), " in ",
                            input_name(source.path()), "; expected ", source.expected_name()));
 }
 
@@ -43,8 +43,8 @@ std::vector<Edge_ids> pairs_of_points(const std::array<std::string, 2>& names,
   for (const Point_id a : first) {
     for (const Point_id b : second) {
       if (a == b) {
-        throw Usage_error(joined("--between: ", kinetri::quoted(names[0]), " and ",
-                                 kinetri::quoted(names[1]), " are one thing; expected two"));
+        throw Usage_error(joined("--between: ", kinetri::in_quotes(names[0]), " and ",
+                                 kinetri::in_quotes(names[1]), " are one thing; expected two"));
       }
       if (source.are_there_together(a, b)) result.push_back({a, b});
     }

@@ -76,9 +76,9 @@ std::array<std::string, 2> names_between(const std::string& text) {
     throw Usage_error(error.what());
   }
   if (names.size() == 2 && !names[0].empty() && !names[1].empty()) return {names[0], names[1]};
-  throw Usage_error(
-      joined(option, ": ", kinetri::quoted(text), " is no pair; expected two names with a comma ",
-             "between them, such as 3,7; a name that has a comma in quotation marks"));
+  throw Usage_error(joined(
+      option, ": ", kinetri::in_quotes(text), " is no pair; expected two names with a comma ",
+      "between them, such as 3,7; a name that has a comma in quotation marks"));
 }
 
 // The values of --between, which --connected needs.

@@ -199,13 +199,13 @@ View_words view_words(std::string_view source, std::string_view text) {
     if (word.empty()) continue;
     const std::size_t sign = word.find('=');
     if (sign == std::string_view::npos) {
-      throw Usage_error(joined(source, ": ", kinetri::quoted(word),
+      throw Usage_error(joined(source, ": ", kinetri::in_quotes(word),
                                " has no value; expected words such as t=2&color=area"));
     }
     const std::string_view name = word.substr(0, sign);
     const auto found = std::ranges::find(known, name, &Word::name);
     if (found == known.end()) {
-      throw Usage_error(joined(source, ": ", kinetri::quoted(name), " is unknown; expected ",
+      throw Usage_error(joined(source, ": ", kinetri::in_quotes(name), " is unknown; expected ",
                                list(viewer_words)));
     }
     const std::string value = decoded(word.substr(sign + 1));
@@ -217,7 +217,7 @@ View_words view_words(std::string_view source, std::string_view text) {
 
 void refuse_view_word(std::string_view source, std::string_view name, std::string_view value,
                       std::string_view expected) {
-  throw Usage_error(joined(source, ": ", name, ": ", kinetri::quoted(value),
+  throw Usage_error(joined(source, ": ", name, ": ", kinetri::in_quotes(value),
                            " is not possible; expected ", expected));
 }
 

@@ -131,8 +131,8 @@ void Tracks_source::leave_out_coincident(const Tracks_options& options) {
       file_.observations -= file_.tracks[track].observations.size();
       ++coincident_;
       if (named.size() < most_named) {
-        named.push_back(joined(kinetri::quoted(file_.tracks[track].id), " with ",
-                               kinetri::quoted(first_ids.at(companion[track]))));
+        named.push_back(joined(kinetri::in_quotes(file_.tracks[track].id), " with ",
+                               kinetri::in_quotes(first_ids.at(companion[track]))));
       }
       continue;
     }
@@ -156,7 +156,7 @@ void Tracks_source::check_velocities() const {
       if (is_finite(motion_after(observations_[stay.track], i))) continue;
       const Track& track = file_.tracks[stay.track];
       throw error(track.observations[i + 1].line,
-                  joined("id ", kinetri::quoted(track.id), " goes too far too fast since ",
+                  joined("id ", kinetri::in_quotes(track.id), " goes too far too fast since ",
                          file_.place_name, ' ', track.observations[i].line,
                          "; expected a velocity that is a binary64 number"));
     }
@@ -226,7 +226,7 @@ Input_error Tracks_source::coincidence(const Coincident_trajectories_error& coin
   const std::size_t one = line(coincident.first());
   const std::size_t other = line(coincident.second());
   const auto pair_of = [&](Point_id a, Point_id b) {
-    return joined(kinetri::quoted(name(a)), " and ", kinetri::quoted(name(b)));
+    return joined(kinetri::in_quotes(name(a)), " and ", kinetri::in_quotes(name(b)));
   };
   const auto [first, second] = std::minmax({coincident.first(), coincident.second()});
   const std::vector<double> radii = settings_.logs_contacts ? disc_radii() : std::vector<double>();

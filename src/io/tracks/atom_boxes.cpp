@@ -158,7 +158,7 @@ void Atom_boxes::unwrap(Tracks_file& file, const std::string& name,
       for (const Vector_2& v : shortest) {
         if (2 * std::abs(dot(left, direction(v))) != length(v)) continue;
         fail(next.line,
-             joined("atom ", quoted(track.id), " goes half of the periodic box, which is ",
+             joined("atom ", in_quotes(track.id), " goes half of the periodic box, which is ",
                     length(v), " wide, since line ", track.observations[i - 1].line,
                     ": two images of it are equally near; expected more frames"));
       }
@@ -168,7 +168,7 @@ void Atom_boxes::unwrap(Tracks_file& file, const std::string& name,
         if (turns[k] != 0) next.place = sum(next.place, turns[k], basis[k]);
       }
       if (!std::isfinite(next.place.x) || !std::isfinite(next.place.y)) {
-        fail(next.line, joined("the place of atom ", quoted(track.id),
+        fail(next.line, joined("the place of atom ", in_quotes(track.id),
                                " beyond the box is out of the range of binary64; expected smaller "
                                "numbers"));
       }
@@ -193,7 +193,7 @@ void Atom_boxes::expect_no_jumps(const Tracks_file& file, const std::string& nam
       const bool can_unwrap = !images.basis.empty() && boxes_.size() == 1;
       throw Input_error(
           name, next.line,
-          joined("atom ", quoted(track.id), " goes ", way, " since line ", last.line,
+          joined("atom ", in_quotes(track.id), " goes ", way, " since line ", last.line,
                  ", more than half of the periodic box, which is ", length(v),
                  " wide: it left on one side and came in on the other; ", expected,
                  can_unwrap ? ", or --unwrap nearest, which lets atoms go the shortest way" : ""));

@@ -271,8 +271,8 @@ class Bare_columns_reader {
     }
     const Parsed_number frame = parse_number(fields_[columns.frame]);
     if (!frame.problem.empty()) {
-      reading.problem =
-          joined("the column frame is ", quoted(fields_[columns.frame]), ", which ", frame.problem);
+      reading.problem = joined("the column frame is ", in_quotes(fields_[columns.frame]),
+                               ", which ", frame.problem);
       return;
     }
     Tracks_row row;
@@ -335,8 +335,8 @@ class Bare_columns_reader {
     std::string ids;
     for (const auto& fields : first_rows_) {
       const auto append_row = [&](std::string& text, std::size_t id, std::size_t frame) {
-        append(text, text.empty() ? "" : ", then ", "id ", quoted(fields[id]), " in frame ",
-               quoted(fields[frame]));
+        append(text, text.empty() ? "" : ", then ", "id ", in_quotes(fields[id]), " in frame ",
+               in_quotes(fields[frame]));
       };
       append_row(frames, 1, 0);
       append_row(ids, 0, 1);

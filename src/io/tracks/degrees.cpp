@@ -218,7 +218,7 @@ Named_degrees degrees_in_names(const std::string& name, std::size_t line,
                                const std::string& of_x, const std::string& of_y) {
   const Angle x_angle = angle_in_name(of_x);
   const Angle y_angle = angle_in_name(of_y);
-  const std::string names = joined("the ", what, ' ', quoted(of_x), " and ", quoted(of_y));
+  const std::string names = joined("the ", what, ' ', in_quotes(of_x), " and ", in_quotes(of_y));
   const std::string_view x_unit = unit_of_length(words_of(of_x));
   const std::string_view y_unit = unit_of_length(words_of(of_y));
   if (!x_unit.empty() && !y_unit.empty() && x_unit != y_unit) {
@@ -239,7 +239,7 @@ Named_degrees degrees_in_names(const std::string& name, std::size_t line,
   }
   if (x_angle == Angle::latitude || y_angle == Angle::longitude) {
     throw Input_error(name, line,
-                      joined("x is the column ", quoted(of_x), ", and y ", quoted(of_y),
+                      joined("x is the column ", in_quotes(of_x), ", and y ", in_quotes(of_y),
                              "; expected the longitude as x, and the latitude as y"));
   }
   expect_projection(name, line, projection,
@@ -324,7 +324,7 @@ void Signs_of_degrees::expect_none(const Tracks_file& file, const std::string& n
       joined("nothing says what the places are, and they look like degrees: ",
              !file.origin.empty() ? "times are dates"
              : unit               ? "times are those since 1970"
-                                  : joined("the columns are ", quoted(of_x), " and ", quoted(of_y)),
+                    : joined("the columns are ", in_quotes(of_x), " and ", in_quotes(of_y)),
              ", and numbers within 180 and 90, most with four decimals or more, change by ",
              way / duration,
              " a second; expected --projection local or --projection utm if they are longitude and "

@@ -25,7 +25,7 @@ std::size_t Atom_lines::count(std::string_view field) const {
   const char* const end = field.data() + field.size();
   const auto [rest, problem] = std::from_chars(field.data(), end, result);
   if (problem != std::errc() || rest != end) {
-    fail(joined("the number of atoms is ", quoted(field), "; expected a whole number"));
+    fail(joined("the number of atoms is ", in_quotes(field), "; expected a whole number"));
   }
   return result;
 }

@@ -134,7 +134,7 @@ class Geojson_reader {
       add_feature(file, "");
     } else {
       fail("/type",
-           joined("is ", kinetri::quoted(type), "; expected 'FeatureCollection' or 'Feature'"));
+           joined("is ", kinetri::in_quotes(type), "; expected 'FeatureCollection' or 'Feature'"));
     }
     dates_.expect_none(input_.name, input_.options);
     Tracks_file result = builder_.finish();
@@ -164,7 +164,7 @@ class Geojson_reader {
     if (!object.is_object() || found == object.end() || found->type() != type) {
       fail(pointer, joined(pointer.empty() ? "the file has no " : "has no ",
                            type == json::value_t::array ? "list " : "object ",
-                           kinetri::quoted(name), "; expected GeoJSON with one"));
+                           kinetri::in_quotes(name), "; expected GeoJSON with one"));
     }
     return *found;
   }
@@ -188,7 +188,7 @@ class Geojson_reader {
     }
     std::string result = name->get<std::string>();
     const bool is_degrees = result.find("CRS84") != std::string::npos || is_geographic(result);
-    return is_degrees ? std::string() : kinetri::quoted(result);
+    return is_degrees ? std::string() : kinetri::in_quotes(result);
   }
 
   void add_feature(const json& feature, const std::string& pointer) {
@@ -213,7 +213,7 @@ class Geojson_reader {
       add_line(feature, pointer, coordinates);
     } else {
       fail(pointer + "/geometry/type",
-           joined("is ", kinetri::quoted(type), "; expected 'Point' or 'LineString'"));
+           joined("is ", kinetri::in_quotes(type), "; expected 'Point' or 'LineString'"));
     }
   }
 
@@ -267,7 +267,7 @@ class Geojson_reader {
     if (count == 1) return found;
     std::string there;
     for (const auto& [name, value] : properties.items()) {
-      append(there, there.empty() ? "" : ", ", kinetri::quoted(name));
+      append(there, there.empty() ? "" : ", ", kinetri::in_quotes(name));
     }
     fail(pointer + "/properties",
          joined("has ", count == 0 ? "none" : "several", " of the names of a",
@@ -280,7 +280,7 @@ class Geojson_reader {
                                  const std::string& pointer) const {
     const auto found = object.find(name);
     if (found == object.end())
-      fail(pointer, joined("has no ", kinetri::quoted(name), "; expected one"));
+      fail(pointer, joined("has no ", kinetri::in_quotes(name), "; expected one"));
     return *found;
   }
 

@@ -36,7 +36,7 @@ class Gpx_reader : public Xml_tracks {
  private:
   void begin(std::string_view name, const Xml_attributes& attributes, std::size_t depth) override {
     if (depth == 1 && name != "gpx") {
-      fail(joined("the first element is ", quoted(name), "; expected 'gpx'"));
+      fail(joined("the first element is ", in_quotes(name), "; expected 'gpx'"));
     }
     if (depth == 2 && name == "trk") {
       ++track_;
@@ -108,7 +108,7 @@ class Gpx_reader : public Xml_tracks {
       if (one.id != other.id) continue;
       if (is_before(other.first, one.last)) {
         throw Input_error(input().name, std::max(one.line, other.line),
-                          joined("the track ", quoted(one.id), " is at times of that of line ",
+                          joined("the track ", in_quotes(one.id), " is at times of that of line ",
                                  std::min(one.line, other.line),
                                  ", which has the same name; expected another "
                                  "name for one of the two, if they are of two things"));
@@ -177,7 +177,7 @@ class Trackmate_reader : public Xml_tracks {
   void begin(std::string_view name, const Xml_attributes& attributes, std::size_t depth) override {
     if (depth == 1) {
       if (name != "Tracks") {
-        fail(joined("the first element is ", quoted(name), "; expected 'Tracks'"));
+        fail(joined("the first element is ", in_quotes(name), "; expected 'Tracks'"));
       }
       if (!input().options.fps) take_interval(attributes);
       for (const auto& [key, value] : attributes) {

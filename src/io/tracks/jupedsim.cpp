@@ -113,7 +113,7 @@ class Database {
     throw Input_error(input_.name, 0, message);
   }
   [[noreturn]] void fail_as_damaged() const {
-    fail(joined("is damaged: SQLite says ", quoted(sqlite3_errmsg(database_.get())),
+    fail(joined("is damaged: SQLite says ", in_quotes(sqlite3_errmsg(database_.get())),
                 "; expected a database as JuPedSim writes it"));
   }
 
@@ -144,7 +144,7 @@ class Query {
     statement_.reset(prepared);
     if (code == SQLITE_ERROR) {
       database.fail(joined("does not have the tables of JuPedSim: SQLite says ",
-                           quoted(sqlite3_errmsg(database.get())), "; expected ", expected));
+                           in_quotes(sqlite3_errmsg(database.get())), "; expected ", expected));
     }
     if (code != SQLITE_OK) database.fail_as_damaged();
   }
@@ -241,14 +241,14 @@ class Jupedsim_reader {
 
   void expect_version(std::string_view version) const {
     if (version == "1" || version == "2" || version == "3") return;
-    database_.fail(joined("is of the version ", quoted(version), "; expected 1, 2 or 3"));
+    database_.fail(joined("is of the version ", in_quotes(version), "; expected 1, 2 or 3"));
   }
 
   void take_frame_rate(std::string_view text) {
     const Parsed_number rate = parse_number(text);
     if (!rate.problem.empty() || rate.value <= 0) {
       database_.fail(
-          joined("the fps in metadata is ", quoted(text), "; expected a number greater than 0"));
+          joined("the fps in metadata is ", in_quotes(text), "; expected a number greater than 0"));
     }
     if (input_.options.fps && *input_.options.fps != rate.value) {
       database_.fail(joined("metadata gives ", rate.value,

@@ -45,7 +45,7 @@ class Lammps_reader {
     while (const auto line = lines_.next()) {
       if (line->empty()) continue;
       if (!line->starts_with(item)) {
-        lines_.fail(joined("the line is ", quoted(*line), "; expected ITEM: and a section"));
+        lines_.fail(joined("the line is ", in_quotes(*line), "; expected ITEM: and a section"));
       }
       read_section(std::string(trimmed(line->substr(item.size()))));
     }
@@ -83,7 +83,7 @@ class Lammps_reader {
     } else if (section.starts_with("ATOMS")) {
       read_atoms(section.substr(5));
     } else {
-      lines_.fail(joined("the section is ", quoted(section),
+      lines_.fail(joined("the section is ", in_quotes(section),
                          "; expected TIMESTEP, TIME, UNITS, NUMBER OF ATOMS, BOX BOUNDS or ATOMS"));
     }
   }

@@ -133,7 +133,7 @@ class Rows_reader {
 
   void take(Tracks_row& row, std::string_view field, std::size_t column) {
     if (column != id && field.starts_with('"')) {
-      table_.fail(joined("the column ", columns_of_rows[column], " is ", quoted(field),
+      table_.fail(joined("the column ", columns_of_rows[column], " is ", in_quotes(field),
                          ", with a quotation mark; expected a plain number, or --columns ",
                          quoted_fields));
     }

@@ -59,7 +59,7 @@ class Sumo_reader : public Xml_tracks {
   void begin(std::string_view name, const Xml_attributes& attributes, std::size_t depth) override {
     if (depth == 1 && name != "fcd-export") {
       fail(
-          joined("the first element is ", quoted(name),
+          joined("the first element is ", in_quotes(name),
                  "; expected 'fcd-export', as SUMO writes it with --fcd-output, 'gpx', or 'Tracks' "
                  "of TrackMate"));
     }
@@ -156,7 +156,7 @@ class Sumo_reader : public Xml_tracks {
     if (found == kinds_.end()) {
       kinds_.emplace(row.id, Kind{.name = std::string(kind), .line = row.line});
     } else if (found->second.name != kind) {
-      fail(joined("id ", quoted(row.id), " is a ", kind, ", but a ", found->second.name,
+      fail(joined("id ", in_quotes(row.id), " is a ", kind, ", but a ", found->second.name,
                   " in line ", found->second.line, "; expected ids that differ"));
     }
   }

@@ -195,7 +195,7 @@ class Named_columns_reader {
       if (!is_named(field, name)) continue;
       if (result != none) {
         table_.fail(
-            joined("the column ", quoted(name), " is named twice; expected names that differ"));
+            joined("the column ", in_quotes(name), " is named twice; expected names that differ"));
       }
       result = field;
     }
@@ -276,7 +276,7 @@ class Named_columns_reader {
              ", or, since these seem to be no names, the numbers of the columns, from 1 on, in "
              "--columns t=N,id=N,x=N,y=N");
     }
-    table_.fail(joined("the column ", quoted(missing == names.end() ? names_[t] : *missing),
+    table_.fail(joined("the column ", in_quotes(missing == names.end() ? names_[t] : *missing),
                        " is missing; expected one of ", expected));
   }
 
@@ -302,7 +302,7 @@ class Named_columns_reader {
     if (has_numbers_ && header_.empty()) {
       header_.assign(fields_.begin(), fields_.end());
     } else {
-      append(units_, units_.empty() ? "" : "; ", "x ", quoted(of_x), ", y ", quoted(of_y));
+      append(units_, units_.empty() ? "" : "; ", "x ", in_quotes(of_x), ", y ", in_quotes(of_y));
     }
     ++rows_of_words_;
   }
@@ -373,7 +373,7 @@ class Named_columns_reader {
     }
     if (result == Fields::Result::text_behind_quotation) {
       fail(first_line, joined("something stands behind a quoted field; expected ",
-                              separator_ == ' ' ? "a blank" : quoted(std::string(1, separator_)),
+                              separator_ == ' ' ? "a blank" : in_quotes(std::string(1, separator_)),
                               " or the end of the row"));
     }
   }
@@ -406,8 +406,8 @@ class Named_columns_reader {
     if (!result.problem.empty() && input_.options.date_format.empty()) {
       const std::string of_comma = problem_of_comma(time_text(), separator_);
       if (!of_comma.empty()) {
-        fail(line,
-             joined("the column ", names_[t], " is ", quoted(time_text()), ", which ", of_comma));
+        fail(line, joined("the column ", names_[t], " is ", in_quotes(time_text()), ", which ",
+                          of_comma));
       }
     }
     if (result.problem.empty() && input_.options.fps && !result.value.date) {
@@ -425,7 +425,7 @@ class Named_columns_reader {
     const Parsed_number parsed = parse_number(field);
     if (parsed.problem.empty()) return parsed.value;
     const std::string of_comma = problem_of_comma(field, separator_);
-    fail(line, joined("the column ", name, " is ", quoted(field), ", which ",
+    fail(line, joined("the column ", name, " is ", in_quotes(field), ", which ",
                       of_comma.empty() ? std::string(parsed.problem) : of_comma));
   }
 

@@ -52,7 +52,7 @@ void Tracks_builder::add(const Tracks_row& row) {
 
 void Tracks_builder::expect_radius(const Tracks_row& row, const Track& track) const {
   if (row.radius == track.radius) return;
-  fail(row.line, joined("id ", quoted(row.id), " has the radius ", row.radius, ", but ",
+  fail(row.line, joined("id ", in_quotes(row.id), " has the radius ", row.radius, ", but ",
                         track.radius, " in ", place_name_, ' ', track.observations.front().line,
                         "; expected one radius for each id"));
 }
@@ -184,9 +184,9 @@ void Tracks_builder::sort_tracks() {
 void Tracks_builder::fail_at_two_places() const {
   const auto& [id, first, second] = *conflict_;
   fail(second.line,
-       joined("id ", quoted(id), " is at two places at t = ", second.time, ": at (", second.place.x,
-              ", ", second.place.y, "), and at (", first.place.x, ", ", first.place.y, ") in ",
-              place_name_, ' ', first.line,
+       joined("id ", in_quotes(id), " is at two places at t = ", second.time, ": at (",
+              second.place.x, ", ", second.place.y, "), and at (", first.place.x, ", ",
+              first.place.y, ") in ", place_name_, ' ', first.line,
               "; expected one, or --duplicates first, last or mean, which says what to take"));
 }
 

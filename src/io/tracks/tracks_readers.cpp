@@ -237,7 +237,7 @@ Parsed_time parse_time(std::string_view field, std::string_view column,
     return result;
   }
   const auto fail = [&](std::string_view problem) {
-    result.problem = joined("the column ", column, " is ", quoted(field), ", which ", problem);
+    result.problem = joined("the column ", column, " is ", in_quotes(field), ", which ", problem);
   };
   if (!options.date_format.empty()) {
     const Parsed_timestamp parsed = parse_timestamp(field, options.date_format);
@@ -283,7 +283,7 @@ std::string list_of(std::span<const std::string> names) {
   constexpr std::size_t most_shown = 20;
   std::string result;
   for (const std::string& name : names.first(std::min(names.size(), most_shown))) {
-    append(result, result.empty() ? "" : ", ", quoted(name));
+    append(result, result.empty() ? "" : ", ", in_quotes(name));
   }
   if (names.size() > most_shown) append(result, " and ", names.size() - most_shown, " others");
   return result;

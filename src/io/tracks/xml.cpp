@@ -37,7 +37,7 @@ double Xml_tracks::number(const Xml_attributes& attributes, std::string_view ele
   const std::string_view text = attribute(attributes, element, name);
   const Parsed_number parsed = parse_number(text);
   if (parsed.problem.empty()) return parsed.value;
-  fail(joined("the ", name, " of a ", element, " is ", quoted(text), ", which ", parsed.problem,
+  fail(joined("the ", name, " of a ", element, " is ", in_quotes(text), ", which ", parsed.problem,
               or_else));
 }
 
@@ -107,7 +107,7 @@ class Xml_parser {
   [[noreturn]] void fail_for_syntax(std::string_view text) {
     const XML_Error error = XML_GetErrorCode(parser_.get());
     if (error == XML_ERROR_UNKNOWN_ENCODING) {
-      fail(joined("is in the encoding ", quoted(encoding_), "; expected UTF-8, as iconv -f ",
+      fail(joined("is in the encoding ", in_quotes(encoding_), "; expected UTF-8, as iconv -f ",
                   encoding_, " -t UTF-8 FILE | sed '1s/", encoding_, "/UTF-8/' makes of it"));
     }
     const std::string_view token = text.substr(0, text.find_first_of("<>\n", 1));

@@ -175,7 +175,7 @@ class Xyz_reader {
 
   [[noreturn]] void fail_for_properties(std::string_view properties) const {
     lines_.fail(
-        joined("the properties are ", quoted(properties),
+        joined("the properties are ", in_quotes(properties),
                "; expected names, types and numbers of fields with pos:R:3 among them, such "
                "as species:S:1:pos:R:3"));
   }
@@ -304,8 +304,8 @@ class Xyz_reader {
   void expect_species(std::size_t atom, std::string_view species) {
     if (atom == species_.size()) species_.emplace_back(species);
     if (species_[atom] == species) return;
-    lines_.fail(joined("atom ", atom, " of the frame is ", quoted(species), ", but ",
-                       quoted(species_[atom]),
+    lines_.fail(joined("atom ", atom, " of the frame is ", in_quotes(species), ", but ",
+                       in_quotes(species_[atom]),
                        " in the first one; expected atoms in the same order in all frames"));
   }
 

@@ -42,7 +42,7 @@ std::string_view trimmed(std::string_view text);
 std::string in_lower_case(std::string_view text);
 
 /// The text as it is shown in a message: in quotes, on one line, printable, and not too long.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// Calls function(field) for each field between commas, trimmed; there is at least one.
 template <class Function>
