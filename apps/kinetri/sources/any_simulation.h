@@ -6,6 +6,7 @@
 #define KINETRI_APPS_ANY_SIMULATION_H
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -36,8 +37,15 @@ class Any_simulation {
 
   /// What `function` gives for the simulation, whichever it is.
   template <class Function>
-  auto visit(Function function) const {
-    return std::visit([&](const auto& simulation) { return function(*simulation); }, simulation_);
+  std::invoke_result_t<Function, Linear&> visit(Function function) const {
+    // The type of the result stands here, so that std::visit need not look into the function for
+    // it: clang forgets virtual functions of objects that are made where it only looks (LLVM issue
+    // 60965).
+    return std::visit(
+        [&](const auto& simulation) -> std::invoke_result_t<Function, Linear&> {
+          return function(*simulation);
+        },
+        simulation_);
   }
 
  private:
