@@ -14,7 +14,7 @@
 
 namespace kinetri {
 
-/// The column that a name is the number of, from 0 on; none if it is no number.
+/// The column that a name is the number of, from 0 on; none if it is not a number.
 inline std::optional<std::size_t> column_number(const std::string& name) {
   constexpr std::size_t most_digits = 7;
   if (name.empty() || name.size() > most_digits || name.front() == '0') return std::nullopt;

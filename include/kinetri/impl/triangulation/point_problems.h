@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What may be wrong with the points of a triangulation, in words.
+// What may be wrong with points and velocities that are given to a triangulation, in words.
 #ifndef KINETRI_IMPL_TRIANGULATION_POINT_PROBLEMS_H
 #define KINETRI_IMPL_TRIANGULATION_POINT_PROBLEMS_H
 
