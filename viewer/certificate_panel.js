@@ -84,7 +84,13 @@ class CertificatePanel {
     this.fact('Until', ...this.limitText(certificate.end, true));
     this.writeFailure(certificate);
     if (kind === 'none') return;
-    this.fact('Degree', coefficients.length === 0 ? 'identically zero: the points stay cocircular' :
+    const {lifting} = certificate.polynomial;
+    if (lifting > 0) {
+      this.fact('Note', 'the in-circle determinant is zero at all times; with ' +
+        `${['x y', 'x\u00b2', 'y\u00b2'][lifting - 1]} in its last column it decides which diagonal ` +
+        'is the edge');
+    }
+    this.fact('Degree', coefficients.length === 0 ? 'identically zero' :
               `${coefficients.length - 1} in s = t \u2212 t\u2080`);
     this.fact('t\u2080', this.digits([String(origin)]));
     this.fact('Coefficients', this.digits(coefficients.map((c, k) =>

@@ -89,17 +89,28 @@ function orientationPolynomial(recording, [a, b, c], origin) {
 }
 
 /** Minus the in-circle determinant of four motions, times 6^4; that of the circle of equal power to
- * three of them where they have weights. */
+ * three of them where they have weights. Where it vanishes at all times, x y, x^2 or y^2 is in the
+ * place of x^2 + y^2 less the weight, the first with which it does not: docs/MATH.md, section 4. The
+ * member `lifting` counts from 0 on which one it is. */
 function delaunayPolynomial(recording, [a, b, c, d], origin) {
   const [p, q, r] = [a, b, c].map((motion) => differences(recording, motion, d, origin));
-  const lifted = (difference, motion) => {
-    if (recording.motionSizes === null) return squaredLength(difference);
-    const [weight, other] = [motion, d].map((m) => weightPolynomial(recording, m, origin));
-    return subtract(squaredLength(difference), subtract(weight, other));
-  };
-  const sum = add(add(multiply(lifted(p, a), cross(q, r)), multiply(lifted(q, b), cross(r, p))),
-                  multiply(lifted(r, c), cross(p, q)));
-  return negate(sum);
+  const liftings = [
+    (difference, motion) => {
+      if (recording.motionSizes === null) return squaredLength(difference);
+      const [weight, other] = [motion, d].map((m) => weightPolynomial(recording, m, origin));
+      return subtract(squaredLength(difference), subtract(weight, other));
+    },
+    ([x, y]) => multiply(x, y),
+    ([x]) => multiply(x, x),
+    (difference) => multiply(difference[1], difference[1]),
+  ];
+  const determinant = (lifted) => negate(
+    add(add(multiply(lifted(p, a), cross(q, r)), multiply(lifted(q, b), cross(r, p))),
+        multiply(lifted(r, c), cross(p, q))));
+  const isZero = ({coefficients}) => coefficients.every((c) => c === 0n);
+  const all = liftings.map(determinant);
+  const lifting = Math.max(0, all.findIndex((polynomial) => !isZero(polynomial)));
+  return {...all[lifting], lifting};
 }
 
 /** The sign of the polynomial at the binary64 time: -1, 0 or 1. Exact. */

@@ -22,8 +22,7 @@ class SturmTable {
     this.says.hidden = certificate.kind === 'none';
     this.sequence = this.table.hidden ? null : new SturmSequence(certificate.polynomial);
     if (this.sequence === null) {
-      this.says.textContent = 'The zero polynomial has no Sturm sequence. The certificate is zero at all ' +
-        'times and never negative: no event.';
+      this.says.textContent = 'The zero polynomial has no Sturm sequence. It is never negative, so there is no event.';
       return;
     }
     this.columns = [{name: 'now', title: 'at the time shown', time: NaN}];

@@ -123,16 +123,14 @@ class Checker : Certified_triangulation {
         if (first) return *first;
         break;
       }
-      if (first && compare(*first, specials_.front().time) <= 0) return *first;
+      const int order = first ? compare(*first, specials_.front().time) : 1;
+      const bool may_be_special = !is_flip(row) && !is_contact(row);
+      if (order < 0 || (order == 0 && !may_be_special)) return *first;
       open(Time(specials_.front().time));
-      if (!is_flip(row) && !is_contact(row) && is_false_now()) return now_;
+      if (may_be_special && (is_false_now() || fails_now(row))) return now_;
       close();
     }
-    // What vanishes without failing may be changed, too, where several triangulations are right.
-    if (!is_flip(row) && !is_contact(row)) {
-      if (std::optional<Time> first = next_root(row, false)) return *first;
-      if (!has_rows_ && is_in(now_, row)) return now_;
-    }
+    if (!is_flip(row) && !is_contact(row) && !has_rows_ && is_in(now_, row)) return now_;
     std::ostringstream message;
     message.precision(17);
     message << "nothing that it tells of happens in [" << approximate(row.lo) << ", "
@@ -143,7 +141,7 @@ class Checker : Certified_triangulation {
   // The first time from now on, in the interval of the row, at which what it is about fails.
   std::optional<Time> next_failure(const Row& row) {
     if (is_contact(row)) return next_contact(row);
-    if (!is_flip(row)) return next_root(row, true);
+    if (!is_flip(row)) return next_failure_at(row);
     std::optional<Time> first;
     for (const Edge& e : candidates(row)) {
       if (!is_known(e)) continue;
@@ -157,17 +155,25 @@ class Checker : Certified_triangulation {
     return first;
   }
 
-  // The first root after now, in the interval of the row, of the certificates at its points, at
-  // which one changes its sign, if that is asked for.
-  std::optional<Time> next_root(const Row& row, bool with_change) {
+  // The first time after now, in the interval of the row, at which a certificate at its points
+  // changes its sign.
+  std::optional<Time> next_failure_at(const Row& row) {
     std::optional<Time> first;
-    for (const Certificate& certificate : certificates_at(row)) {
-      for (Time& root : roots_in(certificate.p, row)) {
+    for (const Polynomial& p : certificates_at(row)) {
+      for (Time& root : roots_in(p, row)) {
         if (compare(root, now_) <= 0 || (first && compare(root, *first) >= 0)) continue;
-        if (!with_change || changes_sign(certificate.p, root)) first = root;
+        if (changes_sign(p, root)) first = root;
       }
     }
     return first;
+  }
+
+  // Whether one of them fails at the present time.
+  bool fails_now(const Row& row) {
+    const auto all = certificates_at(row);
+    return std::ranges::any_of(all, [&](const Polynomial& p) {
+      return sign_at(p, now_) == 0 && sign_just_after(p, now_) < 0;
+    });
   }
 
   // Whether the time of the row is the binary64 number nearest to now, ties to even.
@@ -184,16 +190,12 @@ class Checker : Certified_triangulation {
     return beyond < 0 || (beyond == 0 && std::bit_cast<std::uint64_t>(row.time) % 2 == 0);
   }
 
-  // The certificates of edges and hidden points at the points of the rows that have one instant
-  // with this one: without the column `instant`, one interval.
-  std::vector<Certificate> certificates_at(const Row& row) const {
+  // The certificates of edges at the points of the rows that have one instant with this one,
+  // without the column `instant` one interval; and that hidden points there are above the triangles
+  // that hide them. Where they leave these triangles is a special time.
+  std::vector<Polynomial> certificates_at(const Row& row) const {
     std::set<Edge> edges;
-    std::vector<Certificate> result;
-    const auto add = [&](Kind kind, const Points& points) {
-      for (Certificate& c : certifier_.certificates({kind, points, courses(points), {}, {}})) {
-        if (!is_about_contact(c.rule)) result.push_back(std::move(c));
-      }
-    };
+    std::vector<Polynomial> result;
     for (const Row* r = &row;
          r != rows_.data() + rows_.size() && r->instant == row.instant && is_of_time_of(*r, row);
          ++r) {
@@ -206,7 +208,7 @@ class Checker : Certified_triangulation {
         const auto hidden = hidden_.find(v);
         if (neighbors_[v].empty() && hidden != hidden_.end() && hidden->second[0] != absent) {
           const auto& [a, b, c] = hidden->second;
-          add(hidden_life, {a, b, c, v});
+          result.push_back(outside(course(a), course(b), course(c), course(v)));
         }
         if (apex(v, infinite) != absent) edges.insert({v, infinite});
         for (const Id n : neighbors_[v]) {
@@ -215,7 +217,12 @@ class Checker : Certified_triangulation {
         }
       }
     }
-    for (const auto& [a, b] : edges) add(edge_life, {a, b, apex(a, b), apex(b, a)});
+    for (const auto& [a, b] : edges) {
+      const Points points = {a, b, apex(a, b), apex(b, a)};
+      for (Certificate& c : certifier_.certificates({edge_life, points, courses(points), {}, {}})) {
+        if (!is_about_contact(c.rule)) result.push_back(std::move(c.p));
+      }
+    }
     return result;
   }
 

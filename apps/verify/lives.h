@@ -87,18 +87,32 @@ inline Polynomial dot(const Place& u, const Place& v) {
 inline Polynomial orientation(const Course& a, const Course& b, const Course& c) {
   return cross(minus(b, a), minus(c, a));
 }
+// How far the lifted end of a difference is above the plane that touches the surface of the lifting
+// over its origin: lifted by x^2 + y^2 - radius^2 and, each times a number that is infinitely small
+// beside the one before, x y, x^2 and y^2. The first lifting that does not make a condition vanish
+// at all times decides it (Lemma 7).
+constexpr std::array liftings = {0, 1, 2, 3};
+inline Polynomial lift(int lifting, const Course& point, const Course& origin,
+                       const Place& difference) {
+  const auto& [x, y] = difference;
+  if (lifting > 0) return lifting == 1 ? x * y : lifting == 2 ? x * x : y * y;
+  const Polynomial squared = dot(difference, difference);
+  if (point.radius == origin.radius) return squared;
+  return squared - (point.radius - origin.radius) * (point.radius + origin.radius);
+}
 // Positive if d is outside the circle of a, b, c, which are counterclockwise: for discs, the circle
 // that is orthogonal to theirs, from which the rim of d is to be away.
 inline Polynomial outside(const Course& a, const Course& b, const Course& c, const Course& d) {
-  const auto lift = [&d](const Course& point, const Place& difference) {
-    const Polynomial squared = dot(difference, difference);
-    if (point.radius == d.radius) return squared;
-    return squared - (point.radius - d.radius) * (point.radius + d.radius);
-  };
   const Place u = minus(a, d);
   const Place v = minus(b, d);
   const Place w = minus(c, d);
-  return -(lift(a, u) * cross(v, w) + lift(b, v) * cross(w, u) + lift(c, w) * cross(u, v));
+  for (const int lifting : liftings) {
+    const Polynomial p = lift(lifting, a, d, u) * cross(v, w) +
+                         lift(lifting, b, d, v) * cross(w, u) +
+                         lift(lifting, c, d, w) * cross(u, v);
+    if (!p.empty()) return -p;
+  }
+  return {};
 }
 // Not negative if b is a corner of a convex hull: a left turn or, where a, b and c are always on a
 // line, no way back.
@@ -108,13 +122,15 @@ inline Polynomial corner(const Course& a, const Course& b, const Course& c) {
 }
 // Of three points that are always on a line: not negative if the others do not hide the middle one.
 inline Polynomial above_middle(const Course& a, const Course& middle, const Course& b) {
-  const auto height = [&middle](const Course& c, const Place& difference) {
-    return dot(difference, difference) - (c.radius - middle.radius) * (c.radius + middle.radius);
-  };
   const Place u = minus(a, middle);
   const Place v = minus(b, middle);
   const Place w = minus(a, b);
-  return dot(w, u) * height(b, v) - dot(w, v) * height(a, u);
+  for (const int lifting : liftings) {
+    Polynomial p =
+        dot(w, u) * lift(lifting, b, middle, v) - dot(w, v) * lift(lifting, a, middle, u);
+    if (!p.empty()) return p;
+  }
+  return {};
 }
 // Not negative if two discs are apart.
 inline Polynomial gap(const Course& a, const Course& b) {

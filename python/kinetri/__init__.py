@@ -31,7 +31,7 @@ from ._response import Response, respond
 from ._snapshot import Snapshot
 from ._types import ResponseName
 from .errors import (CoincidentTrajectoriesError, ContactError, ContactOverflowError, EndlessContactsError,
-                     Error, HistoryWarning, InputError, InternalError, NegativeRadiusError, OutputError,
+                     Error, InputError, InternalError, NegativeRadiusError, OutputError,
                      OutsideBoxError, OverlappingDiscsError, PackingError, PreconditionError,
                      SnapshotError, WorkerError)
 from .events import event_colors, event_dtype, event_kinds, to_dataframe
@@ -43,7 +43,7 @@ from .tracks import Tracks
 
 __all__ = [
     "AuditReport", "CoincidentTrajectoriesError", "Contact", "ContactError", "ContactOverflowError",
-    "EndlessContactsError", "Error", "Event", "HistoryWarning", "InputError", "InternalError", "KineticDelaunay",
+    "EndlessContactsError", "Error", "Event", "InputError", "InternalError", "KineticDelaunay",
     "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors", "NegativeRadiusError", "OutputError",
     "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page", "PreconditionError", "RealRoot", "Response",
     "ResponseName", "Simulation", "Snapshot", "SnapshotError", "SturmSequence", "Time", "Tracks", "VoronoiCell",

@@ -122,7 +122,3 @@ class PackingError(Error):
 
 class WorkerError(Error):
     """Worker processes of a sweep ended again and again without a result."""
-
-
-class HistoryWarning(UserWarning):
-    """A piece of a run depends on the pieces before it, and was computed after them."""

@@ -41,17 +41,24 @@ struct Point_of_double {
   }
 };
 
-// p(from + y / 2^e) times 2^(e n), as a polynomial of y, where `from` is m / 2^e: Horner's scheme,
-// again and again.
-Wide_polynomial expanded_at(const Wide_polynomial& p, const Point& from) {
+// p((m + y) / d) times d^n, as a polynomial of y, where `times_power(c, k)` is c d^k: Horner's
+// scheme, again and again.
+template <class Times_power>
+Wide_polynomial expanded(const Wide_polynomial& p, const Wide& m, const Times_power& times_power) {
   std::array<Wide, Wide_polynomial::most + 1> c;
   const int n = p.degree();
   const auto at = [&](int i) -> Wide& { return c[static_cast<std::size_t>(i)]; };
-  for (int i = 0; i <= n; ++i) at(i) = p[i] << (from.exponent * static_cast<unsigned long>(n - i));
+  for (int i = 0; i <= n; ++i) at(i) = times_power(p[i], n - i);
   for (int first = 0; first < n; ++first) {
-    for (int i = n - 1; i >= first; --i) at(i) += at(i + 1) * from.numerator;
+    for (int i = n - 1; i >= first; --i) at(i) += at(i + 1) * m;
   }
   return Wide_polynomial(c, n);
+}
+
+Wide_polynomial expanded_at(const Wide_polynomial& p, const Point& from) {
+  return expanded(p, from.numerator, [&](const Wide& c, int k) {
+    return c << (from.exponent * static_cast<unsigned long>(k));
+  });
 }
 
 // A polynomial of z in binary64 numbers, up to a positive factor, where y = 2^scale z. Its roots
@@ -301,6 +308,21 @@ std::optional<Sign> count_sign(const Narrow_polynomial& p, const Double_interval
   if (now.lower == now.upper) return side == CGAL::ZERO ? sign(f[0]) : sign_beside(f, side);
   if (!f[0].is_zero() && keeps_sign(f, 0, now, from)) return sign(f[0]);
   return std::nullopt;
+}
+
+std::optional<Sign> count_sign(const Narrow_polynomial& p, const Rational& t, Sign side) {
+  if (p.degree() < 1) return p.is_zero() ? CGAL::ZERO : sign(p[0]);
+  const Integer numerator = boost::multiprecision::numerator(t);
+  const Integer denominator = boost::multiprecision::denominator(t);
+  const long bits = std::max(bit_length(numerator), bit_length(denominator));
+  if (p.coefficient_bits() + p.degree() * (bits + 2) > Wide::capacity) return std::nullopt;
+  const Wide d(denominator);
+  const auto times_power = [&](Wide c, int k) {
+    for (; k > 0; --k) c = c * d;
+    return c;
+  };
+  const Wide_polynomial f = expanded(Wide_polynomial(p), Wide(numerator), times_power);
+  return side == CGAL::ZERO ? sign(f[0]) : sign_beside(f, side);
 }
 
 }  // namespace kinetri

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "kinetri/algebra/number_types.h"
 #include "kinetri/algebra/sign.h"
 #include "kinetri/impl/base/double_interval.h"
 #include "stack_integer.h"
@@ -44,6 +45,9 @@ Counted_failure count_failure(const Narrow_polynomial& p, const Double_interval&
 /// positive. None if that is not certain: p may vanish near a time that is not a binary64 number,
 /// or the numbers are too wide. Exact. Cost: one Taylor expansion.
 std::optional<Sign> count_sign(const Narrow_polynomial& p, const Double_interval& now, Sign side);
+
+/// The same at a rational time t. None only if the numbers are too wide.
+std::optional<Sign> count_sign(const Narrow_polynomial& p, const Rational& t, Sign side);
 
 }  // namespace kinetri
 

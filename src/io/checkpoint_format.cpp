@@ -14,7 +14,7 @@ namespace kinetri {
 namespace {
 
 constexpr std::string_view format_name = "kinetri checkpoint ";
-constexpr std::string_view version = "5";
+constexpr std::string_view version = "6";
 // An exact time of the program's has some hundred thousand digits at most.
 constexpr std::size_t longest_line = std::size_t{1} << 24U;
 

@@ -124,38 +124,6 @@ Simulation_options options(const Json_value& state) {
 }
 
 template <class Traits>
-void read_faces(const Json_value& state, Triangulation_snapshot<Traits>& topology) {
-  const auto vertices = static_cast<std::size_t>(std::max(topology.dimension, 0) + 1);
-  const auto neighbors = static_cast<std::size_t>(topology.dimension + 1);
-  const auto face_number = [](const Json_value& value) {
-    return value.whole_number<std::size_t>();
-  };
-  const Json_value faces = state.member("faces");
-  topology.faces.reserve(faces.size());
-  faces.for_each([&](const Json_value& lists) {
-    lists.expect_size(2);
-    lists.element(0).expect_size(vertices);
-    lists.element(1).expect_size(neighbors);
-    auto& face = topology.faces.emplace_back();
-    for (std::size_t i = 0; i < vertices; ++i) {
-      const Json_value list = lists.element(0);
-      face.vertices[i] = list.element(i).is_null() ? no_point : point_id(list.element(i));
-    }
-    for (std::size_t i = 0; i < neighbors; ++i) {
-      const Json_value list = lists.element(1);
-      face.neighbors[i] = face_number(list.element(i));
-    }
-  });
-  state.member("vertex_faces").for_each([&](const Json_value& face) {
-    topology.vertex_faces.push_back(face_number(face));
-  });
-  state.member("hidden_points").for_each([&](const Json_value& point) {
-    topology.hidden_points.push_back(point_id(point));
-  });
-  topology.infinite_vertex_face = face_number(state.member("infinite_vertex_face"));
-}
-
-template <class Traits>
 typename Simulation_snapshot<Traits>::Change scheduled_change(const Json_value& value) {
   const Json_value kind = value.member("kind");
   const auto* const found =
@@ -181,8 +149,6 @@ Simulation_snapshot<Traits> simulation_snapshot(const Json_value& state) {
   read_counters(state.member("contact_counters"), result.counters, contact_counters);
   state.member("points").for_each(
       [&](const Json_value& point) { topology.motions.push_back(motion<Motion>(point)); });
-  topology.dimension = state.member("dimension").small_number(-1, 2);
-  read_faces(state, topology);
   state.member("in_contact").for_each([&](const Json_value& pair) {
     pair.expect_size(2);
     result.in_contact.push_back({point_id(pair.element(0)), point_id(pair.element(1))});

@@ -88,8 +88,6 @@ class Checkpoint_writer {
     add_written("contact_counters", snapshot.counters, contact_counters);
     add_list("points", topology.motions,
              [](Json_writer& json, const auto& motion) { write(json, motion); });
-    add("dimension", topology.dimension);
-    write_faces(topology);
     add_list("in_contact", snapshot.in_contact,
              [](Json_writer& json, const Edge_ids& pair) { write_list(json, pair); });
     add_list("scheduled", snapshot.scheduled, [](Json_writer& json, const auto& change) {
@@ -120,31 +118,6 @@ class Checkpoint_writer {
     add("refuses_overlaps", options.refuses_overlaps);
     add("has_response", snapshot.has_response);
     add("max_contacts_per_instant", options.max_contacts_per_instant);
-  }
-
-  // Of each face the vertices (null for the infinite one) and the neighbors, as many as the
-  // dimension has.
-  void write_faces(const Triangulation_snapshot<Traits>& topology) {
-    const auto vertices = static_cast<std::size_t>(std::max(topology.dimension, 0) + 1);
-    const auto neighbors = static_cast<std::size_t>(topology.dimension + 1);
-    add_list("faces", topology.faces, [&](Json_writer& json, const auto& face) {
-      json.begin_list();
-      json.begin_list();
-      for (std::size_t i = 0; i < vertices; ++i) {
-        const Point_id id = face.vertices[i];
-        id == no_point ? json.null() : json.value(id);
-      }
-      json.end_list();
-      json.begin_list();
-      for (std::size_t i = 0; i < neighbors; ++i) json.value(face.neighbors[i]);
-      json.end_list();
-      json.end_list();
-    });
-    add_list("vertex_faces", topology.vertex_faces,
-             [](Json_writer& json, std::size_t face) { json.value(face); });
-    add_list("hidden_points", topology.hidden_points,
-             [](Json_writer& json, Point_id id) { json.value(id); });
-    add("infinite_vertex_face", topology.infinite_vertex_face);
   }
 
   // What writes the value of the member.

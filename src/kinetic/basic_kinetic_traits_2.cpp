@@ -84,8 +84,8 @@ constexpr auto gap = [](const auto&... all) { return contact_of(all...); };
 constexpr auto nearness = [](const auto&... all) { return -contact_of(all...); };
 constexpr auto gap_growth = [](const auto&... all) { return derivative(contact_of(all...)); };
 constexpr auto comparison = [](const auto&... all) { return distance_comparison_of(all...); };
-constexpr auto below_segment = [](const auto&... all) { return segment_of(all...); };
-constexpr auto above_segment = [](const auto&... all) { return -segment_of(all...); };
+constexpr auto below_segment = perturbed([](const auto&... all) { return segment_of(all...); });
+constexpr auto above_segment = perturbed([](const auto&... all) { return -segment_of(all...); });
 constexpr auto weight_order = [](const auto&... all) { return weight_difference_of(all...); };
 auto inside_of(const Wall_2& wall) {
   return [&wall](const auto&... all) { return wall_of(wall, all...); };
@@ -166,10 +166,21 @@ Certificate Basic_kinetic_traits_2<Motion>::in_circle_certificate(const Point_2&
       return failure_at_once(t);
     }
   }
-  return exactly(
-      polynomial_on_stack(outside_circle, p.motion(), q.motion(), r.motion(), s.motion()),
-      [&](const auto& polynomial) { return counted_certificate(polynomial, t, state); },
-      [&] { return exact_certificate(-in_circle_polynomial(p, q, r, s), t); });
+  const auto on_stack = [&](const auto& formula) {
+    return polynomial_on_stack(formula, p.motion(), q.motion(), r.motion(), s.motion());
+  };
+  const auto general = [&] {
+    return exact_certificate(-perturbed_in_circle_polynomial(p, q, r, s), t);
+  };
+  const auto counted = [&](Certificate_state known) {
+    return
+        [&t, known](const auto& polynomial) { return counted_certificate(polynomial, t, known); };
+  };
+  const auto in_circle = on_stack(lifted_by(Lifting::paraboloid, outside_circle));
+  if (!in_circle || !in_circle->is_zero()) return exactly(in_circle, counted(state), general);
+  // Within an instant such an edge may also be flipped because it was wrong already at that time,
+  // between points that were cocircular then: so what decides need not vanish.
+  return exactly(on_stack(perturbed(outside_circle)), counted(Certificate_state::any), general);
 }
 
 // What the filter knows of an orientation from t on, if it knows anything.
@@ -287,7 +298,7 @@ Certificate Basic_kinetic_traits_2<Motion>::segment_certificate(
   return exactly(
       polynomial_on_stack(below_segment, p.motion(), q.motion(), r.motion()),
       [&](const auto& polynomial) { return counted_certificate_with_time(polynomial, t); },
-      [&] { return exact_certificate(segment_polynomial(p, q, r), t); });
+      [&] { return exact_certificate(perturbed_segment_polynomial(p, q, r), t); });
 }
 
 template <class Motion>
@@ -297,7 +308,7 @@ Certificate Basic_kinetic_traits_2<Motion>::hiding_certificate(
   return exactly(
       polynomial_on_stack(above_segment, p.motion(), q.motion(), r.motion()),
       [&](const auto& polynomial) { return counted_certificate_with_time(polynomial, t); },
-      [&] { return exact_certificate(-segment_polynomial(p, q, r), t); });
+      [&] { return exact_certificate(-perturbed_segment_polynomial(p, q, r), t); });
 }
 
 template <class Motion>

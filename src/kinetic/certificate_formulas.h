@@ -4,6 +4,7 @@
 #ifndef KINETRI_SRC_KINETIC_CERTIFICATE_FORMULAS_H
 #define KINETRI_SRC_KINETIC_CERTIFICATE_FORMULAS_H
 
+#include <cstdint>
 #include <type_traits>
 
 #include "algebra/static_polynomial.h"
@@ -57,11 +58,28 @@ template <class Poly>
 Poly squared_length(const Vector<Poly>& a) {
   return dot(a, a);
 }
-/// The height of the end of the vector, lifted by x^2 + y^2 - weight, above the plane that touches
-/// the lifted paraboloid over its beginning.
+
+/// What points are lifted by: a quadratic form of their coordinates.
+enum class Lifting : std::uint8_t {
+  paraboloid,  ///< x^2 + y^2 - weight
+  xy,          ///< x y
+  xx,          ///< x^2
+  yy,          ///< y^2
+};
+/// How far the lifted end of the vector is above the plane that touches the surface of the lifting
+/// over its beginning.
 template <class Poly>
-Poly lift(const Vector<Poly>& a) {
-  return squared_length(a) - a.weight;
+Poly lift(const Vector<Poly>& a, Lifting lifting) {
+  switch (lifting) {
+    case Lifting::xy:
+      return a.x * a.y;
+    case Lifting::xx:
+      return a.x * a.x;
+    case Lifting::yy:
+      return a.y * a.y;
+    default:
+      return squared_length(a) - a.weight;
+  }
 }
 
 /// Positive if a, b, c make a left turn.
@@ -73,18 +91,19 @@ auto orientation_of(const Trajectory& a, const Trajectory& b, const Trajectory& 
   return Poly(times(times(cross(u, v), u.w), v.w));
 }
 
-/// Positive if d is inside the circle through a, b, c, which make a left turn.
+/// Positive if d, lifted, is below the plane of a, b, c, which make a left turn: if it is inside
+/// their circle, where the lifting is the paraboloid.
 template <class Trajectory>
-auto in_circle_of(const Trajectory& a, const Trajectory& b, const Trajectory& c,
+auto in_circle_of(Lifting lifting, const Trajectory& a, const Trajectory& b, const Trajectory& c,
                   const Trajectory& d) {
   const auto u = difference(a, d);
   const auto v = difference(b, d);
   const auto w = difference(c, d);
-  // With row i times w_i^2 (a positive factor) the columns are x w, y w and x^2 + y^2, so that each
-  // cofactor carries the product of its two denominators.
-  return lift(u) * times(times(cross(v, w), v.w), w.w) +
-         lift(v) * times(times(cross(w, u), w.w), u.w) +
-         lift(w) * times(times(cross(u, v), u.w), v.w);
+  // With row i times w_i^2 (a positive factor) the columns are x w, y w and the lifted one, so that
+  // each cofactor carries the product of its two denominators.
+  return lift(u, lifting) * times(times(cross(v, w), v.w), w.w) +
+         lift(v, lifting) * times(times(cross(w, u), w.w), u.w) +
+         lift(w, lifting) * times(times(cross(u, v), u.w), v.w);
 }
 
 /// @{
@@ -165,7 +184,7 @@ auto scalar_product_of(const Trajectory& a, const Trajectory& b, const Trajector
 /// With u = a - b and v = c - b the determinant of the coordinates of u and v along the line and of
 /// their lifts, times the length of u - v. Everything is multiplied by (u.w v.w)^4.
 template <class Trajectory>
-auto segment_of(const Trajectory& a, const Trajectory& b, const Trajectory& c) {
+auto segment_of(Lifting lifting, const Trajectory& a, const Trajectory& b, const Trajectory& c) {
   const auto u = difference(a, b);
   const auto v = difference(c, b);
   using Poly = std::remove_cvref_t<decltype(u.x)>;
@@ -174,7 +193,30 @@ auto segment_of(const Trajectory& a, const Trajectory& b, const Trajectory& c) {
   const Poly vv = times(squared_length(v), u.w);
   const Poly along_u = times(uu - times(uv, u.w), u.w);
   const Poly along_v = times(times(uv, v.w) - vv, v.w);
-  return times(times(along_u * lift(v), u.w), v.w) - times(times(along_v * lift(u), u.w), v.w);
+  return times(times(along_u * lift(v, lifting), u.w), v.w) -
+         times(times(along_v * lift(u, lifting), u.w), v.w);
+}
+
+/// A formula that takes a lifting, with this one.
+template <class Formula>
+constexpr auto lifted_by(Lifting lifting, const Formula& formula) {
+  return [lifting, formula](const auto&... paths) { return formula(lifting, paths...); };
+}
+
+/// The formula that decides for ever, of one that takes a lifting: points are lifted by the sum of
+/// all liftings, each times a positive number that is infinitely small beside that of the one
+/// before it. So it gives the polynomial of the first lifting with which that is not zero.
+/// docs/MATH.md, section 4, shows that there is one; the last is needed where points have weights.
+template <class Formula>
+constexpr auto perturbed(const Formula& formula) {
+  return [formula](const auto&... paths) {
+    auto result = formula(Lifting::paraboloid, paths...);
+    for (const Lifting next : {Lifting::xy, Lifting::xx, Lifting::yy}) {
+      if (!result.is_zero()) break;
+      result = formula(next, paths...);
+    }
+    return result;
+  };
 }
 
 }  // namespace kinetri

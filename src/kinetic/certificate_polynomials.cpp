@@ -38,7 +38,14 @@ Polynomial orientation_polynomial(const Point& p, const Point& q, const Point& r
 template <class Point>
 Polynomial in_circle_polynomial(const Point& p, const Point& q, const Point& r, const Point& s) {
   const auto [a, b, c, d] = common_trajectories<4, typename Point::Motion>({&p, &q, &r, &s});
-  return in_circle_of(a, b, c, d);
+  return in_circle_of(Lifting::paraboloid, a, b, c, d);
+}
+
+template <class Point>
+Polynomial perturbed_in_circle_polynomial(const Point& p, const Point& q, const Point& r,
+                                          const Point& s) {
+  const auto [a, b, c, d] = common_trajectories<4, typename Point::Motion>({&p, &q, &r, &s});
+  return perturbed([](const auto&... all) { return in_circle_of(all...); })(a, b, c, d);
 }
 
 template <class Point>
@@ -62,7 +69,13 @@ Polynomial power_distance_difference(const Point& p, const Point& q, const Point
 template <class Point>
 Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r) {
   const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
-  return segment_of(a, b, c);
+  return segment_of(Lifting::paraboloid, a, b, c);
+}
+
+template <class Point>
+Polynomial perturbed_segment_polynomial(const Point& p, const Point& q, const Point& r) {
+  const auto [a, b, c] = common_trajectories<3, typename Point::Motion>({&p, &q, &r});
+  return perturbed([](const auto&... all) { return segment_of(all...); })(a, b, c);
 }
 
 template <class Point>
@@ -122,7 +135,7 @@ Trajectory_2 weighted_circumcenter_trajectory(const Point& p, const Point& q, co
   const Trajectory_2 a = p.trajectory();
   const Vector<Polynomial> u = difference(q.trajectory(), a);
   const Vector<Polynomial> v = difference(r.trajectory(), a);
-  return circle_center(a, u, v, lift(u), lift(v));
+  return circle_center(a, u, v, lift(u, Lifting::paraboloid), lift(v, Lifting::paraboloid));
 }
 
 #define KINETRI_INSTANTIATE(Point)                                                             \
@@ -131,6 +144,8 @@ Trajectory_2 weighted_circumcenter_trajectory(const Point& p, const Point& q, co
   template Polynomial orientation_polynomial(const Point&, const Point&, const Point&);        \
   template Polynomial in_circle_polynomial(const Point&, const Point&, const Point&,           \
                                            const Point&);                                      \
+  template Polynomial perturbed_in_circle_polynomial(const Point&, const Point&, const Point&, \
+                                                     const Point&);                            \
   template Polynomial distance_difference(const Point&, const Point&, const Point&);           \
   template Polynomial scalar_product_polynomial(const Point&, const Point&, const Point&);     \
   template Polynomial contact_polynomial(const Point&, const Point&, double);                  \
@@ -140,6 +155,7 @@ Trajectory_2 weighted_circumcenter_trajectory(const Point& p, const Point& q, co
   template Polynomial weight_difference(const Point&, const Point&);                           \
   template Polynomial power_distance_difference(const Point&, const Point&, const Point&);     \
   template Polynomial segment_polynomial(const Point&, const Point&, const Point&);            \
+  template Polynomial perturbed_segment_polynomial(const Point&, const Point&, const Point&);  \
   template Trajectory_2 circumcenter_trajectory(const Point&, const Point&, const Point&);     \
   template Trajectory_2 weighted_circumcenter_trajectory(const Point&, const Point&, const Point&)
 KINETRI_INSTANTIATE(Moving_point_2);

@@ -23,7 +23,7 @@ struct In_circle_root : Root_source {
   In_circle_root(const Point& a, const Point& b, const Point& c, const Point& d)
       : p(a.motion()), q(b.motion()), r(c.motion()), s(d.motion()) {}
   Polynomial polynomial() const override {
-    return in_circle_polynomial(Point(p), Point(q), Point(r), Point(s));
+    return perturbed_in_circle_polynomial(Point(p), Point(q), Point(r), Point(s));
   }
   double certain_value_at(double high, double low) const override {
     return precise_in_circle(p, q, r, s, high, low);

@@ -9,6 +9,11 @@
 #include "polynomial_on_stack.h"
 
 namespace kinetri {
+namespace {
+
+constexpr auto no_filter = [](const auto&...) { return CGAL::ZERO; };
+
+}  // namespace
 
 // The sign of what `formula` makes of the trajectories of the points. A sign that the filter knows
 // is not zero, so that it is the same just before, at and just after.
@@ -26,6 +31,16 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::sign(const Filter& filter,
   }
   const auto paths = common_trajectories<sizeof...(Points), Motion>({&points...});
   return sign_at(std::apply(formula, paths), *instant_);
+}
+
+// The same of a formula with a lifting. Just before and just after a time it decides for ever.
+template <class Motion>
+template <class Filter, class Formula, class... Points>
+Sign Basic_instantaneous_traits_2<Motion>::Predicate::lifted_sign(const Filter& filter,
+                                                                  const Formula& formula,
+                                                                  const Points&... points) const {
+  if (instant_->side != Time_side::at) return sign(filter, perturbed(formula), points...);
+  return sign(filter, lifted_by(Lifting::paraboloid, formula), points...);
 }
 
 template <class Motion>
@@ -56,7 +71,7 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::in_circle(const Point_2& p
                                                                 const Point_2& s) const {
   const auto filter = [](const auto&... arguments) { return certain_in_circle(arguments...); };
   const auto formula = [](const auto&... paths) { return in_circle_of(paths...); };
-  return sign(filter, formula, p, q, r, s);
+  return lifted_sign(filter, formula, p, q, r, s);
 }
 
 template <class Motion>
@@ -102,9 +117,8 @@ template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::below_segment(const Point_2& p,
                                                                     const Point_2& q,
                                                                     const Point_2& r) const {
-  const auto no_filter = [](const auto&...) { return CGAL::ZERO; };
   const auto formula = [](const auto&... paths) { return segment_of(paths...); };
-  return sign(no_filter, formula, p, q, r);
+  return lifted_sign(no_filter, formula, p, q, r);
 }
 
 template class Basic_instantaneous_traits_2<Linear_motion_2>;

@@ -48,7 +48,9 @@ std::optional<Sign> sign_on_stack(const Instant& instant, const Formula& formula
   const Sign side = instant.side == Time_side::before ? CGAL::NEGATIVE
                     : instant.side == Time_side::at   ? CGAL::ZERO
                                                       : CGAL::POSITIVE;
-  return count_sign(*p, instant.time.interval(), side);
+  const std::optional<Sign> known = count_sign(*p, instant.time.interval(), side);
+  if (known || !instant.time.is_known_rational()) return known;
+  return count_sign(*p, instant.time.rational(), side);
 }
 
 }  // namespace kinetri

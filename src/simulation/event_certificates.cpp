@@ -202,8 +202,9 @@ template <class Traits>
 auto Event_certificates<Traits>::condition(std::vector<Point_id> points, const Moment& since) const
     -> Condition {
   const auto at = [&](std::size_t i) -> const Point_2& { return point(points[i]); };
-  Polynomial polynomial = points.size() == 4 ? -in_circle_polynomial(at(0), at(1), at(2), at(3))
-                                             : orientation_polynomial(at(0), at(1), at(2));
+  Polynomial polynomial = points.size() == 4
+                              ? -perturbed_in_circle_polynomial(at(0), at(1), at(2), at(3))
+                              : orientation_polynomial(at(0), at(1), at(2));
   const Algebraic_number& time = latest(since, points).time;
   return {std::move(points), std::move(polynomial), time};
 }

@@ -3,7 +3,7 @@
 // A run by regions: the events of a window of time are executed region by region, each region in
 // its own order, by several threads; then, in unions of two regions, of four, and so on, those that
 // concern several regions; and then all are reported in the order of time. The result is that of
-// the plain loop, event by event and face by face. docs/MATH.md, section 17, proves it.
+// the plain loop, event by event. docs/MATH.md, section 17, proves it.
 //
 // The plain loop. Entries of the queue are ordered by exact time, then by kind, then by the ids of
 // the ends of the edge (Queue_policy::precedes). The loop takes the least entry, executes it, and

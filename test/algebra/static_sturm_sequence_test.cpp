@@ -331,6 +331,32 @@ TEST(Count_failure, is_not_misled_by_the_guess) {
   }
 }
 
+// Of (d t - m)^k r(t) at m / d and beside it, where r has no root: the sign of r, and its turns.
+TEST(Count_sign, at_a_rational_root_is_that_of_the_other_factor) {
+  Random random(7);
+  for (unsigned long round = 0; round < test::scaled_count(2000); ++round) {
+    const auto bits = static_cast<unsigned>(random.integer(1, 150));
+    const Integer m = random.big_integer(bits);
+    const Integer d = random.integer(1, 50);
+    const Rational t(m, d);
+    const long k = random.integer(0, 4);
+    Polynomial p{1};
+    for (long i = 0; i < k; ++i) p = p * Polynomial{-m, d};
+    std::vector<Integer> c = {random.big_integer_not_zero(40)};
+    for (long i = k; i < 4; ++i) c.push_back(random.big_integer(40));
+    const Polynomial r(c);
+    const Sign of_r = r.sign_at(t);
+    if (of_r == CGAL::ZERO) continue;
+    const Narrow_polynomial narrow(p * r);
+    EXPECT_EQ(count_sign(narrow, t, CGAL::ZERO), k == 0 ? of_r : CGAL::ZERO) << round;
+    EXPECT_EQ(count_sign(narrow, t, CGAL::POSITIVE), of_r) << round;
+    EXPECT_EQ(count_sign(narrow, t, CGAL::NEGATIVE), k % 2 == 0 ? of_r : -of_r) << round;
+  }
+  const Narrow_polynomial narrow(Polynomial{1, 2, 3, 4, 5});
+  EXPECT_EQ(count_sign(narrow, Rational(1, Integer(1) << 1200), CGAL::ZERO), std::nullopt);
+  EXPECT_EQ(count_sign(Narrow_polynomial(), Rational(1, 3), CGAL::POSITIVE), CGAL::ZERO);
+}
+
 TEST(Count_failure, leaves_what_is_too_wide) {
   const Integer wide = Integer(1) << 1000;
   const Polynomial p{-wide, 3, 5, 7, wide};

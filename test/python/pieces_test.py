@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs in pieces: byte for byte the events of one run."""
-import warnings
 from fractions import Fraction
 
 import numpy as np
@@ -59,9 +58,7 @@ def test_lattices_with_many_events_at_one_time(movers, count):
     velocities = np.round(velocities)
     expected = one_run(positions, velocities, 8)
     assert len(expected) > 20 and len(np.unique(expected["time"])) < len(expected)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", kinetri.HistoryWarning)
-        assert same(expected, kinetri.run_in_pieces(positions, velocities, 8, count))
+    assert same(expected, kinetri.run_in_pieces(positions, velocities, 8, count))
 
 
 @few
@@ -78,58 +75,17 @@ def test_small_integers(seed):
         with pytest.raises(kinetri.CoincidentTrajectoriesError):
             kinetri.run_in_pieces(*points, until, count)
         return
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", kinetri.HistoryWarning)
-        assert same(expected, kinetri.run_in_pieces(*points, until, count))
+    assert same(expected, kinetri.run_in_pieces(*points, until, count))
 
 
-def visited_square():
-    """A square whose corners rest: its diagonal is what a point leaves behind that has passed through.
-
-    The point 4 passes over the corner 0 - 1 - 2 - 3 from t = 1 on and is away before t = 7.
-    """
-    return (np.array([[0, 0], [4, 0], [4, 4], [0, 4], [-3, 2.5], [100, 100], [-100, 90]]),
-            np.array([[0, 0]] * 4 + [[2, -0.5], [0, 0], [0, 0]]))
-
-
-def test_points_that_stay_cocircular_over_a_border_are_reported_and_right():
-    warned = 0
-    for mirror in (1, -1):
-        positions, velocities = visited_square()
-        positions[:, 0] *= mirror
-        velocities[:, 0] *= mirror
-        kd = kinetri.KineticDelaunay(positions, velocities)
-        expected = kd.record(until=20)
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            events = kinetri.run_in_pieces(positions, velocities, 20, 2)
-        assert same(expected, events)
-        at_border = kinetri.KineticDelaunay._at(positions, velocities, None, None, 0.0, 10)
-        whole = kinetri.KineticDelaunay(positions, velocities)
-        whole.advance_to(10)
-        if not np.array_equal(at_border.edges(), whole.edges()):
-            warned += 1
-            assert [warning.category for warning in caught] == [kinetri.HistoryWarning]
-            message = str(caught[0].message)
-            assert message.startswith("at t = 10.0 points among 0, 1, 2, 3 are cocircular or collinear")
-            assert "(0, 2), (1, 3)" in message and caught[0].filename == __file__
-        else:
-            assert caught == []
-    assert warned > 0
-
-
-def test_several_pieces_in_a_row_depend_on_the_past():
-    positions, velocities = visited_square()
-    warned = {}
+def test_a_square_that_a_point_has_passed_through():
+    """Its corners rest, so that they are cocircular at the border; the point 4 has left them before."""
+    positions = np.array([[0, 0], [4, 0], [4, 4], [0, 4], [-3, 2.5], [100, 100], [-100, 90]])
+    velocities = np.array([[0, 0]] * 4 + [[2, -0.5], [0, 0], [0, 0]])
     for mirror in (1, -1):
         p, v = positions * [mirror, 1], velocities * [mirror, 1]
-        expected = one_run(p, v, 40)
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            assert same(expected, kinetri.run_in_pieces(p, v, 40, 5))
-        warned[mirror] = len(caught)
-    # At t = 8, 16, 24 and 32.
-    assert sorted(warned.values()) == [0, 4]
+        for count in (2, 5):
+            assert same(one_run(p, v, 40), kinetri.run_in_pieces(p, v, 40, count))
 
 
 def test_pieces_shorter_than_the_numbers_and_no_time_at_all():

@@ -172,7 +172,7 @@ class Checked : Event_observer {
         ASSERT_EQ(c.points.size(), 4u);
         EXPECT_EQ(edge_ids(c.points[0], c.points[1]), *event.removed);
         EXPECT_EQ(edge_ids(c.points[2], c.points[3]), *event.added);
-        p = -in_circle_polynomial(at(0), at(1), at(2), at(3));
+        p = -perturbed_in_circle_polynomial(at(0), at(1), at(2), at(3));
         since = since_of(*event.removed, {c.points[2], c.points[3]});
         break;
       }
@@ -203,7 +203,7 @@ class Checked : Event_observer {
         break;
       default:
         // Hidden points: whoever is beside them, the proof itself is checked.
-        p = c.points.size() == 4 ? -in_circle_polynomial(at(0), at(1), at(2), at(3))
+        p = c.points.size() == 4 ? -perturbed_in_circle_polynomial(at(0), at(1), at(2), at(3))
                                  : orientation_polynomial(at(0), at(1), at(2));
         since = Time(c.failure->from);
     }

@@ -2,12 +2,15 @@
 //
 // The slow, obvious oracle for few moving points: every time at which any three are collinear, any
 // four cocircular or any two in one place is found, and between these times the Delaunay edges are
-// found by looking at all pairs and all circles. It shares with the library only the algebra.
-// Points may come, turn, jump and go: between two such changes all is as it is without.
+// found by looking at all pairs and all circles. Where four points stay cocircular, determinants
+// with x y, and then with x^2, in place of x^2 + y^2 decide, and their roots are such times too. It
+// shares with the library only the algebra. Points may come, turn, jump and go: between two such
+// changes all is as it is without.
 #ifndef KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
 #define KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <functional>
 #include <map>
@@ -21,22 +24,31 @@
 
 namespace kinetri::test {
 
-/// The Delaunay edges of static points.
-struct Static_edges {
-  std::set<Edge_ids> certain;   ///< in every Delaunay triangulation: some circle through the ends
-                                ///< has all other points strictly outside
-  std::set<Edge_ids> possible;  ///< in some Delaunay triangulation: ... not inside
-};
+/// The determinants that decide whether d is inside the circle of a, b, c, the first that is not
+/// zero (at all times, where the points move): with x^2 + y^2, x y or x^2 in the last column.
+inline std::array<Rational, 3> in_circle_determinants(const Static_point& a, const Static_point& b,
+                                                      const Static_point& c,
+                                                      const Static_point& d) {
+  const std::array rows = {a - d, b - d, c - d};
+  const auto with = [&](const auto& column) {
+    return Rational(CGAL::determinant(rows[0].x(), rows[0].y(), column(rows[0]),  //
+                                      rows[1].x(), rows[1].y(), column(rows[1]),  //
+                                      rows[2].x(), rows[2].y(), column(rows[2])));
+  };
+  return {with([](const auto& v) { return v.squared_length(); }),
+          with([](const auto& v) { return v.x() * v.y(); }),
+          with([](const auto& v) { return v.x() * v.x(); })};
+}
 
-inline Static_edges static_edges(const std::vector<Static_point>& points) {
-  Static_edges result;
+/// The Delaunay edges of static points, which stay cocircular where they are.
+inline std::set<Edge_ids> static_edges(const std::vector<Static_point>& points) {
+  std::set<Edge_ids> result;
   const auto n = static_cast<Point_id>(points.size());
   for (Point_id a = 0; a < n; ++a) {
     for (Point_id b = a + 1; b < n; ++b) {
       // Of the circles through a and b, each point to the left allows those on one side of its own
       // circle, each point to the right those on the other side.
-      bool certain = true;
-      bool possible = true;
+      bool is_edge = true;
       std::vector<Point_id> left;
       std::vector<Point_id> right;
       for (Point_id c = 0; c < n; ++c) {
@@ -50,20 +62,18 @@ inline Static_edges static_edges(const std::vector<Static_point>& points) {
             break;
           default:
             if (CGAL::collinear_are_ordered_along_line(points[a], points[c], points[b])) {
-              certain = possible = false;
+              is_edge = false;
             }
         }
       }
       for (const Point_id c : left) {
         for (const Point_id d : right) {
-          const auto side =
-              CGAL::side_of_oriented_circle(points[a], points[b], points[c], points[d]);
-          if (side != CGAL::ON_NEGATIVE_SIDE) certain = false;
-          if (side == CGAL::ON_POSITIVE_SIDE) possible = false;
+          const auto sides = in_circle_determinants(points[a], points[b], points[c], points[d]);
+          const auto deciding = std::ranges::find_if(sides, [](const auto& s) { return s != 0; });
+          if (deciding != sides.end() && *deciding > 0) is_edge = false;
         }
       }
-      if (certain) result.certain.insert({a, b});
-      if (possible) result.possible.insert({a, b});
+      if (is_edge) result.insert({a, b});
     }
   }
   return result;
@@ -100,12 +110,14 @@ std::vector<Algebraic_number> critical_times(const std::vector<Motion>& motions,
                                              const Algebraic_number& start) {
   constexpr int d = std::same_as<Motion, Linear_motion_2> ? 1 : 3;  // greatest degree
   std::vector<Algebraic_number> times;
+  // Whether there is such a polynomial, but zero.
   const auto add_roots = [&](int degree, const std::function<Rational(const Rational&)>& value) {
     const Polynomial p = interpolate(degree, value);
-    if (p.is_zero()) return;
+    if (p.is_zero()) return false;
     for (const Real_root& root : real_roots(p)) {
       if (root.value > start) times.push_back(root.value);
     }
+    return true;
   };
   const std::size_t n = motions.size();
   const auto at = [&](std::size_t i, const Rational& t) { return place_at(motions[i], t); };
@@ -118,15 +130,12 @@ std::vector<Algebraic_number> critical_times(const std::vector<Motion>& motions,
           return CGAL::determinant(at(j, t) - at(i, t), at(k, t) - at(i, t));
         });
         for (std::size_t l = k + 1; l < n; ++l) {
-          add_roots(4 * d, [&](const Rational& t) {
-            const auto row = [&](std::size_t m) { return at(m, t) - at(l, t); };
-            const auto a = row(i);
-            const auto b = row(j);
-            const auto c = row(k);
-            return Rational(CGAL::determinant(a.x(), a.y(), a.squared_length(),  //
-                                              b.x(), b.y(), b.squared_length(),  //
-                                              c.x(), c.y(), c.squared_length()));
-          });
+          for (std::size_t column = 0; column < 3; ++column) {
+            const auto value = [&](const Rational& t) {
+              return in_circle_determinants(at(i, t), at(j, t), at(k, t), at(l, t))[column];
+            };
+            if (add_roots(4 * d, value)) break;
+          }
         }
       }
     }
@@ -138,7 +147,7 @@ std::vector<Algebraic_number> critical_times(const std::vector<Motion>& motions,
 
 /// The Delaunay edges of the motions at a rational time.
 template <class Motion>
-Static_edges edges_at(const std::vector<Motion>& motions, const Rational& t) {
+std::set<Edge_ids> edges_at(const std::vector<Motion>& motions, const Rational& t) {
   std::vector<Static_point> points;
   for (const Motion& m : motions) points.push_back(place_at(m, t));
   return static_edges(points);
@@ -175,19 +184,17 @@ class Brute_force_simulator {
   }
 
   /// The edges just after now, by the ids of the points: those up to the next critical time.
-  Static_edges edges() const {
+  std::set<Edge_ids> edges() const {
     const Algebraic_number end = critical_times_.empty()
                                      ? Algebraic_number(Rational(time_.upper() + 1))
                                      : critical_times_.front();
     std::vector<Point_id> ids;
     for (const auto& [id, motion] : motions_) ids.push_back(id);
-    const Static_edges found = edges_at(motion_list(), simplest_between(time_, end));
-    const auto by_id = [&](const std::set<Edge_ids>& edges) {
-      std::set<Edge_ids> result;
-      for (const auto& [a, b] : edges) result.insert({ids[a], ids[b]});
-      return result;
-    };
-    return {by_id(found.certain), by_id(found.possible)};
+    std::set<Edge_ids> result;
+    for (const auto& [a, b] : edges_at(motion_list(), simplest_between(time_, end))) {
+      result.insert({ids[a], ids[b]});
+    }
+    return result;
   }
 
  private:

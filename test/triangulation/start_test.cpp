@@ -64,6 +64,16 @@ TEST_P(Start, of_points_near_a_lattice_at_an_irrational_time_is_delaunay) {
 
 INSTANTIATE_TEST_SUITE_P(Epochs, Start, testing::Values(0.0, 1.0 / 3, 1e6 / 3, 1e12 / 3, 1e17 / 3));
 
+// Of all faces, in CGAL's order.
+std::vector<std::array<Point_id, 3>> corners(const Kinetic_delaunay& kinetic) {
+  std::vector<std::array<Point_id, 3>> result;
+  for (const auto face : kinetic.triangulation().all_face_handles()) {
+    const auto id = [&](int i) { return face->vertex(i)->point().id(); };
+    result.push_back({id(0), id(1), id(2)});
+  }
+  return result;
+}
+
 // The blocks of memory that faces are in come in any order of addresses: here in some orders.
 TEST(Start_of_equal_points, has_equal_faces_wherever_they_are_in_memory) {
   const auto motions = test::grid_motions(54, 33, 3, 349);
@@ -72,13 +82,7 @@ TEST(Start_of_equal_points, has_equal_faces_wherever_they_are_in_memory) {
     const Kinetic_delaunay one(motions);
     between.push_back(std::make_unique<char[]>(37 * k % 5000 + 1));
     const Kinetic_delaunay other(motions);
-    const auto first = one.snapshot();
-    const auto second = other.snapshot();
-    ASSERT_EQ(first.faces.size(), second.faces.size());
-    for (std::size_t f = 0; f < first.faces.size(); ++f) {
-      ASSERT_EQ(first.faces[f].vertices, second.faces[f].vertices) << "run " << k << ", " << f;
-      ASSERT_EQ(first.faces[f].neighbors, second.faces[f].neighbors) << "run " << k << ", " << f;
-    }
+    ASSERT_EQ(corners(one), corners(other)) << "run " << k;
   }
 }
 

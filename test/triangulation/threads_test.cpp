@@ -156,7 +156,7 @@ TEST(Threads, ask_const_functions_of_one_triangulation) {
       answer = std::to_string(shared.has_event_before(soon)) +
                std::to_string(shared.audit(Audit_level::certificates).passed()) +
                std::to_string(shared.is_valid()) + std::to_string(shared.finite_edge_ids().size()) +
-               std::to_string(shared.snapshot().faces.size()) +
+               std::to_string(shared.snapshot().motions.size()) +
                std::to_string(shared.current_time() < soon);
     });
   }

@@ -324,8 +324,6 @@ def another_initial_edge(run, generator):
 
 @lie(PLAIN)
 def the_other_initial_diagonal(run, generator):
-    if isinstance(run.points[0][0], int):  # four points may always be on one circle
-        return None
     return -1 if replace_edge(run, run.initial, generator, True) else None
 
 

@@ -5,7 +5,8 @@ It shares neither code nor idea with kinetri-verify: it computes all critical ti
 any three points are on a line or any four on a circle, with Sturm sequences. Between two critical
 times nothing can change, so it looks at one rational time there, in fractions: whether the edges
 that the log implies do not cross, are as many as a triangulation has, and each have a circle
-through their ends without points inside. The cost is that of all sets of four points, at each
+through their ends without points inside. Where four points are on one circle at all times, it is
+the determinant with x y, and then that with x^2, in place of x^2 + y^2 that decides. The cost is that of all sets of four points, at each
 critical time.
 """
 import itertools
@@ -127,12 +128,26 @@ def in_circle(a, b, c, d):
     rows = []
     for q in (a, b, c):
         x, y = (add(q[i], d[i], -1) for i in (0, 1))
-        rows.append((x, y, add(times(x, x), times(y, y))))
+        rows.append((x, y, (add(times(x, x), times(y, y)), times(x, y), times(x, x))))
     result = []
-    for u, v, w in itertools.permutations(range(3)):
-        sign = 1 if (u, v, w) in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
-        result = add(result, times(rows[u][0], times(rows[v][1], rows[w][2])), sign)
+    for column in range(3):
+        for u, v, w in itertools.permutations(range(3)):
+            sign = 1 if (u, v, w) in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
+            result = add(result, times(rows[u][0], times(rows[v][1], rows[w][2][column])), sign)
+        if result:
+            break
     return result
+
+
+def is_inside(a, b, c, d):
+    """Whether the place d is inside the circle of a, b, c, which turn left."""
+    rows = [(p[0] - d[0], p[1] - d[1]) for p in (a, b, c)]
+    crosses = [rows[i][0] * rows[j][1] - rows[i][1] * rows[j][0] for i, j in ((1, 2), (2, 0), (0, 1))]
+    for column in ([x * x + y * y for x, y in rows], [x * y for x, y in rows], [x * x for x, y in rows]):
+        determinant = sum(c * cross for c, cross in zip(column, crosses))
+        if determinant:
+            return determinant > 0
+    return False
 
 
 def is_delaunay(places, edges):
@@ -156,20 +171,16 @@ def is_delaunay(places, edges):
     if len(edges) != expected or not on_hull <= edges:
         return False
     for a, b in edges:
-        # Circles through both have their centers on a line; each point bounds them from one side.
+        # Some circle through both has no point inside if that of no point at the left has one at the right.
         (ax, ay), (bx, by) = places[a], places[b]
-        low = high = None
+        left, right = [], []
         for x, y in (places[i] for i in range(n) if i not in (a, b)):
             side = turn(places[a], places[b], (x, y))
-            scalar = (x - ax) * (x - bx) + (y - ay) * (y - by)
-            if side == 0:
-                if scalar < 0:
-                    return False  # between the two
-            elif side > 0:
-                high = scalar / side if high is None else min(high, scalar / side)
-            else:
-                low = scalar / side if low is None else max(low, scalar / side)
-        if low is not None and high is not None and low > high:
+            if side == 0 and (x - ax) * (x - bx) + (y - ay) * (y - by) < 0:
+                return False  # between the two
+            if side != 0:
+                (left if side > 0 else right).append((x, y))
+        if any(is_inside(places[a], places[b], c, d) for c in left for d in right):
             return False
     for (a, b), (c, d) in itertools.combinations(edges, 2):
         if len({a, b, c, d}) == 4:

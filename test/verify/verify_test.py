@@ -212,6 +212,11 @@ def check_true(case, seeds):
 # Several points leave the hull at one time, t = 2.
 LEAVING = [(0, 0, -1, -1), (0, 0, -1, 0), (2, 0, -1, 0), (2, 2, 0, 0), (-2, 1, 0, -1)]
 
+# Discs that pass through each other, with rims that touch the box. 7 is hidden at t = 58/17, up to rounding, enters
+# another triangle, and is revealed there, all within 2^-51.
+PASSING = [(6, 3, 2, -2, 0, 0), (3, 6, -2, -2, 0.25, 0), (6, 6, 1, 0, 0.5, 0.125), (0, 3, 2, 2, 0, 0.0625),
+           (0, 0, 1, -2, 0.25, 0.0625), (0, 6, 2, -1, 0.5, 0.125), (3, 3, 0, -2, 0.25, 0.125), (3, 0, 0, -2, 0.25, 0.125)]
+
 # Discs with several events at one time. A hidden point has left the hull before a corner that is in line with
 # it does, t = 5.
 HIDING = [(3, -2, 2, 1, 0, 0), (-3, -2, 2, 1, 0, 0.5), (0, 3, 1, 0, 2, 1), (0, -2, 2, 1, 0, 0.5), (2, 0, 2, 1, 2, 1)]
@@ -233,6 +238,11 @@ def check_instants(case):
         assert len([row for row in run.rows if row[2] == time]) > 2, run.rows
         code, text, _ = case.verify(run)
         assert code == 0, f"{discs}: {text}"
+    options = ["--collisions", "log", "--box=-6,-6,15,15", "--rim"]
+    run = case.simulate(PASSING, 4, 0, options)
+    assert [row[1] for row in run.rows if row[2] > "3.4117" and row[2] < "3.4118"].count("reveal") == 1, run.rows
+    code, text, _ = case.verify(run, options)
+    assert code == 0, text
     for columns, rows in ((3, 4), (5, 5), (8, 3), (30, 30)):
         for radius in ("0.3", "0.5", "0.7", "1", "2", "4"):
             command = [case.kinetri, "wave", "--columns", str(columns), "--rows", str(rows), "--radius", radius]
@@ -248,7 +258,8 @@ FACTORS = {5: 2 + 1j, 13: 3 + 2j, 17: 4 + 1j, 29: 5 + 2j, 37: 6 + 1j}
 
 def check_circle(case):
     """972 points that are always on one circle come to one place and part again: alone, and within a ring that
-    rests, where thousands of rows have one exact time that is no binary64 number, t = 1/3."""
+    rests, where nearly two thousand rows have one exact time that is no binary64 number, t = 1/3. Alone they have
+    the edges after it that they had before."""
     places = {1 + 0j}
     for p, z in FACTORS.items():
         places = {place * factor for place in places for factor in (p, z * z, (z * z).conjugate())}
@@ -258,7 +269,7 @@ def check_circle(case):
     assert len(set(circle)) == 972 and all(x * x + y * y == radius**2 for x, y in circle)
     collapsing = [(x, y, -3 * x, -3 * y) for x, y in circle]
     ring = [(2 * x, 2 * y, 0, 0) for x, y in circle[::97]] + [(radius // 3, radius // 5, 0, 0)]
-    for points, fewest in ((collapsing, 0), (collapsing + ring, 3000)):
+    for points, fewest in ((collapsing, 0), (collapsing + ring, 1900)):
         run = case.simulate(points, 2)
         assert len([row for row in run.rows if row[2] == "0.3333333333333333"]) >= fewest
         code, text, _ = case.verify(run)

@@ -160,12 +160,14 @@ class Certificate(Page):
         self.assertEqual(self.table()["end"], ["0", "0", "0"])
         self.assertIn("root of multiplicity 3, odd: the failure", self.says())
 
-    def test_points_that_stay_cocircular_have_no_sequence(self):
+    def test_points_that_stay_cocircular_have_another_determinant(self):
         self.open_edge("cocircular", 0)
         if self.evaluate("document.getElementById('certificate').hidden"):  # the other diagonal
             self.browser.open(self.run_of("cocircular").page, "#t=0&edge=2-3")
-        self.assertTrue(self.evaluate("document.getElementById('sturm').hidden"))
-        self.assertIn("The zero polynomial has no Sturm sequence", self.says())
+        facts = self.evaluate("document.getElementById('certificate').textContent")
+        self.assertIn("the in-circle determinant is zero at all times; with x\u00b2 in its last column", facts)
+        self.assertEqual(self.table()["now"][0], "+")
+        self.assertIn("it never fails", self.says())
 
     def test_an_edge_that_never_fails(self):
         self.open_edge("touching", 2.25)

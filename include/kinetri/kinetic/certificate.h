@@ -50,8 +50,8 @@ struct Certificate {
 /// What is known of the time after which a certificate is wanted.
 enum class Certificate_state : std::uint8_t {
   any,       ///< nothing
-  vanishes,  ///< the polynomial vanishes at that time, at which its negation has failed: the edge
-             ///< has just been flipped
+  vanishes,  ///< the in-circle or orientation polynomial vanishes at that time, at which its
+             ///< negation has failed: the edge has just been flipped
 };
 
 // Without branches, which nothing could predict.

@@ -52,6 +52,16 @@ Polynomial orientation_polynomial(const Point& p, const Point& q, const Point& r
 template <class Point>
 Polynomial in_circle_polynomial(const Point& p, const Point& q, const Point& r, const Point& s);
 
+/// The polynomial that decides whether s is inside the circle, with the sign of
+/// in_circle_polynomial: that one, unless it vanishes at all times, as it does while the four stay
+/// cocircular. Then points are lifted a little more, by infinitely small numbers e1 times x y, e2
+/// times x^2 and e3 times y^2, where e1 is far greater than e2 and e2 than e3: the lifted column is
+/// dx dy or, if the determinant vanishes again, dx^2 or dy^2. It is zero only if all four points
+/// are collinear at all times, or two of them are the same. docs/MATH.md, section 4.
+template <class Point>
+Polynomial perturbed_in_circle_polynomial(const Point& p, const Point& q, const Point& r,
+                                          const Point& s);
+
 /// Sign of |p-q|^2 - |p-r|^2: positive where q is farther from p than r is.
 template <class Point>
 Polynomial distance_difference(const Point& p, const Point& q, const Point& r);
@@ -71,6 +81,11 @@ Polynomial power_distance_difference(const Point& p, const Point& q, const Point
 /// power_side_of_oriented_power_circle_2 of three points. Degree 4d.
 template <class Point>
 Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r);
+
+/// The same, lifted a little more where segment_polynomial vanishes at all times, as in
+/// perturbed_in_circle_polynomial. Of three different points on a line it is not zero.
+template <class Point>
+Polynomial perturbed_segment_polynomial(const Point& p, const Point& q, const Point& r);
 
 /// The scalar product of p - q and r - q. With p, q, r collinear it is negative exactly where q
 /// lies strictly between p and r.

@@ -103,6 +103,8 @@ class Basic_instantaneous_traits_2 {
     // `formula` makes of their trajectories.
     template <class Filter, class Formula, class... Points>
     Sign sign(const Filter& filter, const Formula& formula, const Points&... points) const;
+    template <class Filter, class Formula, class... Points>
+    Sign lifted_sign(const Filter& filter, const Formula& formula, const Points&... points) const;
 
     const Instant* instant_;
     Arithmetic arithmetic_;
@@ -171,7 +173,9 @@ class Basic_instantaneous_traits_2 {
     using Predicate::Predicate;
     /// On which side of the circle through p, q, r the point s is: the positive one is to the left
     /// of the circle as it goes from p to q to r. On the boundary also where all four are
-    /// collinear. Of points with weights it is the power circle (in_circle_polynomial).
+    /// collinear. Of points with weights it is the power circle (in_circle_polynomial). Just before
+    /// and just after a time the sign is that of perturbed_in_circle_polynomial: points are on the
+    /// boundary only if all four are collinear, or two are the same.
     CGAL::Oriented_side operator()(const Point_2& p, const Point_2& q, const Point_2& r,
                                    const Point_2& s) const {
       return this->in_circle(p, q, r, s);

@@ -63,6 +63,13 @@ concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velo
 /// | `exact()` | these traits, but deciding everything exactly; for audits |
 ///
 /// The functions `..._failure` are called only for certificates without Certificate::failure.
+///
+/// In-circle certificates, and CGAL's predicate just before and just after a time, leave no choice:
+/// while four points are cocircular, and not on a line, s is inside the circle or outside of it, as
+/// if points were lifted a little more than by x^2 + y^2 (perturbed_in_circle_polynomial). The two
+/// have to agree, and to be those of one lifting of all points. Then the triangulation is a
+/// function of motions and time.
+///
 /// A traits object is used from several threads at once.
 template <class Traits>
 concept KineticTraits_2 = requires(const Traits traits, const typename Traits::Motion motion,
@@ -137,8 +144,8 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 ///
 /// The points p, q, r of a segment or hiding certificate are collinear at all times, and q is
 /// between p and r; `among` is that of a coincidence certificate. The first holds as long as q is
-/// not above the segment from p to r, each lifted by x^2 + y^2 - weight, the second as long as it
-/// is not below.
+/// not above the segment from p to r, each lifted by x^2 + y^2 - weight (and a little more, as
+/// above, where all three are on one lifted line), the second as long as it is not below.
 template <class Traits>
 concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
     requires(const Traits traits, const typename Traits::Point_2 p, const Algebraic_number t,

@@ -33,7 +33,8 @@ class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_
   struct Power_side_of_oriented_power_circle_2 : Predicate {
     using Predicate::Predicate;
     /// On which side of the power circle of p, q, r the point s is: the positive one if p, q, r
-    /// make a left turn and s, lifted by x^2 + y^2 - weight, is below their plane.
+    /// make a left turn and s, lifted by x^2 + y^2 - weight, is below their plane. See
+    /// Side_of_oriented_circle_2 for what is just before and just after a time.
     CGAL::Oriented_side operator()(const Weighted_point_2& p, const Weighted_point_2& q,
                                    const Weighted_point_2& r, const Weighted_point_2& s) const {
       return this->in_circle(p, q, r, s);

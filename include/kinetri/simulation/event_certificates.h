@@ -25,7 +25,7 @@ namespace kinetri {
 ///
 /// | Kind | Points | Polynomial |
 /// |---|---|---|
-/// | `flip` | the ends of the edge, the two others | in_circle_polynomial, negated |
+/// | `flip` | the ends of the edge, the two others | perturbed_in_circle_polynomial, negated |
 /// | `hull_insert`, `hull_remove` | the corners of the triangle | orientation_polynomial |
 /// | `hide` | those of an edge of the point | as for a flip, or for `hull_insert` |
 /// | `reveal` | the triangle that hid the point, and the point | as for a flip |

@@ -2,19 +2,18 @@
 //
 // Definitions of the audits of Kinetic_triangulation_2. The geometric levels judge the
 // exact positions at a rational time by CGAL's static predicates and share no formula with the
-// certificates.
+// certificates. What these leave open, where points are cocircular, is compared with what CGAL
+// builds anew of the points just after the present time, by the predicates of the traits.
 #ifndef KINETRI_TRIANGULATION_AUDIT_IMPL_H
 #define KINETRI_TRIANGULATION_AUDIT_IMPL_H
 
-#include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Lazy_exact_nt.h>
-#include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/boost_mp.h>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -51,15 +50,6 @@ class Auditor {
   using Place = typename Kernel::Point_2;
   using Weighted_place = typename Kernel::Weighted_point_2;
   static constexpr bool is_weighted = KineticTriangulation::is_weighted;
-  using Static_delaunay = CGAL::Delaunay_triangulation_2<
-      Kernel, CGAL::Triangulation_data_structure_2<
-                  CGAL::Triangulation_vertex_base_with_info_2<Point_id, Kernel>>>;
-  using Static_regular = CGAL::Regular_triangulation_2<
-      Kernel, CGAL::Triangulation_data_structure_2<
-                  CGAL::Triangulation_vertex_base_with_info_2<
-                      Point_id, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>,
-                  CGAL::Regular_triangulation_face_base_2<Kernel>>>;
-  using Static_triangulation = std::conditional_t<is_weighted, Static_regular, Static_delaunay>;
   using Triangulation = typename KineticTriangulation::Triangulation;
   using Vertex_handle = typename KineticTriangulation::Vertex_handle;
   using Face_handle = typename KineticTriangulation::Face_handle;
@@ -75,14 +65,12 @@ class Auditor {
 
   void place_points();
   bool has_touch(const Time& time) const;
-  bool are_points_alike() const;
   void check_links();
   bool are_links_right() const;
   void check_embedding();
   void check_chain();
   void check_delaunay();
   void check_hidden_points();
-  bool has_same_vertices(const Static_triangulation& reference);
   void check_reference();
   void check_certificates();
   void check_hidden_certificates(const Traits& traits);
@@ -145,9 +133,8 @@ Audit_report Auditor<KineticTriangulation>::run(Audit_level level) {
 }
 
 // Places the points at a rational time strictly between now and the next event. Between events a
-// triangle may touch: be flat at one time without turning over, which is no event and no fault. And
-// a hidden point may be like another one, and the static triangulation keeps one of the two. Such a
-// time is no place to look, so another one is taken, nearer to now.
+// triangle may touch: be flat at one time without turning over, which is no event and no fault.
+// Such a time is no place to look, so another one is taken, nearer to now.
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::place_points() {
   const Time& now = audited_.current_time();
@@ -167,24 +154,7 @@ void Auditor<KineticTriangulation>::place_points() {
       if constexpr (is_weighted) weights_.emplace_back(v->point().weight(time));
     }
     end = Time(time);
-  } while (has_touch(end) || are_points_alike());
-}
-
-// Whether two points, of which one is hidden, have the same place and the same weight where they
-// have been placed.
-template <class KineticTriangulation>
-bool Auditor<KineticTriangulation>::are_points_alike() const {
-  if constexpr (is_weighted) {
-    if (audited_.number_of_hidden_points() == 0) return false;
-    std::vector<std::tuple<Exact_number, Exact_number, Exact_number>> points;
-    for (const Vertex_handle v : audited_.vertices_) {
-      if (v == Vertex_handle()) continue;
-      points.emplace_back(place(v).x(), place(v).y(), weights_[v->point().id()]);
-    }
-    std::ranges::sort(points, [](const auto& a, const auto& b) { return a < b; });
-    return std::adjacent_find(points.begin(), points.end()) != points.end();
-  }
-  return false;
+  } while (has_touch(end));
 }
 
 // Whether a triangle is flat at `time`, where the points have been placed, but not for a while.
@@ -379,89 +349,36 @@ void Auditor<KineticTriangulation>::check_hidden_points() {
   }
 }
 
-// Compares the hidden points with those of the static regular triangulation. A point that stays in
-// the lifted plane of its neighbors may be hidden as well as not. Returns whether there is none
-// such that is hidden in only one of the two.
-template <class KineticTriangulation>
-bool Auditor<KineticTriangulation>::has_same_vertices(const Static_triangulation& reference) {
-  bool result = true;
-  if constexpr (is_weighted) {
-    // Whether a hidden vertex of either triangulation is in the lifted plane of its face.
-    const auto is_in_plane = [&](const auto& triangulation, auto v, const auto& input_of) {
-      const auto face = v->face();
-      if (triangulation.dimension() == 0) return true;  // two discs alike are refused
-      const auto corner = [&](int i) { return input_of(face->vertex(i)); };
-      const auto side =
-          triangulation.dimension() == 1
-              ? CGAL::power_side_of_oriented_power_circle(corner(0), corner(1), input_of(v))
-              : side_of_circle(corner(0), corner(1), corner(2), input_of(v));
-      return side == CGAL::ON_ORIENTED_BOUNDARY;
-    };
-    std::vector<typename Static_triangulation::Vertex_handle> hidden(places_.size());
-    for (const auto v : reference.hidden_vertex_handles()) hidden[v->info()] = v;
-    for (const Vertex_handle v : audited_.vertices_) {
-      if (v == Vertex_handle()) continue;
-      const Point_id id = v->point().id();
-      const auto there = hidden[id];
-      const bool is_hidden_there = there != typename Static_triangulation::Vertex_handle();
-      if (v->is_hidden() == is_hidden_there) continue;
-      const bool is_ambiguous =
-          is_hidden_there
-              ? is_in_plane(reference, there, [](auto u) { return u->point(); })
-              : is_in_plane(triangulation_, v, [&](auto u) { return input(u->point().id()); });
-      if (!is_ambiguous) {
-        fail("point " + std::to_string(id) + (is_hidden_there ? " is not" : " is") +
-             " hidden, unlike in the static regular triangulation");
-      }
-      result = false;
-    }
-  }
-  return result;
-}
-
-// Where points stay cocircular the Delaunay triangulation is not unique; then any choice of
-// diagonals is right, and only the edges that every choice has are compared, and the number of all.
+// Compares edges and hidden points with those that exact insertion gives.
 template <class KineticTriangulation>
 void Auditor<KineticTriangulation>::check_reference() {
-  Static_triangulation reference;
-  if constexpr (is_weighted) {
-    for (const Vertex_handle v : audited_.vertices_) {
-      if (v == Vertex_handle()) continue;
-      reference.insert(input(v->point().id()))->info() = v->point().id();
-    }
-  } else {
-    std::vector<std::pair<Place, Point_id>> points;
-    points.reserve(places_.size());
-    for (const Vertex_handle v : audited_.vertices_) {
-      if (v != Vertex_handle()) points.emplace_back(place(v), v->point().id());
-    }
-    const auto place_of = [](const auto& point) -> const Place& { return point.first; };
-    detail::sort_for_insertion(points, reference.geom_traits(), place_of);
-    detail::insert_in_order(reference, points, place_of,
-                            [](auto vertex, const auto& point) { vertex->info() = point.second; });
-  }
-
-  if (!has_same_vertices(reference)) return;  // each is right if its edges and hidden points are
+  auto points = audited_.points_after({});
+  const auto after =
+      audited_.traits_.exact().instantaneous_traits({audited_.current_time(), Time_side::after});
+  detail::sort_for_insertion(points, after);
+  Triangulation reference(after);
+  detail::insert_in_order(reference, points, std::identity(), [](const auto&, const auto&) {});
+  std::vector<Edge_ids> edges;
+  for (const Edge& edge : reference.finite_edges()) edges.push_back(audited_.ids_of(edge));
+  std::ranges::sort(edges);
   const std::vector<Edge_ids> present = audited_.finite_edge_ids();
-  std::size_t edges = 0;
-  for (const auto& [face, i] : reference.finite_edges()) {
-    ++edges;
-    const Edge_ids ids = edge_ids(face->vertex(Static_triangulation::cw(i))->info(),
-                                  face->vertex(Static_triangulation::ccw(i))->info());
-    if (std::ranges::binary_search(present, ids)) continue;
-    const bool has_alternative =
-        reference.dimension() == 2 && !reference.is_infinite(face) &&
-        !reference.is_infinite(face->neighbor(i)) &&
-        side_of_circle(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
-                       reference.tds().mirror_vertex(face, i)->point()) ==
-            CGAL::ON_ORIENTED_BOUNDARY;
-    if (!has_alternative) {
-      fail("missing: " + edge_name(ids) + " of the static Delaunay triangulation");
-    }
+  for (const Edge_ids& edge : edges) {
+    if (std::ranges::binary_search(present, edge)) continue;
+    fail("missing: " + edge_name(edge) + " of the static Delaunay triangulation");
   }
-  if (edges != present.size()) {
-    fail("there are " + std::to_string(present.size()) +
-         " edges, but the static Delaunay triangulation has " + std::to_string(edges));
+  for (const Edge_ids& edge : present) {
+    if (std::ranges::binary_search(edges, edge)) continue;
+    fail(edge_name(edge) + " is not in the static Delaunay triangulation");
+  }
+  if constexpr (is_weighted) {
+    auto& vertices = reference.tds().vertices();
+    for (Vertex_handle v = vertices.begin(); v != vertices.end(); ++v) {
+      if (reference.is_infinite(v)) continue;
+      const Point_id id = v->point().id();
+      if (v->is_hidden() == audited_.is_hidden(id)) continue;
+      fail("point " + std::to_string(id) + (v->is_hidden() ? " is not" : " is") +
+           " hidden, unlike in the static regular triangulation");
+    }
   }
 }
 

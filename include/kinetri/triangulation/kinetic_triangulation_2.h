@@ -83,6 +83,12 @@ struct Triangulation_of<Traits> {
 /// is empty are hidden. What is said of Delaunay triangulations below is then said of regular ones,
 /// with power circles in place of circles.
 ///
+/// Just after each time there is one such triangulation, and this is it, whatever came before: it
+/// is a function of the motions and the time alone. Where points are cocircular for a while, those
+/// diagonals are edges that are Delaunay if points are lifted by infinitely little more than x^2 +
+/// y^2: by e1 x y + e2 x^2 + e3 y^2, with e1 far greater than e2 and e2 than e3
+/// (perturbed_in_circle_polynomial; docs/MATH.md, section 4).
+///
 /// A hidden point is there, has an id and a motion, and has no edges. Its vertex is `is_hidden()`,
 /// as CGAL has it, and the vertex's `face()` is the triangle that hides it.
 ///
@@ -133,9 +139,8 @@ class Kinetic_triangulation_2 {
   /// those of the queue; certificates are made anew, and counted. Observers are not part of a
   /// snapshot.
   ///
-  /// Throws Snapshot_error if the snapshot is not that of a Delaunay triangulation: every link is
-  /// checked, and every triangle and edge, exactly. Cost: O(n) exact predicates and O(n) failure
-  /// times, the latter on all threads that oneTBB has.
+  /// Throws Snapshot_error if a number of the snapshot is not finite, or two points have the same
+  /// trajectory (and weight). Cost: as of the constructor.
   static Kinetic_triangulation_2 restore(const Snapshot& snapshot,
                                          const Traits& traits = Traits()) {
     return Kinetic_triangulation_2(Restoration(), snapshot, traits);
@@ -227,7 +232,7 @@ class Kinetic_triangulation_2 {
   /// arena if 0. They share the work where there are some 50 000 points or more, with the traits of
   /// this library, of which at most one in 1000 is hidden, no observer looks at the triangulation
   /// (Event_observer::looks_at_triangulation), and many events are to come. The result is the same,
-  /// event by event and face by face; only counts of certificates, rechecks and the queue, which
+  /// event by event; only counts of certificates, rechecks and the queue, which
   /// tell how it was found, differ. Some 150 bytes a point more are in use from then on. If an
   /// observer throws, later events up to the end of a window of time have happened too, and
   /// observers are not told of them. If memory is missing for a window, the state is that before
@@ -242,9 +247,8 @@ class Kinetic_triangulation_2 {
   /// the mirrored motion (`mirrored`). Past events come again in reverse order, at mirrored times:
   /// edges that were removed are added. The events of the present time are undone at once; then the
   /// triangulation is Delaunay just after the new current_time(), which is just before the old one.
-  /// Returns the number of events undone. Motions that were replaced do not come back. If several
-  /// triangulations are Delaunay, because points are cocircular for a while, another one than
-  /// before may come back. Vertices keep their handles.
+  /// Returns the number of events undone. Motions that were replaced do not come back. Vertices
+  /// keep their handles.
   ///
   /// Cost: O(n) failure times, as at the start; O(n log n) predicates more if three neighbors are
   /// collinear now.
@@ -491,6 +495,7 @@ class Kinetic_triangulation_2 {
   }
 
   // Construction.
+  void start_with(std::span<const Point_2> points);
   Triangulation build_now(std::span<const Point_2> points) const;
   static Triangulation build(std::span<const Point_2> points, const Time& time,
                              const Instantaneous_traits& traits);
@@ -509,10 +514,6 @@ class Kinetic_triangulation_2 {
   // Snapshots.
   struct Restoration {};
   Kinetic_triangulation_2(Restoration, const Snapshot& snapshot, const Traits& traits);
-  void make_faces(const Snapshot& snapshot);
-  void check_restored() const;
-  void check_restored_chain() const;
-  void check_restored_hidden_points() const;
 
   // Certificates.
   std::vector<Face_handle> faces() const;

@@ -31,10 +31,16 @@ Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(const std::vector<Motio
     points.emplace_back(motion, static_cast<Point_id>(points.size()));
   }
   vertices_.resize(points.size());
+  start_with(points);
+}
+
+// Makes the triangulation of the points and its queue.
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::start_with(std::span<const Point_2> points) {
   number_of_points_ = points.size();
   const auto started = std::chrono::steady_clock::now();
   if constexpr (is_weighted) weights_are_equal_ = have_equal_weights(points);
-  triangulation_ = build(points, start, traits_.instantaneous_traits(clock_));
+  triangulation_ = build(points, current_time_, traits_.instantaneous_traits(clock_));
   index_vertices();
   const auto built = std::chrono::steady_clock::now();
   schedule_all();

@@ -38,7 +38,10 @@ void Kinetic_triangulation_2<Traits>::set_coincident_points_aside() {
     const std::array<Point_id, 2> merged = edge_ids(least(a), least(b));
     parents[merged[1]] = merged[0];
   }
-  if (triangulation_.dimension() < 2 || !weights_are_equal_) return rebuild();
+  // Each point that is put back is looked for from where it was, maybe far away.
+  constexpr std::size_t few = 8;
+  const bool are_many = parents.size() > std::max(few, number_of_points_ / few);
+  if (are_many || triangulation_.dimension() < 2 || !weights_are_equal_) return rebuild();
   clock_.set({current_time(), Time_side::before});
   for (const auto& [id, parent] : parents) {
     if (id == parent) continue;

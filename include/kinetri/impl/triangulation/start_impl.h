@@ -40,8 +40,8 @@ Rounded_places Kinetic_triangulation_2<Traits>::places_now() const {
 }
 
 // The triangulation at the instant of the traits, which is just after `time`. That of the rounded
-// places is nearly the same, and made fast; where it is not certain to be the only one after some
-// flips, CGAL inserts the points.
+// places is nearly the same, and made fast: mostly some flips are enough. Else CGAL inserts the
+// points.
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, const Time& time,
                                             const Instantaneous_traits& traits) -> Triangulation {
@@ -119,7 +119,7 @@ auto Kinetic_triangulation_2<Traits>::build_regular(std::span<const Point_2> poi
 
 // Makes `result`, which is empty, the triangulation of the points at the instant of its traits,
 // from that of their rounded places. Returns false, and leaves anything, where the rounded places
-// have another hull or a triangle that turns over, or where several triangulations are Delaunay.
+// have another hull or a triangle that turns over, or most of them are cocircular.
 template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2> points,
                                                         const Rounded_places& places,
@@ -169,7 +169,8 @@ bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2>
 }
 
 // Whether all triangles turn left, and the hull is convex. Then a triangulation whose faces make a
-// sphere is embedded (see check_restored).
+// sphere is embedded: the hull goes around once, so the angles at each inner vertex add up to no
+// more than one turn (Gauss and Bonnet), and no place is covered twice.
 template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::is_embedded(const Triangulation& triangulation,
                                                   const Rounded_places& places) {
@@ -219,10 +220,9 @@ bool Kinetic_triangulation_2<Traits>::is_hull_convex(const Triangulation& triang
   return least_vertices == 1;
 }
 
-// Flips edges until the triangulation, which is embedded, is Delaunay. Returns false if it is not
-// the only one that is: if four points are cocircular. Each edge is looked at from the side that
-// its ids choose, so that equal points get equal faces in an equal order; addresses choose another
-// side in each run.
+// Flips edges until the triangulation, which is embedded, is Delaunay. [Lawson 1977] Returns false
+// if there are more flips than faces: of cocircular points there may be n^2, and insertion in
+// random order is expected to make fewer.
 template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangulation,
                                                           const Rounded_places& places) {
@@ -234,6 +234,7 @@ bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangu
     const Sign known = places.side_of_oriented_circle(p.id(), q.id(), r.id(), s.id());
     return known != CGAL::ZERO ? known : exact_side(p, q, r, s);
   };
+  std::size_t flips_left = triangulation.tds().number_of_faces();
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     for (const Face_handle face : triangulation.finite_face_handles()) {
@@ -243,8 +244,8 @@ bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangu
         if (triangulation.is_infinite(beyond)) continue;
         const Vertex_handle opposite = beyond->vertex(triangulation.tds().mirror_index(face, i));
         const auto where = side(face, opposite->point());
-        if (where == CGAL::ON_ORIENTED_BOUNDARY) return false;
-        if (where == CGAL::ON_NEGATIVE_SIDE) continue;
+        if (where != CGAL::ON_POSITIVE_SIDE) continue;
+        if (flips_left-- == 0) return false;
         triangulation.tds().flip(face, i);
         is_changed = true;
       }
