@@ -70,7 +70,7 @@ class Certificates(In_folder):
                      if event[key]}
             self.assertLessEqual(named, set(row["points"]))
             if row["polynomial"] is None:
-                self.assertIn(row["kind"], WITHOUT | {"collision", "hide", "reveal"})
+                self.assertIn(row["kind"], WITHOUT | {"flip", "collision", "hide", "reveal"})
                 continue
             self.assertNotIn(row["kind"], WITHOUT)
             low, high = (fractions.Fraction(float(event[key])) for key in ("time_lo", "time_hi"))
