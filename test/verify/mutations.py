@@ -64,8 +64,9 @@ MUTATIONS = (
     ("times equal where 60 bits are", ALGEBRA + "compare_algebraic_numbers.cpp", "if (are_equal(x, y)) return", "return"),
     ("signs of derivatives: those before the time", ALGEBRA + "sign_at_algebraic_number.cpp",
      "t.sign_beside(p, CGAL::POSITIVE)", "t.sign_beside(p, CGAL::NEGATIVE)"),
-    ("in-circle certificate: sign", TRAITS, COUNTED + "exact_certificate(-perturbed_in_circle_polynomial(p, q, r, s), t)",
-     NOT_COUNTED + "exact_certificate(perturbed_in_circle_polynomial(p, q, r, s), t)"),
+    ("in-circle certificate: sign", TRAITS, "  const auto on_stack = [&](const auto& formula) {",
+     "  if (t == t) return exact_certificate(perturbed_in_circle_polynomial(p, q, r, s), t);\n"
+     "  const auto on_stack = [&](const auto& formula) {"),
     ("orientation certificate: sign", TRAITS, COUNTED + "exact_certificate(orientation_polynomial(p, q, r), t)",
      NOT_COUNTED + "exact_certificate(-orientation_polynomial(p, q, r), t)"),
     ("contact at the later root", TRAITS, """  if (arithmetic_ == Arithmetic::filtered) {
