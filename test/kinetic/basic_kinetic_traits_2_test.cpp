@@ -132,8 +132,11 @@ TEST_P(Linear_kinetic_traits_2_test, in_circle_that_is_only_touched_never_fails)
   EXPECT_EQ(in_circle_failure_time(west, south, east, tangential, 0.0), std::nullopt);
 }
 
-TEST_P(Linear_kinetic_traits_2_test, in_circle_that_is_zero_for_ever_never_fails) {
-  EXPECT_EQ(in_circle_failure_time(west, south, east, resting(0, 1), 0.0), std::nullopt);
+// The determinant with x y is zero, too. That with x^2 is 4.
+TEST_P(Linear_kinetic_traits_2_test, in_circle_that_is_zero_for_ever_fails_at_once_or_never) {
+  const Moving_point_2 north = resting(0, 1);
+  EXPECT_EQ(in_circle_failure_time(west, south, east, north, 0.0), Algebraic_number(0.0));
+  EXPECT_EQ(in_circle_failure_time(south, east, north, west, 0.0), std::nullopt);
 }
 
 TEST_P(Linear_kinetic_traits_2_test, in_circle_failure_times_may_be_irrational) {
@@ -247,7 +250,10 @@ TEST_F(Deciding_stage, of_a_violation_that_begins_now_is_exact) {
 }
 
 TEST_F(Deciding_stage, of_points_cocircular_for_ever_is_exact_without_looking_for_roots) {
-  EXPECT_EQ(certificate(resting(0, 1)).kind, Kind::never_fails);
+  EXPECT_EQ(counted(traits.in_circle_certificate(south, east, resting(0, 1), west, 0.0,
+                                                 Certificate_state::any))
+                .kind,
+            Kind::never_fails);
   expect_stage(0, 1, 0);
 }
 
