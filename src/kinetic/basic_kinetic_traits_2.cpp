@@ -170,7 +170,14 @@ Certificate Basic_kinetic_traits_2<Motion>::in_circle_certificate(const Point_2&
     return polynomial_on_stack(formula, p.motion(), q.motion(), r.motion(), s.motion());
   };
   const auto general = [&] {
-    return exact_certificate(-perturbed_in_circle_polynomial(p, q, r, s), t);
+    const Polynomial polynomial = -perturbed_in_circle_polynomial(p, q, r, s);
+    if constexpr (HasWeight<Motion>) {
+      if (!have_same_weight_numbers(
+              std::array{&p.motion(), &q.motion(), &r.motion(), &s.motion()})) {
+        return exact_touch_certificate(polynomial, t);
+      }
+    }
+    return exact_certificate(polynomial, t);
   };
   const auto counted = [&](Certificate_state known) {
     return

@@ -118,7 +118,11 @@ bool Region_run<Kinetic, Turns>::is_flip(const Entry& entry, const Two_sided_edg
   if constexpr (has_turns) {
     if (do_ends_meet(edge, moment)) return false;
   }
-  if (entry.kind == Entry_kind::flip) return is_convex(edge, moment);
+  if (entry.kind == Entry_kind::flip) {
+    const bool may_touch =
+        Kinetic::is_weighted && !kinetic_.weights_are_equal_ && !entry.changes_sign;
+    return !may_touch && is_convex(edge, moment);
+  }
   if (entry.kind != Entry_kind::hull_insert) return true;
   return at(time(moment), [&] {
     return !kinetic_.may_hide_a_turn(edge) &&

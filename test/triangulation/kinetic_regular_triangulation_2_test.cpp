@@ -353,6 +353,21 @@ TEST(Kinetic_regular_triangulation, stays_that_of_CGAL_through_changes_of_all_ki
   }
 }
 
+// At t = 0 the corners 5, 0 and 6 of a triangle are, lifted, on one line. The triangle turns over,
+// and the certificates of its edges touch zero: none of them changes its sign.
+TEST(Kinetic_regular_triangulation, sees_a_triangle_turn_over_where_its_certificates_touch) {
+  const std::vector<Disc_motion_2> discs = {
+      disc(1, 1, -1, 2, 0),  disc(2, 2, -2, -1, 0), disc(0, 0, 0, 1, 0, 0, 2), disc(2, 0, -2, 1, 0),
+      disc(1, 2, -1, -1, 0), disc(0, 1, 0, 0, 0),   disc(2, 1, -2, 0, 0, 0, 2)};
+  Kinetic kinetic(discs, Algebraic_number(Rational(-7, 2)));
+  kinetic.advance_to(Algebraic_number(Rational(-1, 1000)));
+  EXPECT_EQ(hidden_points(kinetic), std::set<Point_id>());
+  kinetic.advance_to(0.0);
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  EXPECT_EQ(hidden_points(kinetic), std::set<Point_id>{0});
+  EXPECT_EQ(kinetic.finite_edge_ids(), Kinetic(discs, Algebraic_number(0.0)).finite_edge_ids());
+}
+
 // ---- snapshots ----
 
 TEST(Kinetic_regular_triangulation, hides_a_point_in_the_place_of_one_of_two_that_jump) {

@@ -139,6 +139,9 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// | `weight_certificate(p, q, t)` | the weight of p is not less than that of q |
 /// | `meeting_certificate(p, q, t, among)` | p and q have different places strictly after t |
 ///
+/// An in-circle certificate of points whose weights differ fails at touches as well, with
+/// Certificate::failure: a triangle may turn over there, if its corners, lifted, are on one line.
+///
 /// `certain_turn(p, q, r, now)` is the turn of the points throughout the interval `now` and
 /// just after it, or COLLINEAR where that is not certain: fast.
 ///

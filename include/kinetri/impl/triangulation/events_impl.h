@@ -241,7 +241,16 @@ void Kinetic_triangulation_2<Traits>::execute(const Entry& event) {
     if (are_all_collinear(edge) || !can_insert_into_hull(edge)) return rebuild();
   }
   if constexpr (is_weighted) {
-    if (event.kind == Entry_kind::flip && !weights_are_equal_) return flip_or_hide(edge);
+    if (event.kind == Entry_kind::flip && !weights_are_equal_) {
+      if (event.changes_sign) return flip_or_hide(edge);
+      const auto after = traits_.instantaneous_traits({current_time(), Time_side::after});
+      const auto& [p, q, r, s] = certificate_points(edge).points;
+      const auto side = after.power_side_of_oriented_power_circle_2_object();
+      if (side(*p, *q, *r, *s) == CGAL::ON_POSITIVE_SIDE) return flip_or_hide(edge);
+      // A touch. A triangle whose corners, lifted, are on one line now may turn over.
+      if (!is_touch(edge.here.first) || !is_touch(edge.there.first)) return rebuild();
+      return schedule({&edge, 1}, current_time());
+    }
   }
   flip_edge(edge, event_kind(event.kind));
 }

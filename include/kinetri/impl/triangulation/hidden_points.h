@@ -191,7 +191,7 @@ class Hidden_points {
         return schedule(v, kinetic_.current_time(),
                         kinetic_.rebuilt_edges_ ? none : static_cast<std::uint8_t>(i));
       }
-    } else if (is_inside(v->point(), face, true)) {
+    } else if (failure.changes_sign && is_inside(v->point(), face, true)) {
       return reveal(v, {face, Triangulation::FACE, 0},
                     kinetic_.rebuilt_edges_ ? Certificate_state::any : Certificate_state::vanishes);
     }
