@@ -315,7 +315,9 @@ std::optional<Sign> count_sign(const Narrow_polynomial& p, const Rational& t, Si
   const Integer numerator = boost::multiprecision::numerator(t);
   const Integer denominator = boost::multiprecision::denominator(t);
   const long bits = std::max(bit_length(numerator), bit_length(denominator));
-  if (p.coefficient_bits() + p.degree() * (bits + 2) > Wide::capacity) return std::nullopt;
+  // A product takes up to two words more than it has in the end.
+  constexpr long spare = 128;
+  if (p.coefficient_bits() + p.degree() * (bits + 2) + spare > Wide::capacity) return std::nullopt;
   const Wide d(denominator);
   const auto times_power = [&](Wide c, int k) {
     for (; k > 0; --k) c = c * d;

@@ -357,6 +357,23 @@ TEST(Count_sign, at_a_rational_root_is_that_of_the_other_factor) {
   EXPECT_EQ(count_sign(Narrow_polynomial(), Rational(1, 3), CGAL::POSITIVE), CGAL::ZERO);
 }
 
+// Up to the bound of what has room, and beyond: no integer is wider than it may be.
+TEST(Count_sign, at_a_rational_time_leaves_what_is_too_wide) {
+  int known = 0;
+  int unknown = 0;
+  const Integer one = 1;
+  for (unsigned bits = 700; bits < 800; ++bits) {
+    for (const unsigned coefficient_bits : {900U, 960U, 1000U, 1023U}) {
+      const Integer x = (one << coefficient_bits) - 1;
+      const Integer m = (one << bits) - 1;
+      const Narrow_polynomial p(Polynomial{-x, x, x, -x, x});
+      (count_sign(p, Rational(m, m - 2), CGAL::POSITIVE) ? known : unknown) += 1;
+    }
+  }
+  EXPECT_GT(known, 100);
+  EXPECT_GT(unknown, 100);
+}
+
 TEST(Count_failure, leaves_what_is_too_wide) {
   const Integer wide = Integer(1) << 1000;
   const Polynomial p{-wide, 3, 5, 7, wide};
