@@ -96,10 +96,6 @@ int main(int argc, char** argv) {
                       "jittered lattice)")
           ->check(CLI::Range(1.0, 1000.0));
     }
-    if (mode_name == contacts_mode) {
-      command.add_flag("--pass", setup.do_discs_pass,
-                       "let discs pass through each other, without a box (they collide, in a box)");
-    }
     if (!are_discs) {
       command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")
           ->transform(CLI::CheckedTransformer(scenarios()));

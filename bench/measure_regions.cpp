@@ -90,16 +90,16 @@ json measure_regions(const Setup& setup) {
 
 json measure_contacts(const Setup& setup) {
   Simulation_options options;
-  options.response = setup.do_discs_pass ? log_contact : collide_elastically;
+  options.response = collide_elastically;
   if (!setup.size_ratio) {
     const Bench_discs discs = equal_discs(setup);
-    if (!setup.do_discs_pass) options.box = discs.box;
+    options.box = discs.box;
     options.radius = discs.radii.front();
     return measure_runs(
         setup, [&] { return Simulation_2<Linear_kinetic_traits_2>(discs.motions, options); });
   }
   const Bench_discs discs = discs_of_different_sizes(setup);
-  if (!setup.do_discs_pass) options.box = discs.box;
+  options.box = discs.box;
   std::vector<Disc_motion_2> motions;
   for (std::size_t i = 0; i < discs.motions.size(); ++i) {
     options.masses.push_back(discs.radii[i] * discs.radii[i]);

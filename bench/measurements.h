@@ -30,7 +30,6 @@ struct Setup {
   /// Of discs: the greatest radius over the least. If empty, all have one radius, and the
   /// simulation is that of points.
   std::optional<double> size_ratio = std::nullopt;
-  bool do_discs_pass = false;  ///< of contacts: through each other, in the plane
 
   std::vector<Linear_motion_2> motions() const { return make_scenario(scenario, options); }
 };

@@ -12,9 +12,8 @@
 // a window, since the plain loop knows of them up to the next contact of one of the two, which is
 // left to it.
 //
-// Discs that pass through each other (log_contact) overlap for long, and so more pairs are watched.
-// But their contacts change no motion: the simulation executes them by itself when a window has
-// been executed, as it follows its other events (Passes in triangulation/regions.h).
+// Discs that pass through each other (log_contact) overlap for long, so that no window could begin:
+// the plain loop runs.
 //
 // Discs with radii of their own may be inside of others, and hidden. Here all radii are positive;
 // no disc is hidden; and the centre of a disc that turns is in its own power cell, since it is in
@@ -54,8 +53,7 @@ class Contact_turns {
   using Entry_kind = typename Simulation::Entry_kind;  ///< of entries
 
   /// The simulation must outlive this object.
-  explicit Contact_turns(Simulation& simulation)
-      : simulation_(&simulation), do_discs_pass_(simulation.do_discs_pass()) {}
+  explicit Contact_turns(Simulation& simulation) : simulation_(&simulation) {}
 
   /// A run of the simulation by regions.
   static Region_run<typename Simulation::Triangulation, Contact_turns> run_of(
@@ -77,15 +75,13 @@ class Contact_turns {
   // ---- what they are ----
 
   /// Whether contacts can be executed in windows: of walls, and of discs whose response may be
-  /// called at any time, by any thread, or changes nothing.
+  /// called at any time, by any thread, and is not log_contact.
   static bool can_run(const Simulation& simulation);
   bool can_run() const { return can_run(*simulation_); }
   /// Whether this is the simulation itself, which knows its contacts.
   bool is_observer(const Event_observer* observer) const { return observer == simulation_; }
-  /// Whether discs pass through each other.
-  bool do_discs_pass() const { return do_discs_pass_; }
-  /// Whether discs have contacts that change them.
-  bool has_pairs() const { return simulation_->options_.response && !do_discs_pass_; }
+  /// Whether discs have contacts.
+  bool has_pairs() const { return simulation_->options_.response != nullptr; }
   /// Whether discs that meet keep their edge in a window.
   bool keep_edges() const { return Simulation::has_radii && has_pairs(); }
   /// Whether two discs meet just after `now`, or true if unsure.
@@ -166,46 +162,6 @@ class Contact_turns {
                Certificate_counters& counters,
                std::vector<std::pair<Entry, Certificate>>& result) const;
 
-  // ---- discs that pass through each other ----
-
-  /// Starts to load what a point's pairs are kept in: in three steps, some time apart.
-  void prefetch(Point_id id, int step) const {
-    const auto& contacts = simulation_->contacts_;
-    if (step == 0) return prefetch_address(&contacts[id]);
-    const auto* const known = contacts[id].get();
-    if (step == 1 || known == nullptr) return prefetch_address(known);
-    prefetch_address(known->partners.data());
-    prefetch_address(known->overlaps.data());
-  }
-  /// Checks the certificate of a pair again, whose entry has left the queue.
-  void recheck(const Entry& pass) { simulation_->recheck(pass); }
-  /// Counts a contact, one of some at its time, and that time if nothing else happens then.
-  void count_pass(std::uint64_t contacts_now, bool is_alone);
-  /// Notes the overlap that begins with a contact at the present time, whose entry has left the
-  /// queue, and puts the entry back. Returns false where that is not necessary; is_another_due()
-  /// says whether there is another contact now.
-  template <class Is_another_due>
-  bool note_pass(const Entry& pass, const Is_another_due& is_another_due) {
-    return simulation_->note_contact(pass, is_another_due);
-  }
-  /// Two discs are in contact at the present time; their entry has left the queue. report() tells
-  /// of it.
-  template <class Report>
-  void pass(const Entry& entry, const Report& report);
-  /// A point with these neighbors gets another motion at the present time, by change().
-  template <class Make_change>
-  void turn(Point_id id, Points neighbors, const Make_change& change);
-  /// The certificate of the contact of two points after a time.
-  Certificate certificate(const typename Simulation::Point_2& p,
-                          const typename Simulation::Point_2& q, const Time& after) const {
-    return simulation_->traits_.contact_certificate(p, q, simulation_->diameter_, after);
-  }
-  /// Follows the edges of an event that is within `bounds` and at exact(). `known` is the
-  /// certificate of the edge that it adds, from the lower bound on.
-  template <class Exact>
-  void follow_edges(const Event& event, Certificate&& known, const Double_interval& bounds,
-                    const Exact& exact);
-
   // ---- windows ----
 
   /// Whether a window may begin, up to whose beginning nothing happens; makes it ready.
@@ -228,13 +184,11 @@ class Contact_turns {
   static bool is_one(Points some, Point_id id) { return std::ranges::find(some, id) != some.end(); }
   bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
   static bool may_erase(const Simulation& simulation);
-  static bool may_pass(const Simulation& simulation);
   bool have_areas();
   bool drop_overlaps(const Time& time);
   void put_passes_back();
 
   Simulation* simulation_;
-  bool do_discs_pass_;
   std::uint32_t scheduled_ = 0;                // changes before the window
   std::vector<Edge_ids> passes_ = {};          // put aside
   std::unordered_set<Point_id> passing_ = {};  // their points

@@ -19,18 +19,10 @@ template <class Simulation>
 bool Contact_turns<Simulation>::can_run(const Simulation& simulation) {
   const auto& options = simulation.options_;
   return options.max_contacts_per_instant > 0 &&
-         (!options.response || options.response_is_pure || is_pure(options.response) ||
-          may_pass(simulation)) &&
-         simulation.overlap_observers_.empty() &&
+         (!options.response || options.response_is_pure || is_pure(options.response)) &&
+         !is_log_contact(options.response) && simulation.overlap_observers_.empty() &&
          std::ranges::none_of(simulation.observers_, &Event_observer::looks_at_triangulation) &&
          (!is_erase_both(options.response) || may_erase(simulation));
-}
-
-// Whether discs pass through each other, and which of them overlap is known without the
-// triangulation: where discs have radii of their own, that is so as long as none turns.
-template <class Simulation>
-bool Contact_turns<Simulation>::may_pass(const Simulation& simulation) {
-  return simulation.do_discs_pass() && (!Simulation::has_radii || !simulation.options_.box);
 }
 
 // Whether no observer looks at the triangulation that is there when points have been erased.
@@ -231,55 +223,6 @@ bool Contact_turns<Simulation>::is_centre_in(Point_id id, Point_id other, const 
   if constexpr (Simulation::has_radii) centre.radius = centre.growth = 0;
   return simulation_->traits_.do_touch(typename Simulation::Point_2(centre, id),
                                        simulation_->point(other), simulation_->diameter_, now);
-}
-
-// ---- discs that pass through each other ----
-
-template <class Simulation>
-void Contact_turns<Simulation>::count_pass(std::uint64_t contacts_now, bool is_alone) {
-  if (is_alone) ++simulation_->counters_.instants;
-  auto& most = simulation_->counters_.most_at_one_time;
-  most = std::max(most, contacts_now);
-}
-
-template <class Simulation>
-template <class Report>
-void Contact_turns<Simulation>::pass(const Entry& entry, const Report& report) {
-  simulation_->pass({entry.point_a, entry.point_b}, entry.is_edge, report);
-}
-
-template <class Simulation>
-template <class Make_change>
-void Contact_turns<Simulation>::turn(Point_id id, Points neighbors, const Make_change& change) {
-  simulation_->end_passes(id);
-  simulation_->unschedule_pairs(id);
-  change();
-  simulation_->schedule_pairs({&id, 1}, [&](Point_id /*id*/, const auto& function) {
-    std::ranges::for_each(neighbors, function);
-  });
-}
-
-// Where the two meet a little before the event, or may touch while it is not certainly over, what
-// follows it is certified from its exact time on.
-template <class Simulation>
-template <class Exact>
-void Contact_turns<Simulation>::follow_edges(const Event& event, Certificate&& known,
-                                             const Double_interval& bounds, const Exact& exact) {
-  if (event.removed) simulation_->leave_edge(*event.removed);
-  if (!event.added) return;
-  const Edge_ids& edge = *event.added;
-  const bool is_for_later = !known.may_vanish && (known.kind == Certificate::Kind::never_fails ||
-                                                  known.bounds.lower > bounds.upper);
-  if (!is_for_later || simulation_->find_overlap(edge) != nullptr) {
-    return simulation_->follow_edge(edge, exact());
-  }
-  const Queue_handle watched = simulation_->find_pair(edge);
-  if (watched == no_event) {
-    simulation_->certificate_counters_.count(known);
-    simulation_->push_pair(edge, true, std::move(known));
-  } else {
-    simulation_->queue_.amend(watched, [](Entry& entry) { entry.is_edge = true; });
-  }
 }
 
 // ---- windows ----

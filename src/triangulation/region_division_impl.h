@@ -28,7 +28,7 @@ void Region_run<Kinetic, Turns>::divide() {
   for (std::size_t node = 0; node < nodes; ++node) shares.push_back(division().share(node));
   division().numbers = Flip_numbers(shares, options_.stamp_bits);
   division().events = 0;
-  move_to_parts(division().parts_of_nodes() + (do_discs_pass() ? 1 : 0));
+  move_to_parts(division().parts());
   go_on_with_division();
 }
 

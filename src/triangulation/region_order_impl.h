@@ -40,13 +40,12 @@ void Region_run<Kinetic, Turns>::settle_order() {
   }
 }
 
-// Reports the flips of the window, which ends at `end` unless it is cut, and counts them. Throws
-// what an observer throws, after that.
+// Reports the flips of the window, and counts them. Throws what an observer throws, after that.
 template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::close_window(double end) {
+void Region_run<Kinetic, Turns>::close_window() {
   std::exception_ptr thrown;
   try {
-    do_discs_pass() ? report_with_passes(end) : report();
+    report();
   } catch (...) {
     thrown = std::current_exception();
   }
@@ -231,12 +230,6 @@ void Region_run<Kinetic, Turns>::cut_off() {
   counters_.cut_off += std::exchange(root_lane.undone, undone) - undone;
 }
 
-// Whether there are observers to tell.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::are_events_told() const {
-  return kinetic_.observers_.any_of([this](const Event_observer& o) { return is_told(o); });
-}
-
 // Counts what the flips of the window have in common, and its turns.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::count_window() {
@@ -258,7 +251,8 @@ void Region_run<Kinetic, Turns>::report() {
   count_window();
   // Observers get exact times. Several threads make those of some events, which are then reported.
   auto next = order_.cbegin();
-  const bool is_watched = are_events_told();
+  const bool is_watched =
+      kinetic_.observers_.any_of([this](const Event_observer& o) { return is_told(o); });
   if (is_watched) go_back_in_turns();
   kinetic_.is_in_event_ = true;
   try {

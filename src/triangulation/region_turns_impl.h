@@ -425,10 +425,6 @@ void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry
     turn->faces.push_back({face, face->stamp()});
     face->set_stamp(number);
   });
-  if (turns_.do_discs_pass()) {
-    for_each_neighbor(kinetic_.triangulation_, kinetic_.vertices_[turned.front()],
-                      [&](Vertex_handle v) { turn->neighbors.push_back(v->point().id()); });
-  }
   // The entries leave the queue while the motions that they speak of are there: those that stay are
   // compared.
   set_motions(*turn, false);

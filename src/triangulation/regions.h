@@ -105,13 +105,6 @@
 // of the faces at their points (region_erasures_impl.h). The vertices stay until observers are
 // told.
 //
-// Passes are contacts that change nothing: those of discs that pass through each other. No node
-// executes them, or knows of their entries, which are in one more part. When a window has been
-// executed, one thread goes through its other events in the order of time, as observers do, and
-// executes the passes between them, as the plain loop does (region_passes_impl.h). The edges of
-// that time follow from the records, which keep the neighbors of points that turn. Several threads
-// have made the certificates of the edges before.
-//
 // Motions of the past. The exact time of a flip is made when it is needed, mostly when observers
 // are told of it. Then its points may have turned: so the records of turns keep the motions before
 // and after them, by points from the last turn to the first. And observers may read motions of
@@ -122,7 +115,6 @@
 // window when it has been executed. If memory is missing before that, faces and motions go back to
 // the start of the window (go_back): the records have what that takes. Entries of the queues are
 // not put back, but all made anew (start_anew); so they are where memory is missing later.
-// Where it is missing while passes are executed, the simulation can only be destroyed.
 //
 // What is the same as in the plain loop: events, their order and times, faces and all that a
 // snapshot has of them, and of the counters those that count events and instants. Counts of
@@ -135,7 +127,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -298,7 +289,6 @@ class Region_run {
     std::array<Point_2, 2> after = {};   // of those turned
     std::array<Stamp, 2> previous = {};  // their turns before this one
     std::vector<Written_face> faces;     // that it has written and that are there
-    std::vector<Point_id> neighbors;     // where discs pass: those of the point that turned
     std::unique_ptr<Hole> hole;          // if it erases those turned
   };
   struct Nothing {};
@@ -375,10 +365,6 @@ class Region_run {
     if constexpr (has_turns) return turns_.has_pairs();
     return false;
   }
-  bool do_discs_pass() const {
-    if constexpr (has_turns) return turns_.do_discs_pass();
-    return false;
-  }
   std::size_t advance(const Time& until, const Go_on& may_go_on);
   bool run_windows(const Time& until, const Go_on& may_go_on);
   bool is_window_next(double begin, double last);
@@ -434,7 +420,7 @@ class Region_run {
   bool may_execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
   void defer(Lane& lane, std::size_t from);
   void settle_order();
-  void close_window(double end);
+  void close_window();
   void count_and_clear();
   void count_certificates(Lane& lane);
   std::size_t run_loop_instant(const Time& until);
@@ -535,31 +521,6 @@ class Region_run {
   bool is_told(const Event_observer& observer) const;
   void settle_turns_of_window();
 
-  // Passes.
-  /// What goes through the events of a window.
-  struct Walk {
-    bool is_told = false;            // whether observers are told of them
-    std::exception_ptr thrown = {};  // by an observer
-    const Key* last = nullptr;       // of the events that are no passes
-    bool is_pass_last = false;       // whether a pass came after that
-    std::uint64_t contacts_now = 0;  // at the time of the last event
-    bool is_alone = false;           // whether nothing has happened at the time of the next pass
-  };
-  Turn_part& passes() { return turns_.queue().part(division().parts_of_nodes()); }
-  void report_with_passes(double end);
-  std::vector<Certificate> certificates_of_edges(std::span<const Key> keys, bool are_told);
-  void prefetch_pairs(std::span<const Key> next);
-  template <class Exact>
-  bool precedes(const Turn_entry& pass, const Double_interval& bounds, const Exact& exact);
-  template <class Is_due>
-  void execute_passes(Walk& walk, const Is_due& is_due);
-  void go_to_pass(Walk& walk, const Turn_entry& pass, Time now);
-  bool is_pass_due();
-  void execute_pass(Walk& walk, const Turn_entry& pass);
-  void walk_through(Walk& walk, const Key& key, Certificate&& known);
-  template <class Tell>
-  void tell_if_told(Walk& walk, const Tell& tell);
-
   // Erasures.
   bool erase(Lane& lane, const Turn_entry& entry, std::span<const Change> changes,
              std::unique_ptr<Turn>&& made, Moment& moment);
@@ -604,7 +565,6 @@ class Region_run {
   bool insert_in_order(std::span<Key> keys);
   std::size_t insert_in_order(std::span<Key> keys, std::size_t k);
   void cut_off();
-  bool are_events_told() const;
   void count_window();
   void report();
   void count_from(typename std::vector<Key>::const_iterator next);

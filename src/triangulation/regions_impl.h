@@ -18,7 +18,6 @@
 #include "triangulation/region_erasures_impl.h"
 #include "triangulation/region_flips_impl.h"
 #include "triangulation/region_order_impl.h"
-#include "triangulation/region_passes_impl.h"
 #include "triangulation/region_turns_impl.h"
 #include "triangulation/regions.h"
 
@@ -300,7 +299,7 @@ bool Region_run<Kinetic, Turns>::run_window(double end) {
   });
   work_ = work_of_nodes();
   work_.undone += static_cast<double>(counters_.cut_off - cut_off_before);
-  close_window(reached);
+  close_window();
   const bool is_whole = !cut_ && reached == end;
   if (cut_ && settle(*cut_)) run_loop_instant(*cut_);
   return is_whole;

@@ -70,11 +70,11 @@ TEST(Threads, start_a_simulation_as_one_does) {
 TEST(Threads, execute_contacts_by_regions_as_the_loop_does) {
   using Simulation = Simulation_2<Linear_kinetic_traits_2>;
   constexpr std::size_t columns = 30;
-  for (unsigned seed = 0; seed < 6; ++seed) {
+  for (unsigned seed = 0; seed < 3; ++seed) {
     Simulation_options options;
     options.box = Box_2{0, 0, 10.0 * columns, 10.0 * columns};
     options.radius = 3;
-    options.response = seed < 3 ? collide_elastically : log_contact;
+    options.response = collide_elastically;
     const std::vector<Linear_motion_2> motions = discs_on_grid(columns, seed);
     Simulation plain(motions, options);
     Simulation simulation(motions, options);

@@ -233,8 +233,7 @@ class Simulation_2 : private Event_observer {
   /// - erases discs, those at the hull at more cost; with erase_both it does everything where an
   ///   observer looks at the triangulation after that
   ///   (Event_observer::looks_at_rebuilt_triangulation), as a Recorder does;
-  /// - executes the contacts of log_contact; with discs of their own radii in a box, everything;
-  /// - does everything while discs overlap that collide.
+  /// - does everything with log_contact, and while discs overlap that collide.
   ///
   /// The result is the same. An error that an observer throws then leaves the simulation as it is
   /// some events later.
@@ -468,11 +467,8 @@ class Simulation_2 : private Event_observer {
   void push_pair(const Edge_ids& pair, bool is_edge, Certificate certificate);
   Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
   void unschedule_pair(const Edge_ids& pair);
-  template <class Neighbors>
-  void schedule_pairs(std::span<const Point_id> points, const Neighbors& for_each_neighbor_of);
-  template <class Neighbors>
-  void schedule_edges(Point_id id, std::span<const Point_id> points,
-                      const Neighbors& for_each_neighbor_of);
+  void schedule_pairs(std::span<const Point_id> points);
+  void schedule_edges(Point_id id, std::span<const Point_id> points);
   void schedule_pairs_beside(Point_id id);
   void schedule_all();
   void schedule_all_walls();
@@ -590,8 +586,7 @@ class Simulation_2 : private Event_observer {
   std::size_t execute_due_entries();
   void execute_due_entries(std::vector<Due_change>& postponed);
   bool is_contact_due();
-  template <class Is_another_due>
-  bool note_contact(const Entry& contact, const Is_another_due& is_another_due);
+  bool note_contact(const Entry& contact);
   void check_limit(const Entry& entry, std::uint64_t turning) const;
   [[noreturn]] void refuse_press(Point_id id, const std::string& who, const std::string& remedy,
                                  const Time& now) const;
@@ -601,9 +596,6 @@ class Simulation_2 : private Event_observer {
   void hit_wall(Point_id id, std::span<const Change> changes);
   Change reflection(Point_id id, std::size_t wall, const Time& now) const;
   void collide(Point_id a, Point_id b, bool is_edge, std::span<const Change> changes);
-  template <class Report>
-  void pass(const Edge_ids& pair, bool is_edge, const Report& report);
-  bool do_discs_pass() const { return detail::is_log_contact(options_.response); }
   std::vector<Change> collision(Point_id a, Point_id b, const Time& now) const;
   void schedule(const Time& time, Entry_kind kind, Point_id id,
                 const std::optional<Motion>& motion);

@@ -359,10 +359,7 @@ void Simulation_2<Traits>::execute_due_entries(std::vector<Due_change>& postpone
         if (!try_change(change)) postponed.push_back(change);
         continue;
       }
-      if (entry.kind == Entry_kind::collision &&
-          note_contact(entry, [this] { return is_contact_due(); })) {
-        continue;
-      }
+      if (entry.kind == Entry_kind::collision && note_contact(entry)) continue;
       ++contacts;
       is_within_contact_ = true;
       execute_contact(entry, turning);
@@ -403,12 +400,9 @@ bool Simulation_2<Traits>::is_contact_due() {
 // because of a contact, there may be others that are watched because of that overlap
 // (docs/MATH.md, section 8). So the overlap that begins with a contact of now, which has left the
 // queue, is noted, and the contact goes back behind those that are not noted. Returns false where
-// there is nothing to note: no other contact is now, as is_another_due() says, and the two overlap
-// no others.
+// there is nothing to note: no other contact is now, and the two overlap no others.
 template <ContactKineticTraits_2 Traits>
-template <class Is_another_due>
-bool Simulation_2<Traits>::note_contact(const Entry& contact,
-                                        const Is_another_due& is_another_due) {
+bool Simulation_2<Traits>::note_contact(const Entry& contact) {
   if (contact.is_noted) return false;
   const Point_id a = contact.point_a;
   const Point_id b = contact.point_b;
@@ -417,7 +411,7 @@ bool Simulation_2<Traits>::note_contact(const Entry& contact,
     return std::ranges::any_of(overlaps(id),
                                [&](const Overlap& overlap) { return overlap.id != other; });
   };
-  if (!overlaps_others(a, b) && !overlaps_others(b, a) && !is_another_due()) return false;
+  if (!overlaps_others(a, b) && !overlaps_others(b, a) && !is_contact_due()) return false;
   Entry noted = contact;
   noted.is_noted = true;
   note(noted.subject(), queue_.push(noted, current_time()));

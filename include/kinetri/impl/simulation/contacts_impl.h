@@ -80,19 +80,14 @@ void Simulation_2<Traits>::collide(Point_id a, Point_id b, bool is_edge,
                                    std::span<const Change> changes) {
   if (find_overlap({a, b}) != nullptr) mark_passing(a, b, false);  // they had separated
   const auto apply = [&] { triangulation_.apply(Event_kind::collision, a, b, changes); };
-  if (changes.empty()) return pass({a, b}, is_edge, apply);
+  if (changes.empty()) {  // they pass through each other
+    ++passes_;
+    let_pass(a, b, is_edge);
+    apply();
+    return schedule_pair({a, b}, is_edge, current_time());
+  }
   const std::array<Point_id, 2> points = {a, b};
   change(points, apply);
-}
-
-// Two discs in contact keep their motions. `report` tells of their contact.
-template <ContactKineticTraits_2 Traits>
-template <class Report>
-void Simulation_2<Traits>::pass(const Edge_ids& pair, bool is_edge, const Report& report) {
-  ++passes_;
-  let_pass(pair[0], pair[1], is_edge);
-  report();
-  schedule_pair(pair, is_edge, current_time());
 }
 
 // What the response does to two discs at the time `now`, at which they touch. Changes nothing.
@@ -186,8 +181,7 @@ void Simulation_2<Traits>::change(std::span<const Point_id> points, Make_changes
     for (const Point_id id : points) {
       if (triangulation_.contains(id)) schedule_single(id, current_time());
     }
-    schedule_pairs(points,
-                   [this](Point_id id, const auto& function) { for_each_neighbor(id, function); });
+    schedule_pairs(points);
     overlap_observers_.call([&](Overlap_observer& observer) { observer.after_change(points); });
   };
   changing_points_ = points;

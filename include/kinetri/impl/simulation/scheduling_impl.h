@@ -50,14 +50,12 @@ bool Simulation_2<Traits>::Queue_policy::is_recheck(const Entry& entry) const {
 }
 
 // The same node of the regions that the triangulation's queue has for an edge of the two points.
-// But contacts that change nothing are no node's.
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::Queue_policy::part_of(const Subject& subject) const {
   const detail::Region_division& division =
       detail::Plain_loop<Triangulation>::division(simulation.triangulation_);
   if (subject.kind == Entry_kind::wall) return division.node_of(subject.point_a, subject.point_a);
   if (subject.kind == Entry_kind::collision) {
-    if (simulation.do_discs_pass()) return division.parts_of_nodes();
     return division.node_of(subject.point_a, subject.point_b);
   }
   return division.nodes() - 1;
@@ -309,15 +307,12 @@ void Simulation_2<Traits>::for_each_neighbor(Point_id id, Function function) con
 }
 
 // Schedules the pairs of points that have got other motions, come or gone, and have no entries of
-// pairs; they are sorted. for_each_neighbor_of(id, function) calls `function` with the neighbors
-// that a point has now.
+// pairs; they are sorted.
 template <ContactKineticTraits_2 Traits>
-template <class Neighbors>
-void Simulation_2<Traits>::schedule_pairs(std::span<const Point_id> points,
-                                          const Neighbors& for_each_neighbor_of) {
+void Simulation_2<Traits>::schedule_pairs(std::span<const Point_id> points) {
   for (const Point_id id : points) end_passes(id);
   for (const Point_id id : points) {
-    if (triangulation_.contains(id)) schedule_edges(id, points, for_each_neighbor_of);
+    if (triangulation_.contains(id)) schedule_edges(id, points);
   }
   update_overlaps(points);
   for (const Point_id id : points) {
@@ -332,11 +327,9 @@ void Simulation_2<Traits>::schedule_pairs(std::span<const Point_id> points,
 // Schedules what a point may touch, and notes which discs of neighbors overlap its own. It is one
 // of `points`, of which those of smaller ids have been done.
 template <ContactKineticTraits_2 Traits>
-template <class Neighbors>
-void Simulation_2<Traits>::schedule_edges(Point_id id, std::span<const Point_id> points,
-                                          const Neighbors& for_each_neighbor_of) {
+void Simulation_2<Traits>::schedule_edges(Point_id id, std::span<const Point_id> points) {
   if (!options_.response) return;
-  for_each_neighbor_of(id, [&](Point_id other) {
+  for_each_neighbor(id, [&](Point_id other) {
     const bool is_done = other < id && std::ranges::binary_search(points, other);
     if (is_done || !schedule_new_pair(edge_ids(id, other), true, current_time())) return;
     if (may_touch(id, other, traits_)) start_overlap(id, other, true);

@@ -91,8 +91,8 @@ struct Region_division {
 
   /// How many nodes the tree has.
   std::size_t nodes() const { return std::max<std::size_t>(2 * regions - 1, 2); }
-  /// How many parts a queue has for the nodes, as regions.h says.
-  std::size_t parts_of_nodes() const { return 3 * nodes() - 1 - regions; }
+  /// How many parts a queue has, as regions.h says.
+  std::size_t parts() const { return 3 * nodes() - 1 - regions; }
   /// The first node of a level; regions are the level 0.
   std::size_t first_node(unsigned level) const { return 2 * regions - ((2 * regions) >> level); }
   /// The level of a node.
