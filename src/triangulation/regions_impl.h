@@ -13,7 +13,6 @@
 
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/parallel.h"
-#include "triangulation/region_batches_impl.h"
 #include "triangulation/region_division_impl.h"
 #include "triangulation/region_erasures_impl.h"
 #include "triangulation/region_flips_impl.h"
