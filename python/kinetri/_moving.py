@@ -294,7 +294,7 @@ class MovingPoints(RunAnswers):
 
         The results are the same for any number, up to 1024. Several threads share the work where there are
         some 50 000 points or more, of which at most one in 1000 is hidden, many events are to come, and
-        `collisions` is no function and not "log". Copies, and objects that are loaded or restored, begin
+        `collisions` is no function, not "log" and not "remove". Copies, and objects that are loaded or restored, begin
         with 0.
         """
         return self._engine.threads()

@@ -13,7 +13,7 @@
 // left to it.
 //
 // Discs that pass through each other (log_contact) overlap for long, so that no window could begin:
-// the plain loop runs.
+// the plain loop runs. It also executes contacts that erase discs.
 //
 // Discs with radii of their own may be inside of others, and hidden. Here all radii are positive;
 // no disc is hidden; and the centre of a disc that turns is in its own power cell, since it is in
@@ -75,7 +75,7 @@ class Contact_turns {
   // ---- what they are ----
 
   /// Whether contacts can be executed in windows: of walls, and of discs whose response may be
-  /// called at any time, by any thread, and is not log_contact.
+  /// called at any time, by any thread, and is not log_contact or erase_both.
   static bool can_run(const Simulation& simulation);
   bool can_run() const { return can_run(*simulation_); }
   /// Whether this is the simulation itself, which knows its contacts.
@@ -141,12 +141,8 @@ class Contact_turns {
 
   // ---- contacts ----
 
-  /// Whether a contact certainly erases its points.
-  bool is_erasure(const Entry& entry) const {
-    return entry.kind == Entry_kind::collision && is_erase_both(simulation_->options_.response);
-  }
-  /// What a contact at `now` does to its points: all changes are new motions, or all are erasures.
-  /// None where that is for the plain loop, which may throw then. Changes nothing.
+  /// The new motions that a contact at `now` gives its points. None where what it does is for the
+  /// plain loop, which may throw then. Changes nothing.
   std::vector<Change> changes(const Entry& entry, const Time& now) const;
   /// The entry of what the given one is about, and its certificate after a time.
   std::pair<Entry, Certificate> certificate(const Entry& entry, const Time& after,
@@ -183,7 +179,6 @@ class Contact_turns {
  private:
   static bool is_one(Points some, Point_id id) { return std::ranges::find(some, id) != some.end(); }
   bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
-  static bool may_erase(const Simulation& simulation);
   bool have_areas();
   bool drop_overlaps(const Time& time);
   void put_passes_back();

@@ -20,16 +20,9 @@ bool Contact_turns<Simulation>::can_run(const Simulation& simulation) {
   const auto& options = simulation.options_;
   return options.max_contacts_per_instant > 0 &&
          (!options.response || options.response_is_pure || is_pure(options.response)) &&
-         !is_log_contact(options.response) && simulation.overlap_observers_.empty() &&
-         std::ranges::none_of(simulation.observers_, &Event_observer::looks_at_triangulation) &&
-         (!is_erase_both(options.response) || may_erase(simulation));
-}
-
-// Whether no observer looks at the triangulation that is there when points have been erased.
-template <class Simulation>
-bool Contact_turns<Simulation>::may_erase(const Simulation& simulation) {
-  return std::ranges::none_of(simulation.observers_,
-                              &Event_observer::looks_at_rebuilt_triangulation);
+         !is_log_contact(options.response) && !is_erase_both(options.response) &&
+         simulation.overlap_observers_.empty() &&
+         std::ranges::none_of(simulation.observers_, &Event_observer::looks_at_triangulation);
 }
 
 // ---- the plain loop ----
@@ -131,10 +124,8 @@ auto Contact_turns<Simulation>::changes(const Entry& entry, const Time& now) con
   } catch (...) {
     return {};  // the plain loop throws it again, in its turn
   }
-  const auto erased = std::ranges::count_if(result, [](const Change& c) { return !c.motion; });
-  if (erased == 0) return result;
-  const bool are_all = erased == std::ssize(result);
-  return are_all && may_erase(*simulation_) ? result : std::vector<Change>();
+  if (std::ranges::any_of(result, [](const Change& change) { return !change.motion; })) return {};
+  return result;
 }
 
 template <class Simulation>
@@ -303,14 +294,8 @@ void Contact_turns<Simulation>::put_passes_back() {
 
 template <class Simulation>
 void Contact_turns<Simulation>::end_turn(const std::array<Point_id, 2>& points) {
-  bool are_there = true;
-  for (const Point_id id : points) {
-    if (id == no_point || simulation_->triangulation_.contains(id)) continue;
-    simulation_->contacts_[id].reset();
-    are_there = false;
-  }
   const auto [a, b] = points;
-  if (!are_there || b == no_point || !do_meet(a, b, simulation_->current_time())) return;
+  if (b == no_point || !do_meet(a, b, simulation_->current_time())) return;
   const bool is_edge = simulation_->is_edge({a, b});
   simulation_->start_overlap(a, b, is_edge);
   simulation_->for_each_pair_beside(a, b, is_edge, [this](const Edge_ids& beside) {

@@ -387,7 +387,6 @@ void Region_run<Kinetic, Turns>::take_back(Flip& f) {
   f.is_undone = true;
   if constexpr (has_turns) {
     if (f.turn) {
-      if (f.turn->hole) return close_hole(*f.turn->hole);
       set_motions(*f.turn, false);
       for (const auto& [face, stamp] : f.turn->faces) face->set_stamp(stamp);
       return;

@@ -281,12 +281,7 @@ template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::count_from(typename std::vector<Key>::const_iterator next) {
   kinetic_.is_in_event_ = false;
   if (next == order_.cend()) return;  // the present time is that of the last one
-  for (; next != order_.cend(); ++next) {
-    count(*next);
-    if constexpr (has_turns) {
-      if (is_turn(*next)) delete_vertices(*flip(*next).turn);
-    }
-  }
+  for (; next != order_.cend(); ++next) kinetic_.count_event(next->kind);
   const Key& last = order_.back();
   Flip& f = flip(last);
   // Where points turn, what it was made from may be in a record, which does not stay.
@@ -310,33 +305,20 @@ void Region_run<Kinetic, Turns>::report(const Key& key) {
                                 edge_ids(corners[2], corners[3]));
   }
   kinetic_.set_current_time(time(key));
-  const std::uint64_t number = kinetic_.counters_.number_of_events();
-  count(key);
-  tell(event, number, [&] {
-    if (is_turn(key)) go_through(key);
-  });
-  if constexpr (has_turns) {
-    if (!is_turn(key)) return;
-    const Hole* const hole = flip(key).turn->hole.get();
-    report_edges(hole == nullptr ? std::span<const Edge_changes::Change>() : hole->edges,
-                 number + 1);
-  }
-}
-
-// Shows an event at the present time to the observers, and makes a change in between.
-template <class Kinetic, class Turns>
-template <class Make_change>
-void Region_run<Kinetic, Turns>::tell(Event event, std::uint64_t number,
-                                      const Make_change& make_change) {
-  event.number = number;
   event.time = kinetic_.current_time();
-  kinetic_.observers_.call([&](Event_observer& observer) {
-    if (is_told(observer)) observer.before_event(event);
-  });
-  make_change();
-  kinetic_.observers_.call([&](Event_observer& observer) {
-    if (is_told(observer)) observer.after_event(event);
-  });
+  event.number = kinetic_.counters_.number_of_events();
+  kinetic_.count_event(key.kind);
+  const auto tell = [this](const auto& function) {
+    kinetic_.observers_.call([&](Event_observer& observer) {
+      if (is_told(observer)) function(observer);
+    });
+  };
+  tell([&](Event_observer& observer) { observer.before_event(event); });
+  if (is_turn(key)) go_through(key);
+  tell([&](Event_observer& observer) { observer.after_event(event); });
+  if (!is_turn(key)) return;
+  // Each change of points ends with the edges that it has changed, here none.
+  tell([&](Event_observer& observer) { observer.after_rebuild(event.time, {}); });
 }
 
 }  // namespace kinetri::detail

@@ -284,7 +284,6 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
     return false;
   }
   if (!is_root(lane)) {
-    if (turns_.is_erasure(entry)) return false;
     for (const Point_id id : points) {
       if (!owns_star(lane, id)) return false;
     }
@@ -294,9 +293,6 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
   if (do_faces_hide_points(points)) return false;
   const auto changes = turns_.changes(entry, *moment.exact);
   if (changes.empty()) return false;
-  if (!changes.front().motion) {
-    return is_root(lane) && erase(lane, entry, changes, std::move(made), moment);
-  }
   Turn& turn = *made;
   try {
     if (set_points(turn, changes, moment) && certify_turn(lane, turn, turned(turn), moment)) {
@@ -486,20 +482,17 @@ auto Region_run<Kinetic, Turns>::edges_around(Lane& lane, Points points) const
 // Undoes a turn that is the last one of its faces.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Flip& flip, const Time& now) {
-  Turn& turn = *flip.turn;
+  const Turn& turn = *flip.turn;
   const Points points = turned(turn);
-  if (turn.hole) {
-    leave_hole(turn);
-  } else {
-    for (const Two_sided_edge& edge : edges_around(lane, points)) {
-      const Queue_handle handle = edge.here.first->event(edge.here.second);
-      if (handle != no_event) queue().erase(handle);
-    }
-    take_turn_entries(lane, points, [](const Turn_entry&) {});
+  const std::span<const Two_sided_edge> edges = edges_around(lane, points);
+  for (const Two_sided_edge& edge : edges) {
+    const Queue_handle handle = edge.here.first->event(edge.here.second);
+    if (handle != no_event) queue().erase(handle);
   }
+  take_turn_entries(lane, points, [](const Turn_entry&) {});
   take_back(flip);
   for (std::size_t k = 0; k < points.size(); ++k) turned_[points[k]] = turn.previous[k];
-  certify_again(lane, edges_around(lane, points));
+  certify_again(lane, edges);
   turns_.for_each_contact(points, now, lane.turn_certificates,
                           [&](const Turn_entry& entry, Certificate&& known) {
                             put_turn(lane, entry, std::move(known));
@@ -563,17 +556,16 @@ auto Region_run<Kinetic, Turns>::point_at(Point_id id, Stamp flip) -> const Poin
   return kinetic_.vertices_[id]->point();
 }
 
-// Gives the points of a turn the motions after it, or before it. Those that it erases keep theirs.
+// Gives the points of a turn the motions after it, or before it.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::set_motions(const Turn& turn, bool are_after) {
-  if (turn.hole) return;
   for (std::size_t k = 0; k < 2 && turn.turned[k] != no_point; ++k) {
     kinetic_.vertices_[turn.turned[k]]->set_point(are_after ? turn.after[k] : turn.before[k]);
   }
 }
 
 // Gives the points the motions that they had when the window began: observers are told of turns one
-// after the other. Precondition: no vertex has been deleted.
+// after the other.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::go_back_in_turns() {
   if constexpr (has_turns) {
@@ -583,13 +575,10 @@ void Region_run<Kinetic, Turns>::go_back_in_turns() {
   }
 }
 
-// Gives the points of a turn the motions after it, or deletes their vertices.
+// Gives the points of a turn the motions after it.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::go_through(const Key& key) {
-  if constexpr (has_turns) {
-    set_motions(*flip(key).turn, true);
-    delete_vertices(*flip(key).turn);
-  }
+  if constexpr (has_turns) set_motions(*flip(key).turn, true);
 }
 
 template <class Kinetic, class Turns>

@@ -53,12 +53,12 @@
 // the faces beside them. It writes their slots and stamps, the motions of its points, the entries
 // of the edges of these faces, and the entries of all turns of its points. Two events that have a
 // motion of one point in common conflict: if one changes it, it writes all faces at the point.
-// But for erasures (below) an event allocates no face and no vertex. So the order of faces in
-// CGAL's container, which snapshots keep, is that of the window's start, and face() of a vertex
-// changes only with a flip of that face. Flips from either side of an edge are the same. A recheck
-// writes the entry of one edge. Failure times are exact numbers that several threads may ask
-// (algebra/algebraic_number.h); that of an entry is kept in its part, which one thread owns, and is
-// made anew, and not kept, by a thread that looks at an entry of another part.
+// An event allocates no face and no vertex. So the order of faces in CGAL's container, which
+// snapshots keep, is that of the window's start, and face() of a vertex changes only with a flip of
+// that face. Flips from either side of an edge are the same. A recheck writes the entry of one
+// edge. Failure times are exact numbers that several threads may ask (algebra/algebraic_number.h);
+// that of an entry is kept in its part, which one thread owns, and is made anew, and not kept, by a
+// thread that looks at an entry of another part.
 //
 // A window goes through the tree level by level: the regions, by several threads, then the unions
 // of two regions, and so on up to the root, which is alone. A node but the root flips an edge if it
@@ -91,19 +91,15 @@
 //     executes is never undone, unless the window is cut.
 //
 // Done by the root alone: flips with the infinite vertex, that is at the hull; turns at the hull.
-// Never done in a window: erasures at the hull, coincidences, triangles at the hull that turn flat
-// and are not flipped, reconstructions, ties; turns after which the triangles at a point are not
-// embedded or a certificate fails at once; changes that are no turns; whatever hides or reveals a
-// point, or changes a triangle that hides one. Where such an event is next, in the rest, or two
-// flips have the same time, the window is cut: flips at or after that time are undone, those before
-// it are reported, and the plain loop executes that instant. Regions are for points whose places
-// can be rounded (HasRoundedPlace), of which few are hidden. The entries of hidden points are in
-// the part of the root.
-//
-// Erasures are turns after which one of the two points, or both, are no longer there. The root
-// executes them. They write what turns write, and the face() of each neighbor; and they free some
-// of the faces at their points (region_erasures_impl.h). The vertices stay until observers are
-// told.
+// Never done in a window: erasures, coincidences, triangles at the hull that turn flat and are not
+// flipped, reconstructions, ties; turns after which the triangles at a point are not embedded or a
+// certificate fails at once; contacts at which both discs keep their motions; changes that are no
+// turns; whatever hides or reveals a point, or changes a triangle that hides one. Where such an
+// event is next, in the rest, or two flips have the same time, the window is cut: flips at or after
+// that time are undone, those before it are reported, and the plain loop executes that instant.
+// Regions are for points whose places can be rounded (HasRoundedPlace), of which few are hidden.
+// The entries of hidden points are in the part of the root. There are no windows where each contact
+// of discs would cut one (Contact_turns::can_run).
 //
 // Motions of the past. The exact time of a flip is made when it is needed, mostly when observers
 // are told of it. Then its points may have turned: so the records of turns keep the motions before
@@ -137,7 +133,6 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/triangulation/edge_changes.h"
 #include "kinetri/impl/triangulation/region_effort.h"
 #include "kinetri/impl/triangulation/region_runs.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
@@ -257,25 +252,6 @@ class Region_run {
     Stamp stamp;  // before
   };
 
-  // What undoes an erasure, and what is reported of it.
-  struct Face_before {
-    Face_handle face;
-    std::array<Vertex_handle, 3> vertices;
-    std::array<Face_handle, 3> neighbors;
-    Stamp stamp;
-  };
-  struct Link {
-    Edge beyond;       // an edge around the faces, as the face beyond it sees it
-    Face_handle face;  // which had that edge
-  };
-  struct Hole {
-    std::size_t number_of_faces = 0;  // in CGAL's container, before
-    std::vector<Face_before> faces;   // at the points
-    std::vector<Link> link;
-    std::vector<std::pair<Vertex_handle, Face_handle>> vertices;  // with the faces they had
-    std::vector<Edge_changes::Change> edges;
-  };
-
   /// A turn of the window: the rest of its record.
   struct Turn {
     std::array<Point_id, 2> points = {no_point, no_point};  // as the event names them
@@ -283,8 +259,7 @@ class Region_run {
     std::array<Point_2, 2> before = {};  // of those turned
     std::array<Point_2, 2> after = {};   // of those turned
     std::array<Stamp, 2> previous = {};  // their turns before this one
-    std::vector<Written_face> faces;     // that it has written and that are there
-    std::unique_ptr<Hole> hole;          // if it erases those turned
+    std::vector<Written_face> faces;     // that it has written
   };
   struct Nothing {};
 
@@ -516,24 +491,6 @@ class Region_run {
   bool is_told(const Event_observer& observer) const;
   void settle_turns_of_window();
 
-  // Erasures.
-  bool erase(Lane& lane, const Turn_entry& entry, std::span<const Change> changes,
-             std::unique_ptr<Turn>&& made, Moment& moment);
-  void undo_later_at_neighbors(Lane& lane, Points points, Moment& moment);
-  void remember(Hole& hole, Points points) const;
-  std::vector<Edge_changes::Change> make_hole(Points points, Moment& moment);
-  void find_written_faces(Turn& turn, Stamp number);
-  bool certify_hole(Lane& lane, const Turn& turn, Stamp number, Moment& moment);
-  void leave_hole(const Turn& turn);
-  void close_hole(const Hole& hole);
-  void delete_vertices(const Turn& turn);
-  void report_edges(std::span<const Edge_changes::Change> edges, std::uint64_t number);
-  template <class Faces>
-  static bool is_among(const Faces& faces, Face_handle face) {
-    return std::ranges::any_of(faces, [&](const auto& known) { return known.face == face; });
-  }
-  template <class Faces, class Function>
-  void for_each_edge_of(const Faces& faces, Stamp number, const Function& function) const;
   template <class Function>
   void for_each_written_face(const Flip& flip, const Function& function) const {
     if constexpr (has_turns) {
@@ -564,9 +521,6 @@ class Region_run {
   void report();
   void count_from(typename std::vector<Key>::const_iterator next);
   void report(const Key& key);
-  void count(const Key& key);
-  template <class Make_change>
-  void tell(Event event, std::uint64_t number, const Make_change& make_change);
 
   Queue& queue() { return kinetic_.queue_; }
   Region_division& division() { return kinetic_.division_; }

@@ -14,7 +14,6 @@
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/parallel.h"
 #include "triangulation/region_division_impl.h"
-#include "triangulation/region_erasures_impl.h"
 #include "triangulation/region_flips_impl.h"
 #include "triangulation/region_order_impl.h"
 #include "triangulation/region_turns_impl.h"

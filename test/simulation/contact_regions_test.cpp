@@ -4,6 +4,7 @@
 // numbers and exact times, and the same state.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -304,6 +305,47 @@ TEST(Contact_regions, leave_other_responses_to_the_loop) {
               "")
         << "seed " << seed;
     EXPECT_EQ(counters.windows == 0, seed % 2 == 1) << "seed " << seed;
+  }
+}
+
+// Both discs vanish at a contact, and no window is tried; or the lighter one, and the window is
+// cut.
+TEST(Contact_regions, leave_discs_that_vanish_to_the_loop) {
+  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    const std::size_t n = 30 + 17 * (seed % 30);
+    const double side = 10 * std::sqrt(static_cast<double>(n));
+    Simulation_options options;
+    if (seed % 4 != 3) options = in_square(side);
+    options.response_is_pure = true;
+    for (std::size_t k = 0; k < n; ++k) {
+      options.masses.push_back(1 + static_cast<double>(k % 3));
+    }
+    const auto motions = gas(n, side, 3, 10, seed);
+    std::vector<Disc_motion_2> discs;
+    for (const Linear_motion_2& motion : motions) {
+      discs.push_back({motion, 1.5 / static_cast<double>(1 + discs.size() % 4), 0, 0});
+    }
+    for (const auto response : {erase_both, test::erase_lighter}) {
+      options.response = response;
+      Region_counters counters;
+      std::size_t left = n;
+      const auto count = [&](auto& simulation) {
+        left = std::min(left, simulation.triangulation().number_of_points());
+      };
+      options.radius = 1.5;
+      ASSERT_EQ(
+          difference_from_loop<Linear_kinetic_traits_2>(
+              motions, options, {0.25, 0.5, 1.5}, options_of(1 + seed % 9, 0.2), counters, count),
+          "")
+          << "seed " << seed;
+      options.radius = 0;
+      ASSERT_EQ(difference_from_loop<Disc_kinetic_traits_2>(
+                    discs, options, {0.5, 1.5}, options_of(1 + seed % 9, 0.2), counters, count),
+                "")
+          << "seed " << seed;
+      EXPECT_LT(left, n) << "seed " << seed;
+      EXPECT_EQ(counters.windows == 0, response == erase_both) << "seed " << seed;
+    }
   }
 }
 

@@ -165,14 +165,6 @@ TEST(Region_decisions, leave_most_events_to_the_loop_where_windows_lose) {
   EXPECT_LT(run.by_windows(), run.events / 3);
 }
 
-TEST(Region_decisions, leave_contacts_that_erase_on_a_lattice_to_the_loop) {
-  constexpr std::size_t n = 900;
-  const Outcome run =
-      run_to(4, scenario(Scenario::lattice, n), discs_in_box(295, 1, erase_both), usual_options());
-  EXPECT_EQ(run.problem, "");
-  EXPECT_LT(static_cast<double>(run.undone()), most_undone(run, n));
-}
-
 // Where each event is alone, nearly all are executed in windows.
 TEST(Region_decisions, take_windows_for_discs_that_move_at_random) {
   constexpr std::size_t n = 900;

@@ -79,15 +79,8 @@ inline Contact_response_2 erase_lighter(const Contact_2& contact) {
   return result;
 }
 
-inline bool do_vanish(const Simulation_options& options) {
-  using Function = Contact_response_2 (*)(const Contact_2&);
-  const Function* const response = options.response.target<Function>();
-  return response != nullptr && (*response == erase_both || *response == erase_lighter);
-}
-
 /// What differs between the plain loop and a run by regions, both in pieces that end at `times`,
-/// with and without observers of the latter. Before each piece change(simulation) is called. A
-/// recorder takes part unless discs vanish: it then has the plain loop run.
+/// with and without observers of the latter. Before each piece change(simulation) is called.
 template <class Traits = Linear_kinetic_traits_2>
 std::string difference_from_loop(
     const std::vector<typename Traits::Motion>& motions, const Simulation_options& options,
@@ -106,10 +99,8 @@ std::string difference_from_loop(
   const double end = times.back().to_double();
   kinetri::Recorder<Traits> expected_recorder(plain.triangulation(), end, 1'000'000);
   kinetri::Recorder<Traits> recorder(watched.triangulation(), end, 1'000'000);
-  if (!do_vanish(options)) {
-    plain.add_observer(expected_recorder);
-    watched.add_observer(recorder);
-  }
+  plain.add_observer(expected_recorder);
+  watched.add_observer(recorder);
   using Turns = detail::Contact_turns<Run>;
   auto watched_run = Turns::run_of(watched, regions);
   for (const Algebraic_number& time : times) {

@@ -64,7 +64,7 @@ bool write_run(const std::string& folder, unsigned seed) {
   const std::size_t n = 20 + 7 * (seed % 12);
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n))));
   const double side = spacing * static_cast<double>(columns);
-  const std::string word = std::array{"none", "elastic", "swap", "stop", "remove"}[seed % 5];
+  const std::string word = std::array{"none", "elastic", "swap", "stop"}[seed / 4 % 4];
   Simulation_options options;
   for (const Named_response& named : named_responses) {
     if (named.name == word) options.response = named.response;

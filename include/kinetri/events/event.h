@@ -31,10 +31,6 @@ class Event_observer {
   /// Whether the functions below look at the triangulation. If no observer does, a run by regions
   /// may report events some time after they have happened; else there is none.
   virtual bool looks_at_triangulation() const { return true; }
-  /// Whether `after_rebuild` looks at the triangulation, though the other functions may not. If an
-  /// observer does, a run by regions does not erase points at contacts: the loop that executes one
-  /// event after the other does.
-  virtual bool looks_at_rebuilt_triangulation() const { return looks_at_triangulation(); }
   /// Called when `event` is about to happen. Does nothing unless it is overridden.
   virtual void before_event(const Event& /*event*/) {}
   /// Called when `event` has happened. Does nothing unless it is overridden.

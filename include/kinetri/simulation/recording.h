@@ -94,7 +94,6 @@ class Recorder : public Event_observer {
   Recorder(const Triangulation& triangulation, double until, std::size_t most_rows);
 
   bool looks_at_triangulation() const override { return false; }
-  bool looks_at_rebuilt_triangulation() const override { return true; }
   /// Records the event.
   void after_event(const Event& event) override;
 

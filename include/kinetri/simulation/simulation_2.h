@@ -228,15 +228,9 @@ class Simulation_2 : private Event_observer {
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
   /// arena if 0. They share the work, contacts included, where set_threads of the triangulation
   /// says so, there is no overlap observer, and a response of the user is said to be pure
-  /// (Simulation_options::response_is_pure). One thread
-  ///
-  /// - erases discs, those at the hull at more cost; with erase_both it does everything where an
-  ///   observer looks at the triangulation after that
-  ///   (Event_observer::looks_at_rebuilt_triangulation), as a Recorder does;
-  /// - does everything with log_contact, and while discs overlap that collide.
-  ///
-  /// The result is the same. An error that an observer throws then leaves the simulation as it is
-  /// some events later.
+  /// (Simulation_options::response_is_pure). One thread does everything with log_contact or
+  /// erase_both, and while discs overlap that collide. The result is the same. An error that an
+  /// observer throws then leaves the simulation as it is some events later.
   void set_threads(std::size_t most) {
     threads_ = most;
     triangulation_.set_threads(most);

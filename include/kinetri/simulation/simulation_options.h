@@ -29,8 +29,8 @@ struct Simulation_options {
   /// Whether the response depends on nothing but its argument, and may be called by several threads
   /// at once, also for contacts that turn out not to happen. Then runs on several threads
   /// (Simulation_2::set_threads) execute contacts too. Of the built-in responses this is known.
-  /// Contacts at which both discs keep their motions, or one vanishes and the other gets another
-  /// motion, cost much more there: with many of them one thread is faster.
+  /// Contacts at which both discs keep their motions, or a disc vanishes, cost much more there:
+  /// with many of them one thread is faster.
   bool response_is_pure = false;
   /// Whether discs that overlap at the start, or where one is inserted, are refused: touching is
   /// allowed. For responses that cannot deal with discs that overlap, such as elastic collisions.

@@ -95,21 +95,16 @@ auto Kinetic_triangulation_2<Traits>::remove_from_faces(Vertex_handle v,
   });
   note_edges_at(v, -1);
   const Vertex_handle stand_in = triangulation_.tds().create_vertex();
-  try {
-    stand_in->set_point(v->point());
-    replace_in_faces(v, stand_in);
-    if constexpr (is_weighted) {
-      if (weights_are_equal_) {
-        triangulation_.as_delaunay([&](auto& delaunay) { delaunay.remove(stand_in); });
-      } else {
-        triangulation_.remove(stand_in);
-      }
+  stand_in->set_point(v->point());
+  replace_in_faces(v, stand_in);
+  if constexpr (is_weighted) {
+    if (weights_are_equal_) {
+      triangulation_.as_delaunay([&](auto& delaunay) { delaunay.remove(stand_in); });
     } else {
       triangulation_.remove(stand_in);
     }
-  } catch (...) {  // for want of memory: a run by regions knows the faces
-    triangulation_.tds().delete_vertex(stand_in);
-    throw;
+  } else {
+    triangulation_.remove(stand_in);
   }
   return list_inside(link, faces);
 }
