@@ -48,8 +48,6 @@ json run_by_regions(const Setup& setup, const Make& make, std::size_t threads) {
           {"by_region", counters.by_region},
           {"by_union", counters.by_union},
           {"by_rest", counters.by_rest},
-          {"by_loop", counters.by_loop},
-          {"deferred", counters.deferred},
           {"undone", counters.undone},
           {"cut_off", counters.cut_off}};
 }

@@ -68,7 +68,6 @@ void Region_run<Kinetic, Turns>::count_and_clear() {
     (is_root(lane)      ? counters_.by_rest
      : lane.is_region() ? counters_.by_region
                         : counters_.by_union) += lane.flips.size();
-    counters_.deferred += std::exchange(lane.deferred, 0);
     counters_.undone += std::exchange(lane.undone, 0);
     lane.flips_before += lane.flips.size();
     division().flips[lane.number] = lane.flips_before;

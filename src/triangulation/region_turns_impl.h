@@ -85,7 +85,6 @@ void Region_run<Kinetic, Turns>::move_turns_home(std::size_t from) {
 // Leaves the first turn of a node to the node above.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::leave_turn(Lane& lane) {
-  ++lane.deferred;
   stall(lane, lane.turn_part->top());
   move_turn(lane.is_region() ? lane.number : due_part(lane.number), deferred_part(lane.number));
 }

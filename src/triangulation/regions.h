@@ -181,8 +181,6 @@ struct Region_counters {
   std::uint64_t by_region = 0;  ///< flips that regions executed, those undone included
   std::uint64_t by_union = 0;   ///< flips that unions of regions executed, those undone included
   std::uint64_t by_rest = 0;    ///< flips that the root executed, those undone included
-  std::uint64_t by_loop = 0;    ///< events that the plain loop executed
-  std::uint64_t deferred = 0;   ///< entries that nodes left to those above them
   std::uint64_t undone = 0;     ///< flips that came too early
   std::uint64_t cut_off = 0;    ///< flips that were undone since their window was cut
 };
@@ -319,7 +317,6 @@ class Region_run {
     [[no_unique_address]] std::conditional_t<has_turns, Buffers, Nothing> buffers = {};
     std::vector<Point_id> stalled = {};  // points of turns that it has deferred
     Discarded_turns discarded_turns = {};
-    std::uint64_t deferred = 0;
     std::uint64_t undone = 0;
 
     bool is_region() const { return level == 0; }

@@ -250,7 +250,6 @@ std::size_t Region_run<Kinetic, Turns>::run_loop_instant(const Time& until) {
   } else {
     events = kinetic_.run_instant();
   }
-  counters_.by_loop += events;
   division().loop_events += events;
   division().effort.add_loop(events);
   return events;
@@ -578,7 +577,6 @@ bool Region_run<Kinetic, Turns>::may_execute(Lane& lane, const Entry& entry,
 // Leaves the first entry of a part to the node above.
 template <class Kinetic, class Turns>
 void Region_run<Kinetic, Turns>::defer(Lane& lane, std::size_t from) {
-  ++lane.deferred;
   move(from, deferred_part(lane.number));
 }
 

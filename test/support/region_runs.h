@@ -76,8 +76,6 @@ inline void add(Region_counters& sum, const Region_counters& counters) {
   sum.by_region += counters.by_region;
   sum.by_union += counters.by_union;
   sum.by_rest += counters.by_rest;
-  sum.by_loop += counters.by_loop;
-  sum.deferred += counters.deferred;
   sum.undone += counters.undone;
   sum.cut_off += counters.cut_off;
 }
