@@ -6,6 +6,7 @@
 #include <functional>
 #include <numeric>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "kinetri/impl/triangulation/parallel.h"
@@ -43,6 +44,16 @@ std::size_t Region_runs<KineticTriangulation>::advance_to(KineticTriangulation& 
 }
 
 template <class KineticTriangulation>
+void Region_runs<KineticTriangulation>::make_turns(KineticTriangulation& kinetic,
+                                                   std::span<const Change> turns) {
+  if constexpr (KineticTriangulation::is_weighted) {
+    KINETRI_ASSERT(turns.empty(), "weighted points turn by regions");
+  } else {
+    Region_run<KineticTriangulation>(kinetic, with_threads(kinetic.threads_)).make_turns(turns);
+  }
+}
+
+template <class KineticTriangulation>
 void Region_runs<KineticTriangulation>::join(KineticTriangulation& kinetic) {
   Region_run<KineticTriangulation>(kinetic, with_threads(kinetic.threads_)).join();
 }
@@ -60,11 +71,15 @@ template Run<Linear_kinetic_traits_2>::Region_run(Kinetic_triangulation_2<Linear
 template std::size_t Run<Linear_kinetic_traits_2>::advance_to(const Algebraic_number&,
                                                               const std::function<bool()>&);
 template void Run<Linear_kinetic_traits_2>::join();
+template void Run<Linear_kinetic_traits_2>::make_turns(
+    std::span<const Kinetic_triangulation_2<Linear_kinetic_traits_2>::Change>);
 template Run<Polynomial_kinetic_traits_2>::Region_run(
     Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&, const Region_options&, No_turns);
 template std::size_t Run<Polynomial_kinetic_traits_2>::advance_to(const Algebraic_number&,
                                                                   const std::function<bool()>&);
 template void Run<Polynomial_kinetic_traits_2>::join();
+template void Run<Polynomial_kinetic_traits_2>::make_turns(
+    std::span<const Kinetic_triangulation_2<Polynomial_kinetic_traits_2>::Change>);
 template Run<Disc_kinetic_traits_2>::Region_run(Kinetic_triangulation_2<Disc_kinetic_traits_2>&,
                                                 const Region_options&, No_turns);
 template std::size_t Run<Disc_kinetic_traits_2>::advance_to(const Algebraic_number&,

@@ -211,6 +211,11 @@ class Region_run {
   /// there is memory to schedule all anew; else it can only be destroyed. Precondition: as there.
   std::size_t advance_to(const Time& until, const std::function<bool()>& may_go_on = nullptr);
 
+  /// Gives points other motions at the present time, each region those whose triangles it owns, and
+  /// schedules their edges anew. Cost: proportional to the degrees of the points. Precondition: the
+  /// queue is in parts; the triangles stay embedded.
+  void make_turns(std::span<const typename KineticTriangulation::Change> turns);
+
   /// Puts the queue into one part again.
   void join();
 

@@ -13,6 +13,7 @@
 
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/parallel.h"
+#include "triangulation/region_batches_impl.h"
 #include "triangulation/region_division_impl.h"
 #include "triangulation/region_flips_impl.h"
 #include "triangulation/region_order_impl.h"

@@ -560,7 +560,9 @@ class Kinetic_triangulation_2 {
   void schedule_all();
   template <class Put>
   void schedule_block(Block& block, const Put& put) const;
-  KINETRI_ALWAYS_INLINE void unschedule(const Two_sided_edge& edge);
+  KINETRI_ALWAYS_INLINE void unschedule(const Two_sided_edge& edge) { unschedule(edge, counters_); }
+  KINETRI_ALWAYS_INLINE void unschedule(const Two_sided_edge& edge,
+                                        Triangulation_counters& counters);
   static Event_kind event_kind(Entry_kind failure);
   static void set_event(const Two_sided_edge& edge, Queue_handle handle);
 
@@ -669,7 +671,8 @@ class Kinetic_triangulation_2 {
   void replace_in_faces(Vertex_handle old, Vertex_handle replacement);
   void unschedule_face(Face_handle face);
   void unschedule_around(Vertex_handle v);
-  void unschedule_around(Vertex_handle v, std::vector<Two_sided_edge>& edges);
+  void unschedule_around(Vertex_handle v, std::vector<Two_sided_edge>& edges,
+                         Triangulation_counters& counters);
   void schedule_around(Vertex_handle v, Certificate_state state = Certificate_state::any);
   void note_edges_at(Vertex_handle v, int change);
 

@@ -18,6 +18,7 @@
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/point_problems.h"
+#include "kinetri/impl/triangulation/region_runs.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
@@ -375,6 +376,12 @@ void Kinetic_triangulation_2<Traits>::make_turns(std::span<const Change> turns) 
     for (const Change& change : turns) set_point(change);
     return schedule_all();
   }
+  if constexpr (detail::has_region_runs<Traits> && !is_weighted) {
+    constexpr std::size_t turns_per_region = 8;  // fewer are made as fast one by one
+    if (queue_.is_divided() && turns.size() >= turns_per_region * division_.regions) {
+      return detail::Region_runs<Kinetic_triangulation_2>::make_turns(*this, turns);
+    }
+  }
   // Each edge once, also one that is around several of the points.
   std::vector<Two_sided_edge> edges;
   edges.reserve(16 * turns.size());
@@ -394,7 +401,7 @@ void Kinetic_triangulation_2<Traits>::make_turns(std::span<const Change> turns) 
         for (const Vertex_handle h : face->vertex_list()) add(h);
       });
     }
-    unschedule_around(v, edges);
+    unschedule_around(v, edges, counters_);
   }
   for (const Change& change : turns) set_point(change);
   schedule(edges, current_time());

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <type_traits>
 
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
@@ -27,11 +28,15 @@ bool may_pay_by_regions(std::size_t points, std::size_t threads);
 /// What a triangulation asks of runs by regions, with the threads that set_threads gave it.
 template <class KineticTriangulation>
 struct Region_runs {
-  using Time = typename KineticTriangulation::Time;  ///< of events
+  using Time = typename KineticTriangulation::Time;      ///< of events
+  using Change = typename KineticTriangulation::Change;  ///< of a point
 
   /// As advance_to of the triangulation, with the same result; see Region_run::advance_to.
   static std::size_t advance_to(KineticTriangulation& kinetic, const Time& until,
                                 const std::function<bool()>& may_go_on);
+  /// Gives points other motions at the present time. Precondition: the queue is in parts, the
+  /// triangles stay embedded, and no point has a weight.
+  static void make_turns(KineticTriangulation& kinetic, std::span<const Change> turns);
   /// Puts the queue into one part again.
   static void join(KineticTriangulation& kinetic);
 };

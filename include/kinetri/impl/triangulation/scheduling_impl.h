@@ -274,12 +274,13 @@ void Kinetic_triangulation_2<Traits>::schedule_block(Block& block, const Put& pu
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge) {
+void Kinetic_triangulation_2<Traits>::unschedule(const Two_sided_edge& edge,
+                                                 Triangulation_counters& counters) {
   const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle == no_event) return;
   const Entry entry = queue_.erase(handle);
   if (entry.kind != Entry_kind::recheck) {
-    ++counters_.discarded[static_cast<std::size_t>(event_kind(entry.kind))];
+    ++counters.discarded[static_cast<std::size_t>(event_kind(entry.kind))];
   }
 }
 

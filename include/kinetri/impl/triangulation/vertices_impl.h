@@ -222,10 +222,11 @@ void Kinetic_triangulation_2<Traits>::unschedule_around(Vertex_handle v) {
 }
 
 // The same, and adds those edges to `edges` that are not among them yet, which are marked by the
-// handle `listed` until they are scheduled.
+// handle `listed` until they are scheduled. Counts what is discarded.
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::unschedule_around(Vertex_handle v,
-                                                        std::vector<Two_sided_edge>& edges) {
+                                                        std::vector<Two_sided_edge>& edges,
+                                                        Triangulation_counters& counters) {
   constexpr Queue_handle listed = no_event - 1;
   detail::for_each_face_at(triangulation_, v, [&](Face_handle face, int at) {
     for (const int i : {at, Triangulation::cw(at)}) {
@@ -238,7 +239,7 @@ void Kinetic_triangulation_2<Traits>::unschedule_around(Vertex_handle v,
       edge.here.second = i;
       edge.there.first = neighbor;
       edge.there.second = Triangulation::ccw(right);
-      unschedule(edge);
+      unschedule(edge, counters);
       set_event(edge, listed);
     }
   });
