@@ -21,14 +21,6 @@ namespace {
 using nlohmann::json;
 using Kinetic = Kinetic_delaunay_triangulation_2<>;
 
-detail::Region_run<Kinetic> run_of(Kinetic& kinetic, const detail::Region_options& options) {
-  return detail::Region_run<Kinetic>(kinetic, options);
-}
-template <class Traits>
-auto run_of(Simulation_2<Traits>& simulation, const detail::Region_options& options) {
-  return detail::Contact_turns<Simulation_2<Traits>>::run_of(simulation, options);
-}
-
 // One run of what `make` makes by regions.
 template <class Make>
 json run_by_regions(const Setup& setup, const Make& make, std::size_t threads) {
@@ -37,7 +29,7 @@ json run_by_regions(const Setup& setup, const Make& make, std::size_t threads) {
   options.threads = threads;
   options.least_events_per_vertex = 0;
   options.most_waste = std::numeric_limits<double>::infinity();
-  auto run = run_of(kinetic, options);
+  auto run = detail::region_run_of(kinetic, options);
   const Stopwatch watch;
   run.advance_to(setup.until);
   const double seconds = watch.seconds();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contacts in a run by regions (triangulation/regions.h): what Region_run asks of turns.
+// Contacts in a run by regions (docs/PARALLEL.md): what Region_run asks of turns.
 //
 // Which pairs are watched. In a window of time these are the pairs of discs with an edge between
 // them, and no others. That is enough as long as no two discs meet but those that have just
@@ -40,26 +40,29 @@ namespace kinetri::detail {
 
 /// The turns of a simulation. Functions that are given a node's entries or points may be called by
 /// several threads, for different nodes of one level.
-template <class Simulation>
+template <class Traits>
 class Contact_turns {
  public:
   static constexpr bool exist = true;
-  using Entry = typename Simulation::Entry;            ///< of the queue of contacts and changes
-  using Queue = decltype(Simulation::queue_);          ///< that queue
-  using Part = typename Queue::Part;                   ///< of the queue
-  using Time = typename Simulation::Time;              ///< of contacts
-  using Change = typename Simulation::Change;          ///< of a point
-  using Points = std::span<const Point_id>;            ///< some points
-  using Entry_kind = typename Simulation::Entry_kind;  ///< of entries
+  using Core = Simulation_core<Traits>;                    ///< of the simulation
+  using Entry = Contact_entry;                             ///< of the queue of contacts and changes
+  using Queue = typename Contact_schedule<Traits>::Queue;  ///< that queue
+  using Part = typename Queue::Part;                       ///< of the queue
+  using Time = Algebraic_number;                           ///< of contacts
+  using Change = Point_change<typename Traits::Motion>;    ///< of a point
+  using Points = std::span<const Point_id>;                ///< some points
 
   /// The simulation must outlive this object.
-  explicit Contact_turns(Simulation& simulation) : simulation_(&simulation) {}
+  explicit Contact_turns(Core& core)
+      : core_(&core),
+        geometry_(&core.geometry),
+        records_(&core.records),
+        schedule_(&core.schedule),
+        tracker_(&core.tracker) {}
 
   /// A run of the simulation by regions.
-  static Region_run<typename Simulation::Triangulation, Contact_turns> run_of(
-      Simulation& simulation, const Region_options& options) {
-    return Region_run<typename Simulation::Triangulation, Contact_turns>(
-        simulation.triangulation_, options, Contact_turns(simulation));
+  static auto run_of(Core& core, const Region_options& options) {
+    return region_run_of(core.triangulation, options, Contact_turns(core));
   }
 
   /// Counts of contacts that were discarded.
@@ -68,7 +71,7 @@ class Contact_turns {
     std::uint64_t collisions = 0;
 
     void count(const Entry& entry) {
-      if (entry.is_event) ++(entry.kind == Entry_kind::wall ? walls : collisions);
+      if (entry.is_event) ++(entry.kind == Contact_kind::wall ? walls : collisions);
     }
   };
 
@@ -76,45 +79,49 @@ class Contact_turns {
 
   /// Whether contacts can be executed in windows: of walls, and of discs whose response may be
   /// called at any time, by any thread, and is not log_contact or erase_both.
-  static bool can_run(const Simulation& simulation);
-  bool can_run() const { return can_run(*simulation_); }
-  /// Whether this is the simulation itself, which knows its contacts.
-  bool is_observer(const Event_observer* observer) const { return observer == simulation_; }
+  static bool can_run(const Core& core);
+  bool can_run() const { return can_run(*core_); }
   /// Whether discs have contacts.
-  bool has_pairs() const { return simulation_->options_.response != nullptr; }
+  bool has_pairs() const { return core_->setup.has_response(); }
   /// Whether discs that meet keep their edge in a window.
-  bool keep_edges() const { return Simulation::has_radii && has_pairs(); }
+  bool keep_edges() const { return has_radii && has_pairs(); }
   /// Whether two discs meet just after `now`, or true if unsure.
   bool do_meet(Point_id a, Point_id b, const Time& now) const;
 
   // ---- the plain loop ----
 
   /// Whether something of the queue is due up to a time.
-  bool settle(const Time& until);
+  bool settle(const Time& until) {
+    schedule_->settle();
+    return !queue().empty() &&
+           queue().is_due(queue().top(), until.interval(), [&]() -> const Time& { return until; });
+  }
   /// Executes the events of the next time, of the triangulation too. Returns their number.
-  std::size_t run_instant(const Time& until) { return simulation_->step_in_parts(&until); }
+  std::size_t run_instant(const Time& until) { return core_->loop.step(&until); }
   /// Executes all events up to a time.
-  void run_to(const Time& until, const std::function<bool()>& may_go_on);
+  void run_to(const Time& until, const std::function<bool()>& may_go_on) {
+    core_->loop.run_to(until, may_go_on);
+  }
 
   // ---- the queue ----
 
-  Queue& queue() { return simulation_->queue_; }  ///< of all entries
+  Queue& queue() { return schedule_->queue(); }  ///< of all entries
   /// Distributes the entries, as Divided_scheduler::distribute says.
   template <class In_parallel>
   void divide(std::size_t count, const In_parallel& in_parallel);
   /// The part in which an entry belongs between two windows.
   std::size_t part_of(const Entry& entry) const {
-    return simulation_->queue_policy_.part_of(entry.subject());
+    return schedule_->policy().part_of(entry.subject());
   }
   /// Whether it is a contact, or else a change.
-  static bool is_contact(const Entry& entry) { return Simulation::is_contact(entry.kind); }
+  static bool is_contact(const Entry& entry) { return detail::is_contact(entry.kind); }
   /// Whether it is a contact whose certificate is to be checked again.
   static bool is_recheck(const Entry& entry) { return is_contact(entry) && !entry.is_event; }
   /// The points of a contact; the second is no_point if it is with a wall.
   static std::array<Point_id, 2> points(const Entry& entry);
   /// Of the event of a contact.
   static Event_kind event_kind(const Entry& entry) {
-    return entry.kind == Entry_kind::wall ? Event_kind::wall : Event_kind::collision;
+    return entry.kind == Contact_kind::wall ? Event_kind::wall : Event_kind::collision;
   }
   /// Whether two entries of contacts are about the same.
   static bool are_same(const Entry& a, const Entry& b) {
@@ -124,20 +131,20 @@ class Contact_turns {
   static Entry pair(const Edge_ids& pair);
 
   /// The handle of the entry of a pair; no_event if there is none.
-  Queue_handle handle(const Edge_ids& pair) const {
-    return simulation_->queue_policy_.handle({Entry_kind::collision, pair[0], pair[1]});
-  }
+  Queue_handle handle(const Edge_ids& pair) const { return records_->pair_event(pair); }
   /// Calls `function` with the handles of all contacts of a point that change it.
   template <class Function>
   void for_each_handle(Point_id id, const Function& function) const;
   /// The entry has another handle from now on.
   void set_handle(const Entry& entry, Queue_handle handle) {
-    simulation_->queue_policy_.set_handle(entry.subject(), handle);
+    schedule_->policy().set_handle(entry.subject(), handle);
   }
   /// The entry has come, under this handle.
-  void note(const Entry& entry, Queue_handle handle) { simulation_->note(entry.subject(), handle); }
+  void note(const Entry& entry, Queue_handle handle) {
+    records_->add_event(entry.subject(), handle);
+  }
   /// The entry has gone.
-  void forget(const Entry& entry) { simulation_->forget(entry); }
+  void forget(const Entry& entry) { records_->forget_event(entry.subject()); }
 
   // ---- contacts ----
 
@@ -183,13 +190,25 @@ class Contact_turns {
   bool drop_overlaps(const Time& time);
   void put_passes_back();
 
-  Simulation* simulation_;
+  static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
+
+  Core* core_;
+  const Disc_geometry<Traits>* geometry_;
+  Contact_records* records_;
+  Contact_schedule<Traits>* schedule_;
+  Overlap_tracker<Traits>* tracker_;
   std::uint32_t scheduled_ = 0;                // changes before the window
   std::vector<Edge_ids> passes_ = {};          // put aside
   std::unordered_set<Point_id> passing_ = {};  // their points
   bool have_areas_ = false;                    // whether all radii are positive
   std::optional<std::uint64_t> changes_ = {};  // how many there had been when that was so
 };
+
+/// A run of a simulation by regions.
+template <class Traits>
+auto region_run_of(Simulation_2<Traits>& simulation, const Region_options& options = {}) {
+  return Contact_turns<Traits>::run_of(Core_access::core(simulation), options);
+}
 
 }  // namespace kinetri::detail
 

@@ -19,4 +19,18 @@ static_assert(sizeof(void*) != 8 || sizeof(Faces_and_vertices::Vertex) == 64);
 template class Kinetic_triangulation_2<Linear_kinetic_traits_2>;
 template class Kinetic_triangulation_2<Polynomial_kinetic_traits_2>;
 
+// What simulations and audits call of the parts.
+namespace detail {
+template class Topology<Linear_kinetic_traits_2>;
+template class Topology<Polynomial_kinetic_traits_2>;
+template class Event_loop<Linear_kinetic_traits_2>;
+template class Event_loop<Polynomial_kinetic_traits_2>;
+template class Point_changes<Linear_kinetic_traits_2>;
+template class Point_changes<Polynomial_kinetic_traits_2>;
+template struct Kinetic_core<Linear_kinetic_traits_2>;
+template class Schedule<Linear_kinetic_traits_2>::Policy;
+template struct Kinetic_core<Polynomial_kinetic_traits_2>;
+template class Schedule<Polynomial_kinetic_traits_2>::Policy;
+}  // namespace detail
+
 }  // namespace kinetri

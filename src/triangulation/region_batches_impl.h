@@ -17,8 +17,8 @@
 
 namespace kinetri::detail {
 
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::make_turns(std::span<const Change> turns) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::make_turns(std::span<const Change> turns) {
   struct Share {
     Lane* lane = nullptr;
     std::vector<const Change*> turns = {};
@@ -31,7 +31,7 @@ void Region_run<Kinetic, Turns>::make_turns(std::span<const Change> turns) {
   std::vector<Share> shares(regions_);
   for (std::size_t region = 0; region < regions_; ++region) {
     shares[region].lane = &lanes_[region];
-    shares[region].now = kinetic_.current_time().detached();
+    shares[region].now = schedule_.current_time().detached();
   }
   Share rest;
   for (const Change& change : turns) {
@@ -40,11 +40,11 @@ void Region_run<Kinetic, Turns>::make_turns(std::span<const Change> turns) {
   }
   const auto unschedule = [this](Share& share, Triangulation_counters& counters) {
     for (const Change* turn : share.turns) {
-      kinetic_.unschedule_around(kinetic_.vertices_[turn->point], share.edges, counters);
+      schedule_.unschedule_around(topology_.vertex(turn->point), share.edges, counters);
     }
   };
   const auto set_points = [this](const Share& share) {
-    for (const Change* turn : share.turns) kinetic_.set_point(*turn);
+    for (const Change* turn : share.turns) topology_.set_point(*turn);
   };
   call_with_threads(options_.threads, [&] {
     for_each(shares, [&](Share& share) {
@@ -59,19 +59,18 @@ void Region_run<Kinetic, Turns>::make_turns(std::span<const Change> turns) {
     for (const Share& share : shares) {
       rest.turns.insert(rest.turns.end(), share.others.begin(), share.others.end());
     }
-    unschedule(rest, kinetic_.counters_);
+    unschedule(rest, reporter_.counters());
     for_each(shares, set_points);
     set_points(rest);
     for_each(shares, [this](Share& share) {
       Lane& lane = *share.lane;
-      kinetic_.certify(share.edges, share.now, Certificate_state::any, kinetic_.traits_,
-                       lane.certificates,
-                       [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
-                         put(lane, edge, kind, std::move(known));
-                       });
+      certification_.certify(share.edges, share.now, Certificate_state::any, lane.certificates,
+                             [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
+                               put(lane, edge, kind, std::move(known));
+                             });
     });
   });
-  kinetic_.schedule(rest.edges, kinetic_.current_time());
+  schedule_.schedule(rest.edges, schedule_.current_time());
   for (Lane& lane : lanes_) count_certificates(lane);
 }
 

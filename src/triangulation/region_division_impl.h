@@ -18,8 +18,8 @@
 
 namespace kinetri::detail {
 
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::divide() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::divide() {
   choose_owners();
   division().regions = regions_;
   const std::size_t nodes = division().nodes();
@@ -33,8 +33,8 @@ void Region_run<Kinetic, Turns>::divide() {
 }
 
 // Takes up the regions of the division. Stamps of its windows are in the faces.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::go_on_with_division() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::go_on_with_division() {
   regions_ = division().regions;
   lanes_.resize(division().nodes());
   const auto most = static_cast<double>(options_.most_flips);
@@ -61,17 +61,17 @@ void Region_run<Kinetic, Turns>::go_on_with_division() {
 }
 
 // Whether the numbers of a node may not be enough for a window.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::are_stamps_spent() const {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::are_stamps_spent() const {
   return std::ranges::any_of(lanes_, [](const Lane& lane) {
     const std::size_t left = lane.numbers - lane.flips_before;
     return left < lane.most_flips && left < lane.numbers / 2;
   });
 }
 
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::clear_stamps() {
-  const std::vector<Face_handle> faces = kinetic_.faces();
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::clear_stamps() {
+  const std::vector<Face_handle> faces = topology_.faces();
   auto blocks = blocks_of(std::span(std::as_const(faces)));
   for_each(blocks, [](std::span<const Face_handle> block) {
     for (const Face_handle face : block) face->set_stamp(0);
@@ -82,28 +82,28 @@ void Region_run<Kinetic, Turns>::clear_stamps() {
   }
 }
 
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::join() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::join() {
   or_go_back([this] { call_with_threads(options_.threads, [this] { move_to_parts(1); }); });
   division().clear();
 }
 
 // Distributes the entries over parts, and clears the stamps.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::move_to_parts(std::size_t count) {
-  const std::vector<Face_handle> faces = kinetic_.faces();
-  using Subject = typename Kinetic::Subject;
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::move_to_parts(std::size_t count) {
+  const std::vector<Face_handle> faces = topology_.faces();
+  using Subject = typename Schedule::Subject;
   const auto for_each_subject = [&](std::span<const Face_handle> block, const auto& function) {
     // What is far away in memory is asked for in time.
     for (std::size_t k = 0; k < block.size(); ++k) {
       if (k + 12 < block.size()) prefetch(block[k + 12]);
       if (k + 6 < block.size()) prefetch_around(block[k + 6]);
       block[k]->set_stamp(0);
-      kinetic_.for_each_own_edge(block[k], [&](const Edge& edge) {
+      topology_.for_each_own_edge(block[k], [&](const Edge& edge) {
         if (edge.first->event(edge.second) == no_event) return;
-        function(Subject{kinetic_.chosen_side(kinetic_.two_sided(edge)).here});
+        function(Subject{topology_.chosen_side(topology_.two_sided(edge)).here});
       });
-      if constexpr (Kinetic::is_weighted) {
+      if constexpr (Types::is_weighted) {
         for (const Vertex_handle hidden : block[k]->vertex_list()) {
           if (hidden->event() != no_event) function(Subject{Edge(block[k], 0), hidden});
         }
@@ -120,8 +120,8 @@ void Region_run<Kinetic, Turns>::move_to_parts(std::size_t count) {
 }
 
 // Whether all that is to come is in parts.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_divided() {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_divided() {
   if constexpr (has_turns) {
     if (!turns_.queue().is_divided()) return false;
   }
@@ -129,14 +129,14 @@ bool Region_run<Kinetic, Turns>::is_divided() {
 }
 
 // Regions are the cells of a k-d tree of the places of some vertices.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::choose_owners() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::choose_owners() {
   std::vector<Vertex_handle> vertices;
-  vertices.reserve(kinetic_.number_of_points_);
-  for (const Vertex_handle v : kinetic_.triangulation_.finite_vertex_handles()) {
+  vertices.reserve(topology_.number_of_points());
+  for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
     vertices.push_back(v);
   }
-  const double now = kinetic_.current_time().to_double();
+  const double now = schedule_.current_time().to_double();
   const auto place_of = [now](Vertex_handle v) {
     const auto finite = [](double x) { return std::isfinite(x) ? x : 0; };
     const Vector_2 place = rounded_place(v->point().motion(), now);
@@ -147,7 +147,7 @@ void Region_run<Kinetic, Turns>::choose_owners() {
   for (std::size_t k = 0; k < vertices.size(); k += step) sample.push_back(place_of(vertices[k]));
   const Kd_cells cells(std::move(sample), regions_);
   std::vector<std::uint16_t>& owners = division().owners;
-  owners.assign(kinetic_.vertices_.size(), Region_division::no_region);
+  owners.assign(topology_.vertices().size(), Region_division::no_region);
   auto blocks = blocks_of(std::span(std::as_const(vertices)));
   for_each(blocks, [&](std::span<const Vertex_handle> block) {
     for (const Vertex_handle v : block) {

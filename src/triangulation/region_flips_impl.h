@@ -16,34 +16,35 @@
 
 namespace kinetri::detail {
 
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::moment_of(const Entry& entry, const Two_sided_edge& edge,
-                                           const Part& part) const -> Moment {
-  Moment result{kinetic_.certificate_points(edge), entry.bounds, std::nullopt};
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::moment_of(const Entry& entry, const Two_sided_edge& edge,
+                                          const Part& part) const -> Moment {
+  Moment result{certification_.points(edge), entry.bounds, std::nullopt};
   if (entry.time != Time_pool::none) result.exact = part.time_of(entry);
   return result;
 }
 
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::time(Moment& moment) const -> const Time& {
-  if (!moment.exact) moment.exact = kinetic_.failure_time(moment.points, moment.bounds);
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::time(Moment& moment) const -> const Time& {
+  if (!moment.exact) moment.exact = certification_.failure_time(moment.points, moment.bounds);
   return *moment.exact;
 }
 
 // The time of a flip. At the hull it has been made when the flip was executed.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::time(const Key& key) -> const Time& {
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::time(const Key& key) -> const Time& {
   Flip& f = flip(key);
   if (!f.exact) {
-    f.exact = std::make_unique<Time>(kinetic_.failure_time(certificate_points(key), key.bounds));
+    f.exact =
+        std::make_unique<Time>(certification_.failure_time(certificate_points(key), key.bounds));
   }
   return *f.exact;
 }
 
-// What failed when an edge was flipped, as Kinetic_triangulation_2::certificate_points says it.
+// What failed when an edge was flipped, as Certification::points says it.
 // Precondition: the corners are finite.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::certificate_points(const Key& key) -> Certificate_points {
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::certificate_points(const Key& key) -> Certificate_points {
   const Stamp number = stamp(lanes_[key.lane], key.index);
   const Flip& f = flip(key);
   const auto point = [&](std::size_t k) { return &point_at(f.corners[k], number); };
@@ -53,8 +54,8 @@ auto Region_run<Kinetic, Turns>::certificate_points(const Key& key) -> Certifica
 // ---- before a flip ----
 
 // Whether all four vertices are in the node, of whose entries this is one.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_owned(const Lane& lane, const Two_sided_edge& edge) const {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_owned(const Lane& lane, const Two_sided_edge& edge) const {
   // So the ends of the edge are in the node.
   const auto owns_corner = [&](const Edge& side) {
     return owns(lane, side.first->vertex(side.second)->point().id());
@@ -65,9 +66,9 @@ bool Region_run<Kinetic, Turns>::is_owned(const Lane& lane, const Two_sided_edge
 // Whether another entry in the surroundings waits and is not later than this one, which is the
 // first of the lane's part. (Entries of that part come after this one, those of nodes' parts after
 // the window. What waits there was deferred by this node, or is due in a node above.)
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_blocked(Lane& lane, const Entry& entry,
-                                            const Two_sided_edge& edge) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_blocked(Lane& lane, const Entry& entry,
+                                           const Two_sided_edge& edge) {
   const auto exact = [&]() -> const Time& { return lane.part->time(lane.part->top()); };
   const auto is_face_blocked = [&](Face_handle face) {
     return waits_before(face, lane.part, entry.bounds, exact);
@@ -85,11 +86,11 @@ bool Region_run<Kinetic, Turns>::is_blocked(Lane& lane, const Entry& entry,
 
 // Whether an entry at an edge of a face waits, in another part than `own`, that is not later than
 // what has these bounds, and the time exact().
-template <class Kinetic, class Turns>
+template <class Traits, class Turns>
 template <class Exact>
-inline bool Region_run<Kinetic, Turns>::waits_before(Face_handle face, const Part* own,
-                                                     const Double_interval& bounds,
-                                                     const Exact& exact) {
+inline bool Region_run<Traits, Turns>::waits_before(Face_handle face, const Part* own,
+                                                    const Double_interval& bounds,
+                                                    const Exact& exact) {
   const Queue_handle first_stall = queue().named(lanes_.size(), 0);
   const auto is_stall = [&](Queue_handle handle) {
     return static_cast<Queue_handle>(handle - first_stall) < no_event - first_stall;
@@ -110,68 +111,38 @@ inline bool Region_run<Kinetic, Turns>::waits_before(Face_handle face, const Par
 
 // Whether the plain loop flips the edge of an entry that is no coincidence, and does nothing else:
 // of points with weights some are hidden instead, and of the flat triangles at the hull some only
-// touch it, and some take a reconstruction; see Kinetic_triangulation_2::execute.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_flip(const Entry& entry, const Two_sided_edge& edge,
-                                         Moment& moment) {
+// touch it, and some take a reconstruction; see Decisions.
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_flip(const Entry& entry, const Two_sided_edge& edge,
+                                        Moment& moment) {
   if (hides_points(edge.here.first) || hides_points(edge.there.first)) return false;
   if constexpr (has_turns) {
     if (do_ends_meet(edge, moment)) return false;
   }
   if (entry.kind == Entry_kind::flip) {
     const bool may_touch =
-        Kinetic::is_weighted && !kinetic_.weights_are_equal_ && !entry.changes_sign;
+        Types::is_weighted && !topology_.are_weights_equal() && !entry.changes_sign;
     return !may_touch && is_convex(edge, moment);
   }
-  if (entry.kind != Entry_kind::hull_insert) return true;
-  return at(time(moment), [&] {
-    return !kinetic_.may_hide_a_turn(edge) &&
-           (entry.changes_sign || !kinetic_.is_touch(kinetic_.hull_triangle(edge).first)) &&
-           !hides_hull_vertex(edge) && !kinetic_.are_all_collinear(edge) &&
-           kinetic_.can_insert_into_hull(edge);
-  });
+  const auto now = [&]() -> const Time& { return time(moment); };
+  return Decisions<Traits>(certification_).decide(entry, edge, moment.bounds, now).action ==
+         Action::flip;
 }
 
-// Calls work() while a time is the present one.
-template <class Kinetic, class Turns>
-template <class Work>
-auto Region_run<Kinetic, Turns>::at(const Time& time, const Work& work) {
-  Time before = kinetic_.current_time();
-  try {
-    kinetic_.set_current_time(time);
-    const auto result = work();
-    kinetic_.set_current_time(std::move(before));
-    return result;
-  } catch (...) {
-    kinetic_.set_current_time(std::move(before));
-    throw;
-  }
-}
-
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::hides_points(Face_handle face) {
-  if constexpr (Kinetic::is_weighted) return !face->vertex_list().empty();
-  return false;
-}
-
-// Whether a flat triangle at the hull hides its corner there, at the present time.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::hides_hull_vertex(const Two_sided_edge& edge) const {
-  if constexpr (Kinetic::is_weighted) {
-    return !kinetic_.weights_are_equal_ &&
-           kinetic_.hidden_points().hidden_hull_vertex(edge) != Vertex_handle();
-  }
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::hides_points(Face_handle face) {
+  if constexpr (Types::is_weighted) return !face->vertex_list().empty();
   return false;
 }
 
 // Whether the quadrilateral of an edge is certainly strictly convex just before and just after its
 // in-circle certificate fails. Without weights it always is.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_convex(const Two_sided_edge& edge, const Moment& moment) const {
-  if constexpr (Kinetic::is_weighted) {
-    if (kinetic_.weights_are_equal_) return true;
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_convex(const Two_sided_edge& edge, const Moment& moment) const {
+  if constexpr (Types::is_weighted) {
+    if (topology_.are_weights_equal()) return true;
     const auto is_left_turn = [&](const Point_2& p, const Point_2& q, const Point_2& r) {
-      return kinetic_.traits_.certain_turn(p, q, r, moment.bounds) == CGAL::LEFT_TURN;
+      return certification_.traits().certain_turn(p, q, r, moment.bounds) == CGAL::LEFT_TURN;
     };
     const auto& [face, i] = edge.here;
     const Point_2& p = face->vertex(Triangulation::cw(i))->point();
@@ -184,9 +155,8 @@ bool Region_run<Kinetic, Turns>::is_convex(const Two_sided_edge& edge, const Mom
 }
 
 // Undoes the flips in the surroundings of an edge that are later than the moment.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::undo_later(Lane& lane, const Two_sided_edge& edge,
-                                            Moment& moment) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::undo_later(Lane& lane, const Two_sided_edge& edge, Moment& moment) {
   for (const Edge& side : {edge.here, edge.there}) {
     const auto& [face, i] = side;
     KINETRI_ASSERT(!is_later(face->stamp(), moment),
@@ -202,46 +172,35 @@ void Region_run<Kinetic, Turns>::undo_later(Lane& lane, const Two_sided_edge& ed
 
 // ---- a flip ----
 
-// Counterclockwise from the corner of the face: as in Kinetic_triangulation_2::flip_edge.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::outer_edges(const Two_sided_edge& edge) const -> Outer_edges {
-  const auto& [face, i] = edge.here;
-  const auto& [neighbor, j] = edge.there;
-  return {kinetic_.two_sided(Edge(face, Triangulation::cw(i))),
-          kinetic_.two_sided(Edge(neighbor, Triangulation::ccw(j))),
-          kinetic_.two_sided(Edge(neighbor, Triangulation::cw(j))),
-          kinetic_.two_sided(Edge(face, Triangulation::ccw(i)))};
-}
-
 // Schedules an edge: a union of regions does it in the part that it executes, or where the entry
 // belongs between two windows.
-template <class Kinetic, class Turns>
-KINETRI_ALWAYS_INLINE void Region_run<Kinetic, Turns>::put(const Lane& lane,
-                                                           const Two_sided_edge& edge,
-                                                           Entry_kind kind, Certificate&& known) {
-  if (known.kind == Certificate::Kind::never_fails) return kinetic_.set_event(edge, no_event);
+template <class Traits, class Turns>
+KINETRI_ALWAYS_INLINE void Region_run<Traits, Turns>::put(const Lane& lane,
+                                                          const Two_sided_edge& edge,
+                                                          Entry_kind kind, Certificate&& known) {
+  if (known.kind == Certificate::Kind::never_fails) return topology_.set_event(edge, no_event);
   Part* part = lane.part;
   Queue_handle first_handle = lane.first_handle;
   if (!lane.is_region() && !(known.bounds.lower <= due_until_)) {
-    const std::size_t home = kinetic_.queue_policy_.part_of({edge.here});
+    const std::size_t home = schedule_.policy().part_of({edge.here});
     part = &queue().part(home);
     first_handle = queue().named(home, 0);
   }
   const Queue_handle handle = known.failure == nullptr ? part->emplace(edge.here, kind, known)
                                                        : part->push(Entry(edge.here, kind, known),
                                                                     std::move(*known.failure));
-  kinetic_.set_event(edge, first_handle | handle);
+  topology_.set_event(edge, first_handle | handle);
 }
 
-// Flips an edge whose entry has been taken from its part, as flip_edge does, and keeps what undoes
-// it.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge,
-                                         Moment& moment) {
+// Flips an edge whose entry has been taken from its part, as Updates::flip does, and keeps what
+// undoes it.
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge,
+                                        Moment& moment) {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
-  const Outer_edges before = outer_edges(edge);
-  for (const auto& [here, there] : before) {
+  Outer_edges outer = topology_.outer_edges(edge);
+  for (const auto& [here, there] : outer) {
     detail::prefetch(there.first->vertex(there.second));
     queue().prefetch(there.first->event(there.second));
   }
@@ -257,52 +216,41 @@ void Region_run<Kinetic, Turns>::execute(Lane& lane, const Entry& entry, const T
   f.j = static_cast<std::uint8_t>(j & 3);
   f.left_had_face = left->face() == face;
   f.right_had_neighbor = right->face() == neighbor;
-  for (const auto& [here, there] : before) discard(lane, here.first->event(here.second));
+  for (const auto& [here, there] : outer) discard(lane, here.first->event(here.second));
   f.previous = {face->stamp(), neighbor->stamp()};
   // Nothing throws from here to the flip: a record that has a key is that of a flip (go_back).
   const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
   lane.keys.push_back({moment.bounds, std::max(reached, moment.bounds.lower),
                        static_cast<std::uint32_t>(index), static_cast<std::uint16_t>(lane.number),
-                       Kinetic::event_kind(entry.kind)});
+                       event_kind_of(entry.kind)});
   const Stamp number = stamp(lane, index);
   face->set_stamp(number);
   neighbor->set_stamp(number);
-  kinetic_.triangulation_.tds().flip(face, i);
-  const Two_sided_edge added = {Edge(face, Triangulation::ccw(i)),
-                                Edge(neighbor, Triangulation::ccw(j))};
-  const Outer_edges outer = {{{before[0].there, Edge(face, Triangulation::cw(i))},
-                              {before[1].there, Edge(face, i)},
-                              {before[2].there, Edge(neighbor, Triangulation::cw(j))},
-                              {before[3].there, Edge(neighbor, j)}}};
+  const Two_sided_edge added = topology_.flip(edge, outer);
   const auto now = [&]() -> const Time& { return time(moment); };
   const auto put_entry = [&](const Two_sided_edge& e, Entry_kind kind, Certificate&& known) {
     put(lane, e, kind, std::move(known));
   };
   const Double_interval bounds = moment.exact ? moment.exact->interval() : moment.bounds;
-  if (!kinetic_.certify_after_flip(added, outer, bounds, now, lane.certificates, put_entry)) {
-    kinetic_.certify({&added, 1}, now(), Certificate_state::vanishes, kinetic_.traits_,
-                     lane.certificates, put_entry);
-    kinetic_.certify(outer, now(), Certificate_state::any, kinetic_.traits_, lane.certificates,
-                     put_entry);
-  }
+  certification_.certify_after_flip(added, outer, bounds, now, lane.certificates, put_entry);
   if constexpr (has_turns) follow_flip(lane, f, moment);
   if (entry.kind != Entry_kind::flip) time(moment);
   if (moment.exact) f.exact = std::make_unique<Time>(std::move(*moment.exact));
 }
 
 // Takes the entry of an edge out of the queue, if there is one.
-template <class Kinetic, class Turns>
-inline void Region_run<Kinetic, Turns>::discard(Lane& lane, Queue_handle handle) {
+template <class Traits, class Turns>
+inline void Region_run<Traits, Turns>::discard(Lane& lane, Queue_handle handle) {
   if (handle == no_event) return;
   const Entry_kind kind = queue().erase(handle).kind;
   if (kind != Entry_kind::recheck) {
-    ++lane.counters.discarded[static_cast<std::size_t>(Kinetic::event_kind(kind))];
+    ++lane.counters.discarded[static_cast<std::size_t>(event_kind_of(kind))];
   }
 }
 
 // Undoes a flip: first those that were executed after it and conflict with it.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::undo(Lane& lane, Stamp number) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::undo(Lane& lane, Stamp number) {
   // The last flip at a face or beside it.
   const auto last_at = [&](Face_handle face) {
     Stamp last = 0;
@@ -327,8 +275,8 @@ void Region_run<Kinetic, Turns>::undo(Lane& lane, Stamp number) {
 
 // Undoes a flip that no other one after it conflicts with. Then the surroundings are what they were
 // just before it.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::undo_last(Lane& lane, Stamp number) {
   const Key& flipped = key(number);
   Flip& f = flip(flipped);
   ++lane.undone;
@@ -351,27 +299,26 @@ void Region_run<Kinetic, Turns>::undo_last(Lane& lane, Stamp number) {
   erase(f.neighbor, Triangulation::cw(j));
   take_back(f);
   const Two_sided_edge edge = {Edge(f.face, i), Edge(f.neighbor, j)};
-  const Outer_edges outer = outer_edges(edge);
+  const Outer_edges outer = topology_.outer_edges(edge);
   certify_again(lane, std::array{edge, outer[0], outer[1], outer[2], outer[3]});
 }
 
 // Schedules edges whose quadrilaterals are there again: what fails first after a quadrilateral was
 // born does so whenever one looks. From a later time on one would not see what fails at that time.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::certify_again(Lane& lane, std::span<const Two_sided_edge> edges) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::certify_again(Lane& lane, std::span<const Two_sided_edge> edges) {
   for (const Two_sided_edge& edge : edges) {
-    kinetic_.certify({&edge, 1}, birth(edge), Certificate_state::any, kinetic_.traits_,
-                     lane.certificates,
-                     [&](const Two_sided_edge& e, Entry_kind kind, Certificate&& known) {
-                       put(lane, e, kind, std::move(known));
-                     });
+    certification_.certify({&edge, 1}, birth(edge), Certificate_state::any, lane.certificates,
+                           [&](const Two_sided_edge& e, Entry_kind kind, Certificate&& known) {
+                             put(lane, e, kind, std::move(known));
+                           });
   }
 }
 
 // When a quadrilateral was born, or the present time, at which the window begins, if that is later.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::birth(const Two_sided_edge& edge) -> const Time& {
-  const Time* result = &kinetic_.current_time();
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::birth(const Two_sided_edge& edge) -> const Time& {
+  const Time* result = &schedule_.current_time();
   for (const Face_handle face : {edge.here.first, edge.there.first}) {
     if (!is_of_window(face->stamp())) continue;
     const Time& last = time(key(face->stamp()));
@@ -382,8 +329,8 @@ auto Region_run<Kinetic, Turns>::birth(const Two_sided_edge& edge) -> const Time
 
 // Makes faces, motions and stamps what they were just before a flip, or a turn, that is the last
 // one of its faces. Leaves the queue as it is, and takes no memory.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::take_back(Flip& f) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::take_back(Flip& f) {
   f.is_undone = true;
   if constexpr (has_turns) {
     if (f.turn) {
@@ -397,9 +344,9 @@ void Region_run<Kinetic, Turns>::take_back(Flip& f) {
   const int j = f.j;
   const Vertex_handle left = f.neighbor->vertex(Triangulation::ccw(j));
   const Vertex_handle right = f.face->vertex(Triangulation::ccw(i));
-  const Edge at_bottom = kinetic_.two_sided(Edge(f.face, i)).there;
-  const Edge at_top = kinetic_.two_sided(Edge(f.neighbor, j)).there;
-  auto& tds = kinetic_.triangulation_.tds();
+  const Edge at_bottom = topology_.two_sided(Edge(f.face, i)).there;
+  const Edge at_top = topology_.two_sided(Edge(f.neighbor, j)).there;
+  auto& tds = triangulation_.tds();
   f.face->set_vertex(Triangulation::cw(i), left);
   f.neighbor->set_vertex(Triangulation::cw(j), right);
   tds.set_adjacency(f.face, i, f.neighbor, j);

@@ -22,8 +22,8 @@ namespace kinetri::detail {
 
 // Puts the flips of the window in the order of time, but for those from the first time on that two
 // have in common, or from the cut on: these are undone.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::settle_order() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::settle_order() {
   put_in_order();
   for (std::size_t k = 1; k < order_.size(); ++k) {
     if (order_[k - 1].bounds.upper < order_[k].bounds.lower) continue;
@@ -41,8 +41,8 @@ void Region_run<Kinetic, Turns>::settle_order() {
 }
 
 // Reports the flips of the window, and counts them. Throws what an observer throws, after that.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::close_window() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::close_window() {
   std::exception_ptr thrown;
   try {
     report();
@@ -61,8 +61,8 @@ void Region_run<Kinetic, Turns>::close_window() {
 }
 
 // Counts what the nodes have done in the window, and forgets their flips.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::count_and_clear() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::count_and_clear() {
   if constexpr (has_turns) settle_turns_of_window();
   const auto count = [this](Lane& lane) {
     (is_root(lane)      ? counters_.by_rest
@@ -83,12 +83,12 @@ void Region_run<Kinetic, Turns>::count_and_clear() {
 }
 
 // Counts the certificates that a node has made, and those discarded.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::count_certificates(Lane& lane) {
-  kinetic_.certificate_counters_ += std::exchange(lane.certificates, {});
-  kinetic_.counters_.rechecks += lane.counters.rechecks;
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::count_certificates(Lane& lane) {
+  schedule_.certificate_counters() += std::exchange(lane.certificates, {});
+  reporter_.counters().rechecks += lane.counters.rechecks;
   for (std::size_t k = 0; k < event_kinds; ++k) {
-    kinetic_.counters_.discarded[k] += lane.counters.discarded[k];
+    reporter_.counters().discarded[k] += lane.counters.discarded[k];
   }
   lane.counters = {};
 }
@@ -96,8 +96,8 @@ void Region_run<Kinetic, Turns>::count_certificates(Lane& lane) {
 // Puts the flips that are not undone in the order of time: several threads do so for slices of the
 // window by lower bounds; since bounds may overlap, the first flips of a slice may then go further
 // to the front.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::put_in_order() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::put_in_order() {
   order_.clear();
   std::size_t size = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -138,8 +138,8 @@ void Region_run<Kinetic, Turns>::put_in_order() {
 }
 
 // The keys of a lane that reach from the beginning of a slice on, but not its end.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::keys_in(const Lane& lane, const Slice& slice)
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::keys_in(const Lane& lane, const Slice& slice)
     -> std::span<const Key> {
   const auto first = std::ranges::lower_bound(lane.keys, slice.least, {}, &Key::reached);
   const auto last = std::ranges::lower_bound(first, lane.keys.end(), slice.end, {}, &Key::reached);
@@ -147,8 +147,8 @@ auto Region_run<Kinetic, Turns>::keys_in(const Lane& lane, const Slice& slice)
 }
 
 // How many flips of a slice are not undone.
-template <class Kinetic, class Turns>
-std::size_t Region_run<Kinetic, Turns>::count_keys(const Slice& slice) const {
+template <class Traits, class Turns>
+std::size_t Region_run<Traits, Turns>::count_keys(const Slice& slice) const {
   std::size_t result = 0;
   for (const Lane& lane : lanes_) {
     const std::span<const Key> keys = keys_in(lane, slice);
@@ -162,9 +162,9 @@ std::size_t Region_run<Kinetic, Turns>::count_keys(const Slice& slice) const {
 
 // Writes the keys of a slice of flips that are not undone to `keys`, nearly in order: through as
 // many buckets, of equal shares of the slice's width.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::distribute(const Slice& slice, double width,
-                                            std::span<Key> keys) const {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::distribute(const Slice& slice, double width,
+                                           std::span<Key> keys) const {
   const auto count = static_cast<double>(keys.size());
   const auto bucket_of = [&](const Key& key) {
     const double bucket = (key.reached - slice.least) / width * count;
@@ -185,8 +185,8 @@ void Region_run<Kinetic, Turns>::distribute(const Slice& slice, double width,
 
 // Puts each key after those that it does not precede. Gives up, and returns false, where too many
 // are in the way.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::insert_in_order(std::span<Key> keys) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::insert_in_order(std::span<Key> keys) {
   std::size_t steps = 8 * keys.size();
   for (std::size_t k = 1; k < keys.size(); ++k) {
     const std::size_t moved = insert_in_order(keys, k);
@@ -198,8 +198,8 @@ bool Region_run<Kinetic, Turns>::insert_in_order(std::span<Key> keys) {
 
 // Puts a key after those of the keys before it, which are in order, that it does not precede.
 // Returns how many it precedes.
-template <class Kinetic, class Turns>
-inline std::size_t Region_run<Kinetic, Turns>::insert_in_order(std::span<Key> keys, std::size_t k) {
+template <class Traits, class Turns>
+inline std::size_t Region_run<Traits, Turns>::insert_in_order(std::span<Key> keys, std::size_t k) {
   if (k == 0 || keys[k - 1].bounds.upper < keys[k].bounds.lower) return 0;
   const Key key = keys[k];
   std::size_t to = k;
@@ -209,8 +209,8 @@ inline std::size_t Region_run<Kinetic, Turns>::insert_in_order(std::span<Key> ke
 }
 
 // Undoes the flips from the cut on.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::cut_off() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::cut_off() {
   ++counters_.cuts;
   Lane& root_lane = lanes_.back();
   const std::uint64_t undone = root_lane.undone;
@@ -230,30 +230,29 @@ void Region_run<Kinetic, Turns>::cut_off() {
 }
 
 // Counts what the flips of the window have in common, and its turns.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::count_window() {
-  kinetic_.counters_.flat_hulls +=
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::count_window() {
+  reporter_.counters().flat_hulls +=
       static_cast<std::uint64_t>(std::ranges::count(order_, Event_kind::hull_insert, &Key::kind));
   const auto flips = static_cast<std::uint64_t>(
       std::ranges::count_if(order_, [](const Key& key) { return !is_turn(key); }));
-  kinetic_.counters_.instants += flips;
-  kinetic_.counters_.largest_instant =
-      std::max<std::uint64_t>(kinetic_.counters_.largest_instant, flips > 0 ? 1 : 0);
+  reporter_.counters().instants += flips;
+  reporter_.counters().largest_instant =
+      std::max<std::uint64_t>(reporter_.counters().largest_instant, flips > 0 ? 1 : 0);
   if constexpr (has_turns) turns_.count(order_.size() - flips);
 }
 
 // Counts the flips of the window and shows them to the observers. If an observer throws, the window
 // has been executed and counted all the same.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::report() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::report() {
   if (order_.empty()) return;
   count_window();
   // Observers get exact times. Several threads make those of some events, which are then reported.
   auto next = order_.cbegin();
-  const bool is_watched =
-      kinetic_.observers_.any_of([this](const Event_observer& o) { return is_told(o); });
+  const bool is_watched = !reporter_.observers().empty();
   if (is_watched) go_back_in_turns();
-  kinetic_.is_in_event_ = true;
+  reporter_.set_in_event(true);
   try {
     while (is_watched && next != order_.cend()) {
       const auto end = next + std::min(events_at_once, order_.cend() - next);
@@ -276,48 +275,44 @@ void Region_run<Kinetic, Turns>::report() {
 }
 
 // Counts flips that no observer is told of.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::count_from(typename std::vector<Key>::const_iterator next) {
-  kinetic_.is_in_event_ = false;
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::count_from(typename std::vector<Key>::const_iterator next) {
+  reporter_.set_in_event(false);
   if (next == order_.cend()) return;  // the present time is that of the last one
-  for (; next != order_.cend(); ++next) kinetic_.count_event(next->kind);
+  for (; next != order_.cend(); ++next) reporter_.count_event(next->kind);
   const Key& last = order_.back();
   Flip& f = flip(last);
   // Where points turn, what it was made from may be in a record, which does not stay.
   if (has_turns || f.exact) {
     time(last);
-    kinetic_.set_current_time(std::move(*f.exact));
+    schedule_.set_current_time(std::move(*f.exact));
   } else {
-    kinetic_.pending_time_ = {certificate_points(last), last.bounds};
+    schedule_.set_current_time(certificate_points(last), last.bounds);
   }
 }
 
 // Counts a flip and shows it to the observers.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::report(const Key& key) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::report(const Key& key) {
   const std::array<Point_id, 4>& corners = flip(key).corners;
   Event event;
   if (is_turn(key)) {
     event = turn_event(key);
   } else {
-    event = Kinetic::flip_event(key.kind, edge_ids(corners[0], corners[1]),
-                                edge_ids(corners[2], corners[3]));
+    event =
+        flip_event(key.kind, {edge_ids(corners[0], corners[1]), edge_ids(corners[2], corners[3])});
   }
-  kinetic_.set_current_time(time(key));
-  event.time = kinetic_.current_time();
-  event.number = kinetic_.counters_.number_of_events();
-  kinetic_.count_event(key.kind);
-  const auto tell = [this](const auto& function) {
-    kinetic_.observers_.call([&](Event_observer& observer) {
-      if (is_told(observer)) function(observer);
-    });
-  };
-  tell([&](Event_observer& observer) { observer.before_event(event); });
+  schedule_.set_current_time(time(key));
+  event.time = schedule_.current_time();
+  event.number = reporter_.counters().number_of_events();
+  reporter_.count_event(key.kind);
+  auto& observers = reporter_.observers();
+  observers.call([&](Event_observer& observer) { observer.before_event(event); });
   if (is_turn(key)) go_through(key);
-  tell([&](Event_observer& observer) { observer.after_event(event); });
+  observers.call([&](Event_observer& observer) { observer.after_event(event); });
   if (!is_turn(key)) return;
   // Each change of points ends with the edges that it has changed, here none.
-  tell([&](Event_observer& observer) { observer.after_rebuild(event.time, {}); });
+  observers.call([&](Event_observer& observer) { observer.after_rebuild(event.time, {}); });
 }
 
 }  // namespace kinetri::detail

@@ -23,8 +23,8 @@ namespace kinetri::detail {
 // ---- the parts of the queue of turns ----
 
 // As gather_due, for turns. A window ends before the first change that is no contact.
-template <class Kinetic, class Turns>
-double Region_run<Kinetic, Turns>::gather_due_turns(Lane& lane, double end) {
+template <class Traits, class Turns>
+double Region_run<Traits, Turns>::gather_due_turns(Lane& lane, double end) {
   Turn_part& part = turns_.queue().part(lane.number);
   const Time last(end);
   const auto exact = [&]() -> const Time& { return last; };
@@ -43,8 +43,8 @@ double Region_run<Kinetic, Turns>::gather_due_turns(Lane& lane, double end) {
 
 // Has certificates checked again until the first turn that a node may execute is known. Returns
 // whether it is due.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::settle_turns(Lane& lane, const Time& last) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::settle_turns(Lane& lane, const Time& last) {
   Turn_part& part = *lane.turn_part;
   const auto exact = [&]() -> const Time& { return last; };
   while (!part.empty() && part.is_due(part.top(), last.interval(), exact)) {
@@ -56,8 +56,8 @@ bool Region_run<Kinetic, Turns>::settle_turns(Lane& lane, const Time& last) {
 }
 
 // Whether the first turn of a node is before the first entry of its edges, if that is due.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_turn_first(Lane& lane, bool is_flip_due) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_turn_first(Lane& lane, bool is_flip_due) {
   if (!is_flip_due) return true;
   const Entry& flip = lane.part->top();
   const Turn_entry& turn = lane.turn_part->top();
@@ -66,8 +66,8 @@ bool Region_run<Kinetic, Turns>::is_turn_first(Lane& lane, bool is_flip_due) {
   return lane.turn_part->time(turn) < lane.part->time(flip);
 }
 
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::move_turn(std::size_t from, std::size_t to) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::move_turn(std::size_t from, std::size_t to) {
   auto& turns = turns_.queue();
   Turn_part& part = turns.part(from);
   const Turn_entry entry = part.top();
@@ -76,22 +76,22 @@ void Region_run<Kinetic, Turns>::move_turn(std::size_t from, std::size_t to) {
   turns_.set_handle(entry, handle);
 }
 
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::move_turns_home(std::size_t from) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::move_turns_home(std::size_t from) {
   Turn_part& part = turns_.queue().part(from);
   while (!part.empty()) move_turn(from, turns_.part_of(part.top()));
 }
 
 // Leaves the first turn of a node to the node above.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::leave_turn(Lane& lane) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::leave_turn(Lane& lane) {
   stall(lane, lane.turn_part->top());
   move_turn(lane.is_region() ? lane.number : due_part(lane.number), deferred_part(lane.number));
 }
 
 // Notes that a turn waits for a node above. This saves undoing, and decides nothing.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::stall(Lane& lane, const Turn_entry& entry) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::stall(Lane& lane, const Turn_entry& entry) {
   for (const Point_id id : turns_.points(entry)) {
     if (id == no_point) continue;
     stalls_[id] = std::min(stalls_[id], entry.bounds.lower);
@@ -99,14 +99,14 @@ void Region_run<Kinetic, Turns>::stall(Lane& lane, const Turn_entry& entry) {
   }
 }
 
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_stalled(Point_id id, const Double_interval& bounds) const {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_stalled(Point_id id, const Double_interval& bounds) const {
   return id < stalls_.size() && stalls_[id] <= bounds.upper;
 }
 
 // Schedules a turn, or when its certificate is checked again.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::put_turn(const Lane& lane, Turn_entry entry, Certificate&& known) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::put_turn(const Lane& lane, Turn_entry entry, Certificate&& known) {
   if (known.kind == Certificate::Kind::never_fails) return;
   entry.bounds = known.bounds;
   entry.time = Time_pool::none;
@@ -121,18 +121,18 @@ void Region_run<Kinetic, Turns>::put_turn(const Lane& lane, Turn_entry entry, Ce
 }
 
 // Takes an entry out of the queue.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::take_turn_entry(Queue_handle handle) -> Turn_entry {
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::take_turn_entry(Queue_handle handle) -> Turn_entry {
   const Turn_entry entry = turns_.queue().erase(handle);
   turns_.forget(entry);
   return entry;
 }
 
 // Takes the entries of points out of the queue, and calls `function` with each.
-template <class Kinetic, class Turns>
+template <class Traits, class Turns>
 template <class Function>
-void Region_run<Kinetic, Turns>::take_turn_entries(Lane& lane, Points points,
-                                                   const Function& function) {
+void Region_run<Traits, Turns>::take_turn_entries(Lane& lane, Points points,
+                                                  const Function& function) {
   std::vector<Queue_handle>& handles = lane.buffers.handles;
   for (const Point_id id : points) {
     handles.clear();
@@ -142,8 +142,8 @@ void Region_run<Kinetic, Turns>::take_turn_entries(Lane& lane, Points points,
 }
 
 // Certifies a contact anew whose entry, which says when, has left its part.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::recheck_turn(Lane& lane, const Turn_entry& entry) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::recheck_turn(Lane& lane, const Turn_entry& entry) {
   turns_.forget(entry);
   auto [again, known] = turns_.certificate(entry, Time(entry.bounds.lower), lane.turn_certificates);
   put_turn(lane, again, std::move(known));
@@ -152,22 +152,22 @@ void Region_run<Kinetic, Turns>::recheck_turn(Lane& lane, const Turn_entry& entr
 // ---- before a turn, or a flip ----
 
 // Whether all neighbors of a point are in the node, so that it is not at the hull.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::owns_star(const Lane& lane, Point_id id) const {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::owns_star(const Lane& lane, Point_id id) const {
   if (!owns(lane, id)) return false;
   bool result = true;
-  for_each_face_at(kinetic_.triangulation_, kinetic_.vertices_[id], [&](Face_handle face, int i) {
+  for_each_face_at(triangulation_, topology_.vertex(id), [&](Face_handle face, int i) {
     result = result && owns(lane, face->vertex(Triangulation::ccw(i))->point().id());
   });
   return result;
 }
 
 // Whether an entry of a turn waits, in another part than `own`, that is not later.
-template <class Kinetic, class Turns>
+template <class Traits, class Turns>
 template <class Exact>
-inline bool Region_run<Kinetic, Turns>::waits_before(Queue_handle turn, const Turn_part* own,
-                                                     const Double_interval& bounds,
-                                                     const Exact& exact) {
+inline bool Region_run<Traits, Turns>::waits_before(Queue_handle turn, const Turn_part* own,
+                                                    const Double_interval& bounds,
+                                                    const Exact& exact) {
   const auto& turns = turns_.queue();
   if (turn == no_event || turn < turns.named(lanes_.size(), 0)) return false;
   const Turn_part& part = turns.part(turns.part_of_handle(turn));
@@ -178,19 +178,19 @@ inline bool Region_run<Kinetic, Turns>::waits_before(Queue_handle turn, const Tu
 }
 
 // Whether two discs that have touched in this window still do, and have to keep their edge.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::do_ends_meet(const Two_sided_edge& edge, Moment& moment) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::do_ends_meet(const Two_sided_edge& edge, Moment& moment) {
   if (!turns_.keep_edges()) return false;
-  const auto [a, b] = Kinetic::ids_of(edge.here);
+  const auto [a, b] = Topology<Traits>::ids_of(edge.here);
   return a != no_point && b != no_point && (turned_[a] != 0 || turned_[b] != 0) &&
          turns_.do_meet(a, b, time(moment));
 }
 
 // Whether a turn that waits is before a flip and near it: of the edge's pair, or else of one of the
 // four points.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_pair_blocked(Lane& lane, const Two_sided_edge& edge,
-                                                 const Entry& entry) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_pair_blocked(Lane& lane, const Two_sided_edge& edge,
+                                                const Entry& entry) {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
   for (int k = 0; k < 3; ++k) {
@@ -199,21 +199,21 @@ bool Region_run<Kinetic, Turns>::is_pair_blocked(Lane& lane, const Two_sided_edg
   if (is_stalled(neighbor->vertex(j)->point().id(), entry.bounds)) return true;
   if (!turns_.has_pairs()) return false;
   const auto exact = [&]() -> const Time& { return lane.part->time(lane.part->top()); };
-  return waits_before(turns_.handle(Kinetic::ids_of(edge.here)), lane.turn_part, entry.bounds,
-                      exact);
+  return waits_before(turns_.handle(Topology<Traits>::ids_of(edge.here)), lane.turn_part,
+                      entry.bounds, exact);
 }
 
 // Whether an entry in the surroundings of a turn waits and is not later than the turn, which is the
 // first of the lane's part.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_turn_blocked(Lane& lane, Points points, Moment& moment) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_turn_blocked(Lane& lane, Points points, Moment& moment) {
   const auto exact = [&]() -> const Time& { return time(moment); };
   const auto is_blocked = [&](Face_handle face) {
     return waits_before(face, lane.part, moment.bounds, exact);
   };
   bool result = false;
   for (const Point_id id : points) {
-    for_each_face_at(kinetic_.triangulation_, kinetic_.vertices_[id], [&](Face_handle face, int i) {
+    for_each_face_at(triangulation_, topology_.vertex(id), [&](Face_handle face, int i) {
       const Point_id neighbor = face->vertex(Triangulation::ccw(i))->point().id();
       result = result || is_blocked(face) || is_blocked(face->neighbor(i)) ||
                (std::ranges::find(points, neighbor) == points.end() &&
@@ -227,19 +227,18 @@ bool Region_run<Kinetic, Turns>::is_turn_blocked(Lane& lane, Points points, Mome
 }
 
 // Undoes what is later than the moment in the surroundings of points.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::undo_later_around(Lane& lane, Points points, Moment& moment) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::undo_later_around(Lane& lane, Points points, Moment& moment) {
   const auto find_later = [&] {
     Stamp later = 0;
     const auto look_at = [&](Face_handle face) {
       if (later == 0 && is_later(face->stamp(), moment)) later = face->stamp();
     };
     for (const Point_id id : points) {
-      for_each_face_at(kinetic_.triangulation_, kinetic_.vertices_[id],
-                       [&](Face_handle face, int i) {
-                         look_at(face);
-                         look_at(face->neighbor(i));
-                       });
+      for_each_face_at(triangulation_, topology_.vertex(id), [&](Face_handle face, int i) {
+        look_at(face);
+        look_at(face->neighbor(i));
+      });
     }
     return later;
   };
@@ -251,8 +250,8 @@ void Region_run<Kinetic, Turns>::undo_later_around(Lane& lane, Points points, Mo
 
 // Executes the first turn of a node, or leaves it to the node above. The root cuts the window where
 // that is for the plain loop; returns false then.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::execute_turn(Lane& lane) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::execute_turn(Lane& lane) {
   const Turn_entry entry = lane.turn_part->top();
   const Time& time = lane.turn_part->time(lane.turn_part->top());
   Moment moment = {{}, time.interval(), time};
@@ -267,19 +266,19 @@ bool Region_run<Kinetic, Turns>::execute_turn(Lane& lane) {
   return false;
 }
 
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::turned(const Turn& turn) -> Points {
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::turned(const Turn& turn) -> Points {
   return Points(turn.turned).first(turn.turned[1] == no_point ? 1 : 2);
 }
 
 // Executes a turn, the first one of the node. Returns false, with the triangulation as it was,
 // where a node above is to do it.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Moment& moment) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::turn(Lane& lane, const Turn_entry& entry, Moment& moment) {
   auto made = std::make_unique<Turn>();
   made->points = turns_.points(entry);
   const Points points = Points(made->points).first(made->points[1] == no_point ? 1 : 2);
-  if (std::ranges::any_of(points, [this](Point_id id) { return kinetic_.is_hidden(id); })) {
+  if (std::ranges::any_of(points, [this](Point_id id) { return topology_.is_hidden(id); })) {
     return false;
   }
   if (!is_root(lane)) {
@@ -306,45 +305,46 @@ bool Region_run<Kinetic, Turns>::turn(Lane& lane, const Turn_entry& entry, Momen
   return false;
 }
 
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::do_faces_hide_points(Points points) const {
-  if (kinetic_.number_of_hidden_points() == 0) return false;
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::do_faces_hide_points(Points points) const {
+  if (topology_.number_of_hidden_points() == 0) return false;
   bool result = false;
   for_each_face_around(points, [&](Face_handle face) { result = result || hides_points(face); });
   return result;
 }
 
 // Whether weights that were the same at all times no longer are when a point gets another motion.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::ends_equal_weights(const Point_2& before,
-                                                    const Point_2& after) const {
-  if constexpr (Kinetic::is_weighted) {
-    return kinetic_.weights_are_equal_ && !have_equal_weights(before.motion(), after.motion());
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::ends_equal_weights(const Point_2& before,
+                                                   const Point_2& after) const {
+  if constexpr (Types::is_weighted) {
+    return topology_.are_weights_equal() && !have_equal_weights(before.motion(), after.motion());
   }
   return false;
 }
 
 // Gives points their new motions, if their triangles stay embedded.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::set_points(Turn& turn, std::span<const Change> changes,
-                                            Moment& moment) {
-  using Instantaneous = typename Kinetic::Instantaneous_traits;
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::set_points(Turn& turn, std::span<const Change> changes,
+                                           Moment& moment) {
+  using Instantaneous = typename Types::Instantaneous_traits;
   std::optional<Instantaneous> instant;
   const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
     if (!instant) {
-      instant.emplace(kinetic_.traits_.instantaneous_traits({*moment.exact, Time_side::after}));
+      instant.emplace(
+          certification_.traits().instantaneous_traits({*moment.exact, Time_side::after}));
     }
     return instant->orientation_2_object()(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
   };
   for (std::size_t k = 0; k < changes.size(); ++k) {
     const Point_id id = changes[k].point;
-    const Vertex_handle v = kinetic_.vertices_[id];
+    const Vertex_handle v = topology_.vertex(id);
     turn.turned[k] = id;
     turn.before[k] = v->point();
     v->set_point(Point_2(*changes[k].motion, id));
     turn.after[k] = v->point();
     if (ends_equal_weights(turn.before[k], turn.after[k]) ||
-        !kinetic_.is_embedded_around(v, moment.bounds, is_left_turn)) {
+        !certification_.is_embedded_around(v, moment.bounds, is_left_turn)) {
       return false;
     }
   }
@@ -353,9 +353,9 @@ bool Region_run<Kinetic, Turns>::set_points(Turn& turn, std::span<const Change> 
 
 // Makes the certificates of points that have turned, in the lane's buffers. Returns false if one
 // fails at once, or if discs overlap that have not just touched.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::certify_turn(Lane& lane, const Turn& turn, Points turned,
-                                              Moment& moment) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::certify_turn(Lane& lane, const Turn& turn, Points turned,
+                                             Moment& moment) {
   Buffers& made = lane.buffers;
   made.edge_certificates.clear();
   made.turn_certificates.clear();
@@ -364,12 +364,11 @@ bool Region_run<Kinetic, Turns>::certify_turn(Lane& lane, const Turn& turn, Poin
   const auto look_at = [&](const Certificate& known) {
     fails_now = fails_now || fails_at(known, moment);
   };
-  kinetic_.certify(edges_around(lane, turned), now, Certificate_state::any, kinetic_.traits_,
-                   lane.certificates,
-                   [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
-                     look_at(known);
-                     made.edge_certificates.emplace_back(edge, kind, std::move(known));
-                   });
+  certification_.certify(edges_around(lane, turned), now, Certificate_state::any, lane.certificates,
+                         [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
+                           look_at(known);
+                           made.edge_certificates.emplace_back(edge, kind, std::move(known));
+                         });
   if (fails_now ||
       !turns_.certify(turn.points, turned, now, lane.turn_certificates, made.turn_certificates)) {
     return false;
@@ -379,9 +378,9 @@ bool Region_run<Kinetic, Turns>::certify_turn(Lane& lane, const Turn& turn, Poin
 }
 
 // Makes a record of a turn, and takes it; if something throws before, the caller still has it.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::add_record(Lane& lane, const Turn_entry& entry,
-                                            std::unique_ptr<Turn>&& made, const Moment& moment)
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::add_record(Lane& lane, const Turn_entry& entry,
+                                           std::unique_ptr<Turn>&& made, const Moment& moment)
     -> Stamp {
   const std::size_t index = lane.flips.size();
   Flip& f = lane.flips.emplace_back();
@@ -395,8 +394,8 @@ auto Region_run<Kinetic, Turns>::add_record(Lane& lane, const Turn_entry& entry,
 }
 
 // Notes that points have turned.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::note_turn(Turn& turn, Stamp number) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::note_turn(Turn& turn, Stamp number) {
   const Points turned = this->turned(turn);
   for (std::size_t k = 0; k < turned.size(); ++k) {
     turn.previous[k] = std::exchange(turned_[turned[k]], number);
@@ -407,9 +406,9 @@ void Region_run<Kinetic, Turns>::note_turn(Turn& turn, Stamp number) {
 }
 
 // Executes a turn whose certificates have been made.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
-                                             std::unique_ptr<Turn>&& made, const Moment& moment) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
+                                            std::unique_ptr<Turn>&& made, const Moment& moment) {
   Turn* const turn = made.get();
   const Points turned = this->turned(*turn);
   const Stamp number = add_record(lane, entry, std::move(made), moment);
@@ -440,30 +439,29 @@ void Region_run<Kinetic, Turns>::record_turn(Lane& lane, const Turn_entry& entry
 }
 
 // Calls `function` with each face at the points, which are one or two.
-template <class Kinetic, class Turns>
+template <class Traits, class Turns>
 template <class Function>
-void Region_run<Kinetic, Turns>::for_each_face_around(Points points,
-                                                      const Function& function) const {
-  const Vertex_handle first = kinetic_.vertices_[points.front()];
-  for_each_face_at(kinetic_.triangulation_, first, [&](Face_handle face) { function(face); });
+void Region_run<Traits, Turns>::for_each_face_around(Points points,
+                                                     const Function& function) const {
+  const Vertex_handle first = topology_.vertex(points.front());
+  for_each_face_at(triangulation_, first, [&](Face_handle face) { function(face); });
   if (points.size() == 1) return;
-  for_each_face_at(kinetic_.triangulation_, kinetic_.vertices_[points.back()],
-                   [&](Face_handle face) {
-                     if (!face->has_vertex(first)) function(face);
-                   });
+  for_each_face_at(triangulation_, topology_.vertex(points.back()), [&](Face_handle face) {
+    if (!face->has_vertex(first)) function(face);
+  });
 }
 
 // The edges of the faces at the points, each once, in a buffer of the lane.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::edges_around(Lane& lane, Points points) const
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::edges_around(Lane& lane, Points points) const
     -> std::span<const Two_sided_edge> {
   std::vector<Two_sided_edge>& result = lane.buffers.edges;
   result.clear();
-  const Vertex_handle first = kinetic_.vertices_[points.front()];
+  const Vertex_handle first = topology_.vertex(points.front());
   const auto add = [&](Vertex_handle v, const auto& is_known) {
-    for_each_face_at(kinetic_.triangulation_, v, [&](Face_handle face, int at) {
+    for_each_face_at(triangulation_, v, [&](Face_handle face, int at) {
       for (const int i : {at, Triangulation::cw(at)}) {
-        const Two_sided_edge edge = kinetic_.two_sided(Edge(face, i));
+        const Two_sided_edge edge = topology_.two_sided(Edge(face, i));
         if (!is_known(edge)) result.push_back(edge);
       }
     });
@@ -471,7 +469,7 @@ auto Region_run<Kinetic, Turns>::edges_around(Lane& lane, Points points) const
   add(first, [](const Two_sided_edge&) { return false; });
   if (points.size() == 2) {
     // Those of a face at the first point have been added.
-    add(kinetic_.vertices_[points.back()], [&](const Two_sided_edge& edge) {
+    add(topology_.vertex(points.back()), [&](const Two_sided_edge& edge) {
       return edge.here.first->has_vertex(first) || edge.there.first->has_vertex(first);
     });
   }
@@ -479,8 +477,8 @@ auto Region_run<Kinetic, Turns>::edges_around(Lane& lane, Points points) const
 }
 
 // Undoes a turn that is the last one of its faces.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Flip& flip, const Time& now) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::undo_turn(Lane& lane, Flip& flip, const Time& now) {
   const Turn& turn = *flip.turn;
   const Points points = turned(turn);
   const std::span<const Two_sided_edge> edges = edges_around(lane, points);
@@ -501,8 +499,8 @@ void Region_run<Kinetic, Turns>::undo_turn(Lane& lane, Flip& flip, const Time& n
 // ---- a flip, and the contacts of its edges ----
 
 // Schedules the contact of the edge that a flip has added, in place of the one removed.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::follow_flip(Lane& lane, const Flip& flip, Moment& moment) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::follow_flip(Lane& lane, const Flip& flip, Moment& moment) {
   if (!turns_.has_pairs()) return;
   const auto& [right, left, corner, opposite] = flip.corners;
   if (right != no_point && left != no_point) {
@@ -522,8 +520,8 @@ void Region_run<Kinetic, Turns>::follow_flip(Lane& lane, const Flip& flip, Momen
 
 // The other way round, for a flip that is undone, at the time `now`. A contact at that time is seen
 // from that time on.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::unfollow_flip(Lane& lane, const Flip& flip, const Time& now) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::unfollow_flip(Lane& lane, const Flip& flip, const Time& now) {
   if (!turns_.has_pairs()) return;
   const auto& [right, left, corner, opposite] = flip.corners;
   if (corner != no_point && opposite != no_point) {
@@ -539,8 +537,8 @@ void Region_run<Kinetic, Turns>::unfollow_flip(Lane& lane, const Flip& flip, con
 // ---- motions of other times ----
 
 // A point with the motion that it had at a flip of the window.
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::point_at(Point_id id, Stamp flip) -> const Point_2& {
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::point_at(Point_id id, Stamp flip) -> const Point_2& {
   if constexpr (has_turns) {
     const Point_2* result = nullptr;
     for (Stamp number = turned_[id]; number != 0;) {
@@ -552,21 +550,21 @@ auto Region_run<Kinetic, Turns>::point_at(Point_id id, Stamp flip) -> const Poin
     }
     if (result != nullptr) return *result;
   }
-  return kinetic_.vertices_[id]->point();
+  return topology_.vertex(id)->point();
 }
 
 // Gives the points of a turn the motions after it, or before it.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::set_motions(const Turn& turn, bool are_after) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::set_motions(const Turn& turn, bool are_after) {
   for (std::size_t k = 0; k < 2 && turn.turned[k] != no_point; ++k) {
-    kinetic_.vertices_[turn.turned[k]]->set_point(are_after ? turn.after[k] : turn.before[k]);
+    topology_.vertex(turn.turned[k])->set_point(are_after ? turn.after[k] : turn.before[k]);
   }
 }
 
 // Gives the points the motions that they had when the window began: observers are told of turns one
 // after the other.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::go_back_in_turns() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::go_back_in_turns() {
   if constexpr (has_turns) {
     for (auto key = order_.rbegin(); key != order_.rend(); ++key) {
       if (is_turn(*key)) set_motions(*flip(*key).turn, false);
@@ -575,21 +573,21 @@ void Region_run<Kinetic, Turns>::go_back_in_turns() {
 }
 
 // Gives the points of a turn the motions after it.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::go_through(const Key& key) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::go_through(const Key& key) {
   if constexpr (has_turns) set_motions(*flip(key).turn, true);
 }
 
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::go_through_turns() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::go_through_turns() {
   for (auto key = order_.begin(); has_turns && key != order_.end(); ++key) {
     if (is_turn(*key)) go_through(*key);
   }
 }
 
 // What observers are told of a turn, but for its number and time.
-template <class Kinetic, class Turns>
-Event Region_run<Kinetic, Turns>::turn_event(const Key& key) {
+template <class Traits, class Turns>
+Event Region_run<Traits, Turns>::turn_event(const Key& key) {
   Event event;
   event.kind = key.kind;
   if constexpr (has_turns) {
@@ -600,16 +598,9 @@ Event Region_run<Kinetic, Turns>::turn_event(const Key& key) {
   return event;
 }
 
-// Whether an observer is told of the events of a window: whoever has the turns knows them.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_told(const Event_observer& observer) const {
-  if constexpr (has_turns) return !turns_.is_observer(&observer);
-  return true;
-}
-
 // Notes what the turns of a window leave to the plain loop, and forgets the turns.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::settle_turns_of_window() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::settle_turns_of_window() {
   for (const Key& key : order_) {
     if (is_turn(key)) turns_.end_turn(flip(key).turn->points);
   }

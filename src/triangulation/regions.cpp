@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "kinetri/impl/triangulation/kinetic_core_impl.h"
 #include "kinetri/impl/triangulation/parallel.h"
-#include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 #include "triangulation/regions_impl.h"
 
 namespace kinetri::detail {
@@ -35,58 +35,56 @@ void call_for_each_index(const Region_options& options, std::size_t count,
   std::ranges::for_each(order, work);
 }
 
-template <class KineticTriangulation>
-std::size_t Region_runs<KineticTriangulation>::advance_to(KineticTriangulation& kinetic,
-                                                          const Time& until,
-                                                          const std::function<bool()>& may_go_on) {
-  return Region_run<KineticTriangulation>(kinetic, with_threads(kinetic.threads_))
-      .advance_to(until, may_go_on);
+template <class Traits>
+std::size_t Region_runs<Traits>::advance_to(Core& core, const Algebraic_number& until,
+                                            const std::function<bool()>& may_go_on) {
+  return Region_run<Traits>(core, with_threads(core.threads)).advance_to(until, may_go_on);
 }
 
-template <class KineticTriangulation>
-void Region_runs<KineticTriangulation>::make_turns(KineticTriangulation& kinetic,
-                                                   std::span<const Change> turns) {
-  if constexpr (KineticTriangulation::is_weighted) {
+template <class Traits>
+void Region_runs<Traits>::make_turns(
+    Core& core, std::span<const typename Kinetic_types<Traits>::Change> turns) {
+  if constexpr (Kinetic_types<Traits>::is_weighted) {
     KINETRI_ASSERT(turns.empty(), "weighted points turn by regions");
   } else {
-    Region_run<KineticTriangulation>(kinetic, with_threads(kinetic.threads_)).make_turns(turns);
+    Region_run<Traits>(core, with_threads(core.threads)).make_turns(turns);
   }
 }
 
-template <class KineticTriangulation>
-void Region_runs<KineticTriangulation>::join(KineticTriangulation& kinetic) {
-  Region_run<KineticTriangulation>(kinetic, with_threads(kinetic.threads_)).join();
+template <class Traits>
+void Region_runs<Traits>::join(Core& core) {
+  Region_run<Traits>(core, with_threads(core.threads)).join();
 }
 
-template struct Region_runs<Kinetic_triangulation_2<Linear_kinetic_traits_2>>;
-template struct Region_runs<Kinetic_triangulation_2<Polynomial_kinetic_traits_2>>;
-template struct Region_runs<Kinetic_triangulation_2<Disc_kinetic_traits_2>>;
-template struct Region_runs<Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>>;
+template struct Region_runs<Linear_kinetic_traits_2>;
+template struct Region_runs<Polynomial_kinetic_traits_2>;
+template struct Region_runs<Disc_kinetic_traits_2>;
+template struct Region_runs<Polynomial_disc_kinetic_traits_2>;
 
 // Of turns, which are not there, nothing is compiled.
 template <class Traits>
-using Run = Region_run<Kinetic_triangulation_2<Traits>>;
-template Run<Linear_kinetic_traits_2>::Region_run(Kinetic_triangulation_2<Linear_kinetic_traits_2>&,
+using Run = Region_run<Traits>;
+template Run<Linear_kinetic_traits_2>::Region_run(Kinetic_core<Linear_kinetic_traits_2>&,
                                                   const Region_options&, No_turns);
 template std::size_t Run<Linear_kinetic_traits_2>::advance_to(const Algebraic_number&,
                                                               const std::function<bool()>&);
 template void Run<Linear_kinetic_traits_2>::join();
 template void Run<Linear_kinetic_traits_2>::make_turns(
-    std::span<const Kinetic_triangulation_2<Linear_kinetic_traits_2>::Change>);
-template Run<Polynomial_kinetic_traits_2>::Region_run(
-    Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&, const Region_options&, No_turns);
+    std::span<const Run<Linear_kinetic_traits_2>::Change>);
+template Run<Polynomial_kinetic_traits_2>::Region_run(Kinetic_core<Polynomial_kinetic_traits_2>&,
+                                                      const Region_options&, No_turns);
 template std::size_t Run<Polynomial_kinetic_traits_2>::advance_to(const Algebraic_number&,
                                                                   const std::function<bool()>&);
 template void Run<Polynomial_kinetic_traits_2>::join();
 template void Run<Polynomial_kinetic_traits_2>::make_turns(
-    std::span<const Kinetic_triangulation_2<Polynomial_kinetic_traits_2>::Change>);
-template Run<Disc_kinetic_traits_2>::Region_run(Kinetic_triangulation_2<Disc_kinetic_traits_2>&,
+    std::span<const Run<Polynomial_kinetic_traits_2>::Change>);
+template Run<Disc_kinetic_traits_2>::Region_run(Kinetic_core<Disc_kinetic_traits_2>&,
                                                 const Region_options&, No_turns);
 template std::size_t Run<Disc_kinetic_traits_2>::advance_to(const Algebraic_number&,
                                                             const std::function<bool()>&);
 template void Run<Disc_kinetic_traits_2>::join();
 template Run<Polynomial_disc_kinetic_traits_2>::Region_run(
-    Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>&, const Region_options&, No_turns);
+    Kinetic_core<Polynomial_disc_kinetic_traits_2>&, const Region_options&, No_turns);
 template std::size_t Run<Polynomial_disc_kinetic_traits_2>::advance_to(
     const Algebraic_number&, const std::function<bool()>&);
 template void Run<Polynomial_disc_kinetic_traits_2>::join();

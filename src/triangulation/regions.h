@@ -1,121 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run by regions: the events of a window of time are executed region by region, each region in
-// its own order, by several threads; then, in unions of two regions, of four, and so on, those that
-// concern several regions; and then all are reported in the order of time. The result is that of
-// the plain loop, event by event. docs/MATH.md, section 17, proves it.
-//
-// The plain loop. Entries of the queue are ordered by exact time, then by kind, then by the ids of
-// the ends of the edge (Queue_policy::precedes). The loop takes the least entry, executes it, and
-// puts the entries of five edges into the queue; so events at one time are in the order of
-// their entries only among those that are there at once. Two events at different times are in the
-// order of time, whatever else there is. This is all that a run by regions relies on: where two
-// events of a window have one time, the window is cut before that time, and the plain loop executes
-// it.
-//
-// Terms.
-//   node     A set of vertices: of the binary tree of Region_division. Its leaves are the regions:
-//            sets of finite vertices, the cells of a k-d tree of the places when they were made. A
-//            *union* is a node that is no region; the root has all vertices.
-//   window   An interval of time, from the present to a binary64 number `end`, ends included.
-//   part     The queue in parts (Divided_scheduler). Each node has one for the entries of the edges
-//            of which both ends are in the node, but not in a node below it. In a window each node
-//            but the root has a second one, of entries that it has deferred, and each union a third
-//            one, of entries that are due: those of its first part that fail in the window, and
-//            what the two nodes below it have deferred. The two latter are empty between two
-//            windows. The queue stays in parts between two runs: other functions of the
-//            triangulation find it as one queue.
-//   lane     What one thread writes: the flips of a node, and their counts.
-//   record   What is kept of a flip in a window (Flip), to undo it and to report it. There are no
-//            entries of the queue in it: where a flip is undone, which is rare, certificates are
-//            made again.
-//   stamp    At a face, the number of the last flip that changed it; 0 if none did. Numbers grow
-//            with execution among flips that conflict (see below). A number less than those of its
-//            lane in this window is that of a flip before the window, and means nothing. Where
-//            numbers run out, all stamps are cleared between two windows.
-//   surroundings of a flip: its two faces, and the four faces beside these. Two flips *conflict* if
-//            a face of one is in the surroundings of the other.
-//   stall    An entry that waits for a node above: deferred, or due in a union. It stays in the
-//            slots of its two faces, where others that are later see it: there is no other mark.
-//   rest     The events that the root executes, by one thread in the order of the queue.
-//   turn     An event that gives one point or two another motion: a contact. A simulation has
-//            turns; their entries are in a queue of its own, in the same parts. See Turns below.
-//            The record of a turn is a Flip too, since it is numbered, ordered and undone as one.
-//
-// What an event reads and writes. A flip, at the hull too,
-//   reads    the vertices of its surroundings, and their motions;
-//   writes   vertices, neighbors, slots and stamp of its two faces; in each face beside them the
-//            slot, and in two of these the neighbor, across their common edge; for the two ends of
-//            the edge the face that CGAL keeps at a vertex, if that was one of the two faces; the
-//            entries of the five edges; where there are turns, those of the pairs that are the ends
-//            of the edge before and after; the lane.
-// The faces of a turn, two for a flip, are all those at its points; its surroundings are these and
-// the faces beside them. It writes their slots and stamps, the motions of its points, the entries
-// of the edges of these faces, and the entries of all turns of its points. Two events that have a
-// motion of one point in common conflict: if one changes it, it writes all faces at the point.
-// An event allocates no face and no vertex. So the order of faces in CGAL's container, which
-// snapshots keep, is that of the window's start, and face() of a vertex changes only with a flip of
-// that face. Flips from either side of an edge are the same. A recheck writes the entry of one
-// edge. Failure times are exact numbers that several threads may ask (algebra/algebraic_number.h);
-// that of an entry is kept in its part, which one thread owns, and is made anew, and not kept, by a
-// thread that looks at an entry of another part.
-//
-// A window goes through the tree level by level: the regions, by several threads, then the unions
-// of two regions, and so on up to the root, which is alone. A node but the root flips an edge if it
-// is finite and all four vertices are in the node, and executes a turn if all neighbors of its
-// points are finite and in the node. Then each face that it writes has two vertices in the node,
-// and each face that it reads too. A face with two vertices in the node is written by no other node
-// of its level, since that would have to own two of the three. So nodes of one level share nothing
-// that one of them writes.
-//
-// Contract. An entry is executed only if
-//   (1) it is a flip, and the two faces at its edge are those that it was made for; or it is a
-//       turn, and the motions of its points are those that it was made for;
-//   (2) no face of its surroundings has been written later in time;
-//   (3) no other entry at an edge of its faces is due before it, and no other entry of a turn that
-//       it takes out of the queue.
-// A node has (3) for its own entries by its order. It defers what violates (3) by a stall, and
-// looks at all edges of the surroundings for that, which saves undoing. In a region (2) is true,
-// since it executes in the order of time. A union makes (2) true: it undoes the later flips, each
-// after those that conflict with it and were executed after it; these are flips of nodes below it.
-// An undone flip has its entry in the queue again, and the union executes it, or leaves it to the
-// node above.
-//
-// Invariants, between two executions:
-//   - of two flips that conflict the one that was executed first is not later in time;
-//   - the stamp of a face is that of its last flip, of those that have not been undone;
-//   - every entry in a slot is a fact about the quadrilateral at its edge: the first failure after
-//     the quadrilateral was born, or a time before that. It was born by the later one of the last
-//     events at its two faces, or before the window;
-//   - a node never goes back: what it executes, only nodes above it undo, and what the root
-//     executes is never undone, unless the window is cut.
-//
-// Done by the root alone: flips with the infinite vertex, that is at the hull; turns at the hull.
-// Never done in a window: erasures, coincidences, triangles at the hull that turn flat and are not
-// flipped, reconstructions, ties; turns after which the triangles at a point are not embedded or a
-// certificate fails at once; contacts at which both discs keep their motions; changes that are no
-// turns; whatever hides or reveals a point, or changes a triangle that hides one. Where such an
-// event is next, in the rest, or two flips have the same time, the window is cut: flips at or after
-// that time are undone, those before it are reported, and the plain loop executes that instant.
-// Regions are for points whose places can be rounded (HasRoundedPlace), of which few are hidden.
-// The entries of hidden points are in the part of the root. There are no windows where each contact
-// of discs would cut one (Contact_turns::can_run).
-//
-// Motions of the past. The exact time of a flip is made when it is needed, mostly when observers
-// are told of it. Then its points may have turned: so the records of turns keep the motions before
-// and after them, by points from the last turn to the first. And observers may read motions of
-// points of which they are told: so points get the motions back that they had when the window
-// began, and turn again, one after the other, while observers are told of the events.
-//
-// Errors. Nothing in a window throws but for want of memory, and observers, which are told of a
-// window when it has been executed. If memory is missing before that, faces and motions go back to
-// the start of the window (go_back): the records have what that takes. Entries of the queues are
-// not put back, but all made anew (start_anew); so they are where memory is missing later.
-//
-// What is the same as in the plain loop: events, their order and times, faces and all that a
-// snapshot has of them, and of the counters those that count events and instants. Counts of
-// rechecks, discarded failures, certificates and of the queue tell how a run was made: they differ,
-// as they do after a snapshot has been restored.
+// Events on several threads, by optimistic parallel discrete-event simulation: the events of a window
+// of time are executed region by region, each region in its own order, by several threads; then, in
+// unions of two regions, of four, and so on, those that concern several regions; and then all are
+// reported in the order of time. What has come too early is rolled back. docs/PARALLEL.md has the
+// terms, the contract and the invariants; docs/MATH.md, section 17, proves that the result is that
+// of the sequential loop.
 #ifndef KINETRI_SRC_TRIANGULATION_REGIONS_H
 #define KINETRI_SRC_TRIANGULATION_REGIONS_H
 
@@ -194,14 +84,16 @@ struct No_turns {
   struct Discarded {};
 };
 
-/// A run of a Kinetic_triangulation_2 by regions. `Turns` is No_turns, or tells of turns.
-template <class KineticTriangulation, class Turns>
+/// A run of a kinetic triangulation by regions. `Turns` is No_turns, or tells of turns.
+template <class Traits, class Turns = No_turns>
 class Region_run {
  public:
-  using Time = typename KineticTriangulation::Time;  ///< of events
+  using Types = detail::Topology<Traits>;
+  using Time = typename Types::Time;      ///< of events
+  using Change = typename Types::Change;  ///< of a point
 
   /// The triangulation must outlive this object.
-  explicit Region_run(KineticTriangulation& kinetic, const Region_options& options = {},
+  explicit Region_run(Kinetic_core<Traits>& core, const Region_options& options = {},
                       Turns turns = {});
 
   /// As advance_to of the triangulation, with the same result. Observers that look at the
@@ -214,7 +106,7 @@ class Region_run {
   /// Gives points other motions at the present time, each region those whose triangles it owns, and
   /// schedules their edges anew. Cost: proportional to the degrees of the points. Precondition: the
   /// queue is in parts; the triangles stay embedded.
-  void make_turns(std::span<const typename KineticTriangulation::Change> turns);
+  void make_turns(std::span<const Change> turns);
 
   /// Puts the queue into one part again.
   void join();
@@ -223,19 +115,18 @@ class Region_run {
   const Region_counters& counters() const { return counters_; }
 
  private:
-  using Entry = typename KineticTriangulation::Entry;
-  using Entry_kind = typename KineticTriangulation::Entry_kind;
-  using Edge = typename KineticTriangulation::Edge;
-  using Two_sided_edge = typename KineticTriangulation::Two_sided_edge;
-  using Certificate_points = typename KineticTriangulation::Certificate_points;
-  using Face_handle = typename KineticTriangulation::Face_handle;
-  using Vertex_handle = typename KineticTriangulation::Vertex_handle;
-  using Triangulation = typename KineticTriangulation::Triangulation;
-  using Queue = decltype(KineticTriangulation::queue_);
+  using Schedule = detail::Schedule<Traits>;
+  using Entry = typename Schedule::Entry;
+  using Edge = typename Types::Edge;
+  using Two_sided_edge = typename Types::Two_sided_edge;
+  using Certificate_points = typename Schedule::Certificate_points;
+  using Face_handle = typename Types::Face_handle;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Triangulation = typename Types::Triangulation;
+  using Queue = typename Schedule::Queue;
   using Part = typename Queue::Part;
   using Stamp = std::uint32_t;
-  using Point_2 = typename KineticTriangulation::Point_2;
-  using Change = typename KineticTriangulation::Change;
+  using Point_2 = typename Types::Point_2;
   using Turn_entry = typename Turns::Entry;
   using Turn_part = typename Turns::Part;
   using Discarded_turns = typename Turns::Discarded;
@@ -328,7 +219,7 @@ class Region_run {
   };
 
   // The four outer edges of a quadrilateral before the flip.
-  using Outer_edges = std::array<Two_sided_edge, 4>;
+  using Outer_edges = typename Types::Outer_edges;
 
   using Go_on = std::function<bool()>;
 
@@ -348,7 +239,7 @@ class Region_run {
   double cost_of_window() const;
   Window_work work_of_nodes() const;
   std::uint64_t executed(std::uint64_t before) const {
-    return kinetic_.counters_.number_of_events() - before;
+    return reporter_.counters().number_of_events() - before;
   }
   double events_in_window() const;
   bool are_stamps_spent() const;
@@ -404,7 +295,7 @@ class Region_run {
 
   // Whether a vertex is in a node.
   bool owns(const Lane& lane, Point_id id) const {
-    const Region_division& division = kinetic_.division_;
+    const Region_division& division = schedule_.division();
     return std::size_t{division.owner(id)} >> lane.level ==
            lane.number - division.first_node(lane.level);
   }
@@ -415,10 +306,7 @@ class Region_run {
     return is_of_window(stamp) && compare(key(stamp), moment) > 0;
   }
   bool is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment);
-  template <class Work>
-  auto at(const Time& time, const Work& work);
   static bool hides_points(Face_handle face);
-  bool hides_hull_vertex(const Two_sided_edge& edge) const;
   bool is_convex(const Two_sided_edge& edge, const Moment& moment) const;
   void undo_later(Lane& lane, const Two_sided_edge& edge, Moment& moment);
   Moment moment_of(const Entry& entry, const Two_sided_edge& edge, const Part& part) const;
@@ -490,7 +378,6 @@ class Region_run {
   void go_through(const Key& key);
   void go_through_turns();
   Event turn_event(const Key& key);
-  bool is_told(const Event_observer& observer) const;
   void settle_turns_of_window();
 
   template <class Function>
@@ -524,9 +411,8 @@ class Region_run {
   void count_from(typename std::vector<Key>::const_iterator next);
   void report(const Key& key);
 
-  Queue& queue() { return kinetic_.queue_; }
-  Region_division& division() { return kinetic_.division_; }
-  Outer_edges outer_edges(const Two_sided_edge& edge) const;
+  Queue& queue() { return schedule_.queue(); }
+  Region_division& division() { return schedule_.division(); }
   Lane& lane_of(Stamp stamp) { return lanes_[division().numbers.node(stamp - 1)]; }
   // Of a flip in its lane since stamps were cleared.
   std::size_t index_of(Stamp stamp) { return stamp - 1 - lane_of(stamp).first_number; }
@@ -566,7 +452,13 @@ class Region_run {
   static constexpr std::ptrdiff_t events_at_once = 16'384;
   static constexpr std::size_t events_of_thread = 1024;
 
-  KineticTriangulation& kinetic_;
+  Topology<Traits>& topology_;
+  Triangulation& triangulation_;
+  const Certification<Traits>& certification_;
+  Schedule& schedule_;
+  Event_reporter<Traits>& reporter_;
+  Updates<Traits>& updates_;
+  Event_loop<Traits>& loop_;
   [[no_unique_address]] Turns turns_;
   Region_options options_;
   std::size_t regions_;
@@ -587,6 +479,13 @@ class Region_run {
   std::vector<double> stalls_;
   Region_counters counters_;
 };
+
+/// A run of a triangulation by regions.
+template <class Traits, class Turns = No_turns>
+Region_run<Traits, Turns> region_run_of(Kinetic_triangulation_2<Traits>& kinetic,
+                                        const Region_options& options = {}, Turns turns = {}) {
+  return Region_run<Traits, Turns>(Core_access::core(kinetic), options, std::move(turns));
+}
 
 }  // namespace kinetri::detail
 

@@ -37,45 +37,53 @@ inline std::size_t number_of_regions(const Region_options& options, std::size_t 
       std::clamp<std::size_t>(options.regions > 0 ? options.regions : by_points, 1, most));
 }
 
-template <class Kinetic, class Turns>
-Region_run<Kinetic, Turns>::Region_run(Kinetic& kinetic, const Region_options& options, Turns turns)
-    : kinetic_(kinetic),
+template <class Traits, class Turns>
+Region_run<Traits, Turns>::Region_run(Kinetic_core<Traits>& core, const Region_options& options,
+                                      Turns turns)
+    : topology_(core.topology),
+      triangulation_(core.topology.triangulation()),
+      certification_(core.certification),
+      schedule_(core.schedule),
+      reporter_(core.reporter),
+      updates_(core.updates),
+      loop_(core.loop),
       turns_(std::move(turns)),
       options_(options),
-      regions_(number_of_regions(options, kinetic.number_of_points_)),
+      regions_(number_of_regions(options, core.topology.number_of_points())),
       threads_(usable_threads(options.threads)) {
   bool is_in_use = queue().is_divided();
   if constexpr (has_turns) is_in_use = is_in_use || turns_.queue().is_divided();
   if (!is_in_use) division().clear();
 }
 
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::can_run() const {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::can_run() const {
   if constexpr (has_turns) {
     if (!turns_.can_run()) return false;
   }
-  return HasRoundedPlace<typename Kinetic::Motion> && kinetic_.triangulation_.dimension() == 2 &&
-         static_cast<double>(kinetic_.number_of_hidden_points()) * options_.points_per_hidden_one <=
-             static_cast<double>(kinetic_.number_of_points_) &&
-         !kinetic_.observers_.any_of(
+  return HasRoundedPlace<typename Types::Motion> && triangulation_.dimension() == 2 &&
+         static_cast<double>(topology_.number_of_hidden_points()) *
+                 options_.points_per_hidden_one <=
+             static_cast<double>(topology_.number_of_points()) &&
+         !reporter_.observers().any_of(
              [](const Event_observer& observer) { return observer.looks_at_triangulation(); });
 }
 
-template <class Kinetic, class Turns>
-std::size_t Region_run<Kinetic, Turns>::advance_to(const Time& until, const Go_on& may_go_on) {
+template <class Traits, class Turns>
+std::size_t Region_run<Traits, Turns>::advance_to(const Time& until, const Go_on& may_go_on) {
   std::size_t events = 0;
   call_with_threads(options_.threads, [&] { events = advance(until, may_go_on); });
   return events;
 }
 
-template <class Kinetic, class Turns>
-std::size_t Region_run<Kinetic, Turns>::advance(const Time& until, const Go_on& may_go_on) {
-  const std::uint64_t before = kinetic_.counters_.number_of_events();
+template <class Traits, class Turns>
+std::size_t Region_run<Traits, Turns>::advance(const Time& until, const Go_on& may_go_on) {
+  const std::uint64_t before = reporter_.counters().number_of_events();
   bool goes_on = true;
   try {
     goes_on = run_windows(until, may_go_on);
   } catch (...) {
-    kinetic_.show_current_time();
+    updates_.show_current_time();
     throw;
   }
   if (goes_on) {
@@ -84,38 +92,38 @@ std::size_t Region_run<Kinetic, Turns>::advance(const Time& until, const Go_on& 
     if constexpr (has_turns) {
       turns_.run_to(until, may_go_on);
     } else {
-      kinetic_.run_to(until, may_go_on);
+      loop_.run_to(until, may_go_on);
     }
   } else {
-    kinetic_.show_current_time();
+    updates_.show_current_time();
   }
   return static_cast<std::size_t>(executed(before));
 }
 
 // How many events a window should have: fewer where discs collide, since contacts concern more
 // faces than flips, and are more often in each other's way.
-template <class Kinetic, class Turns>
-double Region_run<Kinetic, Turns>::events_in_window() const {
+template <class Traits, class Turns>
+double Region_run<Traits, Turns>::events_in_window() const {
   constexpr double most = 1 << 21;  // an eighth of the numbers that stamps have
   const double events = options_.events_per_vertex / (has_contacts() ? 5 : 1);
-  return std::clamp(events * static_cast<double>(kinetic_.number_of_points_), 1.0, most);
+  return std::clamp(events * static_cast<double>(topology_.number_of_points()), 1.0, most);
 }
 
 // What a division of the queue costs, and to put it together again, in events; and a window,
 // besides its events. Estimates.
-template <class Kinetic, class Turns>
-double Region_run<Kinetic, Turns>::cost_of_division() const {
-  return 0.25 * static_cast<double>(kinetic_.number_of_points_);
+template <class Traits, class Turns>
+double Region_run<Traits, Turns>::cost_of_division() const {
+  return 0.25 * static_cast<double>(topology_.number_of_points());
 }
-template <class Kinetic, class Turns>
-double Region_run<Kinetic, Turns>::cost_of_window() const {
-  return static_cast<double>(kinetic_.number_of_points_) / (has_turns ? 128 : 256);
+template <class Traits, class Turns>
+double Region_run<Traits, Turns>::cost_of_window() const {
+  return static_cast<double>(topology_.number_of_points()) / (has_turns ? 128 : 256);
 }
 
 // Executes the events up to `until`, by windows where these pay, as long as there can be windows.
 // Returns whether the run may go on.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may_go_on) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::run_windows(const Time& until, const Go_on& may_go_on) {
   const double last = until.interval().lower;
   Region_effort& effort = division().effort;
   windows_before_ = counters_.windows;
@@ -133,7 +141,7 @@ bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may
       effort.add_window(work_);
       adapt_width(is_whole, end < last);
     } else {
-      const std::uint64_t before = kinetic_.counters_.number_of_events();
+      const std::uint64_t before = reporter_.counters().number_of_events();
       if (!run_loop(until, may_go_on)) return false;
       // A radius that ends at `until` itself is no event before the next call.
       if (has_turns && executed(before) == 0) return true;
@@ -143,8 +151,8 @@ bool Region_run<Kinetic, Turns>::run_windows(const Time& until, const Go_on& may
 }
 
 // Whether the next events are for a window, from `begin` on. Those of a short call are not.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_window_next(double begin, double last) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_window_next(double begin, double last) {
   Region_division& known = division();
   if (!pause_.is_over()) return false;
   if (known.runs_windows && !known.effort.has(is_divided() ? 0 : cost_of_division())) {
@@ -162,10 +170,10 @@ bool Region_run<Kinetic, Turns>::is_window_next(double begin, double last) {
 // Whether windows may pay from `begin` on, by the last events that the loop has executed: enough of
 // them to know how long a window should be, each alone at its time; and so many are to come. Then
 // it sets how long the first window is: a short one.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::may_windows_pay(double begin, double last) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::may_windows_pay(double begin, double last) {
   Region_division& known = division();
-  const auto n = static_cast<double>(kinetic_.number_of_points_);
+  const auto n = static_cast<double>(topology_.number_of_points());
   const auto enough = static_cast<std::uint64_t>(std::min(events_in_window(), 0.02 * n)) + 1;
   const double time = begin - known.loop_begin;
   if (known.loop_events == 0 || !(time >= 0)) {
@@ -189,17 +197,17 @@ bool Region_run<Kinetic, Turns>::may_windows_pay(double begin, double last) {
 }
 
 // Makes all ready for a window. Returns whether there can be one.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::begin_window([[maybe_unused]] double begin) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::begin_window([[maybe_unused]] double begin) {
   if constexpr (has_turns) {
     if (!turns_.begin_window(begin)) {
       division().effort.spend(cost_of_window());
-      pause_.lengthen(kinetic_.number_of_points_);
+      pause_.lengthen(topology_.number_of_points());
       return false;
     }
   }
   const double most =
-      options_.events_per_division * static_cast<double>(kinetic_.number_of_points_);
+      options_.events_per_division * static_cast<double>(topology_.number_of_points());
   if (!is_divided() || division().regions != regions_ || division().events > most) {
     or_go_back([this] { divide(); });
     division().effort.spend(cost_of_division());
@@ -209,8 +217,8 @@ bool Region_run<Kinetic, Turns>::begin_window([[maybe_unused]] double begin) {
 }
 
 // Chooses how long the next window is, after one that reached its end or was cut.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::adapt_width(bool is_whole, bool is_full) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::adapt_width(bool is_whole, bool is_full) {
   const double target = events_in_window();
   const auto done = static_cast<double>(done_);
   double& width = division().window_width;
@@ -222,16 +230,16 @@ void Region_run<Kinetic, Turns>::adapt_width(bool is_whole, bool is_full) {
     pause_.shorten();
   } else if (cut_) {
     width *= 0.5;
-    if (done < target / 8) pause_.lengthen(kinetic_.number_of_points_);
+    if (done < target / 8) pause_.lengthen(topology_.number_of_points());
   }
 }
 
 // Has the loop execute the events of the next times: of several, so that what is asked between them
 // takes little. Returns whether the run may go on.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::run_loop(const Time& until, const Go_on& may_go_on) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::run_loop(const Time& until, const Go_on& may_go_on) {
   constexpr std::size_t many = 16;
-  std::size_t left = std::min(many, kinetic_.number_of_points_ / 1024 + 1);
+  std::size_t left = std::min(many, topology_.number_of_points() / 1024 + 1);
   if (!pause_.is_over() || is_loop_next()) left = pause_.take(left);
   while (run_loop_instant(until) > 0 && --left > 0) {
     if (may_go_on != nullptr && !may_go_on()) return false;
@@ -243,13 +251,13 @@ bool Region_run<Kinetic, Turns>::run_loop(const Time& until, const Go_on& may_go
 }
 
 // Executes the events at one time as the plain loop does. Returns their number.
-template <class Kinetic, class Turns>
-std::size_t Region_run<Kinetic, Turns>::run_loop_instant(const Time& until) {
+template <class Traits, class Turns>
+std::size_t Region_run<Traits, Turns>::run_loop_instant(const Time& until) {
   std::size_t events = 0;
   if constexpr (has_turns) {
     events = turns_.run_instant(until);
   } else {
-    events = kinetic_.run_instant();
+    events = loop_.run_instant();
   }
   division().loop_events += events;
   division().effort.add_loop(events);
@@ -257,16 +265,16 @@ std::size_t Region_run<Kinetic, Turns>::run_loop_instant(const Time& until) {
 }
 
 // Whether something happens up to a time.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::settle(const Time& until) {
-  bool result = kinetic_.settle(&until);
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::settle(const Time& until) {
+  bool result = schedule_.settle(&until);
   if constexpr (has_turns) result = turns_.settle(until) || result;
   return result;
 }
 
 // The least lower bound of a time of what happens next. Precondition: something does.
-template <class Kinetic, class Turns>
-double Region_run<Kinetic, Turns>::next_lower() {
+template <class Traits, class Turns>
+double Region_run<Traits, Turns>::next_lower() {
   double result = std::numeric_limits<double>::infinity();
   if (!queue().empty()) result = queue().top().bounds.lower;
   if constexpr (has_turns) {
@@ -276,8 +284,8 @@ double Region_run<Kinetic, Turns>::next_lower() {
 }
 
 // Whether points may coincide at that time, or a hidden one may reach its triangle.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::is_loop_next() {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::is_loop_next() {
   return !queue().empty() && is_for_loop(queue().top()) &&
          queue().top().bounds.lower <= next_lower();
 }
@@ -285,8 +293,8 @@ bool Region_run<Kinetic, Turns>::is_loop_next() {
 // ---- a window ----
 
 // Returns whether the window reached `end`.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::run_window(double end) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::run_window(double end) {
   ++counters_.windows;
   cut_.reset();
   double reached = end;
@@ -304,8 +312,8 @@ bool Region_run<Kinetic, Turns>::run_window(double end) {
 }
 
 // What the nodes have done in the window.
-template <class Kinetic, class Turns>
-Window_work Region_run<Kinetic, Turns>::work_of_nodes() const {
+template <class Traits, class Turns>
+Window_work Region_run<Traits, Turns>::work_of_nodes() const {
   Window_work work;
   work.reported = static_cast<double>(order_.size());
   work.serial = cost_of_window();
@@ -326,13 +334,13 @@ Window_work Region_run<Kinetic, Turns>::work_of_nodes() const {
 }
 
 // Has the nodes execute the events of a window. Returns where it ends.
-template <class Kinetic, class Turns>
-double Region_run<Kinetic, Turns>::execute_window(double end) {
-  kinetic_.show_current_time();  // made from motions of now, by one thread
+template <class Traits, class Turns>
+double Region_run<Traits, Turns>::execute_window(double end) {
+  updates_.show_current_time();  // made from motions of now, by one thread
   forget_first();
   if constexpr (has_turns) {
-    turned_.resize(kinetic_.vertices_.size(), 0);
-    stalls_.resize(kinetic_.vertices_.size(), std::numeric_limits<double>::infinity());
+    turned_.resize(topology_.vertices().size(), 0);
+    stalls_.resize(topology_.vertices().size(), std::numeric_limits<double>::infinity());
   }
   for (Lane& lane : lanes_) {
     lane.capacity = std::min(lane.most_flips, lane.numbers - lane.flips_before);
@@ -351,9 +359,9 @@ double Region_run<Kinetic, Turns>::execute_window(double end) {
 
 // Calls work(), part of a window. If that throws, which is for want of memory, the state is that
 // before the window.
-template <class Kinetic, class Turns>
+template <class Traits, class Turns>
 template <class Work>
-void Region_run<Kinetic, Turns>::or_go_back(const Work& work) {
+void Region_run<Traits, Turns>::or_go_back(const Work& work) {
   try {
     work();
   } catch (...) {
@@ -364,8 +372,8 @@ void Region_run<Kinetic, Turns>::or_go_back(const Work& work) {
 
 // Undoes what has been executed of a window, the last events first: those of nodes of one level do
 // not conflict. Entries of the queues are lost.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::go_back() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::go_back() {
   const auto go_back_in = [this](Lane& lane) {
     // The record of an event that has not been executed has no key.
     for (std::size_t k = std::min(lane.flips.size(), lane.keys.size()); k-- > 0;) {
@@ -377,8 +385,8 @@ void Region_run<Kinetic, Turns>::go_back() {
 }
 
 // Forgets the window and the parts, and schedules everything from the present time on.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::start_anew() {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::start_anew() {
   for (Lane& lane : lanes_) {
     Lane cleared;
     std::swap(lane, cleared);
@@ -389,12 +397,12 @@ void Region_run<Kinetic, Turns>::start_anew() {
   due_until_ = -std::numeric_limits<double>::infinity();
   division().clear();
   queue().clear();
-  kinetic_.schedule_all();
+  schedule_.schedule_all();
   if constexpr (has_turns) turns_.start_anew();
 }
 
-template <class Kinetic, class Turns>
-auto Region_run<Kinetic, Turns>::lanes_at(unsigned level) -> std::vector<Lane*> {
+template <class Traits, class Turns>
+auto Region_run<Traits, Turns>::lanes_at(unsigned level) -> std::vector<Lane*> {
   std::vector<Lane*> result;
   for (Lane& lane : lanes_) {
     if (lane.level == level) result.push_back(&lane);
@@ -404,8 +412,8 @@ auto Region_run<Kinetic, Turns>::lanes_at(unsigned level) -> std::vector<Lane*> 
 
 // Puts aside what fails in the window at edges between regions. Returns where the window ends:
 // before the first entry there that is for the plain loop.
-template <class Kinetic, class Turns>
-double Region_run<Kinetic, Turns>::gather_due(double end) {
+template <class Traits, class Turns>
+double Region_run<Traits, Turns>::gather_due(double end) {
   struct Gathering {
     Lane* lane;
     double end;
@@ -426,8 +434,8 @@ double Region_run<Kinetic, Turns>::gather_due(double end) {
 
 // The same for a union of regions: has the certificates of its part checked again until it is known
 // which fail in the window.
-template <class Kinetic, class Turns>
-double Region_run<Kinetic, Turns>::gather_due(Lane& lane, double end) {
+template <class Traits, class Turns>
+double Region_run<Traits, Turns>::gather_due(Lane& lane, double end) {
   Part& part = queue().part(lane.number);
   const Time last(end);
   const auto exact = [&]() -> const Time& { return last; };
@@ -449,30 +457,30 @@ double Region_run<Kinetic, Turns>::gather_due(Lane& lane, double end) {
 }
 
 // Certifies the edges of entries anew, from the time of the first entry on.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::recheck(Lane& lane, std::span<const Entry> entries) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::recheck(Lane& lane, std::span<const Entry> entries) {
   lane.counters.rechecks += entries.size();
-  if constexpr (Kinetic::is_weighted) {
+  if constexpr (Types::is_weighted) {
     // In the part of the root, whose entries are taken one by one.
     const Entry& first = entries.front();
     if (first.is_hidden()) {
-      return kinetic_.hidden_points().schedule(first.hidden, Time(first.bounds.lower));
+      return schedule_.schedule_hidden(first.hidden, Time(first.bounds.lower));
     }
   }
   std::array<Two_sided_edge, 2> edges;
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    edges[k] = kinetic_.two_sided(entries[k].edge());
+    edges[k] = topology_.two_sided(entries[k].edge());
   }
-  kinetic_.certify(std::span(edges).first(entries.size()), Time(entries.front().bounds.lower),
-                   Certificate_state::any, kinetic_.traits_, lane.certificates,
-                   [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
-                     put(lane, edge, kind, std::move(known));
-                   });
+  certification_.certify(std::span(edges).first(entries.size()), Time(entries.front().bounds.lower),
+                         Certificate_state::any, lane.certificates,
+                         [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
+                           put(lane, edge, kind, std::move(known));
+                         });
 }
 
 // Executes what is due in a region, in its order.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::run_region(Lane& lane, double end) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::run_region(Lane& lane, double end) {
   Part& part = *lane.part;
   // Somewhat later than the end, so that what is first then is known too.
   const double soon = end + division().window_width / 16;
@@ -492,7 +500,7 @@ void Region_run<Kinetic, Turns>::run_region(Lane& lane, double end) {
     }
     if (!is_flip_due) break;
     const Entry entry = part.top();
-    const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
+    const Two_sided_edge edge = topology_.two_sided(entry.edge());
     Moment moment = moment_of(entry, edge, part);
     if (!may_execute(lane, entry, edge) || !is_flip(entry, edge, moment)) {
       defer(lane, lane.number);
@@ -505,8 +513,8 @@ void Region_run<Kinetic, Turns>::run_region(Lane& lane, double end) {
 
 // Executes what is due in a union of regions and has not been executed by one of these, in the
 // order of the queue. The root stops where an event is no flip.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::run_union(Lane& lane, double end) {
   const std::size_t from = due_part(lane.number);
   for (std::size_t below = 0; below < lane.number; ++below) {
     if (division().above(below) != lane.number) continue;
@@ -539,7 +547,7 @@ void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
       cut_ = due.time_of(due.top());
       break;
     }
-    const Two_sided_edge edge = kinetic_.two_sided(entry.edge());
+    const Two_sided_edge edge = topology_.two_sided(entry.edge());
     if (!is_root(lane) && !may_execute(lane, entry, edge)) {
       defer(lane, from);
       continue;
@@ -552,7 +560,7 @@ void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
     undo_later(lane, edge, moment);
     // What comes back is later, but may begin with a certificate that is to be checked again
     // before.
-    const auto handle = [&](const Entry& e) { return kinetic_.queue_policy_.handle(e.subject()); };
+    const auto handle = [&](const Entry& e) { return schedule_.policy().handle(e.subject()); };
     if (handle(due.top()) != handle(entry)) continue;
     if (!is_flip(entry, edge, moment)) {
       if (!is_root(lane)) {
@@ -568,34 +576,34 @@ void Region_run<Kinetic, Turns>::run_union(Lane& lane, double end) {
 }
 
 // Whether a node that is not the root may flip the edge of the first of its entries now.
-template <class Kinetic, class Turns>
-bool Region_run<Kinetic, Turns>::may_execute(Lane& lane, const Entry& entry,
-                                             const Two_sided_edge& edge) {
+template <class Traits, class Turns>
+bool Region_run<Traits, Turns>::may_execute(Lane& lane, const Entry& entry,
+                                            const Two_sided_edge& edge) {
   return entry.kind == Entry_kind::flip && lane.flips.size() < lane.capacity &&
          is_owned(lane, edge) && !is_blocked(lane, entry, edge);
 }
 
 // Leaves the first entry of a part to the node above.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::defer(Lane& lane, std::size_t from) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::defer(Lane& lane, std::size_t from) {
   move(from, deferred_part(lane.number));
 }
 
 // Moves the first entry of a part to another one.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::move(std::size_t from, std::size_t to) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::move(std::size_t from, std::size_t to) {
   Part& part = queue().part(from);
   const Entry entry = part.top();
   const Queue_handle handle = queue().put(to, entry, part);
   part.pop();
-  kinetic_.queue_policy_.set_handle(entry.subject(), handle);
+  schedule_.policy().set_handle(entry.subject(), handle);
 }
 
 // Moves the entries of a part to where they belong between two windows.
-template <class Kinetic, class Turns>
-void Region_run<Kinetic, Turns>::move_home(std::size_t from) {
+template <class Traits, class Turns>
+void Region_run<Traits, Turns>::move_home(std::size_t from) {
   Part& part = queue().part(from);
-  while (!part.empty()) move(from, kinetic_.queue_policy_.part_of(part.top().subject()));
+  while (!part.empty()) move(from, schedule_.policy().part_of(part.top().subject()));
 }
 
 }  // namespace kinetri::detail

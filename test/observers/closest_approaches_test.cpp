@@ -176,8 +176,7 @@ TEST(Closest_approaches, of_points_between_walls_are_the_same_in_a_run_by_region
     Simulation_2<> simulation(motions, options);
     Closest_approaches closest(simulation, 50);
     if (is_by_regions) {
-      detail::Contact_turns<Simulation_2<>>::run_of(simulation, test::options_of(5, 0.5))
-          .advance_to(5.0);
+      detail::region_run_of(simulation, test::options_of(5, 0.5)).advance_to(5.0);
     } else {
       simulation.advance_to(5.0);
     }

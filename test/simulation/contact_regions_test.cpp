@@ -369,7 +369,7 @@ TEST(Contact_regions, throw_what_the_loop_throws) {
   const auto motions = gas(100, 100, 3, 6, 2);
   Simulation plain(motions, options);
   Simulation simulation(motions, options);
-  auto run = detail::Contact_turns<Simulation>::run_of(simulation, options_of(5, 0.2));
+  auto run = detail::region_run_of(simulation, options_of(5, 0.2));
   EXPECT_THROW(plain.advance_to(2), std::runtime_error);
   EXPECT_THROW(run.advance_to(2), std::runtime_error);
   EXPECT_EQ(plain.current_time(), simulation.current_time());
@@ -388,7 +388,7 @@ TEST(Contact_regions, leave_a_usable_simulation) {
     const auto motions = gas(100, 100, 4, 6, seed);
     Simulation plain(motions, options);
     Simulation simulation(motions, options);
-    auto run = detail::Contact_turns<Simulation>::run_of(simulation, options_of(2 + seed, 0.2));
+    auto run = detail::region_run_of(simulation, options_of(2 + seed, 0.2));
     int asked = 0;
     run.advance_to(1, [&] { return ++asked < 4; });
     while (plain.current_time() < simulation.current_time()) plain.step();
@@ -399,7 +399,7 @@ TEST(Contact_regions, leave_a_usable_simulation) {
     const auto snapshot = simulation.snapshot();
     Simulation restored = Simulation::restore(snapshot, collide_elastically);
     plain.advance_to(3);
-    detail::Contact_turns<Simulation>::run_of(restored, options_of(3 + seed, 0.3)).advance_to(3);
+    detail::region_run_of(restored, options_of(3 + seed, 0.3)).advance_to(3);
     ASSERT_EQ(difference_of_simulations(plain, restored), "");
     EXPECT_TRUE(restored.is_valid(true, 1));
   }
@@ -424,7 +424,7 @@ TEST(Contact_regions, go_on_after_an_observer_has_thrown) {
     Simulation simulation(motions, options);
     Thrower thrower;
     simulation.add_observer(thrower);
-    auto run = detail::Contact_turns<Simulation>::run_of(simulation, options_of(1 + seed, 0.5));
+    auto run = detail::region_run_of(simulation, options_of(1 + seed, 0.5));
     EXPECT_THROW(run.advance_to(2), std::runtime_error);
     simulation.remove_observer(thrower);
     run.advance_to(3);

@@ -71,7 +71,7 @@ void expect_goes_on(const std::vector<typename Traits::Motion>& motions, std::si
   plain.advance_to(1.0);
   const auto check = [&](std::int64_t allocations) {
     Kinetic kinetic(motions);
-    detail::Region_run<Kinetic> run(kinetic, options_of(regions, 1));
+    auto run = detail::region_run_of(kinetic, options_of(regions, 1));
     run.advance_to(0.25);
     const Failure failure = run_with_failure(run, 1.0, allocations);
     if (failure != Failure::in_window) return failure;
@@ -131,7 +131,7 @@ TEST(Missing_memory, in_a_window_of_contacts) {
   for (const std::size_t regions : {6u, 13u}) {
     const auto check = [&](std::int64_t allocations) {
       const auto simulation = make();
-      auto run = detail::Contact_turns<Simulation>::run_of(*simulation, options_of(regions, 6));
+      auto run = detail::region_run_of(*simulation, options_of(regions, 6));
       run.advance_to(0.25);
       const Failure failure = run_with_failure(run, 1.0, allocations);
       if (failure != Failure::in_window) return failure;

@@ -52,7 +52,7 @@ Outcome run_to(double until, const std::vector<Linear_motion_2>& motions,
   test::Log log;
   plain.add_observer(expected);
   by_regions.add_observer(log);
-  auto run = detail::Contact_turns<Simulation>::run_of(by_regions, regions);
+  auto run = detail::region_run_of(by_regions, regions);
   Outcome result;
   result.events = plain.advance_to(until);
   if (run.advance_to(until) != result.events) result.problem = "another number of events";

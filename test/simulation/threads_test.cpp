@@ -82,7 +82,7 @@ TEST(Threads, execute_contacts_by_regions_as_the_loop_does) {
     regions.regions = 8;
     regions.least_events_per_vertex = 0;
     regions.threads = 4;
-    auto run = detail::Contact_turns<Simulation>::run_of(simulation, regions);
+    auto run = detail::region_run_of(simulation, regions);
     for (int k = 1; k <= 10; ++k) {
       const double time = 0.2 * k;
       ASSERT_EQ(plain.advance_to(time), run.advance_to(time));

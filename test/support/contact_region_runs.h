@@ -101,14 +101,13 @@ std::string difference_from_loop(
   kinetri::Recorder<Traits> recorder(watched.triangulation(), end, 1'000'000);
   plain.add_observer(expected_recorder);
   watched.add_observer(recorder);
-  using Turns = detail::Contact_turns<Run>;
-  auto watched_run = Turns::run_of(watched, regions);
+  auto watched_run = detail::region_run_of(watched, regions);
   for (const Algebraic_number& time : times) {
     for (Run* simulation : {&plain, &watched, &alone}) change(*simulation);
     const std::size_t count = plain.advance_to(time);
     if (watched_run.advance_to(time) != count) return "another number of events";
     // Each call of advance_to makes a run.
-    if (Turns::run_of(alone, regions).advance_to(time) != count) {
+    if (detail::region_run_of(alone, regions).advance_to(time) != count) {
       return "another number of events without an observer";
     }
     std::string problem = difference(expected.events, log.events);

@@ -108,8 +108,8 @@ std::string difference_from_loop(const std::vector<typename Traits::Motion>& mot
   kinetri::Recorder<Traits> recorder(watched, end, 1'000'000);
   plain.add_observer(expected_recorder);
   watched.add_observer(recorder);
-  detail::Region_run<Kinetic> watched_run(watched, options);
-  detail::Region_run<Kinetic> run(alone, options);
+  auto watched_run = detail::region_run_of(watched, options);
+  auto run = detail::region_run_of(alone, options);
   for (const Algebraic_number& time : times) {
     const std::size_t count = plain.advance_to(time);
     if (watched_run.advance_to(time) != count) return "another number of events";

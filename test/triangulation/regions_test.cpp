@@ -111,8 +111,7 @@ TEST(Regions, undo_flips_that_come_too_early) {
         seed % 3 == 2 ? test::grid_motions(n, 60, 50, seed) : test::random_motions(n, 100, 5, seed);
     Kinetic_delaunay plain(motions);
     Kinetic_delaunay kinetic(motions);
-    detail::Region_run<Kinetic_delaunay> run(kinetic,
-                                             options_of(2 + seed % 63, 0.05 * (1u << (seed % 8))));
+    auto run = detail::region_run_of(kinetic, options_of(2 + seed % 63, 0.05 * (1u << (seed % 8))));
     for (const double share : {0.25, 1.0}) {
       const double time = share * (seed % 3 == 2 ? 0.2 : 1);
       plain.advance_to(time);
@@ -252,7 +251,7 @@ TEST(Regions, keep_their_division_while_points_change) {
     kinetic.set_threads(seed % 3 == 0 ? 1 : 4);
     for (unsigned round = 1; round <= 8; ++round) {
       const double time = 0.25 * round;
-      detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(2 + seed % 4, 0.3));
+      auto run = detail::region_run_of(kinetic, options_of(2 + seed % 4, 0.3));
       ASSERT_EQ(plain.advance_to(time), run.advance_to(time));
       ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed << ", t = " << time;
       ASSERT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "") << "seed " << seed;
@@ -297,7 +296,7 @@ TEST(Regions, turn_many_points_at_once) {
     kinetic.set_threads(seed % 4 == 0 ? 1 : 4);
     for (unsigned round = 1; round <= 5; ++round) {
       const double time = 0.25 * round;
-      detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(1 + seed % 6, 0.3));
+      auto run = detail::region_run_of(kinetic, options_of(1 + seed % 6, 0.3));
       plain.advance_to(time);
       run.advance_to(time);
       test::add(sum, run.counters());
@@ -331,7 +330,7 @@ TEST(Regions, stop_where_they_may_not_go_on) {
     std::size_t stops = 0;
     std::size_t windows = 0;
     while (kinetic.current_time() < 1.0) {
-      detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(2 + seed, 0.3));
+      auto run = detail::region_run_of(kinetic, options_of(2 + seed, 0.3));
       // The first run begins with seven events one by one.
       const unsigned most = stops == 0 ? 9 : 2 + seed % 2;
       unsigned asked = 0;
@@ -369,14 +368,14 @@ TEST(Regions, are_usable_after_an_observer_has_thrown) {
     Kinetic_delaunay kinetic(motions);
     Thrower thrower(150 + seed);
     kinetic.add_observer(thrower);
-    detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(2 + seed, 0.5));
+    auto run = detail::region_run_of(kinetic, options_of(2 + seed, 0.5));
     EXPECT_THROW(run.advance_to(2.0), std::runtime_error);
     EXPECT_GT(run.counters().windows, 0u);
     plain.advance_to(kinetic.current_time());
     ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed;
     ASSERT_GT(plain.counters().number_of_events(), 150u + seed);
     plain.advance_to(2.0);
-    detail::Region_run<Kinetic_delaunay>(kinetic, options_of(3, 0.5)).advance_to(2.0);
+    detail::region_run_of(kinetic, options_of(3, 0.5)).advance_to(2.0);
     ASSERT_EQ(difference_of_states(plain, kinetic), "") << "seed " << seed;
   }
 }
@@ -386,9 +385,9 @@ TEST(Regions, go_on_from_a_snapshot) {
   const auto motions = test::random_motions(500, 100, 5, 3);
   Kinetic_delaunay plain(motions);
   Kinetic_delaunay kinetic(motions);
-  detail::Region_run<Kinetic_delaunay>(kinetic, options_of(6, 0.3)).advance_to(0.75);
+  detail::region_run_of(kinetic, options_of(6, 0.3)).advance_to(0.75);
   Kinetic_delaunay restored = Kinetic_delaunay::restore(kinetic.snapshot());
-  detail::Region_run<Kinetic_delaunay>(restored, options_of(9, 0.3)).advance_to(1.5);
+  detail::region_run_of(restored, options_of(9, 0.3)).advance_to(1.5);
   plain.advance_to(1.5);
   EXPECT_EQ(difference_of_states(plain, restored), "");
 }
@@ -423,7 +422,7 @@ TEST(Regions, leave_a_run_to_the_loop_where_somebody_looks_on) {
   Kinetic_delaunay kinetic(test::random_motions(200, 100, 5, 1));
   Spectator spectator(kinetic);
   kinetic.add_observer(spectator);
-  detail::Region_run<Kinetic_delaunay> run(kinetic, options_of(4, 0.5));
+  auto run = detail::region_run_of(kinetic, options_of(4, 0.5));
   EXPECT_GT(run.advance_to(0.5), 100u);
   EXPECT_EQ(run.counters().windows, 0u);
   EXPECT_TRUE(spectator.are_there);

@@ -122,7 +122,7 @@ TEST(Regular_regions, keep_their_division_while_discs_change) {
     Kinetic kinetic(discs);
     for (unsigned round = 1; round <= 6; ++round) {
       const double time = 0.25 * round;
-      detail::Region_run<Kinetic> run(kinetic, options_of(2 + seed % 4, 0.3));
+      auto run = detail::region_run_of(kinetic, options_of(2 + seed % 4, 0.3));
       ASSERT_EQ(plain.advance_to(time), run.advance_to(time));
       ASSERT_EQ(test::difference_of_states(plain, kinetic), "")
           << "seed " << seed << ", t = " << time;

@@ -132,7 +132,7 @@ TEST(Threads, run_by_regions_as_the_loop_does) {
     options.least_events_per_vertex = 0;
     options.most_waste = std::numeric_limits<double>::infinity();
     options.threads = 4;
-    detail::Region_run<Kinetic> run(kinetic, options);
+    auto run = detail::region_run_of(kinetic, options);
     for (const double time : {0.5, 2.0}) {
       EXPECT_EQ(plain.advance_to(time), run.advance_to(time));
       EXPECT_EQ(plain.finite_edge_ids(), kinetic.finite_edge_ids());

@@ -30,7 +30,6 @@ namespace kinetri {
 namespace {
 
 using Simulation = Simulation_2<Linear_kinetic_traits_2>;
-using Turns = detail::Contact_turns<Simulation>;
 
 constexpr double spacing = 10;  // of the lattice on which points start
 constexpr double until = 1.5;
@@ -84,7 +83,8 @@ bool write_run(const std::string& folder, unsigned seed) {
                                                         options.radius);
   simulation.add_observer(event_log);
   simulation.add_observer(motion_log);
-  auto run = Turns::run_of(simulation, test::options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 15)));
+  auto run =
+      detail::region_run_of(simulation, test::options_of(1 + seed * 7 % 64, 0.1 * (1 + seed % 15)));
   run.advance_to(until);
   std::ofstream edges(path + ".edges.csv");
   write_edges(edges, simulation.triangulation().finite_edge_ids());

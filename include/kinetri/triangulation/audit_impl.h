@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/triangulation/hidden_points.h"
+#include "kinetri/impl/triangulation/certification_impl.h"
 #include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
@@ -35,11 +35,15 @@ inline std::string edge_name(const Edge_ids& ids) {
 }
 
 /// One audit of a kinetic triangulation.
-template <class KineticTriangulation>
+template <class Traits>
 class Auditor {
  public:
-  explicit Auditor(const KineticTriangulation& audited)
-      : audited_(audited), triangulation_(audited.triangulation_), queue_(audited.queue_) {}
+  explicit Auditor(const Kinetic_core<Traits>& audited)
+      : topology_(audited.topology),
+        triangulation_(audited.topology.triangulation()),
+        certification_(audited.certification),
+        schedule_(audited.schedule),
+        queue_(audited.schedule.queue()) {}
 
   Audit_report run(Audit_level level);
 
@@ -49,14 +53,14 @@ class Auditor {
   using Kernel = CGAL::Simple_cartesian<Exact_number>;
   using Place = typename Kernel::Point_2;
   using Weighted_place = typename Kernel::Weighted_point_2;
-  static constexpr bool is_weighted = KineticTriangulation::is_weighted;
-  using Triangulation = typename KineticTriangulation::Triangulation;
-  using Vertex_handle = typename KineticTriangulation::Vertex_handle;
-  using Face_handle = typename KineticTriangulation::Face_handle;
-  using Edge = typename KineticTriangulation::Edge;
-  using Time = typename KineticTriangulation::Time;
-  using Entry_kind = typename KineticTriangulation::Entry_kind;
-  using Traits = std::remove_cv_t<decltype(KineticTriangulation::traits_)>;
+  using Types = Topology<Traits>;
+  static constexpr bool is_weighted = Types::is_weighted;
+  using Triangulation = typename Types::Triangulation;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Face_handle = typename Types::Face_handle;
+  using Edge = typename Types::Edge;
+  using Time = typename Types::Time;
+  using Entry = Kinetic_entry<Traits>;
 
   struct Failure {
     Entry_kind kind;
@@ -73,8 +77,8 @@ class Auditor {
   void check_hidden_points();
   void check_reference();
   void check_certificates();
-  void check_hidden_certificates(const Traits& traits);
-  std::optional<Failure> next_failure(const Edge& edge, const Traits& traits) const;
+  void check_hidden_certificates(const Certification<Traits>& exact);
+  std::optional<Failure> next_failure(const Edge& edge, const Certification<Traits>& exact) const;
   void check_entry(const std::string& name, Queue_handle handle,
                    const std::optional<Failure>& failure);
 
@@ -97,8 +101,8 @@ class Auditor {
       return CGAL::side_of_oriented_circle(p, q, r, s);
     }
   }
-  std::string name(const Edge& edge) const { return edge_name(audited_.ids_of(edge)); }
-  std::string name(const typename KineticTriangulation::Entry& entry) const {
+  std::string name(const Edge& edge) const { return edge_name(Types::ids_of(edge)); }
+  std::string name(const Entry& entry) const {
     if constexpr (is_weighted) {
       if (entry.is_hidden()) return "hidden point " + std::to_string(entry.hidden->point().id());
     }
@@ -107,16 +111,18 @@ class Auditor {
   void fail(std::string message) { report_.failures.push_back(std::move(message)); }
   void fail(const char* what, const std::array<Vertex_handle, 3>& v);
 
-  const KineticTriangulation& audited_;
+  const Topology<Traits>& topology_;
   const Triangulation& triangulation_;
-  const decltype(KineticTriangulation::queue_)& queue_;
+  const Certification<Traits>& certification_;
+  const Schedule<Traits>& schedule_;
+  const typename Schedule<Traits>::Queue& queue_;
   std::vector<Place> places_;          // at one exact time, by point id
   std::vector<Exact_number> weights_;  // then, if points have weights
   Audit_report report_;
 };
 
-template <class KineticTriangulation>
-Audit_report Auditor<KineticTriangulation>::run(Audit_level level) {
+template <class Traits>
+Audit_report Auditor<Traits>::run(Audit_level level) {
   check_links();
   // What follows walks the links.
   if (!report_.passed() || level == Audit_level::links) return std::move(report_);
@@ -135,15 +141,15 @@ Audit_report Auditor<KineticTriangulation>::run(Audit_level level) {
 // Places the points at a rational time strictly between now and the next event. Between events a
 // triangle may touch: be flat at one time without turning over, which is no event and no fault.
 // Such a time is no place to look, so another one is taken, nearer to now.
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::place_points() {
-  const Time& now = audited_.current_time();
+template <class Traits>
+void Auditor<Traits>::place_points() {
+  const Time& now = schedule_.current_time();
   Time end = queue_.empty() ? Time(Rational(now.upper() + 1)) : queue_.time_of(queue_.top());
   do {
     const Rational time = simplest_between(now, end);
     places_.clear();
     weights_.clear();
-    for (const Vertex_handle v : audited_.vertices_) {
+    for (const Vertex_handle v : topology_.vertices()) {
       if (v == Vertex_handle()) {
         places_.emplace_back();  // of no point: nobody asks
         weights_.emplace_back();
@@ -158,10 +164,10 @@ void Auditor<KineticTriangulation>::place_points() {
 }
 
 // Whether a triangle is flat at `time`, where the points have been placed, but not for a while.
-template <class KineticTriangulation>
-bool Auditor<KineticTriangulation>::has_touch(const Time& time) const {
+template <class Traits>
+bool Auditor<Traits>::has_touch(const Time& time) const {
   if (triangulation_.dimension() < 2) return false;
-  const auto after = audited_.traits_.instantaneous_traits({time, Time_side::after});
+  const auto after = certification_.traits().instantaneous_traits({time, Time_side::after});
   return std::ranges::any_of(triangulation_.finite_face_handles(), [&](Face_handle f) {
     return CGAL::collinear(place(f->vertex(0)), place(f->vertex(1)), place(f->vertex(2))) &&
            after.orientation_2_object()(f->vertex(0)->point(), f->vertex(1)->point(),
@@ -171,10 +177,10 @@ bool Auditor<KineticTriangulation>::has_touch(const Time& time) const {
 
 // Whether the faces fit together. CGAL's data structure knows no hidden vertices: where there are
 // some it counts wrongly.
-template <class KineticTriangulation>
-bool Auditor<KineticTriangulation>::are_links_right() const {
+template <class Traits>
+bool Auditor<Traits>::are_links_right() const {
   const auto& tds = triangulation_.tds();
-  if (audited_.number_of_hidden_points() == 0) return tds.is_valid();
+  if (topology_.number_of_hidden_points() == 0) return tds.is_valid();
   for (auto f = tds.faces().begin(); f != tds.faces().end(); ++f) {
     if (!f->is_valid()) return false;
   }
@@ -188,23 +194,23 @@ bool Auditor<KineticTriangulation>::are_links_right() const {
   return tds.faces().size() == (tds.dimension() == 1 ? visible : 2 * visible - 4);
 }
 
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::check_links() {
-  const auto& vertices = audited_.vertices_;
+template <class Traits>
+void Auditor<Traits>::check_links() {
+  const auto& vertices = topology_.vertices();
   if (!are_links_right()) return fail("the triangulation's links are broken");
   const std::size_t vertices_there = triangulation_.tds().number_of_vertices() - 1;
-  if (vertices_there != audited_.number_of_points()) {
-    fail("there are " + std::to_string(audited_.number_of_points()) + " points but " +
+  if (vertices_there != topology_.number_of_points()) {
+    fail("there are " + std::to_string(topology_.number_of_points()) + " points but " +
          std::to_string(vertices_there) + " vertices");
   }
   for (std::size_t id = 0; id < vertices.size(); ++id) {
-    if (audited_.contains(static_cast<Point_id>(id)) && vertices[id]->point().id() != id) {
+    if (topology_.contains(static_cast<Point_id>(id)) && vertices[id]->point().id() != id) {
       fail("the vertex of point " + std::to_string(id) + " holds point " +
            std::to_string(vertices[id]->point().id()));
     }
   }
   if (!queue_.is_valid()) fail("the queue is out of order");
-  if (!queue_.empty() && queue_.time_of(queue_.top()) <= audited_.current_time()) {
+  if (!queue_.empty() && queue_.time_of(queue_.top()) <= schedule_.current_time()) {
     fail("the event of " + name(queue_.top()) + " is not in the future");
   }
   std::size_t events = 0;
@@ -244,14 +250,14 @@ void Auditor<KineticTriangulation>::check_links() {
   }
 }
 
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::fail(const char* what, const std::array<Vertex_handle, 3>& v) {
+template <class Traits>
+void Auditor<Traits>::fail(const char* what, const std::array<Vertex_handle, 3>& v) {
   fail(std::string(what) + " " + std::to_string(v[0]->point().id()) + ", " +
        std::to_string(v[1]->point().id()) + ", " + std::to_string(v[2]->point().id()));
 }
 
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::check_embedding() {
+template <class Traits>
+void Auditor<Traits>::check_embedding() {
   if (triangulation_.dimension() < 2) return check_chain();
   for (const Face_handle f : triangulation_.finite_face_handles()) {
     if (CGAL::orientation(place(f->vertex(0)), place(f->vertex(1)), place(f->vertex(2))) !=
@@ -261,7 +267,7 @@ void Auditor<KineticTriangulation>::check_embedding() {
   }
   for (const Edge& edge : triangulation_.all_edges()) {
     if (!triangulation_.is_infinite(edge)) continue;
-    const auto turn = audited_.hull_turn(audited_.two_sided(edge));
+    const auto turn = topology_.hull_turn(topology_.two_sided(edge));
     if (CGAL::orientation(place(turn[0]), place(turn[1]), place(turn[2])) == CGAL::RIGHT_TURN) {
       fail("the hull is not convex at", turn);
     }
@@ -270,8 +276,8 @@ void Auditor<KineticTriangulation>::check_embedding() {
 
 // Points on a line form a chain whose faces are its edges; at each inner point the neighbors lie on
 // opposite sides.
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::check_chain() {
+template <class Traits>
+void Auditor<Traits>::check_chain() {
   if (triangulation_.dimension() < 1) return;
   for (const auto& [face, unused] : triangulation_.finite_edges()) {
     for (const int end : {0, 1}) {
@@ -287,8 +293,8 @@ void Auditor<KineticTriangulation>::check_chain() {
   }
 }
 
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::check_delaunay() {
+template <class Traits>
+void Auditor<Traits>::check_delaunay() {
   if (triangulation_.dimension() < 2) return;
   for (const Edge& edge : triangulation_.finite_edges()) {
     const auto& [face, i] = edge;
@@ -306,8 +312,8 @@ void Auditor<KineticTriangulation>::check_delaunay() {
 
 // A hidden point is in the projection of its face, and not below the lifted face. With locally
 // regular edges that makes the triangulation regular for all points.
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::check_hidden_points() {
+template <class Traits>
+void Auditor<Traits>::check_hidden_points() {
   if constexpr (is_weighted) {
     for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
       const Face_handle face = v->face();
@@ -350,18 +356,18 @@ void Auditor<KineticTriangulation>::check_hidden_points() {
 }
 
 // Compares edges and hidden points with those that exact insertion gives.
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::check_reference() {
-  auto points = audited_.points_after({});
-  const auto after =
-      audited_.traits_.exact().instantaneous_traits({audited_.current_time(), Time_side::after});
+template <class Traits>
+void Auditor<Traits>::check_reference() {
+  auto points = topology_.points();
+  const auto after = certification_.traits().exact().instantaneous_traits(
+      {schedule_.current_time(), Time_side::after});
   detail::sort_for_insertion(points, after);
   Triangulation reference(after);
   detail::insert_in_order(reference, points, std::identity(), [](const auto&, const auto&) {});
   std::vector<Edge_ids> edges;
-  for (const Edge& edge : reference.finite_edges()) edges.push_back(audited_.ids_of(edge));
+  for (const Edge& edge : reference.finite_edges()) edges.push_back(Types::ids_of(edge));
   std::ranges::sort(edges);
-  const std::vector<Edge_ids> present = audited_.finite_edge_ids();
+  const std::vector<Edge_ids> present = topology_.finite_edge_ids();
   for (const Edge_ids& edge : edges) {
     if (std::ranges::binary_search(present, edge)) continue;
     fail("missing: " + edge_name(edge) + " of the static Delaunay triangulation");
@@ -375,7 +381,7 @@ void Auditor<KineticTriangulation>::check_reference() {
     for (Vertex_handle v = vertices.begin(); v != vertices.end(); ++v) {
       if (reference.is_infinite(v)) continue;
       const Point_id id = v->point().id();
-      if (v->is_hidden() == audited_.is_hidden(id)) continue;
+      if (v->is_hidden() == topology_.is_hidden(id)) continue;
       fail("point " + std::to_string(id) + (v->is_hidden() ? " is not" : " is") +
            " hidden, unlike in the static regular triangulation");
     }
@@ -383,46 +389,45 @@ void Auditor<KineticTriangulation>::check_reference() {
 }
 
 // The next failure of the edge, computed anew: its kind and its exact time.
-template <class KineticTriangulation>
-auto Auditor<KineticTriangulation>::next_failure(const Edge& edge, const Traits& traits) const
+template <class Traits>
+auto Auditor<Traits>::next_failure(const Edge& edge, const Certification<Traits>& exact) const
     -> std::optional<Failure> {
-  const auto sides = audited_.two_sided(edge);
-  auto [kind, next] = audited_.certificate_of(sides, audited_.current_time(), traits);
+  const auto sides = topology_.two_sided(edge);
+  auto [kind, next] = exact.certificate_of(sides, schedule_.current_time());
   while (next.kind == Certificate::Kind::holds) {
-    std::tie(kind, next) = audited_.certificate_of(sides, Time(next.bounds.lower), traits);
+    std::tie(kind, next) = exact.certificate_of(sides, Time(next.bounds.lower));
   }
   if (next.kind == Certificate::Kind::never_fails) return std::nullopt;
   if (next.failure) return Failure{kind, std::move(*next.failure)};
-  return Failure{kind, audited_.failure_time(sides, kind, next.bounds)};
+  return Failure{kind, exact.failure_time(exact.points(sides), next.bounds)};
 }
 
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::check_certificates() {
-  const Traits traits = audited_.traits_.exact();
-  check_hidden_certificates(traits);
+template <class Traits>
+void Auditor<Traits>::check_certificates() {
+  const Certification<Traits> exact(certification_.traits().exact(), topology_);
+  check_hidden_certificates(exact);
   if (triangulation_.dimension() < 1) return;
   for (const Edge& edge : triangulation_.all_edges()) {
     if (triangulation_.dimension() == 1 && triangulation_.is_infinite(edge)) continue;
-    check_entry(name(edge), edge.first->event(edge.second), next_failure(edge, traits));
+    check_entry(name(edge), edge.first->event(edge.second), next_failure(edge, exact));
   }
 }
 
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::check_hidden_certificates(const Traits& traits) {
+template <class Traits>
+void Auditor<Traits>::check_hidden_certificates(const Certification<Traits>& exact) {
   if constexpr (is_weighted) {
-    const auto hidden = audited_.hidden_points();
     Certificate_counters unused;
     for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
-      auto [index, next] = hidden.certificate(v, audited_.current_time(), traits, unused);
+      auto [index, next] = exact.hidden_certificate(v, schedule_.current_time(), unused);
       while (next.kind == Certificate::Kind::holds) {
-        std::tie(index, next) = hidden.certificate(v, Time(next.bounds.lower), traits, unused);
+        std::tie(index, next) = exact.hidden_certificate(v, Time(next.bounds.lower), unused);
       }
       std::optional<Failure> failure;
       if (next.kind == Certificate::Kind::fails) {
         failure =
             Failure{Entry_kind::hidden,
                     next.failure ? std::move(*next.failure)
-                                 : audited_.failure_time(hidden.points(v, index), next.bounds)};
+                                 : exact.failure_time(exact.hidden_points(v, index), next.bounds)};
       }
       check_entry("the hidden point " + std::to_string(v->point().id()), v->event(), failure);
     }
@@ -430,9 +435,9 @@ void Auditor<KineticTriangulation>::check_hidden_certificates(const Traits& trai
 }
 
 // Whether what the queue holds for the edge or hidden point agrees with its failure.
-template <class KineticTriangulation>
-void Auditor<KineticTriangulation>::check_entry(const std::string& name, Queue_handle handle,
-                                                const std::optional<Failure>& failure) {
+template <class Traits>
+void Auditor<Traits>::check_entry(const std::string& name, Queue_handle handle,
+                                  const std::optional<Failure>& failure) {
   if (handle == no_event) {
     if (failure) fail(name + " will fail but has no event");
   } else if (queue_[handle].kind == Entry_kind::recheck) {
@@ -451,7 +456,7 @@ void Auditor<KineticTriangulation>::check_entry(const std::string& name, Queue_h
 
 template <KineticTraits_2 Traits>
 Audit_report Kinetic_triangulation_2<Traits>::audit(Audit_level level) const {
-  return detail::Auditor<Kinetic_triangulation_2>(*this).run(level);
+  return detail::Auditor<Traits>(core_).run(level);
 }
 
 }  // namespace kinetri

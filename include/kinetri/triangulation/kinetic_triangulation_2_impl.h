@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_triangulation_2 but for its audits. Include this, and
-// audit_impl.h, only where you instantiate the class for your own kinetic traits class; it is
-// compiled into the library for both kinds of motion.
+// Definitions of Kinetic_triangulation_2 but for its audits. Include this, and audit_impl.h, only
+// if you instantiate the class for your own kinetic traits class; it is compiled into the library
+// for the library's own traits.
 #ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
 #define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
 
-#include <algorithm>
-#include <chrono>
+#include <string>
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/triangulation/hidden_points.h"
+#include "kinetri/impl/triangulation/kinetic_core_impl.h"
 #include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
@@ -22,7 +21,7 @@ namespace kinetri {
 template <KineticTraits_2 Traits>
 Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(const std::vector<Motion>& motions,
                                                          const Time& start, const Traits& traits)
-    : traits_(traits), current_time_(start), clock_({start, Time_side::after}) {
+    : core_(traits, start) {
   KINETRI_PRECONDITION(motions.size() < no_point, detail::too_many_points);
   std::vector<Point_2> points;
   points.reserve(motions.size());
@@ -30,54 +29,48 @@ Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(const std::vector<Motio
     KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(points.size()));
     points.emplace_back(motion, static_cast<Point_id>(points.size()));
   }
-  vertices_.resize(points.size());
-  start_with(points);
-}
-
-// Makes the triangulation of the points and its queue.
-template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::start_with(std::span<const Point_2> points) {
-  number_of_points_ = points.size();
-  const auto started = std::chrono::steady_clock::now();
-  if constexpr (is_weighted) weights_are_equal_ = have_equal_weights(points);
-  triangulation_ = build(points, current_time_, traits_.instantaneous_traits(clock_));
-  index_vertices();
-  const auto built = std::chrono::steady_clock::now();
-  schedule_all();
-  const auto initialized = std::chrono::steady_clock::now();
-  using Seconds = std::chrono::duration<double>;
-  construction_seconds_ = {Seconds(built - started).count(), Seconds(initialized - built).count()};
+  core_.start_with(points, points.size());
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::index_vertices() {
-  auto& vertices = triangulation_.tds().vertices();
-  for (Vertex_handle v = vertices.begin(); v != vertices.end(); ++v) {
-    if (!triangulation_.is_infinite(v)) vertices_[v->point().id()] = v;
+Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(Restoration /*restores*/,
+                                                         const Snapshot& snapshot,
+                                                         const Traits& traits)
+    : core_(traits, snapshot.time.detached()) {
+  if (snapshot.motions.size() >= no_point) {
+    throw Snapshot_error(std::string("the snapshot has ") + detail::too_many_points);
   }
-}
-
-// Whether the weights of all points are equal at all times.
-template <KineticTraits_2 Traits>
-bool Kinetic_triangulation_2<Traits>::have_equal_weights(std::span<const Point_2> points) {
-  if constexpr (is_weighted) {
-    return std::ranges::all_of(points, [&](const Point_2& point) {
-      return kinetri::have_equal_weights(points.front().motion(), point.motion());
-    });
+  std::vector<Point_2> points;
+  for (std::size_t id = 0; id < snapshot.motions.size(); ++id) {
+    const std::optional<Motion>& motion = snapshot.motions[id];
+    if (!motion) continue;
+    if (!is_finite(*motion)) throw Snapshot_error(detail::not_finite_problem(id));
+    points.emplace_back(*motion, static_cast<Point_id>(id));
   }
-  return true;
+  core_.schedule.certificate_counters() = snapshot.certificates;
+  try {
+    core_.start_with(points, snapshot.motions.size());
+  } catch (const Coincident_trajectories_error& error) {
+    throw Snapshot_error("the snapshot's points " + std::to_string(error.first()) + " and " +
+                         std::to_string(error.second()) + " have the same trajectory");
+  }
+  core_.counters = snapshot.counters;
 }
 
-// ---- calls within calls ----
-
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::check_may_change() const {
-  KINETRI_PRECONDITION(!is_changing_,
-                       "a change of the triangulation within an event, or while another change is "
-                       "made; make it when advance_to, step or the other change has returned");
-  KINETRI_PRECONDITION(!is_in_event_,
-                       "an observer has thrown, and left the triangulation within an event; make "
-                       "another one, or restore a snapshot");
+auto Kinetic_triangulation_2<Traits>::snapshot() const -> Snapshot {
+  KINETRI_PRECONDITION(!core_.reporter.is_in_event() && !core_.loop.has_points_set_aside(),
+                       "a snapshot within an event; take it when advance_to or step has returned");
+  Snapshot result;
+  result.time = current_time().detached();
+  result.counters = core_.counters;
+  result.certificates = core_.schedule.certificate_counters();
+  result.motions.reserve(core_.topology.vertices().size());
+  for (const Vertex_handle v : core_.topology.vertices()) {
+    const bool is_there = v != Vertex_handle();
+    result.motions.push_back(is_there ? std::optional(v->point().motion()) : std::nullopt);
+  }
+  return result;
 }
 
 // ---- the present ----
@@ -85,20 +78,19 @@ void Kinetic_triangulation_2<Traits>::check_may_change() const {
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::vertex(Point_id id) const -> Vertex_handle {
   KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
-  return vertices_[id];
+  return core_.topology.vertex(id);
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::vertex_near(const Point_2& point) const -> Vertex_handle {
+  KINETRI_PRECONDITION(number_of_points() > 0, "there is no point, and so none is near");
+  return core_.topology.vertex_near(point, current_time().to_double());
 }
 
 template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::is_hidden(Point_id id) const {
-  const Vertex_handle v = vertex(id);
-  if constexpr (is_weighted) return v->is_hidden();
-  return false;
-}
-
-template <KineticTraits_2 Traits>
-std::size_t Kinetic_triangulation_2<Traits>::number_of_hidden_points() const {
-  if constexpr (is_weighted) return triangulation_.number_of_hidden_vertices();
-  return 0;
+  KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
+  return core_.topology.is_hidden(id);
 }
 
 template <KineticTraits_2 Traits>
@@ -108,21 +100,179 @@ auto Kinetic_triangulation_2<Traits>::motion(Point_id id) const -> const Motion&
 
 template <KineticTraits_2 Traits>
 std::vector<Edge_ids> Kinetic_triangulation_2<Traits>::finite_edge_ids() const {
-  std::vector<Edge_ids> result;
-  for (const Edge& edge : triangulation_.finite_edges()) result.push_back(ids_of(edge));
-  std::ranges::sort(result);
-  return result;
+  return core_.topology.finite_edge_ids();
+}
+
+// ---- time ----
+
+template <KineticTraits_2 Traits>
+auto Kinetic_triangulation_2<Traits>::next_event_time() -> std::optional<Time> {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  if (!core_.schedule.settle(nullptr)) return std::nullopt;
+  return core_.schedule.queue().time(core_.schedule.queue().top());
+}
+
+template <KineticTraits_2 Traits>
+bool Kinetic_triangulation_2<Traits>::has_event_before(const Time& time) const {
+  return core_.schedule.has_failure_before(time);
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::step() {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  core_.join_parts();
+  return core_.loop.step(nullptr);
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::step(const Time& until) {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  core_.join_parts();
+  return core_.loop.step(&until);
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time) {
+  return advance_to(time, nullptr);
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time,
+                                                        const std::function<bool()>& may_go_on) {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  KINETRI_PRECONDITION(
+      time >= current_time(),
+      "the time to advance to is in the past; take the present one or a later one, "
+      "or call reverse first");
+  return core_.advance_to(time, may_go_on);
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::reverse() {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  const std::uint64_t before = core_.counters.number_of_events();
+  core_.loop.reverse();
+  return static_cast<std::size_t>(core_.counters.number_of_events() - before);
+}
+
+// ---- changes of points ----
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
+  const Change change = {id, motion};
+  apply(Event_kind::trajectory, id, std::nullopt, {&change, 1});
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::erase(Point_id id) {
+  const Change change = {id, std::nullopt};
+  apply(Event_kind::erase, id, std::nullopt, {&change, 1});
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::apply(Event_kind kind, std::optional<Point_id> point_a,
+                                            std::optional<Point_id> point_b,
+                                            std::span<const Change> changes) {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  for (const auto& [id, motion] : changes) {
+    KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
+    KINETRI_PRECONDITION(!motion || is_finite(*motion), detail::not_finite_problem(id));
+  }
+  Event event;
+  event.kind = kind;
+  event.point_a = point_a;
+  event.point_b = point_b;
+  core_.changes.perform({&event, 1}, changes);
+}
+
+template <KineticTraits_2 Traits>
+Point_id Kinetic_triangulation_2<Traits>::reserve_id() {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  return core_.topology.give_ids(1);
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::insert(const Motion& motion, Point_id id) {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  KINETRI_PRECONDITION(id < next_id() && !contains(id),
+                       "the id " + std::to_string(id) +
+                           " is not one that waits for its point; take one that reserve_id gives");
+  KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(id));
+  core_.changes.change_all(Event_kind::insert, {{id, motion}});
+}
+
+template <KineticTraits_2 Traits>
+Point_id Kinetic_triangulation_2<Traits>::insert(const Motion& motion) {
+  return insert(std::span(&motion, 1));
+}
+
+template <KineticTraits_2 Traits>
+Point_id Kinetic_triangulation_2<Traits>::insert(std::span<const Motion> motions) {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  const Point_id first = core_.topology.give_ids(motions.size());
+  try {
+    std::vector<Change> changes;
+    changes.reserve(motions.size());
+    for (const Motion& motion : motions) {
+      const auto id = static_cast<Point_id>(first + changes.size());
+      KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(id));
+      changes.push_back({id, motion});
+    }
+    core_.changes.change_all(Event_kind::insert, std::move(changes));
+  } catch (const Precondition_error&) {
+    core_.topology.take_back_ids(first);
+    throw;
+  } catch (const Coincident_trajectories_error&) {
+    core_.topology.take_back_ids(first);
+    throw;
+  }
+  return first;
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::set_motions(std::span<const Point_id> ids,
+                                                  std::span<const Motion> motions) {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  KINETRI_PRECONDITION(ids.size() == motions.size(), std::to_string(ids.size()) + " ids and " +
+                                                         std::to_string(motions.size()) +
+                                                         " motions; expected a motion for each id");
+  std::vector<Change> changes;
+  changes.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    KINETRI_PRECONDITION(contains(ids[i]), detail::unknown_id_problem(ids[i]));
+    KINETRI_PRECONDITION(is_finite(motions[i]), detail::not_finite_problem(ids[i]));
+    changes.push_back({ids[i], motions[i]});
+  }
+  core_.changes.change_all(Event_kind::trajectory, std::move(changes));
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
+                                                     std::span<const Vector_2> velocities) requires
+    MotionWithVelocity_2<Motion> {
+  detail::check_velocities(ids, velocities);
+  const double now = current_time().to_double();
+  std::vector<Motion> motions;
+  motions.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    KINETRI_PRECONDITION(contains(ids[i]), detail::unknown_id_problem(ids[i]));
+    motions.push_back(with_velocity_at(motion(ids[i]), velocities[i], now));
+  }
+  set_motions(ids, motions);
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::erase(std::span<const Point_id> ids) {
+  const detail::Flag_while changing = core_.reporter.start_change();
+  std::vector<Change> changes;
+  changes.reserve(ids.size());
+  for (const Point_id id : ids) {
+    KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
+    changes.push_back({id, std::nullopt});
+  }
+  core_.changes.change_all(Event_kind::erase, std::move(changes));
 }
 
 }  // namespace kinetri
-
-#include "kinetri/impl/triangulation/certificates_impl.h"
-#include "kinetri/impl/triangulation/changes_impl.h"
-#include "kinetri/impl/triangulation/events_impl.h"
-#include "kinetri/impl/triangulation/rebuild_impl.h"
-#include "kinetri/impl/triangulation/scheduling_impl.h"
-#include "kinetri/impl/triangulation/snapshot_impl.h"
-#include "kinetri/impl/triangulation/start_impl.h"
-#include "kinetri/impl/triangulation/vertices_impl.h"
 
 #endif  // KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H

@@ -8,23 +8,23 @@
 #include <cstddef>
 #include <functional>
 
+#include "kinetri/impl/simulation/simulation_core.h"
 #include "kinetri/impl/triangulation/region_runs.h"
-#include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::detail {
 
-/// What a simulation asks of runs by regions, with the threads that set_threads gave it.
-template <class Simulation>
+/// What a simulation asks of runs by regions, with the threads that it may use.
+template <class Traits>
 struct Contact_runs {
-  using Time = typename Simulation::Time;  ///< of events
+  using Core = Simulation_core<Traits>;  ///< of the simulation
 
   /// Whether contacts can be executed in windows of time; see Contact_turns::can_run.
-  static bool can_run(const Simulation& simulation);
+  static bool can_run(const Core& core);
   /// As advance_to of the simulation, with the same result; see Region_run::advance_to.
-  static std::size_t advance_to(Simulation& simulation, const Time& until,
+  static std::size_t advance_to(Core& core, const Algebraic_number& until,
                                 const std::function<bool()>& may_go_on);
   /// Puts the queues into one part again.
-  static void join(Simulation& simulation);
+  static void join(Core& core);
 };
 
 }  // namespace kinetri::detail

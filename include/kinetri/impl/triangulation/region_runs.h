@@ -10,7 +10,7 @@
 #include <span>
 #include <type_traits>
 
-#include "kinetri/triangulation/kinetic_triangulation_2.h"
+#include "kinetri/impl/triangulation/kinetic_core.h"
 
 namespace kinetri::detail {
 
@@ -25,20 +25,19 @@ inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_tr
 /// threads (0: those of oneTBB's arena) of those that oneTBB has here.
 bool may_pay_by_regions(std::size_t points, std::size_t threads);
 
-/// What a triangulation asks of runs by regions, with the threads that set_threads gave it.
-template <class KineticTriangulation>
+/// What a triangulation asks of runs by regions, with the threads that it may use.
+template <class Traits>
 struct Region_runs {
-  using Time = typename KineticTriangulation::Time;      ///< of events
-  using Change = typename KineticTriangulation::Change;  ///< of a point
+  using Core = Kinetic_core<Traits>;  ///< of the triangulation
 
   /// As advance_to of the triangulation, with the same result; see Region_run::advance_to.
-  static std::size_t advance_to(KineticTriangulation& kinetic, const Time& until,
+  static std::size_t advance_to(Core& core, const Algebraic_number& until,
                                 const std::function<bool()>& may_go_on);
   /// Gives points other motions at the present time. Precondition: the queue is in parts, the
   /// triangles stay embedded, and no point has a weight.
-  static void make_turns(KineticTriangulation& kinetic, std::span<const Change> turns);
+  static void make_turns(Core& core, std::span<const typename Kinetic_types<Traits>::Change> turns);
   /// Puts the queue into one part again.
-  static void join(KineticTriangulation& kinetic);
+  static void join(Core& core);
 };
 
 }  // namespace kinetri::detail

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_triangulation_2: the triangulation at a time, from the points
-// alone.
-#ifndef KINETRI_IMPL_TRIANGULATION_START_IMPL_H
-#define KINETRI_IMPL_TRIANGULATION_START_IMPL_H
+// The triangulation at a time, from the points alone.
+#ifndef KINETRI_IMPL_TRIANGULATION_STATIC_CONSTRUCTION_H
+#define KINETRI_IMPL_TRIANGULATION_STATIC_CONSTRUCTION_H
 
 #include <algorithm>
 #include <cmath>
@@ -12,39 +11,59 @@
 #include <span>
 #include <vector>
 
+#include "kinetri/base/error.h"
 #include "kinetri/impl/base/check.h"
+#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/impl/triangulation/static_delaunay.h"
-#include "kinetri/triangulation/kinetic_triangulation_2.h"
+#include "kinetri/impl/triangulation/topology.h"
 
-namespace kinetri {
+namespace kinetri::detail {
 
-// The triangulation just after the present time.
-template <KineticTraits_2 Traits>
-auto Kinetic_triangulation_2<Traits>::build_now(std::span<const Point_2> points) const
-    -> Triangulation {
-  return build(points, current_time(),
-               traits_.instantaneous_traits({current_time(), Time_side::after}));
-}
+/// Builds triangulations of points at one instant.
+template <class Traits>
+class Static_construction : public Kinetic_types<Traits> {
+  using Types = Kinetic_types<Traits>;
+  using typename Types::Edge;
+  using typename Types::Face_handle;
+  using typename Types::Motion;
+  using typename Types::Point_2;
+  using typename Types::Vertex_handle;
+  using Types::is_weighted;
 
-// The places of all points at the present time, if there is a way to round them.
-template <KineticTraits_2 Traits>
-Rounded_places Kinetic_triangulation_2<Traits>::places_now() const {
-  if constexpr (HasRoundedPlace<Motion>) {
-    const auto point_of = [](Vertex_handle v) -> const Point_2& { return v->point(); };
-    return Rounded_places(triangulation_.finite_vertex_handles(), current_time(), point_of);
-  } else {
-    return {};
-  }
-}
+ public:
+  using typename Types::Instantaneous_traits;
+  using typename Types::Time;
+  using typename Types::Triangulation;
+
+  /// The triangulation at the instant of `now`, which is just after `time`. Throws
+  /// Coincident_trajectories_error if two points have the same trajectory (and weight). Expected
+  /// O(n log n).
+  static Triangulation build(std::span<const Point_2> points, const Time& time,
+                             const Instantaneous_traits& now);
+
+  /// Whether all triangles turn left, and the hull is convex, at the instant of the triangulation's
+  /// traits, near which the places are.
+  static bool is_embedded(const Triangulation& triangulation, const Rounded_places& places);
+
+ private:
+  static Triangulation build_regular(std::span<const Point_2> points,
+                                     const Instantaneous_traits& traits);
+  static bool build_from_places(std::span<const Point_2> points, const Rounded_places& places,
+                                Triangulation& result);
+  static bool is_left_turn(const Triangulation& triangulation, const Rounded_places& places,
+                           Vertex_handle a, Vertex_handle b, Vertex_handle c);
+  static bool is_hull_convex(const Triangulation& triangulation, const Rounded_places& places);
+  static bool flip_until_delaunay(Triangulation& triangulation, const Rounded_places& places);
+};
 
 // The triangulation at the instant of the traits, which is just after `time`. That of the rounded
 // places is nearly the same, and made fast: mostly some flips are enough. Else CGAL inserts the
 // points.
-template <KineticTraits_2 Traits>
-auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, const Time& time,
-                                            const Instantaneous_traits& traits) -> Triangulation {
+template <class Traits>
+auto Static_construction<Traits>::build(std::span<const Point_2> points, const Time& time,
+                                        const Instantaneous_traits& traits) -> Triangulation {
   Triangulation result(traits);
   if constexpr (HasRoundedPlace<Motion>) {
     constexpr std::size_t few = 16;  // are inserted as fast
@@ -55,11 +74,11 @@ auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, con
     }
   }
   if constexpr (is_weighted) {
-    if (!have_equal_weights(points)) return build_regular(points, traits);
+    if (!Topology<Traits>::have_equal_weights(points)) return build_regular(points, traits);
   }
   const auto insert_all = [&](auto& triangulation) {
     std::vector<Point_2> in_order(points.begin(), points.end());
-    detail::sort_for_insertion(in_order, traits);
+    sort_for_insertion(in_order, traits);
     // CGAL keeps one vertex for points in one place. Points in one place just after a time are in
     // one place at all times.
     Edge_ids coincident = {no_point, no_point};  // of all such pairs, that of the least second id
@@ -67,7 +86,7 @@ auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, con
       const Point_id kept = v->point().id();
       if (kept != point.id() && point.id() < coincident[1]) coincident = {kept, point.id()};
     };
-    detail::insert_in_order(triangulation, in_order, std::identity(), note);
+    insert_in_order(triangulation, in_order, std::identity(), note);
     const auto [a, b] = coincident;
     if (b != no_point) throw Coincident_trajectories_error(std::min(a, b), std::max(a, b));
     KINETRI_ASSERT(triangulation.number_of_vertices() == points.size(), "every point has a vertex");
@@ -82,15 +101,15 @@ auto Kinetic_triangulation_2<Traits>::build(std::span<const Point_2> points, con
 
 // The regular triangulation at the instant of the traits. Throws if two points have the same
 // trajectory and the same weight: CGAL keeps one vertex for these if one of them is not hidden.
-template <KineticTraits_2 Traits>
-auto Kinetic_triangulation_2<Traits>::build_regular(std::span<const Point_2> points,
-                                                    const Instantaneous_traits& traits)
+template <class Traits>
+auto Static_construction<Traits>::build_regular(std::span<const Point_2> points,
+                                                const Instantaneous_traits& traits)
     -> Triangulation {
   Triangulation result(traits);
   if constexpr (is_weighted) {
     std::vector<Point_2> sorted(points.begin(), points.end());
-    detail::sort_for_insertion(sorted, traits);
-    detail::insert_in_order(result, sorted, std::identity(), [](Vertex_handle, const Point_2&) {});
+    sort_for_insertion(sorted, traits);
+    insert_in_order(result, sorted, std::identity(), [](Vertex_handle, const Point_2&) {});
     // Those that are in one place just after a time are so at all times, and so are next to one
     // another in this order. Those in the place of a vertex are there when two are alike.
     std::vector<const Point_2*> in_order;
@@ -120,10 +139,10 @@ auto Kinetic_triangulation_2<Traits>::build_regular(std::span<const Point_2> poi
 // Makes `result`, which is empty, the triangulation of the points at the instant of its traits,
 // from that of their rounded places. Returns false, and leaves anything, where the rounded places
 // have another hull or a triangle that turns over, or most of them are cocircular.
-template <KineticTraits_2 Traits>
-bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2> points,
-                                                        const Rounded_places& places,
-                                                        Triangulation& result) {
+template <class Traits>
+bool Static_construction<Traits>::build_from_places(std::span<const Point_2> points,
+                                                    const Rounded_places& places,
+                                                    Triangulation& result) {
   std::vector<Vector_2> in_order;
   std::vector<double> weights_in_order;
   in_order.reserve(points.size());
@@ -133,9 +152,9 @@ bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2>
     weights_in_order.push_back(places.weights()[point.id() - places.first()]);
     if (!std::isfinite(weights_in_order.back())) return false;
   }
-  const detail::Static_points rounded = {in_order, weights_in_order, places.error(),
-                                         places.error_of_weights()};
-  const detail::Static_delaunay found = detail::static_delaunay(rounded);
+  const Static_points rounded = {in_order, weights_in_order, places.error(),
+                                 places.error_of_weights()};
+  const Static_delaunay found = static_delaunay(rounded);
   if (found.faces.empty()) return false;
   auto& tds = result.tds();
   tds.faces().clear();
@@ -163,7 +182,7 @@ bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2>
     for (const auto& [point, face] : found.hidden) result.hide(vertices[point], faces[face]);
   }
   // Mostly the places are enough.
-  if (detail::is_certainly_delaunay(found, rounded)) return is_hull_convex(result, places);
+  if (is_certainly_delaunay(found, rounded)) return is_hull_convex(result, places);
   if (!places.weights().empty()) return false;
   return is_embedded(result, places) && flip_until_delaunay(result, places);
 }
@@ -171,9 +190,9 @@ bool Kinetic_triangulation_2<Traits>::build_from_places(std::span<const Point_2>
 // Whether all triangles turn left, and the hull is convex. Then a triangulation whose faces make a
 // sphere is embedded: the hull goes around once, so the angles at each inner vertex add up to no
 // more than one turn (Gauss and Bonnet), and no place is covered twice.
-template <KineticTraits_2 Traits>
-bool Kinetic_triangulation_2<Traits>::is_embedded(const Triangulation& triangulation,
-                                                  const Rounded_places& places) {
+template <class Traits>
+bool Static_construction<Traits>::is_embedded(const Triangulation& triangulation,
+                                              const Rounded_places& places) {
   return std::ranges::all_of(triangulation.finite_face_handles(),
                              [&](Face_handle face) {
                                return is_left_turn(triangulation, places, face->vertex(0),
@@ -184,10 +203,10 @@ bool Kinetic_triangulation_2<Traits>::is_embedded(const Triangulation& triangula
 
 // Whether the points make a left turn at the instant of the triangulation's traits, near which the
 // places are.
-template <KineticTraits_2 Traits>
-bool Kinetic_triangulation_2<Traits>::is_left_turn(const Triangulation& triangulation,
-                                                   const Rounded_places& places, Vertex_handle a,
-                                                   Vertex_handle b, Vertex_handle c) {
+template <class Traits>
+bool Static_construction<Traits>::is_left_turn(const Triangulation& triangulation,
+                                               const Rounded_places& places, Vertex_handle a,
+                                               Vertex_handle b, Vertex_handle c) {
   const Sign known = places.orientation(a->point().id(), b->point().id(), c->point().id());
   if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
   const auto orientation = triangulation.geom_traits().orientation_2_object();
@@ -195,9 +214,9 @@ bool Kinetic_triangulation_2<Traits>::is_left_turn(const Triangulation& triangul
 }
 
 // Whether the hull turns left at each of its vertices and goes around once.
-template <KineticTraits_2 Traits>
-bool Kinetic_triangulation_2<Traits>::is_hull_convex(const Triangulation& triangulation,
-                                                     const Rounded_places& places) {
+template <class Traits>
+bool Static_construction<Traits>::is_hull_convex(const Triangulation& triangulation,
+                                                 const Rounded_places& places) {
   const Instantaneous_traits& now = triangulation.geom_traits();
   const auto is_less = [&](Vertex_handle v, Vertex_handle w) {
     const auto by_x = now.compare_x_2_object()(v->point(), w->point());
@@ -207,8 +226,8 @@ bool Kinetic_triangulation_2<Traits>::is_hull_convex(const Triangulation& triang
   };
   // Around the infinite vertex they come clockwise.
   std::vector<Vertex_handle> hull;
-  detail::for_each_neighbor(triangulation, triangulation.infinite_vertex(),
-                            [&](Vertex_handle v) { hull.push_back(v); });
+  for_each_neighbor(triangulation, triangulation.infinite_vertex(),
+                    [&](Vertex_handle v) { hull.push_back(v); });
   std::size_t least_vertices = 0;
   for (std::size_t k = 0; k < hull.size(); ++k) {
     const Vertex_handle next = hull[k];
@@ -223,9 +242,9 @@ bool Kinetic_triangulation_2<Traits>::is_hull_convex(const Triangulation& triang
 // Flips edges until the triangulation, which is embedded, is Delaunay. [Lawson 1977] Returns false
 // if there are more flips than faces: of cocircular points there may be n^2, and insertion in
 // random order is expected to make fewer.
-template <KineticTraits_2 Traits>
-bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangulation,
-                                                          const Rounded_places& places) {
+template <class Traits>
+bool Static_construction<Traits>::flip_until_delaunay(Triangulation& triangulation,
+                                                      const Rounded_places& places) {
   const auto exact_side = triangulation.geom_traits().side_of_oriented_circle_2_object();
   const auto side = [&](Face_handle face, const Point_2& s) {
     const Point_2& p = face->vertex(0)->point();
@@ -239,7 +258,7 @@ bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangu
     is_changed = false;
     for (const Face_handle face : triangulation.finite_face_handles()) {
       for (int i = 0; i < 3; ++i) {
-        if (!is_chosen_side(Edge(face, i))) continue;
+        if (!Topology<Traits>::is_chosen_side(Edge(face, i))) continue;
         const Face_handle beyond = face->neighbor(i);
         if (triangulation.is_infinite(beyond)) continue;
         const Vertex_handle opposite = beyond->vertex(triangulation.tds().mirror_index(face, i));
@@ -254,6 +273,6 @@ bool Kinetic_triangulation_2<Traits>::flip_until_delaunay(Triangulation& triangu
   return true;
 }
 
-}  // namespace kinetri
+}  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_START_IMPL_H
+#endif  // KINETRI_IMPL_TRIANGULATION_STATIC_CONSTRUCTION_H

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The events of a simulation, in the order of time: those of its triangulation, contacts, and
+// changes that were scheduled.
+#ifndef KINETRI_IMPL_SIMULATION_CONTACT_LOOP_H
+#define KINETRI_IMPL_SIMULATION_CONTACT_LOOP_H
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinetri/impl/events/observer_list.h"
+#include "kinetri/impl/simulation/contact_outcomes.h"
+#include "kinetri/impl/simulation/overlap_tracker.h"
+#include "kinetri/simulation/overlap_observer.h"
+
+namespace kinetri::detail {
+
+/// Executes events.
+///
+/// One contact's way: `step` has the schedule settled and lets the triangulation go to the time of
+/// the first entry; `execute_due_entries` takes the contact out of the queue; `Contact_outcomes`
+/// says what it does to its points; `change` takes their entries out, has the triangulation change
+/// the points, follows the edges that have changed (Event_reporter::take_trail), and schedules the
+/// points anew.
+template <class Traits>
+class Contact_loop {
+ public:
+  using Motion = typename Traits::Motion;
+  using Point_2 = typename Traits::Point_2;
+  using Time = Algebraic_number;
+  using Entry = Contact_entry;
+  using Change = Point_change<Motion>;
+  using Core = Kinetic_core<Traits>;
+
+  /// The others must outlive this object.
+  Contact_loop(Core& core, Simulation_setup<Traits>& setup, const Disc_geometry<Traits>& geometry,
+               Contact_records& records, Contact_schedule<Traits>& schedule,
+               Overlap_tracker<Traits>& tracker, const Contact_outcomes<Traits>& outcomes,
+               Contact_counters& counters)
+      : core_(core),
+        setup_(setup),
+        geometry_(geometry),
+        records_(records),
+        schedule_(schedule),
+        tracker_(tracker),
+        outcomes_(outcomes),
+        counters_(counters) {}
+
+  /// Executes all events of the next time, if it is at or before `until` or that is null. Returns
+  /// their number. Throws Negative_radius_error instead of passing the end of a radius.
+  std::size_t step(const Time* until);
+  /// Executes all events up to a time, as long as may_go_on() is true, if it is given.
+  void run_to(const Time& until, const std::function<bool()>& may_go_on);
+  /// Whether an entry of the queue may be at or before a time. The end of a radius is one that step
+  /// looks at.
+  bool may_be_due(const Time& time);
+  /// Lets the triangulation run to a time before the first entry of the queue, or to `until`, and
+  /// adds its events. Returns whether it may go on. Precondition: there is no response.
+  bool run_triangulation(const Time& until, const std::function<bool()>& may_go_on,
+                         std::size_t& events);
+
+  // ---- changes of points, now ----
+
+  void insert(const Motion& motion, std::optional<Point_id> id);
+  void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
+  void erase(Point_id id);
+
+  /// Throws if a change was left within a contact by an error.
+  bool is_within_contact() const { return is_within_contact_; }
+  bool is_within_instant() const { return is_within_instant_; }
+
+  Observer_list<Overlap_observer>& overlap_observers() { return overlap_observers_; }
+  const Observer_list<Overlap_observer>& overlap_observers() const { return overlap_observers_; }
+  /// Contacts at which both discs have kept their motions.
+  std::uint64_t number_of_passes() const { return passes_; }
+
+  /// Throws if discs overlap that are there, all overlaps being known.
+  void refuse_overlaps() const;
+
+ private:
+  static constexpr bool has_radii = HasWeight<Motion>;
+  using Due_change = typename Contact_schedule<Traits>::Due_change;
+
+  const Time& current_time() const { return geometry_.current_time(); }
+  std::size_t execute_due_entries();
+  void execute_due_entries(std::vector<Due_change>& postponed);
+  void execute_contact(const Entry& contact, std::uint64_t& turning);
+  std::vector<Change> changes_of(const Entry& contact, std::uint64_t& turning);
+  void check_limit(const Entry& entry, std::uint64_t turning) const;
+  void apply(const Entry& contact, std::span<const Change> changes);
+  template <class Make_changes>
+  void change(std::span<const Point_id> points, const Make_changes& make_changes);
+  void execute_change(const Due_change& change);
+  bool try_change(const Due_change& change);
+  std::vector<Due_change> pop_turns(const Entry& first);
+  bool try_turns(std::span<const Due_change> turns);
+  [[noreturn]] static void refuse_vanishing(Point_id id, const Time& time);
+  void refuse_overlaps_of(const Point_2& p) const;
+  void refuse(std::vector<Edge_ids> pairs) const;
+
+  Core& core_;
+  Simulation_setup<Traits>& setup_;
+  const Disc_geometry<Traits>& geometry_;
+  Contact_records& records_;
+  Contact_schedule<Traits>& schedule_;
+  Overlap_tracker<Traits>& tracker_;
+  const Contact_outcomes<Traits>& outcomes_;
+  Contact_counters& counters_;
+  Observer_list<Overlap_observer> overlap_observers_;
+  std::uint64_t passes_ = 0;
+  bool is_within_instant_ = false;  // and stays so if something throws
+  bool is_within_contact_ = false;  // the same
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_CONTACT_LOOP_H

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a contact does to its points. Nothing here changes anything.
+#ifndef KINETRI_IMPL_SIMULATION_CONTACT_OUTCOMES_H
+#define KINETRI_IMPL_SIMULATION_CONTACT_OUTCOMES_H
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/simulation/disc_geometry.h"
+#include "kinetri/impl/simulation/simulation_entry.h"
+
+namespace kinetri::detail {
+
+/// Motions after contacts. Several threads may ask at once if the response allows it.
+template <class Traits>
+class Contact_outcomes {
+ public:
+  using Motion = typename Traits::Motion;
+  using Point_2 = typename Traits::Point_2;
+  using Time = Algebraic_number;
+  using Change = Point_change<Motion>;
+
+  /// The geometry must outlive this object.
+  explicit Contact_outcomes(const Disc_geometry<Traits>& geometry)
+      : geometry_(geometry), setup_(geometry.setup()) {}
+
+  /// What a contact at the time `now` does to its points; nothing if discs pass through each other.
+  /// Throws Contact_error, and what the response throws.
+  std::vector<Change> changes(const Contact_entry& contact, const Time& now) const {
+    if (contact.kind == Contact_kind::wall) {
+      return {reflection(contact.point_a, contact.point_b, now)};
+    }
+    return collision(contact.point_a, contact.point_b, now);
+  }
+
+  /// The motion of a point with another velocity from the time `now` on, moved so that it is not
+  /// outside of the box then. Throws Contact_overflow_error if its numbers are too large.
+  Motion with_velocity(Point_id id, const Vector_2& velocity, const Time& now) const {
+    return usable(id, with_velocity_at(geometry_.motion(id), velocity, now.to_double()), now);
+  }
+
+ private:
+  Change reflection(Point_id id, std::size_t wall, const Time& now) const;
+  std::vector<Change> collision(Point_id a, Point_id b, const Time& now) const;
+  Motion usable(Point_id id, Motion motion, const Time& now) const;
+  [[noreturn]] static void refuse_press(Point_id id, const std::string& who,
+                                        const std::string& remedy, const Time& now);
+
+  const Disc_geometry<Traits>& geometry_;
+  const Simulation_setup<Traits>& setup_;
+};
+
+template <class Traits>
+auto Contact_outcomes<Traits>::reflection(Point_id id, std::size_t wall, const Time& now) const
+    -> Change {
+  const Wall_2& side = setup_.walls()[wall];
+  if (!setup_.traits().has_approach_speed(geometry_.point(id), side, now)) {
+    refuse_press(id,
+                 "point " + std::to_string(id) + " accelerates toward the " +
+                     std::string(name(side.side)) + " wall",
+                 "change the acceleration or the box, or end before that time", now);
+  }
+  const double time = now.to_double();
+  const Motion& motion = geometry_.motion(id);
+  Vector_2 velocity = rounded_velocity(motion, time);
+  double& component = side.is_vertical() ? velocity.x : velocity.y;
+  component = -component;
+  if (side.rim) {  // the rim parts from the wall as fast as it came
+    component += (side.is_upper() ? -2 : 2) * growth_of(motion);
+  }
+  return {id, with_velocity(id, velocity, now)};
+}
+
+// What the response does to two discs.
+template <class Traits>
+auto Contact_outcomes<Traits>::collision(Point_id a, Point_id b, const Time& now) const
+    -> std::vector<Change> {
+  const Traits& traits = setup_.traits();
+  const double time = now.to_double();
+  const Motion& motion_a = geometry_.motion(a);
+  const Motion& motion_b = geometry_.motion(b);
+  const Vector_2 place_a = rounded_place(motion_a, time);
+  const Vector_2 place_b = rounded_place(motion_b, time);
+  // The motion with a velocity that is asked for mostly twice: by the response, and as its result.
+  std::array<std::pair<Vector_2, std::optional<Motion>>, 2> known;
+  const auto motion_with = [&](Point_id id, const Vector_2& velocity) -> const Motion& {
+    auto& [known_velocity, motion] = known[id == a ? 0 : 1];
+    if (!motion || known_velocity != velocity) {
+      known_velocity = velocity;
+      motion = with_velocity(id, velocity, now);
+    }
+    return *motion;
+  };
+  const auto would_approach = [&](const Vector_2& velocity_a, const Vector_2& velocity_b) {
+    return traits.do_approach(Point_2(motion_with(a, velocity_a), a),
+                              Point_2(motion_with(b, velocity_b), b), now);
+  };
+  const bool is_pressed = !traits.has_approach_speed(geometry_.point(a), geometry_.point(b), now);
+  const Contact_response_2 response =
+      setup_.options().response({time,
+                                 a,
+                                 b,
+                                 {place_b.x - place_a.x, place_b.y - place_a.y},
+                                 rounded_velocity(motion_a, time),
+                                 rounded_velocity(motion_b, time),
+                                 setup_.mass(a),
+                                 setup_.mass(b),
+                                 growth_of(motion_a),
+                                 growth_of(motion_b),
+                                 is_pressed,
+                                 std::cref(would_approach)});
+
+  // The motion that a point gets; none if it keeps its own.
+  const auto new_motion = [&](Point_id id, bool stops,
+                              const std::optional<Vector_2>& velocity) -> std::optional<Motion> {
+    const Motion& motion = geometry_.motion(id);
+    if (stops) {
+      if (is_at_rest(motion)) return std::nullopt;
+      return usable(id, at_rest_at(motion, time), now);
+    }
+    if (!velocity || *velocity == rounded_velocity(motion, time)) return std::nullopt;
+    return motion_with(id, *velocity);
+  };
+  const auto new_a = new_motion(a, response.stops_a, response.velocity_a);
+  const auto new_b = new_motion(b, response.stops_b, response.velocity_b);
+  if (is_pressed && response.is_motion_given() &&
+      traits.do_approach(Point_2(new_a.value_or(motion_a), a), Point_2(new_b.value_or(motion_b), b),
+                         now)) {
+    refuse_press(a,
+                 "points " + std::to_string(a) + " and " + std::to_string(b) +
+                     " accelerate toward each other",
+                 "change the accelerations, end before that time, or take a response that stops or "
+                 "removes points or lets them pass",
+                 now);
+  }
+  std::vector<Change> changes;
+  if (response.erases_a || new_a) {
+    changes.push_back({a, response.erases_a ? std::nullopt : new_a});
+  }
+  if (response.erases_b || new_b) {
+    changes.push_back({b, response.erases_b ? std::nullopt : new_b});
+  }
+  return changes;
+}
+
+// The motion of a point after a contact, moved so that it is not outside of the box.
+template <class Traits>
+auto Contact_outcomes<Traits>::usable(Point_id id, Motion motion, const Time& now) const -> Motion {
+  if (!is_finite(motion)) {
+    throw Contact_overflow_error(
+        id, "after its contact at t = " + text(now) + " point " + std::to_string(id) +
+                " has a place, velocity or acceleration beyond the range of binary64; expected "
+                "smaller numbers, in other units perhaps");
+  }
+  if (!setup_.has_box()) return motion;
+  for (const Wall_2& wall : setup_.walls()) {
+    // Mostly it is far inside. If it has to be moved, how far depends on the interval.
+    if (clamped_inside(motion, wall, now.interval()) == motion) continue;
+    motion = clamped_inside(motion, wall, now.tight_interval());
+  }
+  return motion;
+}
+
+// `who` touches something, without a speed toward it, but with an acceleration toward it; `remedy`
+// says what helps.
+template <class Traits>
+void Contact_outcomes<Traits>::refuse_press(Point_id id, const std::string& who,
+                                            const std::string& remedy, const Time& now) {
+  throw Endless_contacts_error(
+      id, who + " at t = " + text(now) +
+              ", in contact without any speed, so that no change of velocities separates them; "
+              "expected contacts with a speed: " +
+              remedy);
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_CONTACT_OUTCOMES_H

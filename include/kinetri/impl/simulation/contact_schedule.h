@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The schedule of a simulation: the queue of contacts and of changes to come.
+#ifndef KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_H
+#define KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/events/divided_scheduler.h"
+#include "kinetri/impl/simulation/contact_records.h"
+#include "kinetri/impl/simulation/disc_geometry.h"
+#include "kinetri/impl/simulation/simulation_entry.h"
+#include "kinetri/impl/triangulation/region_division.h"
+
+namespace kinetri::detail {
+
+/// The entries of contacts, ends of radii and scheduled changes.
+///
+/// Invariant: the record of a point has the handle of each entry of a contact, or of the end of a
+/// radius, that is about the point. A wall has one entry for a point, of the first wall that it
+/// reaches.
+template <class Traits>
+class Contact_schedule {
+ public:
+  using Motion = typename Traits::Motion;
+  using Point_2 = typename Traits::Point_2;
+  using Time = Algebraic_number;
+  using Entry = Contact_entry;
+  using Subject = Contact_subject;
+
+  /// What the scheduler asks; see Event_scheduler and Divided_scheduler.
+  class Policy {
+   public:
+    explicit Policy(Contact_schedule& schedule) : schedule_(schedule) {}
+
+    Time entry_time(const Entry& entry) const;
+    bool precedes(const Entry& a, const Entry& b) const;
+    bool is_recheck(const Entry& entry) const;
+    static void prefetch(const Entry&) {}
+    static void prefetch_more(const Entry&) {}
+    static void prefetch_first(const Entry&) {}
+    std::size_t part_of(const Subject& subject) const;
+    Queue_handle handle(const Subject& subject) const;
+    void set_handle(const Subject& subject, Queue_handle handle) const;
+
+   private:
+    Contact_schedule& schedule_;
+  };
+  using Queue = Divided_scheduler<Entry, Policy>;
+
+  /// A scheduled change that is not in the queue any more; the motion is the one that it gives.
+  struct Due_change {
+    Entry entry;
+    std::optional<Motion> motion;
+  };
+
+  /// The others must outlive this object; `division` is that of the triangulation's queue.
+  Contact_schedule(const Disc_geometry<Traits>& geometry, Contact_records& records,
+                   const Region_division& division, Contact_counters& counters)
+      : geometry_(geometry),
+        setup_(geometry.setup()),
+        records_(records),
+        division_(division),
+        counters_(counters) {}
+  Contact_schedule(const Contact_schedule&) = delete;
+  Contact_schedule& operator=(const Contact_schedule&) = delete;
+
+  // ---- the queue ----
+
+  Queue& queue() { return queue_; }
+  const Queue& queue() const { return queue_; }
+  const Policy& policy() const { return policy_; }
+  Certificate_counters& certificate_counters() { return certificate_counters_; }
+  const Certificate_counters& certificate_counters() const { return certificate_counters_; }
+
+  /// Takes what is no event from the front of the queue.
+  void settle();
+  /// Takes the first entry from the queue.
+  Entry pop();
+  /// Whether the first entry is a contact, and is now.
+  bool is_contact_due();
+  /// Puts a contact of the present time into the queue, or back.
+  void put_contact(const Entry& contact) {
+    records_.add_event(contact.subject(), queue_.push(contact, geometry_.current_time()));
+  }
+
+  // ---- what a point does by itself ----
+
+  /// Schedules the first wall that a point reaches, and the end of its radius: it has come or got
+  /// another motion.
+  void schedule_single(Point_id id, const Time& after);
+  void unschedule_single(Point_id id);
+  /// The same for all points, by several threads. Precondition: they have no such entries.
+  void schedule_all_singles();
+  /// The entry of the first wall that a point reaches, and the certificate that tells its time.
+  std::pair<Entry, Certificate> first_wall(Point_id id, const Time& after,
+                                           Certificate_counters& counters) const;
+
+  // ---- pairs ----
+
+  /// The certificate of the next contact of a pair.
+  Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
+  /// Schedules the next contact of a pair anew. Does nothing without a response.
+  void schedule_pair(const Edge_ids& pair, bool is_edge, const Time& after);
+  /// The same for a pair that has no entry. Returns whether the discs may overlap just after
+  /// `after`. Precondition: there is a response.
+  bool schedule_new_pair(const Edge_ids& pair, bool is_edge, const Time& after);
+  /// The same with a certificate that is known.
+  void push_pair(const Edge_ids& pair, bool is_edge, Certificate certificate);
+  void unschedule_pair(const Edge_ids& pair);
+  /// Takes the entries of all pairs of a point out of the queue.
+  void unschedule_pairs(Point_id id);
+
+  // ---- changes ----
+
+  /// Schedules a change of a point. Precondition: the time is not in the past.
+  void schedule_change(const Time& time, Contact_kind kind, Point_id id,
+                       const std::optional<Motion>& motion);
+  /// Puts a change of the present time back that has been taken from the queue.
+  void put_back(const Due_change& change) {
+    push_change(geometry_.current_time(), change.entry, change.motion);
+  }
+  /// The change of an entry that has left the queue.
+  Due_change take_change(const Entry& entry) { return {entry, take_motion(entry)}; }
+  /// The motion that a change in the queue gives.
+  const std::optional<Motion>& motion_of(const Entry& change) const {
+    return changes_.at(change.point_b).motion;
+  }
+  /// How many changes have been scheduled so far.
+  std::uint32_t number_of_changes() const { return scheduled_; }
+  /// How many of them are in the queue.
+  std::size_t changes_in_queue() const { return changes_in_queue_; }
+
+ private:
+  static constexpr bool has_radii = HasWeight<Motion>;
+
+  /// A change that was scheduled; the motion is the one that it gives.
+  struct Scheduled_change {
+    std::optional<Motion> motion;
+    Queue_handle event = no_event;
+  };
+
+  Queue_handle push(Entry entry, Certificate certificate);
+  void schedule_wall(Point_id id, const Time& after);
+  void schedule_vanishing(Point_id id);
+  void recheck(const Entry& entry);
+  void forget(const Entry& entry);
+  void discard(Queue_handle handle);
+  void push_change(const Time& time, Entry entry, const std::optional<Motion>& motion);
+  std::optional<Motion> take_motion(const Entry& change);
+
+  const Disc_geometry<Traits>& geometry_;
+  const Simulation_setup<Traits>& setup_;
+  Contact_records& records_;
+  const Region_division& division_;
+  Contact_counters& counters_;
+  Policy policy_{*this};
+  Queue queue_{policy_};
+  Certificate_counters certificate_counters_;
+  std::unordered_map<std::uint32_t, Scheduled_change> changes_;  // by their numbers
+  std::uint32_t scheduled_ = 0;                                  // changes so far
+  std::size_t changes_in_queue_ = 0;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_H

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Contact_schedule.
+#ifndef KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_IMPL_H
+#define KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_IMPL_H
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/simulation/contact_schedule.h"
+#include "kinetri/impl/simulation/disc_geometry_impl.h"
+#include "kinetri/impl/triangulation/parallel.h"
+
+namespace kinetri::detail {
+
+// ---- what the queue asks ----
+
+template <class Traits>
+auto Contact_schedule<Traits>::Policy::entry_time(const Entry& entry) const -> Time {
+  KINETRI_ASSERT(is_contact(entry.kind), "a scheduled change has its time");
+  if (!entry.is_event) return Time(entry.bounds.lower);
+  const Simulation_setup<Traits>& setup = schedule_.setup_;
+  const Point_2& p = schedule_.geometry_.point(entry.point_a);
+  if (entry.kind == Contact_kind::wall) {
+    return setup.traits().wall_failure(p, setup.walls()[entry.point_b], entry.bounds);
+  }
+  return setup.traits().contact_failure(p, schedule_.geometry_.point(entry.point_b),
+                                        setup.diameter(), entry.bounds);
+}
+
+template <class Traits>
+bool Contact_schedule<Traits>::Policy::precedes(const Entry& a, const Entry& b) const {
+  if (a.kind != b.kind) return a.kind < b.kind;
+  if (a.is_noted != b.is_noted) return !a.is_noted;
+  return std::pair(a.point_a, a.point_b) < std::pair(b.point_a, b.point_b);
+}
+
+// A change of a point that is not there is no event either: the point will not be there at the time
+// of the change, since an insertion before that would be before it in the queue.
+template <class Traits>
+bool Contact_schedule<Traits>::Policy::is_recheck(const Entry& entry) const {
+  if (!entry.is_event) return true;
+  return (entry.kind == Contact_kind::erase || entry.kind == Contact_kind::trajectory) &&
+         !schedule_.geometry_.contains(entry.point_a);
+}
+
+// The same node of the regions that the triangulation's queue has for an edge of the two points.
+template <class Traits>
+std::size_t Contact_schedule<Traits>::Policy::part_of(const Subject& subject) const {
+  const Region_division& division = schedule_.division_;
+  if (subject.kind == Contact_kind::wall) return division.node_of(subject.point_a, subject.point_a);
+  if (subject.kind == Contact_kind::collision) {
+    return division.node_of(subject.point_a, subject.point_b);
+  }
+  return division.nodes() - 1;
+}
+
+template <class Traits>
+Queue_handle Contact_schedule<Traits>::Policy::handle(const Subject& subject) const {
+  if (!is_change(subject.kind)) return schedule_.records_.event(subject);
+  const auto change = schedule_.changes_.find(subject.point_b);
+  return change == schedule_.changes_.end() ? no_event : change->second.event;
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::Policy::set_handle(const Subject& subject,
+                                                  Queue_handle handle) const {
+  if (!is_change(subject.kind)) return schedule_.records_.set_event(subject, handle);
+  schedule_.changes_.at(subject.point_b).event = handle;
+}
+
+// ---- the queue ----
+
+// Puts the entry into the queue with the contact of the certificate, or the time to check it again.
+// Returns no_event if there never is a contact.
+template <class Traits>
+Queue_handle Contact_schedule<Traits>::push(Entry entry, Certificate certificate) {
+  if (certificate.kind == Certificate::Kind::never_fails) return no_event;
+  entry.bounds = certificate.bounds;
+  entry.is_event = certificate.kind == Certificate::Kind::fails;
+  if (!certificate.failure) return queue_.emplace(entry);
+  return queue_.push(entry, std::move(*certificate.failure));
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::discard(Queue_handle handle) {
+  const Entry entry = queue_.erase(handle);
+  if (entry.is_event && is_contact(entry.kind)) {
+    ++(entry.kind == Contact_kind::wall ? counters_.discarded_walls
+                                        : counters_.discarded_collisions);
+  }
+}
+
+template <class Traits>
+auto Contact_schedule<Traits>::pop() -> Entry {
+  const Entry entry = queue_.pop();
+  forget(entry);
+  return entry;
+}
+
+// Forgets the handle of an entry that has left the queue.
+template <class Traits>
+void Contact_schedule<Traits>::forget(const Entry& entry) {
+  if (is_change(entry.kind)) {
+    --changes_in_queue_;
+  } else {
+    records_.forget_event(entry.subject());
+  }
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::settle() {
+  queue_.settle([](const Entry& /*entry*/) { return true; },
+                [this](std::span<const Entry> entries) {
+                  for (const Entry& entry : entries) recheck(entry);
+                });
+}
+
+// Checks a certificate again, or drops a change of a point that is not there. The entry has left
+// the queue.
+template <class Traits>
+void Contact_schedule<Traits>::recheck(const Entry& entry) {
+  forget(entry);
+  if (entry.kind == Contact_kind::wall) {
+    schedule_wall(entry.point_a, Time(entry.bounds.lower));
+  } else if (entry.kind == Contact_kind::collision) {
+    schedule_pair({entry.point_a, entry.point_b}, entry.is_edge, Time(entry.bounds.lower));
+  } else {
+    take_motion(entry);
+  }
+}
+
+template <class Traits>
+bool Contact_schedule<Traits>::is_contact_due() {
+  const Time& now = geometry_.current_time();
+  const auto may_be_due = [&] {
+    return !queue_.empty() && queue_.top().bounds.lower <= now.interval().upper;
+  };
+  if (!may_be_due()) return false;
+  settle();
+  return may_be_due() && is_contact(queue_.top().kind) && queue_.time(queue_.top()) <= now;
+}
+
+// ---- what a point does by itself ----
+
+template <class Traits>
+void Contact_schedule<Traits>::schedule_single(Point_id id, const Time& after) {
+  schedule_wall(id, after);
+  schedule_vanishing(id);
+}
+
+// Schedules when the radius of a disc is 0, if it shrinks. Precondition: nothing is scheduled yet.
+template <class Traits>
+void Contact_schedule<Traits>::schedule_vanishing(Point_id id) {
+  if constexpr (has_radii) {
+    if (geometry_.motion(id).growth >= 0) return;
+    const Time time = zero_of_radius(geometry_.motion(id));
+    Entry entry;
+    entry.kind = Contact_kind::vanish;
+    entry.is_event = true;
+    entry.point_a = id;
+    entry.bounds = time.interval();
+    records_.add_event(entry.subject(), queue_.push(entry, time));
+  }
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::schedule_wall(Point_id id, const Time& after) {
+  if (!setup_.has_box()) return;
+  auto [first, certificate] = first_wall(id, after, certificate_counters_);
+  records_.add_event(first.subject(), push(first, std::move(certificate)));
+}
+
+template <class Traits>
+auto Contact_schedule<Traits>::first_wall(Point_id id, const Time& after,
+                                          Certificate_counters& counters) const
+    -> std::pair<Entry, Certificate> {
+  const Traits& traits = setup_.traits();
+  const Point_2& point = geometry_.point(id);
+  Entry first;
+  first.point_a = id;
+  Certificate first_certificate;
+  // The exact time of a certificate that does not hold for all time.
+  const auto time = [&](const Certificate& certificate, Point_id wall) {
+    if (certificate.kind == Certificate::Kind::holds) return Time(certificate.bounds.lower);
+    return certificate.failure
+               ? *certificate.failure
+               : traits.wall_failure(point, setup_.walls()[wall], certificate.bounds);
+  };
+  for (Point_id wall = 0; wall < setup_.walls().size(); ++wall) {
+    Certificate certificate = traits.wall_certificate(point, setup_.walls()[wall], after);
+    counters.count(certificate);
+    if (certificate.kind == Certificate::Kind::never_fails) continue;
+    const auto is_earlier = [&] {
+      if (first_certificate.kind == Certificate::Kind::never_fails) return true;
+      if (certificate.bounds.upper < first_certificate.bounds.lower) return true;
+      if (certificate.bounds.lower > first_certificate.bounds.upper) return false;
+      return time(certificate, wall) < time(first_certificate, first.point_b);
+    };
+    if (!is_earlier()) continue;
+    first.point_b = wall;
+    first_certificate = std::move(certificate);
+  }
+  return {first, std::move(first_certificate)};
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::unschedule_single(Point_id id) {
+  Contact_record* const record = records_.find(id);
+  if (record == nullptr) return;
+  for (Queue_handle* const handle : {&record->wall_event, &record->vanish_event}) {
+    const Queue_handle event = std::exchange(*handle, no_event);
+    if (event != no_event) discard(event);
+  }
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::schedule_all_singles() {
+  const std::vector<Point_id> ids = geometry_.present_points();
+  if (setup_.has_box()) {
+    struct Block {
+      std::span<const Point_id> ids;
+      Time after;
+      std::vector<std::pair<Entry, Certificate>> first = {};
+      Certificate_counters counters = {};
+    };
+    std::vector<Block> blocks;
+    for (const auto block : blocks_of(std::span(ids))) {
+      blocks.push_back({block, geometry_.current_time().detached()});
+    }
+    for_each_in_parallel(blocks, [this](Block& block) {
+      for (const Point_id id : block.ids) {
+        block.first.push_back(first_wall(id, block.after, block.counters));
+      }
+    });
+    for (Block& block : blocks) {
+      certificate_counters_ += block.counters;
+      for (auto& [entry, certificate] : block.first) {
+        records_.add_event(entry.subject(), push(entry, std::move(certificate)));
+      }
+      block = {};
+    }
+  }
+  for (const Point_id id : ids) schedule_vanishing(id);
+}
+
+// ---- pairs ----
+
+template <class Traits>
+void Contact_schedule<Traits>::schedule_pair(const Edge_ids& pair, bool is_edge,
+                                             const Time& after) {
+  if (!setup_.has_response()) return;
+  unschedule_pair(pair);
+  schedule_new_pair(pair, is_edge, after);
+}
+
+template <class Traits>
+bool Contact_schedule<Traits>::schedule_new_pair(const Edge_ids& pair, bool is_edge,
+                                                 const Time& after) {
+  Certificate certificate = pair_certificate(pair, after, setup_.traits());
+  certificate_counters_.count(certificate);
+  const bool may_overlap = certificate.may_vanish;
+  push_pair(pair, is_edge, std::move(certificate));
+  return may_overlap;
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::push_pair(const Edge_ids& pair, bool is_edge,
+                                         Certificate certificate) {
+  Entry entry;
+  entry.kind = Contact_kind::collision;
+  entry.point_a = pair[0];
+  entry.point_b = pair[1];
+  entry.is_edge = is_edge;
+  const Queue_handle event = push(entry, std::move(certificate));
+  if (event != no_event) records_.add_event(entry.subject(), event);
+}
+
+template <class Traits>
+Certificate Contact_schedule<Traits>::pair_certificate(const Edge_ids& pair, const Time& after,
+                                                       const Traits& traits) const {
+  const Point_2& p = geometry_.point(pair[0]);
+  const Point_2& q = geometry_.point(pair[1]);
+  const Disc_overlap* const overlap = records_.find_overlap(pair);
+  if (overlap == nullptr || !overlap->passes) {
+    return traits.contact_certificate(p, q, setup_.diameter(), after);
+  }
+  Certificate result = traits.next_contact_certificate(p, q, setup_.diameter(), after);
+  result.may_vanish = true;
+  return result;
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::unschedule_pair(const Edge_ids& pair) {
+  if (const Queue_handle event = records_.forget_pair(pair); event != no_event) discard(event);
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::unschedule_pairs(Point_id id) {
+  Contact_record* const record = records_.find(id);
+  if (record == nullptr) return;
+  for (const auto& [other, event] : record->partners) {
+    records_.forget_partner(other, id);
+    discard(event);
+  }
+  record->partners.clear();
+}
+
+// ---- changes ----
+
+template <class Traits>
+void Contact_schedule<Traits>::schedule_change(const Time& time, Contact_kind kind, Point_id id,
+                                               const std::optional<Motion>& motion) {
+  Entry entry;
+  entry.point_a = id;
+  entry.point_b = scheduled_++;
+  entry.kind = kind;
+  entry.is_event = true;
+  push_change(time, entry, motion);
+}
+
+template <class Traits>
+void Contact_schedule<Traits>::push_change(const Time& time, Entry entry,
+                                           const std::optional<Motion>& motion) {
+  entry.bounds = time.interval();
+  changes_[entry.point_b] = {motion, queue_.push(entry, time)};
+  ++changes_in_queue_;
+}
+
+template <class Traits>
+auto Contact_schedule<Traits>::take_motion(const Entry& change) -> std::optional<Motion> {
+  const auto node = changes_.extract(change.point_b);
+  return node ? node.mapped().motion : std::nullopt;
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_IMPL_H

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Disc_geometry.
+#ifndef KINETRI_IMPL_SIMULATION_DISC_GEOMETRY_IMPL_H
+#define KINETRI_IMPL_SIMULATION_DISC_GEOMETRY_IMPL_H
+
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/impl/simulation/disc_boxes.h"
+#include "kinetri/impl/simulation/disc_geometry.h"
+#include "kinetri/impl/triangulation/incident.h"
+#include "kinetri/impl/triangulation/parallel.h"
+#include "kinetri/kinetic/certificate_polynomials.h"
+
+namespace kinetri::detail {
+
+// ---- points ----
+
+template <class Traits>
+std::vector<Point_id> Disc_geometry<Traits>::present_points() const {
+  std::vector<Point_id> result;
+  for (Point_id id = 0; id < number_of_ids(); ++id) {
+    if (contains(id)) result.push_back(id);
+  }
+  return result;
+}
+
+template <class Traits>
+bool Disc_geometry<Traits>::is_without_area(Point_id id) const {
+  if constexpr (has_radii) return motion(id).radius == 0 && motion(id).growth == 0;
+  return false;
+}
+
+template <class Traits>
+bool Disc_geometry<Traits>::is_seed(Point_id id) const {
+  if constexpr (has_radii) {
+    if (!contains(id)) return false;
+    const Motion& disc = motion(id);
+    if (disc.radius > 0 && disc.epoch <= current_time().interval().lower) return false;
+    return disc.growth > 0 && zero_of_radius(disc) == current_time();
+  }
+  return false;
+}
+
+template <class Traits>
+bool Disc_geometry<Traits>::do_overlap(const Point_2& p, const Point_2& q) const {
+  return traits().do_touch(p, q, setup_.diameter(), current_time()) &&
+         sign_at(contact_polynomial(p, q, setup_.diameter()), current_time()) == CGAL::NEGATIVE;
+}
+
+// ---- neighbors ----
+
+template <class Traits>
+template <class Function>
+void Disc_geometry<Traits>::for_each_neighbor(Point_id id, Function function) const {
+  if (is_hidden(id)) return for_each_corner(id, function);
+  detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
+                            [&](auto neighbor) { function(neighbor->point().id()); });
+  for_each_hidden_link(id, function);
+}
+
+// Entries and overlaps know that too, if it matters: they need no triangulation, and tell it
+// faster. An edge of which nothing is known has no entry because its discs never touch.
+template <class Traits>
+bool Disc_geometry<Traits>::is_edge(const Edge_ids& pair) const {
+  if (!contains(pair[0]) || !contains(pair[1])) return false;
+  bool result = false;
+  for_each_neighbor(pair[0], [&](Point_id other) { result = result || other == pair[1]; });
+  return result;
+}
+
+template <class Traits>
+template <class Function>
+void Disc_geometry<Traits>::for_each_corner(Point_id id, Function function) const {
+  if (!is_hidden(id) || !is_without_area(id)) return;
+  const auto& triangulation = triangulation_.triangulation();
+  const int dimension = triangulation.dimension();
+  if (dimension == 0) return function(triangulation.finite_vertex()->point().id());
+  const auto face = triangulation_.vertex(id)->face();
+  for (int i = 0; i <= dimension; ++i) {
+    if (!triangulation.is_infinite(face->vertex(i))) function(face->vertex(i)->point().id());
+  }
+}
+
+template <class Traits>
+std::vector<Point_id> Disc_geometry<Traits>::corners_of(Point_id id) const {
+  std::vector<Point_id> result;
+  for_each_corner(id, [&](Point_id corner) { result.push_back(corner); });
+  return result;
+}
+
+// Calls `function` with the hidden points that a vertex is linked with.
+template <class Traits>
+template <class Function>
+void Disc_geometry<Traits>::for_each_hidden_link(Point_id id, Function function) const {
+  if constexpr (has_radii) {
+    if (triangulation_.number_of_hidden_points() == 0) return;
+    const auto& triangulation = triangulation_.triangulation();
+    if (triangulation.dimension() < 2) {
+      for (const Point_id hidden : present_points()) {
+        for_each_corner(hidden, [&](Point_id corner) {
+          if (corner == id) function(hidden);
+        });
+      }
+      return;
+    }
+    for_each_face_at(triangulation, triangulation_.vertex(id), [&](auto face) {
+      for (const auto& hidden : face->vertex_list()) {
+        const Point_id other = hidden->point().id();
+        if (is_without_area(other)) function(other);
+      }
+    });
+  }
+}
+
+template <class Traits>
+template <class Made, class Make>
+std::vector<Made> Disc_geometry<Traits>::make_for_edges(const Make& make) const {
+  const auto& triangulation = triangulation_.triangulation();
+  std::vector<Made> result;
+  if (triangulation.dimension() < 2) {
+    result.emplace_back();
+    for (const Edge_ids& edge : triangulation_.finite_edge_ids()) {
+      make(edge, current_time(), result.back());
+    }
+    for (const Point_id id : present_points()) {
+      for_each_corner(
+          id, [&](Point_id corner) { make(edge_ids(id, corner), current_time(), result.back()); });
+    }
+    return result;
+  }
+  using Face_handle = typename Triangulation::Triangulation::Face_handle;
+  struct Block {
+    std::span<const Face_handle> faces;
+    Time now;
+    Made made = {};
+  };
+  std::vector<Face_handle> faces;
+  faces.reserve(triangulation.tds().faces().size());
+  for (const Face_handle face : triangulation.all_face_handles()) faces.push_back(face);
+  std::vector<Block> blocks;
+  for (const auto block : blocks_of(std::span(std::as_const(faces)))) {
+    blocks.push_back({block, current_time().detached()});
+  }
+  for_each_in_parallel(blocks, [&](Block& block) {
+    for (const Face_handle face : block.faces) {
+      for (int i = 0; i < 3; ++i) {
+        const auto a = face->vertex(triangulation.ccw(i));
+        const auto b = face->vertex(triangulation.cw(i));
+        // An edge has two faces, which see its ends in opposite order.
+        if (triangulation.is_infinite(a) || triangulation.is_infinite(b)) continue;
+        const Edge_ids edge = {a->point().id(), b->point().id()};
+        if (edge[0] < edge[1]) make(edge, block.now, block.made);
+      }
+      if constexpr (has_radii) {
+        for (const auto& hidden : face->vertex_list()) {
+          const Point_id id = hidden->point().id();
+          for_each_corner(
+              id, [&](Point_id corner) { make(edge_ids(id, corner), block.now, block.made); });
+        }
+      }
+    }
+  });
+  for (Block& block : blocks) result.push_back(std::move(block.made));
+  return result;
+}
+
+// ---- discs nearby ----
+
+template <class Traits>
+std::vector<Point_id> Disc_geometry<Traits>::overlapping_points(Point_id id,
+                                                                const Traits& traits) const {
+  std::vector<Point_id> result;
+  const auto add_neighbors = [&](Point_id of) {
+    for_each_neighbor(of, [&](Point_id other) {
+      if (other != id && std::ranges::find(result, other) == result.end() &&
+          may_touch(id, other, traits, current_time())) {
+        result.push_back(other);
+      }
+    });
+  };
+  add_neighbors(id);
+  for (std::size_t i = 0; i < result.size(); ++i) add_neighbors(result[i]);
+  return result;
+}
+
+template <class Traits>
+std::vector<Point_id> Disc_geometry<Traits>::discs_about(std::span<const Point_id> points) const {
+  const auto& triangulation = triangulation_.triangulation();
+  if (triangulation.dimension() < 2) return present_points();
+  std::vector<Point_id> result;
+  for (const Point_id id : points) {
+    if (!contains(id)) continue;
+    const std::vector<Point_id> owners = owners_in(id);
+    result.insert(result.end(), owners.begin(), owners.end());
+    if (is_hidden(id)) continue;
+    for_each_neighbor(id, [&](Point_id other) { result.push_back(other); });
+    for_each_face_at(triangulation, triangulation_.vertex(id), [&](auto face) {
+      for (const auto& hidden : face->vertex_list()) result.push_back(hidden->point().id());
+    });
+  }
+  return result;
+}
+
+// The discs that have a place in the disc of the point in their power cells, and perhaps others
+// that touch it. Those cells are connected, since the disc is; and all of them touch it, since the
+// power of such a place is not positive. Precondition: the dimension is 2.
+template <class Traits>
+std::vector<Point_id> Disc_geometry<Traits>::owners_in(Point_id id) const {
+  std::vector<Point_id> result = {owner_of_centre(id)};
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for_each_neighbor(result[i], [&](Point_id other) {
+      if (std::ranges::find(result, other) == result.end() && may_touch(id, other)) {
+        result.push_back(other);
+      }
+    });
+  }
+  return result;
+}
+
+// The disc in whose power cell the centre of a disc is just after the present time: mostly the disc
+// itself. From a disc that has not the least power there an edge leads to one that has less.
+template <class Traits>
+Point_id Disc_geometry<Traits>::owner_of_centre(Point_id id) const {
+  const auto& triangulation = triangulation_.triangulation();
+  if (!is_hidden(id)) {
+    Motion centre = motion(id);
+    centre.radius = centre.growth = 0;
+    bool is_in_none = true;
+    for_each_neighbor(id, [&](Point_id other) {
+      is_in_none = is_in_none && !traits().do_touch(Point_2(centre, id), point(other),
+                                                    setup_.diameter(), current_time());
+    });
+    if (is_in_none) return id;
+  }
+  const auto compare_powers = triangulation.geom_traits().compare_power_distance_2_object();
+  const Point_2& p = point(id);
+  auto owner = triangulation_.vertex(id);
+  if (is_hidden(id)) {
+    const auto face = owner->face();
+    owner = face->vertex(triangulation.is_infinite(face->vertex(0)) ? 1 : 0);
+  }
+  for (bool has_moved = true; has_moved;) {
+    has_moved = false;
+    auto best = owner;
+    detail::for_each_neighbor(triangulation, owner, [&](auto other) {
+      if (compare_powers(p, other->point(), best->point()) == CGAL::SMALLER) {
+        best = other;
+        has_moved = true;
+      }
+    });
+    owner = best;
+  }
+  return owner->point().id();
+}
+
+template <class Traits>
+template <class Function>
+void Disc_geometry<Traits>::for_each_close_pair(std::span<const Point_id> ids,
+                                                Function function) const {
+  const Double_interval times = current_time().tight_interval();
+  std::vector<Disc_box> boxes;
+  for (const Point_id id : ids) boxes.push_back(box_around(motion(id), id, times.lower, times));
+  for_each_pair_of_boxes(boxes,
+                         [&](Point_id a, Point_id b) { function(std::min(a, b), std::max(a, b)); });
+}
+
+template <class Traits>
+template <class Function>
+void Disc_geometry<Traits>::for_each_exact_overlap(const Traits& exact, Function function) const {
+  if constexpr (has_radii) {
+    for_each_close_pair(present_points(), [&](Point_id a, Point_id b) {
+      if (exact.may_overlap(point(a), point(b), setup_.diameter(), current_time())) function(a, b);
+    });
+  } else {
+    for (const Point_id a : present_points()) {
+      for (const Point_id b : overlapping_points(a, exact)) {
+        if (a < b) function(a, b);
+      }
+    }
+  }
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_DISC_GEOMETRY_IMPL_H

@@ -1,0 +1,494 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Overlap_tracker.
+#ifndef KINETRI_IMPL_SIMULATION_OVERLAP_TRACKER_IMPL_H
+#define KINETRI_IMPL_SIMULATION_OVERLAP_TRACKER_IMPL_H
+
+#include <algorithm>
+#include <utility>
+
+#include "kinetri/impl/simulation/contact_schedule_impl.h"
+#include "kinetri/impl/simulation/overlap_tracker.h"
+
+namespace kinetri::detail {
+
+// ---- all points ----
+
+template <class Traits>
+void Overlap_tracker<Traits>::find_all() {
+  if (!setup_.has_response() && !setup_.options().refuses_overlaps) return;
+  if constexpr (has_radii) {
+    seeds_.clear();
+    const std::vector<Point_id> points = geometry_.present_points();
+    std::ranges::copy_if(points, std::back_inserter(seeds_),
+                         [this](Point_id id) { return geometry_.is_seed(id); });
+    geometry_.for_each_close_pair(points, [&](Point_id a, Point_id b) {
+      if (geometry_.may_touch(a, b)) records_.start_overlap(a, b, geometry_.is_edge({a, b}));
+    });
+  } else {
+    // A point that overlaps others overlaps a neighbor.
+    std::vector<bool> has_overlaps(geometry_.number_of_ids());
+    using Pairs = std::vector<Edge_ids>;
+    const auto blocks = geometry_.template make_for_edges<Pairs>(
+        [this](const Edge_ids& edge, const Time& now, Pairs& made) {
+          if (geometry_.may_touch(edge[0], edge[1], geometry_.traits(), now)) made.push_back(edge);
+        });
+    for (const Pairs& block : blocks) {
+      for (const auto& [a, b] : block) has_overlaps[a] = has_overlaps[b] = true;
+    }
+    for (const Point_id id : geometry_.present_points()) {
+      if (!has_overlaps[id]) continue;
+      for (const Point_id other : geometry_.overlapping_points(id, geometry_.traits())) {
+        records_.start_overlap(id, other, geometry_.is_edge({id, other}));
+      }
+    }
+  }
+}
+
+template <class Traits>
+void Overlap_tracker<Traits>::schedule_all_pairs() {
+  if (!setup_.has_response()) return;
+  struct Made {
+    std::vector<std::pair<Edge_ids, Certificate>> contacts;
+    Certificate_counters counters;
+  };
+  auto blocks = geometry_.template make_for_edges<Made>(
+      [this](const Edge_ids& edge, const Time& now, Made& made) {
+        Certificate certificate = schedule_.pair_certificate(edge, now, geometry_.traits());
+        made.counters.count(certificate);
+        if (certificate.kind == Certificate::Kind::never_fails) return;
+        made.contacts.emplace_back(edge, std::move(certificate));
+      });
+  for (Made& block : blocks) {
+    schedule_.certificate_counters() += block.counters;
+    for (auto& [edge, certificate] : block.contacts) {
+      schedule_.push_pair(edge, true, std::move(certificate));
+    }
+    block = {};
+  }
+  keep_links();
+  // Of each pair only once, however many discs overlap both.
+  const Point_id ids = geometry_.number_of_ids();
+  std::vector<Point_id> last_first(ids, no_point);
+  const auto count_all = [](Point_id /*a*/, Point_id /*b*/) { return true; };
+  for (Point_id id = 0; id < ids; ++id) {
+    for_each_pair_of(id, count_all, [&](Point_id other) {
+      if (std::exchange(last_first[other], id) != id) watch({id, other}, false);
+    });
+  }
+}
+
+// Keeps the links of all points.
+template <class Traits>
+void Overlap_tracker<Traits>::keep_links() {
+  if constexpr (has_radii) {
+    records_.for_each([](Contact_record& record) { record.corners.clear(); });
+    for (const Point_id id : geometry_.present_points()) {
+      std::vector<Point_id> corners = geometry_.corners_of(id);
+      if (!corners.empty()) records_.of(id).corners = std::move(corners);
+    }
+  }
+}
+
+// ---- pairs that are watched ----
+
+// Schedules the contact of a pair that has none, as an edge has come or as a disc overlaps both.
+template <class Traits>
+void Overlap_tracker<Traits>::watch(const Edge_ids& pair, bool is_edge) {
+  const Queue_handle event = records_.pair_event(pair);
+  if (event == no_event) {
+    schedule_.schedule_pair(pair, is_edge, geometry_.current_time());
+  } else if (is_edge) {
+    schedule_.queue().amend(event, [](Contact_entry& entry) { entry.is_edge = true; });
+  }
+}
+
+// Watches the pairs that are to be watched because the discs of a and b overlap.
+template <class Traits>
+void Overlap_tracker<Traits>::watch_beside(Point_id a, Point_id b, bool is_edge, Points changing) {
+  for_each_pair_beside(a, b, is_edge, [&](const Edge_ids& pair) {
+    if (!is_changing(pair, changing)) watch(pair, false);
+  });
+}
+
+// To be called when a reason to watch the pair has gone.
+template <class Traits>
+void Overlap_tracker<Traits>::unwatch(const Edge_ids& pair) {
+  if (records_.pair_event(pair) != no_event && !is_watched(pair)) schedule_.unschedule_pair(pair);
+}
+
+template <class Traits>
+bool Overlap_tracker<Traits>::is_watched(const Edge_ids& pair) const {
+  return schedule_.queue()[records_.pair_event(pair)].is_edge || is_overlapped(pair);
+}
+
+// Whether the pair is watched because of a disc that overlaps both; or, of discs that have radii of
+// their own, because they overlap each other.
+template <class Traits>
+bool Overlap_tracker<Traits>::is_overlapped(const Edge_ids& pair) const {
+  if constexpr (has_radii) {
+    if (records_.find_overlap(pair) != nullptr) return true;
+    const bool is_second_shorter =
+        records_.overlaps(pair[1]).size() < records_.overlaps(pair[0]).size();
+    const Point_id few = pair[is_second_shorter ? 1 : 0];
+    const Point_id many = pair[is_second_shorter ? 0 : 1];
+    return std::ranges::any_of(records_.overlaps(few), [&](const Disc_overlap& overlap) {
+      return records_.find_overlap({overlap.id, many}) != nullptr;
+    });
+  }
+  return std::ranges::any_of(records_.overlaps(pair[0]), [&](const Disc_overlap& overlap) {
+    const Disc_overlap* const beside = records_.find_overlap({overlap.id, pair[1]});
+    return beside != nullptr && beside->is_edge;
+  });
+}
+
+// Calls `function` with the pairs that are watched because the discs of a and b overlap. `is_edge`
+// says whether there is an edge between them.
+template <class Traits>
+template <class Function>
+void Overlap_tracker<Traits>::for_each_pair_beside(Point_id a, Point_id b, bool is_edge,
+                                                   Function function) const {
+  if constexpr (has_radii) function(edge_ids(a, b));
+  // Mostly the two overlap no others.
+  const auto has_others = [&](Point_id p, Point_id w) {
+    return std::ranges::any_of(records_.overlaps(p),
+                               [w](const Disc_overlap& other) { return other.id != w; });
+  };
+  if (!has_others(a, b) && !has_others(b, a)) return;
+  const auto as_first = [&](Point_id p, Point_id w) {
+    for (const Disc_overlap& overlap : records_.overlaps(w)) {
+      if (has_radii ? p != overlap.id : p < overlap.id && overlap.is_edge) {
+        function(edge_ids(p, overlap.id));
+      }
+    }
+  };
+  as_first(a, b);
+  as_first(b, a);
+  if (!has_radii && is_edge) for_each_pair_over({a, b}, function);
+}
+
+template <class Traits>
+template <class Counts, class Function>
+void Overlap_tracker<Traits>::for_each_pair_of(Point_id first, const Counts& counts,
+                                               Function function) const {
+  for (const Disc_overlap& between : records_.overlaps(first)) {
+    if (!counts(first, between.id)) continue;
+    if (has_radii && first < between.id) function(between.id);
+    for (const Disc_overlap& overlap : records_.overlaps(between.id)) {
+      if (first < overlap.id && (has_radii || overlap.is_edge) && counts(between.id, overlap.id)) {
+        function(overlap.id);
+      }
+    }
+  }
+}
+
+// Calls `function` with the pairs that are watched because of an edge, but for its own ends.
+// Precondition: the discs at the ends overlap.
+template <class Traits>
+template <class Function>
+void Overlap_tracker<Traits>::for_each_pair_over(const Edge_ids& edge, Function function) const {
+  const auto [a, b] = edge;
+  for (const Disc_overlap& overlap : records_.overlaps(a)) {
+    if (overlap.id < b) function(Edge_ids{overlap.id, b});
+  }
+  for (const Disc_overlap& overlap : records_.overlaps(b)) {
+    if (overlap.id < a) function(Edge_ids{overlap.id, a});
+  }
+}
+
+// ---- edges that come and go ----
+
+template <class Traits>
+void Overlap_tracker<Traits>::follow(const Edge_trail& trail, Points changing) {
+  for (const auto& [removed, added] : trail.edges) {
+    if (removed) leave_edge(*removed);
+    if (added) follow_edge(*added, changing);
+  }
+  for (const Point_id id : trail.hidden) {
+    if (geometry_.contains(id)) follow_links(id, changing);
+  }
+}
+
+// Whether one of the two is being changed.
+template <class Traits>
+bool Overlap_tracker<Traits>::is_changing(const Edge_ids& pair, Points changing) {
+  return std::ranges::any_of(pair,
+                             [&](Point_id id) { return std::ranges::binary_search(changing, id); });
+}
+
+template <class Traits>
+void Overlap_tracker<Traits>::leave_edge(const Edge_ids& edge) {
+  const bool do_overlap = records_.find_overlap(edge) != nullptr;
+  if (do_overlap) records_.mark_edge(edge, false);
+  if (const Queue_handle event = records_.pair_event(edge); event != no_event) {
+    if (is_overlapped(edge)) {
+      schedule_.queue().amend(event, [](Contact_entry& entry) { entry.is_edge = false; });
+    } else {
+      schedule_.unschedule_pair(edge);
+    }
+  }
+  if (do_overlap && !has_radii) {
+    for_each_pair_over(edge, [this](const Edge_ids& pair) { unwatch(pair); });
+  }
+}
+
+template <class Traits>
+void Overlap_tracker<Traits>::follow_edge(const Edge_ids& edge, Points changing) {
+  if (!is_changing(edge, changing)) watch(edge, true);
+  if (records_.find_overlap(edge) == nullptr) return;
+  records_.mark_edge(edge, true);
+  if (!has_radii) {
+    for_each_pair_over(edge, [&](const Edge_ids& pair) {
+      if (!is_changing(pair, changing)) watch(pair, false);
+    });
+  }
+}
+
+template <class Traits>
+void Overlap_tracker<Traits>::follow_links(Point_id id, Points changing) {
+  const std::vector<Point_id> corners = geometry_.corners_of(id);
+  const Contact_record* const known = records_.find(id);
+  if (corners.empty() && (known == nullptr || known->corners.empty())) return;
+  const std::vector<Point_id> before = std::exchange(records_.of(id).corners, corners);
+  for (const Point_id corner : before) {
+    const Edge_ids pair = edge_ids(id, corner);
+    if (!geometry_.is_edge(pair)) leave_edge(pair);
+  }
+  for (const Point_id corner : corners) {
+    const Edge_ids pair = edge_ids(id, corner);
+    follow_edge(pair, changing);
+    // The point may stay on the rim.
+    if (is_changing(pair, changing) || records_.find_overlap(pair) != nullptr ||
+        !geometry_.do_touch(id, corner, geometry_.current_time())) {
+      continue;
+    }
+    records_.start_overlap(id, corner, true);
+    watch_beside(id, corner, true, changing);
+  }
+}
+
+// ---- points that change ----
+
+template <class Traits>
+void Overlap_tracker<Traits>::schedule_pairs(Points points) {
+  for (const Point_id id : points) end_passes(id);
+  for (const Point_id id : points) {
+    if (geometry_.contains(id)) schedule_edges(id, points);
+  }
+  update_overlaps(points);
+  for (const Point_id id : points) {
+    if (geometry_.contains(id)) {
+      schedule_pairs_beside(id);
+    } else {
+      records_.forget_point(id);
+    }
+  }
+}
+
+// Schedules what a point may touch, and notes which discs of neighbors overlap its own. It is one
+// of `points`, of which those of smaller ids have been done.
+template <class Traits>
+void Overlap_tracker<Traits>::schedule_edges(Point_id id, Points points) {
+  if (!setup_.has_response()) return;
+  geometry_.for_each_neighbor(id, [&](Point_id other) {
+    const bool is_done = other < id && std::ranges::binary_search(points, other);
+    if (is_done ||
+        !schedule_.schedule_new_pair(edge_ids(id, other), true, geometry_.current_time())) {
+      return;
+    }
+    if (geometry_.may_touch(id, other)) records_.start_overlap(id, other, true);
+  });
+}
+
+// Schedules the pairs that are watched because the disc of the point overlaps others.
+template <class Traits>
+void Overlap_tracker<Traits>::schedule_pairs_beside(Point_id id) {
+  for (const Disc_overlap& overlap : records_.overlaps(id)) {
+    watch_beside(id, overlap.id, overlap.is_edge);
+  }
+}
+
+// ---- overlaps ----
+
+template <class Traits>
+void Overlap_tracker<Traits>::start_overlap(Point_id a, Point_id b, bool is_edge) {
+  records_.start_overlap(a, b, is_edge);
+  watch_beside(a, b, is_edge);
+}
+
+template <class Traits>
+void Overlap_tracker<Traits>::start_pass(Point_id a, Point_id b, bool is_edge) {
+  records_.start_overlap(a, b, is_edge);
+  records_.mark_passing(a, b, true);
+  watch_beside(a, b, is_edge);
+}
+
+template <class Traits>
+void Overlap_tracker<Traits>::end_overlap(Point_id a, Point_id b) {
+  const bool is_edge = records_.find_overlap({a, b})->is_edge;
+  records_.forget_overlap(a, b);
+  for_each_pair_beside(a, b, is_edge, [this](const Edge_ids& pair) { unwatch(pair); });
+}
+
+template <class Traits>
+bool Overlap_tracker<Traits>::note_contact(const Contact_entry& contact) {
+  if (contact.is_noted) return false;
+  const Point_id a = contact.point_a;
+  const Point_id b = contact.point_b;
+  for (const Point_id id : {a, b}) drop_overlaps(id);
+  const auto overlaps_others = [&](Point_id id, Point_id other) {
+    return std::ranges::any_of(records_.overlaps(id),
+                               [&](const Disc_overlap& overlap) { return overlap.id != other; });
+  };
+  if (!overlaps_others(a, b) && !overlaps_others(b, a) && !schedule_.is_contact_due()) return false;
+  Contact_entry noted = contact;
+  noted.is_noted = true;
+  schedule_.put_contact(noted);
+  start_overlap(a, b, contact.is_edge);
+  return true;
+}
+
+template <class Traits>
+void Overlap_tracker<Traits>::let_pass(Point_id a, Point_id b, bool is_edge) {
+  for (const Point_id id : {a, b}) {
+    end_passes(id);
+    drop_overlaps(id);
+    if constexpr (!has_radii) find_new_overlaps_of(id);
+  }
+  start_pass(a, b, is_edge);
+  for (const Point_id id : {a, b}) {
+    if (!geometry_.is_without_area(id)) continue;
+    find_new_overlaps_of(id);
+    schedule_pairs_beside(id);
+  }
+}
+
+template <class Traits>
+void Overlap_tracker<Traits>::end_passes(Point_id id) {
+  if (std::ranges::none_of(records_.overlaps(id), &Disc_overlap::passes)) return;
+  const std::vector<Disc_overlap> known = records_.overlaps(id);
+  for (const Disc_overlap& overlap : known) {
+    if (overlap.passes && !is_passing(id, overlap.id)) end_overlap(id, overlap.id);
+  }
+}
+
+// Whether two discs that a response has let pass have not separated since. They have if their next
+// contact, which is after that, is now.
+template <class Traits>
+bool Overlap_tracker<Traits>::is_passing(Point_id a, Point_id b) {
+  if (!geometry_.contains(a) || !geometry_.contains(b) ||
+      !geometry_.do_touch(a, b, geometry_.current_time())) {
+    return false;
+  }
+  auto& queue = schedule_.queue();
+  const Queue_handle event = records_.pair_event({a, b});
+  return event == no_event || !queue[event].is_event ||
+         queue.time(queue[event]) > geometry_.current_time();
+}
+
+// Brings the overlaps of points that have got other motions, come or gone up to date; those at
+// edges are known.
+template <class Traits>
+void Overlap_tracker<Traits>::update_overlaps(Points points) {
+  if (!setup_.has_response()) return;
+  for (const Point_id id : points) drop_overlaps(id);
+  if constexpr (has_radii) {
+    find_new_overlaps(points);
+  } else {
+    for (const Point_id id : points) find_new_overlaps_of(id);
+  }
+}
+
+// Forgets the overlaps that are over: all of them if the point is not there any more.
+template <class Traits>
+void Overlap_tracker<Traits>::drop_overlaps(Point_id id) {
+  for (std::size_t i = 0; i < records_.overlaps(id).size();) {
+    const auto [other, passes, is_edge] = records_.overlaps(id)[i];
+    if (passes ||
+        (geometry_.contains(id) && geometry_.contains(other) && geometry_.may_touch(id, other))) {
+      ++i;
+    } else {
+      end_overlap(id, other);
+    }
+  }
+}
+
+// The overlaps of a point that are not at its edges are among those of the discs that it overlaps:
+// all points of a path of edges from p to q, within the closed disc with diameter pq, overlap one
+// another. If the discs of p and q do overlap from now on, and there is an edge between them, the
+// pair has an entry that says so: its contact is now.
+template <class Traits>
+void Overlap_tracker<Traits>::find_new_overlaps_of(Point_id id) {
+  for (std::size_t i = 0; i < records_.overlaps(id).size(); ++i) {
+    const Point_id between = records_.overlaps(id)[i].id;
+    for (std::size_t k = 0; k < records_.overlaps(between).size(); ++k) {
+      const Point_id other = records_.overlaps(between)[k].id;
+      if (other != id && records_.find_overlap({id, other}) == nullptr &&
+          geometry_.contains(other) && geometry_.may_touch(id, other)) {
+        const Queue_handle event = records_.pair_event({id, other});
+        records_.start_overlap(id, other, event != no_event && schedule_.queue()[event].is_edge);
+      }
+    }
+  }
+}
+
+// Notes whether two discs overlap.
+template <class Traits>
+void Overlap_tracker<Traits>::examine(Point_id a, Point_id b) {
+  if (a != b && records_.find_overlap({a, b}) == nullptr && geometry_.may_touch(a, b)) {
+    records_.start_overlap(a, b, geometry_.is_edge({a, b}));
+  }
+}
+
+// The discs of new motions, and all that may overlap one of them.
+template <class Traits>
+void Overlap_tracker<Traits>::find_new_overlaps(Points points) {
+  std::vector<Point_id> candidates = geometry_.discs_about(points);
+  candidates.insert(candidates.end(), points.begin(), points.end());
+  for (std::size_t i = 0, number = candidates.size(); i < number; ++i) {
+    for (const Disc_overlap& overlap : records_.overlaps(candidates[i])) {
+      candidates.push_back(overlap.id);
+    }
+  }
+  std::ranges::sort(candidates);
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  std::erase_if(candidates, [&](Point_id id) { return !geometry_.contains(id); });
+  constexpr std::size_t few = 8;
+  if (points.size() <= few) {
+    for (const Point_id id : points) {
+      if (!geometry_.contains(id)) continue;
+      for (const Point_id other : candidates) examine(id, other);
+    }
+  } else {
+    geometry_.for_each_close_pair(candidates, [&](Point_id a, Point_id b) {
+      if (std::ranges::binary_search(points, a) || std::ranges::binary_search(points, b)) {
+        examine(a, b);
+      }
+    });
+  }
+  find_overlaps_of_seeds(points);
+}
+
+// A seed is a disc that grows from 0, and its radius is 0 now. Of discs about the place of a seed
+// whose rims meet there, those that overlap the seed from now on need have no other sign of it than
+// that they touch it: so these are found by looking at all.
+template <class Traits>
+void Overlap_tracker<Traits>::find_overlaps_of_seeds(Points points) {
+  std::erase_if(seeds_, [&](Point_id id) { return !geometry_.is_seed(id); });
+  for (const Point_id id : points) {
+    if (!geometry_.contains(id)) continue;
+    for (const Point_id seed : seeds_) examine(seed, id);
+    if (!geometry_.is_seed(id)) continue;
+    seeds_.push_back(id);
+    bool is_touched = geometry_.is_hidden(id);
+    geometry_.for_each_neighbor(id, [&](Point_id other) {
+      is_touched = is_touched || geometry_.do_touch(id, other, geometry_.current_time());
+    });
+    if (!is_touched) continue;
+    for (const Point_id other : geometry_.present_points()) examine(id, other);
+  }
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_OVERLAP_TRACKER_IMPL_H

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parts of a simulation, each of which owns its state, in the order in which they know each
+// other.
+#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_CORE_H
+#define KINETRI_IMPL_SIMULATION_SIMULATION_CORE_H
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+#include "kinetri/impl/simulation/contact_loop.h"
+#include "kinetri/impl/simulation/contact_outcomes.h"
+#include "kinetri/impl/simulation/contact_records.h"
+#include "kinetri/impl/simulation/contact_schedule.h"
+#include "kinetri/impl/simulation/disc_geometry.h"
+#include "kinetri/impl/simulation/overlap_tracker.h"
+#include "kinetri/impl/simulation/simulation_setup.h"
+#include "kinetri/simulation/simulation_options.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
+
+namespace kinetri::detail {
+
+/// | Part | owns | does not know |
+/// |---|---|---|
+/// | setup | options, masses | points |
+/// | triangulation | the motions of points, the present time | discs |
+/// | geometry | | the queue; it changes nothing |
+/// | records | handles and overlaps of each point | places, times |
+/// | schedule | the queue of contacts and changes | why a pair is watched |
+/// | tracker | discs that grow from 0 | what a contact does |
+/// | outcomes | | the queue; it changes nothing |
+/// | loop | what is left within an instant | |
+template <class Traits>
+struct Simulation_core {
+  using Time = Algebraic_number;
+  using Triangulation = Kinetic_triangulation_2<Traits>;
+
+  /// With the arguments of the constructor of the triangulation, or one that is restored.
+  template <class Make_triangulation>
+  Simulation_core(const Traits& traits, const Simulation_options& options,
+                  const Make_triangulation& make)
+      : setup(traits, options), triangulation(make()) {}
+  Simulation_core(const Simulation_core&) = delete;
+  Simulation_core& operator=(const Simulation_core&) = delete;
+
+  /// The parts of the triangulation.
+  Kinetic_core<Traits>& kinetic() { return Core_access::core(triangulation); }
+  const Kinetic_core<Traits>& kinetic() const { return Core_access::core(triangulation); }
+
+  /// Finds all overlaps.
+  void start();
+  /// Schedules the contacts of all points. Precondition: all overlaps are known; nothing is
+  /// scheduled but changes.
+  void schedule_all() {
+    schedule.schedule_all_singles();
+    tracker.schedule_all_pairs();
+  }
+
+  /// As Simulation_2::advance_to.
+  std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
+  /// As Simulation_2::step.
+  std::size_t step(const Time* until) {
+    join_parts();
+    return loop.step(until);
+  }
+  /// Puts the queues, which several threads may have left in parts, into one part each.
+  void join_parts();
+
+  Contact_counters counters;  ///< but for those of the queue
+  Simulation_setup<Traits> setup;
+  Triangulation triangulation;
+  Disc_geometry<Traits> geometry{setup, triangulation};
+  Contact_records records;
+  Contact_schedule<Traits> schedule{geometry, records, kinetic().schedule.division(), counters};
+  Overlap_tracker<Traits> tracker{geometry, records, schedule};
+  Contact_outcomes<Traits> outcomes{geometry};
+  Contact_loop<Traits> loop{kinetic(), setup,   geometry, records,
+                            schedule,  tracker, outcomes, counters};
+  std::size_t threads = 1;  ///< that advance_to may use
+
+ private:
+  bool may_run_by_regions() const;
+  bool can_run_triangulation() const;
+  void join_contacts();
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_CORE_H

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Simulation_core.
+#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_CORE_IMPL_H
+#define KINETRI_IMPL_SIMULATION_SIMULATION_CORE_IMPL_H
+
+#include "kinetri/impl/simulation/contact_loop_impl.h"
+#include "kinetri/impl/simulation/contact_runs.h"
+#include "kinetri/impl/simulation/simulation_core.h"
+
+namespace kinetri::detail {
+
+template <class Traits>
+void Simulation_core<Traits>::start() {
+  if (setup.has_response()) kinetic().reporter.keep_trail();
+  tracker.find_all();
+}
+
+template <class Traits>
+std::size_t Simulation_core<Traits>::advance_to(const Time& time,
+                                                const std::function<bool()>& may_go_on) {
+  if constexpr (has_region_runs<Traits>) {
+    if (may_run_by_regions()) return Contact_runs<Traits>::advance_to(*this, time, may_go_on);
+  }
+  join_contacts();
+  std::size_t events = 0;
+  while (may_go_on == nullptr || may_go_on()) {
+    if (can_run_triangulation()) {
+      if (!loop.run_triangulation(time, may_go_on, events)) break;
+      if (!loop.may_be_due(time)) {  // a step would put parts together
+        events += kinetic().advance_to(time, nullptr);
+        break;
+      }
+    }
+    const std::size_t more = step(&time);
+    if (more == 0) {
+      kinetic().advance_to(time, nullptr);
+      break;
+    }
+    events += more;
+  }
+  return events;
+}
+
+// Whether what happens to the triangulation changes nothing in the queue. With a response, contacts
+// of edges come and go; an observer that looks on may schedule changes.
+template <class Traits>
+bool Simulation_core<Traits>::can_run_triangulation() const {
+  return !setup.has_response() && !kinetic().reporter.observers().any_of([](const auto& observer) {
+    return observer.looks_at_triangulation();
+  });
+}
+
+// Whether a run by regions may execute contacts and be faster.
+template <class Traits>
+bool Simulation_core<Traits>::may_run_by_regions() const {
+  if constexpr (has_region_runs<Traits>) {
+    return (setup.has_box() || setup.has_response()) &&
+           may_pay_by_regions(triangulation.number_of_points(), threads) &&
+           Contact_runs<Traits>::can_run(*this);
+  }
+  return false;
+}
+
+template <class Traits>
+void Simulation_core<Traits>::join_parts() {
+  join_contacts();
+  kinetic().join_parts();
+}
+
+// The same, if runs by regions have executed contacts.
+template <class Traits>
+void Simulation_core<Traits>::join_contacts() {
+  if constexpr (has_region_runs<Traits>) {
+    if (schedule.queue().is_divided()) Contact_runs<Traits>::join(*this);
+  }
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_CORE_IMPL_H

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a simulation is given: traits, box, discs, masses; and which motions that allows.
+#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_SETUP_H
+#define KINETRI_IMPL_SIMULATION_SIMULATION_SETUP_H
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/simulation/disc_numbers.h"
+#include "kinetri/impl/simulation/shortest_text.h"
+#include "kinetri/kinetic/contact_kinetic_traits_2.h"
+#include "kinetri/simulation/simulation_errors.h"
+#include "kinetri/simulation/simulation_options.h"
+
+namespace kinetri::detail {
+
+/// The options of a simulation, and what follows from them. Only masses change.
+template <class Traits>
+class Simulation_setup {
+ public:
+  using Motion = typename Traits::Motion;
+  using Point_2 = typename Traits::Point_2;
+  using Time = Algebraic_number;
+
+  /// Whether discs have radii of their own.
+  static constexpr bool has_radii = HasWeight<Motion>;
+
+  /// What is wrong with the options, problem() says.
+  Simulation_setup(const Traits& traits, const Simulation_options& options)
+      : traits_(traits), options_(options), diameter_(2 * options.radius) {
+    if (!options_.box) return;
+    walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
+    for (Wall_2& wall : walls_) wall.rim = has_radii && options_.rim_touches;
+  }
+
+  const Traits& traits() const { return traits_; }
+  const Simulation_options& options() const { return options_; }
+  /// Of all discs, if they have no radii of their own.
+  double diameter() const { return diameter_; }
+  bool has_box() const { return options_.box.has_value(); }
+  const std::array<Wall_2, 4>& walls() const { return walls_; }
+  /// Whether discs have contacts.
+  bool has_response() const { return options_.response != nullptr; }
+  void set_response(Collision_response response) { options_.response = std::move(response); }
+
+  double mass(Point_id id) const { return id < options_.masses.size() ? options_.masses[id] : 1; }
+  void set_mass(Point_id id, double mass) {
+    if (mass == this->mass(id)) return;
+    if (id >= options_.masses.size()) options_.masses.resize(id + 1, 1.0);
+    options_.masses[id] = mass;
+  }
+
+  /// What is wrong with the options; empty if nothing is.
+  std::string problem() const;
+  /// Throws if a point is outside of the box at `now`, or its radius is negative just after that.
+  void check_place(const Point_2& p, const Time& now) const;
+
+ private:
+  template <HasWeight M = Motion>
+  void check_radius(const Point_2& p, const Time& now) const;
+
+  Traits traits_;
+  Simulation_options options_;
+  double diameter_ = 0;
+  std::array<Wall_2, 4> walls_ = {};
+};
+
+template <class Traits>
+std::string Simulation_setup<Traits>::problem() const {
+  if (!std::isfinite(diameter_) || !(options_.radius >= 0)) {
+    return "the radius is negative, or the diameter is not finite";
+  }
+  if (has_radii && options_.radius != 0) {
+    return "a radius for all discs, which have their own; leave it 0";
+  }
+  if (!has_radii && options_.response && options_.radius == 0) {
+    return "the radius is 0, and discs without one never touch";
+  }
+  for (Point_id id = 0; id < options_.masses.size(); ++id) {
+    const std::string problem = mass_problem(id, options_.masses[id]);
+    if (!problem.empty()) return problem;
+  }
+  if (!options_.box) return {};
+  const auto& [xmin, ymin, xmax, ymax] = *options_.box;
+  if (!std::isfinite(xmin) || !std::isfinite(ymin) || !std::isfinite(xmax) ||
+      !std::isfinite(ymax) || !(xmin < xmax && ymin < ymax)) {
+    return "the box has no area or is not finite";
+  }
+  const Rational diameter = to_rational(diameter_);
+  if (options_.rim_touches && (to_rational(xmax) - to_rational(xmin) <= diameter ||
+                               to_rational(ymax) - to_rational(ymin) <= diameter)) {
+    return "the box is not wider and higher than a disc whose rim touches it";
+  }
+  return {};
+}
+
+template <class Traits>
+void Simulation_setup<Traits>::check_place(const Point_2& p, const Time& now) const {
+  if constexpr (has_radii) check_radius(p, now);
+  if (!options_.box) return;
+  for (const Wall_2& wall : walls_) {
+    if (traits_.is_inside(p, wall, now)) continue;
+    const double time = now.to_double();
+    const Vector_2 place = rounded_place(p.motion(), time);
+    throw Outside_box_error(
+        p.id(), "point " + std::to_string(p.id()) + " is outside of the box at t = " + text(time) +
+                    ": at " + text(place.x) + ", " + text(place.y) +
+                    (wall.clearance > 0 || wall.rim ? ", its rim" : "") + " beyond the " +
+                    std::string(name(wall.side)) + " side at " + text(wall.position) +
+                    "; expected every point inside of the box or on its sides");
+  }
+}
+
+template <class Traits>
+template <HasWeight M>
+void Simulation_setup<Traits>::check_radius(const Point_2& p, const Time& now) const {
+  const Motion& disc = p.motion();
+  KINETRI_PRECONDITION(!options_.response || disc.weight == 0,
+                       "disc " + std::to_string(p.id()) +
+                           " has a weight besides its radius; discs that collide have none");
+  const auto is_negative = [&] {
+    if (disc.growth == 0) return disc.radius < 0;
+    const Time zero = zero_of_radius(disc);
+    return disc.growth > 0 ? now < zero : now > zero;
+  };
+  if (!is_negative()) return;
+  throw Negative_radius_error(p.id(), now.detached(),
+                              "the radius of disc " + std::to_string(p.id()) +
+                                  " is negative at t = " + text(now) + ": " + text(disc.radius) +
+                                  " at t = " + text(disc.epoch) + ", with the growth " +
+                                  text(disc.growth) + "; expected a radius of 0 or more");
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_SETUP_H

@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Certification.
+#ifndef KINETRI_IMPL_TRIANGULATION_CERTIFICATION_IMPL_H
+#define KINETRI_IMPL_TRIANGULATION_CERTIFICATION_IMPL_H
+
+#include <array>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/certification.h"
+#include "kinetri/impl/triangulation/topology_impl.h"
+
+namespace kinetri::detail {
+
+// ---- edges ----
+
+template <class Traits>
+auto Certification<Traits>::points(const Two_sided_edge& edge) const -> Certificate_points {
+  const auto& [face, i] = edge.here;
+  const Vertex_handle left = face->vertex(Triangulation::cw(i));
+  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+  if (triangulation_.is_infinite(left) || triangulation_.is_infinite(right)) {
+    const auto [previous, here, next] = topology_.hull_turn(edge);
+    return {Entry_kind::hull_remove, {&previous->point(), &here->point(), &next->point()}};
+  }
+  const Vertex_handle apex = face->vertex(i);
+  const Vertex_handle opposite = edge.there.first->vertex(edge.there.second);
+  if (triangulation_.is_infinite(apex)) {
+    return {Entry_kind::hull_insert, {&left->point(), &right->point(), &opposite->point()}};
+  }
+  if (triangulation_.is_infinite(opposite)) {
+    return {Entry_kind::hull_insert, {&right->point(), &left->point(), &apex->point()}};
+  }
+  return {Entry_kind::flip, {&right->point(), &left->point(), &apex->point(), &opposite->point()}};
+}
+
+template <class Traits>
+inline Certificate Certification<Traits>::certificate(const Certificate_points& about,
+                                                      const Time& after,
+                                                      Certificate_state state) const {
+  const auto& [p, q, r, s] = about.points;
+  if (about.kind == Entry_kind::flip) {
+    return traits_.in_circle_certificate(*p, *q, *r, *s, after, state);
+  }
+  if (about.kind == Entry_kind::hull_insert) {
+    return traits_.flatness_certificate(*p, *q, *r, after, state);
+  }
+  return traits_.orientation_certificate(*p, *q, *r, after, state);
+}
+
+template <class Traits>
+template <class Put>
+void Certification<Traits>::certify(std::span<const Two_sided_edge> edges, const Time& after,
+                                    Certificate_state state, Certificate_counters& counters,
+                                    const Put& put) const {
+  if (triangulation_.dimension() < 2) return certify_chain(edges, after, counters, put);
+  const auto time = [&after]() -> const Time& { return after; };
+  const auto finish = [&](const Two_sided_edge& edge, Entry_kind failure, Certificate&& known) {
+    counters.count(known);
+    const Entry_kind kind = first_failure(edge, failure, known, time, counters);
+    put(edge, kind, std::move(known));
+  };
+  const auto certify_alone = [&](const Two_sided_edge& edge, const Certificate_points& about) {
+    finish(edge, about.kind, certificate(about, after, state));
+  };
+  if constexpr (BatchKineticTraits_2<Traits>) {
+    // In-circle certificates go two by two.
+    const Two_sided_edge* first = nullptr;
+    Certificate_points points_of_first = {};
+    for (const Two_sided_edge& edge : edges) {
+      const Certificate_points about = points(edge);
+      if (about.kind != Entry_kind::flip || state != Certificate_state::any) {
+        certify_alone(edge, about);
+      } else if (first == nullptr) {
+        first = &edge;
+        points_of_first = about;
+      } else {
+        auto both = traits_.in_circle_certificates({points_of_first.points, about.points}, after);
+        const auto finish_known = [&](const Two_sided_edge& e, const Certificate_points& p,
+                                      Certificate&& known) {
+          if (known.kind == Certificate::Kind::unknown) return certify_alone(e, p);
+          finish(e, p.kind, std::move(known));
+        };
+        finish_known(*first, points_of_first, std::move(both[0]));
+        finish_known(edge, about, std::move(both[1]));
+        first = nullptr;
+      }
+    }
+    if (first != nullptr) certify_alone(*first, points_of_first);
+  } else {
+    for (const Two_sided_edge& edge : edges) certify_alone(edge, points(edge));
+  }
+}
+
+// Points on a line, or fewer than two.
+template <class Traits>
+template <class Put>
+void Certification<Traits>::certify_chain(std::span<const Two_sided_edge> edges, const Time& after,
+                                          Certificate_counters& counters, const Put& put) const {
+  for (const Two_sided_edge& edge : edges) {
+    if (triangulation_.is_infinite(edge.here)) {
+      put(edge, Entry_kind::coincidence, Certificate());
+      continue;
+    }
+    if constexpr (is_weighted) {
+      if (!topology_.are_weights_equal()) {
+        Certificate chain = chain_certificate(edge.here, after);
+        counters.count(chain);
+        put(edge, Entry_kind::coincidence, std::move(chain));
+        continue;
+      }
+    }
+    put(edge, Entry_kind::coincidence, coincidence(edge, after, from(after), counters));
+  }
+}
+
+// The certificate of an edge of points on a line, whose weights differ: its ends are apart, and its
+// first vertex is not above the edge between its neighbors. Precondition: dimension 1, the edge is
+// finite.
+template <class Traits>
+Certificate Certification<Traits>::chain_certificate(const Edge& edge, const Time& after) const {
+  const Face_handle face = edge.first;
+  const Point_2& here = face->vertex(0)->point();
+  const Point_2& next = face->vertex(1)->point();
+  Certificate apart = traits_.meeting_certificate(here, next, after, from(after));
+  const Face_handle beside = face->neighbor(1);
+  const Vertex_handle previous = beside->vertex(1 - beside->index(face->vertex(0)));
+  if (triangulation_.is_infinite(previous)) return apart;
+  Certificate below = traits_.segment_certificate(next, here, previous->point(), after);
+  if (below.kind == Certificate::Kind::never_fails) return apart;
+  if (apart.kind == Certificate::Kind::never_fails || *below.failure < *apart.failure) return below;
+  return apart;
+}
+
+template <class Traits>
+template <class Now, class Put>
+inline void Certification<Traits>::certify_after_flip(const Two_sided_edge& edge,
+                                                      const Outer_edges& outer,
+                                                      const Double_interval& bounds, const Now& now,
+                                                      Certificate_counters& counters,
+                                                      const Put& put) const {
+  if (certify_together(edge, outer, bounds, now, counters, put)) return;
+  certify({&edge, 1}, now(), Certificate_state::vanishes, counters, put);
+  certify(outer, now(), Certificate_state::any, counters, put);
+}
+
+// Does nothing and returns false if a point is infinite, or if the traits make no batches.
+template <class Traits>
+template <class Now, class Put>
+inline bool Certification<Traits>::certify_together(const Two_sided_edge& edge,
+                                                    const Outer_edges& outer,
+                                                    const Double_interval& bounds, const Now& now,
+                                                    Certificate_counters& counters,
+                                                    const Put& put) const {
+  if constexpr (BatchKineticTraits_2<Traits>) {
+    const auto& [face, i] = edge.here;
+    const auto& [neighbor, j] = edge.there;
+    KINETRI_ASSERT(face->neighbor(i) == neighbor && neighbor->neighbor(j) == face,
+                   "CGAL's flip turns the edge in its faces by one index");
+    const std::array<Vertex_handle, 4> corners = {
+        face->vertex(Triangulation::cw(i)), face->vertex(i), face->vertex(Triangulation::ccw(i)),
+        neighbor->vertex(j)};
+    bool are_finite = true;
+    Flip_neighborhood<Point_2> around;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vertex_handle beyond = outer[k].here.first->vertex(outer[k].here.second);
+      around.corners[k] = &corners[k]->point();
+      around.beyond[k] = &beyond->point();
+      are_finite = are_finite && !triangulation_.is_infinite(corners[k]) &&
+                   !triangulation_.is_infinite(beyond);
+    }
+    if (!are_finite) return false;
+    auto certificates = traits_.certificates_after_flip(around, bounds);
+    for (std::size_t k = 0; k < certificates.size(); ++k) {
+      const Two_sided_edge& e = k < 4 ? outer[k] : edge;
+      Certificate& known = certificates[k];
+      if (known.kind == Certificate::Kind::unknown) {
+        known = certificate({Entry_kind::flip, around.certificate(k)}, now(),
+                            k < 4 ? Certificate_state::any : Certificate_state::vanishes);
+      }
+      counters.count(known);
+      const Entry_kind kind = first_failure(e, Entry_kind::flip, known, now, counters);
+      put(e, kind, std::move(known));
+    }
+    return true;
+  }
+  return false;
+}
+
+template <class Traits>
+auto Certification<Traits>::certificate_of(const Two_sided_edge& edge, const Time& after) const
+    -> std::pair<Entry_kind, Certificate> {
+  std::pair<Entry_kind, Certificate> result;
+  Certificate_counters unused;
+  certify({&edge, 1}, after, Certificate_state::any, unused,
+          [&](const Two_sided_edge& /*edge*/, Entry_kind kind, Certificate&& certificate) {
+            result = {kind, std::move(certificate)};
+          });
+  return result;
+}
+
+// Turns the certificate that an edge belongs to the triangulation, whose failure is of the given
+// kind, into the certificate of the edge, and returns the kind of that one's failure. Points that
+// come together share edges just before, so that watching edges finds every coincidence. While an
+// in-circle or orientation polynomial is positive, no two of its points coincide.
+template <class Traits>
+template <class After>
+inline Entry_kind Certification<Traits>::first_failure(const Two_sided_edge& edge, Entry_kind kind,
+                                                       Certificate& certificate, const After& after,
+                                                       Certificate_counters& counters) const {
+  using Kind = Certificate::Kind;
+  if (certificate.kind == Kind::holds || kind == Entry_kind::hull_remove) return kind;
+  const bool fails = certificate.kind == Kind::fails;
+  if (!fails && !certificate.may_vanish) return kind;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Double_interval among = {
+      certificate.may_vanish ? after().interval().lower : certificate.bounds.lower,
+      fails ? certificate.bounds.upper : infinity};
+  // If the polynomial vanishes nowhere before, the ends of the edge are apart up to bounds.lower.
+  Certificate meeting = certificate.may_vanish
+                            ? coincidence(edge, after(), among, counters)
+                            : coincidence(edge, Time(certificate.bounds.lower), among, counters);
+  if (meeting.kind != Kind::fails) return kind;
+  if (fails) {
+    KINETRI_ASSERT(kind >= Entry_kind::hull_insert, "the time of a coincidence is kept");
+    if (*meeting.failure > (certificate.failure ? *certificate.failure
+                                                : failure_time(points(edge), certificate.bounds))) {
+      return kind;
+    }
+  }
+  certificate = std::move(meeting);
+  return Entry_kind::coincidence;
+}
+
+// The certificate that the ends of the edge are apart.
+template <class Traits>
+inline Certificate Certification<Traits>::coincidence(const Two_sided_edge& edge, const Time& after,
+                                                      const Double_interval& among,
+                                                      Certificate_counters& counters) const {
+  const auto& [face, i] = edge.here;
+  Certificate result =
+      traits_.coincidence_certificate(face->vertex(Triangulation::cw(i))->point(),
+                                      face->vertex(Triangulation::ccw(i))->point(), after, among);
+  KINETRI_ASSERT(result.kind == Certificate::Kind::never_fails || result.failure != nullptr,
+                 "a coincidence certificate has its failure time or never fails");
+  counters.count(result);
+  return result;
+}
+
+template <class Traits>
+auto Certification<Traits>::failure_time(const Certificate_points& failed,
+                                         const Double_interval& bounds) const -> Time {
+  const auto& [p, q, r, s] = failed.points;
+  return failed.kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
+                                         : traits_.orientation_failure(*p, *q, *r, bounds);
+}
+
+// ---- hidden points ----
+
+template <class Traits>
+std::pair<std::uint8_t, Certificate> Certification<Traits>::hidden_certificate(
+    Vertex_handle v, const Time& after, Certificate_counters& counters,
+    std::uint8_t vanishing) const {
+  std::pair<std::uint8_t, Certificate> first = {plane_condition, Certificate()};
+  const auto also = [&](std::uint8_t index) {
+    const auto state = index == vanishing ? Certificate_state::vanishes : Certificate_state::any;
+    Certificate next = hidden_certificate(v, index, after, state);
+    counters.count(next);
+    if (next.kind == Certificate::Kind::never_fails) return;
+    if (is_earlier(v, {index, &next}, {first.first, &first.second})) {
+      first = {index, std::move(next)};
+    }
+  };
+  also(plane_condition);
+  const int sides = triangulation_.dimension() < 1 ? 0 : triangulation_.dimension() + 1;
+  for (int i = 0; i < sides; ++i) also(static_cast<std::uint8_t>(i));
+  return first;
+}
+
+template <class Traits>
+auto Certification<Traits>::hidden_points(Vertex_handle v, std::uint8_t condition)
+    -> Certificate_points {
+  const Face_handle face = v->face();
+  if (condition == plane_condition) {
+    return {Entry_kind::flip,
+            {&face->vertex(0)->point(), &face->vertex(1)->point(), &face->vertex(2)->point(),
+             &v->point()}};
+  }
+  return {Entry_kind::hull_remove,
+          {&face->vertex(Triangulation::ccw(condition))->point(),
+           &face->vertex(Triangulation::cw(condition))->point(), &v->point()}};
+}
+
+// In dimension 2 the condition of a side or of the plane. Below, of the segment or vertex that
+// hides the point (`plane_condition`), or of an end of the segment.
+template <class Traits>
+Certificate Certification<Traits>::hidden_certificate(Vertex_handle v, std::uint8_t condition,
+                                                      const Time& after,
+                                                      Certificate_state state) const {
+  const Face_handle face = v->face();
+  const Point_2& point = v->point();
+  if (triangulation_.dimension() == 2) {
+    const auto [kind, about] = hidden_points(v, condition);
+    const auto& [p, q, r, s] = about;
+    return kind == Entry_kind::flip ? traits_.in_circle_certificate(*p, *q, *r, *s, after, state)
+                                    : traits_.orientation_certificate(*p, *q, *r, after, state);
+  }
+  if (triangulation_.dimension() < 1) {
+    return traits_.weight_certificate(triangulation_.finite_vertex()->point(), point, after);
+  }
+  const Point_2& first = face->vertex(0)->point();
+  const Point_2& second = face->vertex(1)->point();
+  if (condition == plane_condition) return traits_.hiding_certificate(first, point, second, after);
+  return traits_.meeting_certificate(condition == 0 ? first : second, point, after, from(after));
+}
+
+// Whether the first fails, or is to be checked again, before the second.
+template <class Traits>
+bool Certification<Traits>::is_earlier(Vertex_handle v, const Condition& a,
+                                       const Condition& b) const {
+  if (b.certificate->kind == Certificate::Kind::never_fails) return true;
+  if (a.certificate->bounds.upper < b.certificate->bounds.lower) return true;
+  if (a.certificate->bounds.lower > b.certificate->bounds.upper) return false;
+  const auto time = [&](const Condition& condition) {
+    const auto& [index, certificate] = condition;
+    if (certificate->kind == Certificate::Kind::holds) return Time(certificate->bounds.lower);
+    return certificate->failure ? *certificate->failure
+                                : failure_time(hidden_points(v, index), certificate->bounds);
+  };
+  return time(a) < time(b);
+}
+
+// ---- triangles ----
+
+template <class Traits>
+template <class Is_left_turn>
+bool Certification<Traits>::is_embedded_around(Vertex_handle v, const Double_interval& bounds,
+                                               const Is_left_turn& is_left_turn) const {
+  if constexpr (BatchKineticTraits_2<Traits>) {
+    // Mostly it is an inner vertex of few neighbors.
+    std::array<const Point_2*, 16> around;
+    std::size_t number = 0;
+    bool is_inner = true;
+    for_each_face_at(triangulation_, v, [&](Face_handle face, int i) {
+      const Vertex_handle u = face->vertex(Triangulation::ccw(i));
+      is_inner = is_inner && number < around.size() && !triangulation_.is_infinite(u);
+      if (is_inner) around[number++] = &u->point();
+    });
+    if (is_inner && traits_.is_surrounded(v->point(), std::span(around).first(number), bounds)) {
+      return true;
+    }
+  }
+  Vertex_handle previous;  // hull neighbors, if v is on the hull
+  Vertex_handle next;
+  Vertex_handle before_previous;
+  Vertex_handle after_next;
+  auto face = triangulation_.incident_faces(v);
+  const auto first = face;
+  do {
+    const int i = face->index(v);
+    const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+    const Vertex_handle left = face->vertex(Triangulation::cw(i));
+    const auto beyond = [&] { return triangulation_.tds().mirror_vertex(face, i); };
+    if (triangulation_.is_infinite(left)) {
+      previous = right;
+      before_previous = beyond();
+    } else if (triangulation_.is_infinite(right)) {
+      next = left;
+      after_next = beyond();
+    } else if (!is_left_turn(v, right, left)) {
+      return false;
+    }
+  } while (++face != first);
+  if (previous == Vertex_handle()) return true;
+  if (!is_left_turn(before_previous, previous, v) || !is_left_turn(v, next, after_next)) {
+    return false;
+  }
+  bool is_embedded = true;
+  for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
+    is_embedded = is_embedded && (u == next || is_left_turn(v, next, u)) &&
+                  (u == previous || is_left_turn(v, u, previous));
+  });
+  return is_embedded;
+}
+
+template <class Traits>
+Rounded_places Certification<Traits>::places([[maybe_unused]] const Time& time) const {
+  if constexpr (HasRoundedPlace<typename Types::Motion>) {
+    const auto point_of = [](Vertex_handle v) -> const Point_2& { return v->point(); };
+    return Rounded_places(triangulation_.finite_vertex_handles(), time, point_of);
+  } else {
+    return {};
+  }
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_CERTIFICATION_IMPL_H

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the failure of an edge's certificate leads to, by exact predicates at its time. Nothing here
+// changes anything.
+#ifndef KINETRI_IMPL_TRIANGULATION_DECISIONS_H
+#define KINETRI_IMPL_TRIANGULATION_DECISIONS_H
+
+#include <algorithm>
+#include <cstdint>
+
+#include "kinetri/impl/triangulation/certification.h"
+#include "kinetri/impl/triangulation/schedule.h"
+
+namespace kinetri::detail {
+
+/// What is done with an edge whose certificate has failed.
+enum class Action : std::uint8_t {
+  flip,        ///< the edge is flipped
+  hide,        ///< a vertex is hidden
+  reschedule,  ///< the certificate has touched zero, and is made again from now on
+  postpone,    ///< another event of the same time comes first
+  rebuild,     ///< flips alone do not pass this time
+};
+
+/// Decides failures of edges. docs/MATH.md, sections 5 and 11, proves that these actions lead to
+/// the triangulation just after the time.
+template <class Traits>
+class Decisions {
+ public:
+  using Types = Topology<Traits>;
+  using Triangulation = typename Types::Triangulation;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Face_handle = typename Types::Face_handle;
+  using Edge = typename Types::Edge;
+  using Two_sided_edge = typename Types::Two_sided_edge;
+  using Point_2 = typename Types::Point_2;
+  using Time = typename Types::Time;
+  using Entry = Kinetic_entry<Traits>;
+
+  struct Decision {
+    Action action = Action::flip;
+    Vertex_handle hidden = {};  ///< which vertex to hide
+    bool is_hull_flat = false;  ///< whether a hull triangle has gone flat and does not turn back
+  };
+
+  /// The certification must outlive this object.
+  explicit Decisions(const Certification<Traits>& certification)
+      : certification_(certification),
+        topology_(certification.topology()),
+        triangulation_(topology_.triangulation()) {}
+
+  /// What to do with an edge whose certificate fails, no coincidence, at the time now(), which is
+  /// within `bounds`.
+  template <class Now>
+  Decision decide(const Entry& failure, const Two_sided_edge& edge, const Double_interval& bounds,
+                  const Now& now) const {
+    if (failure.kind == Entry_kind::hull_insert) {
+      return decide_at_hull(edge, failure.changes_sign, now());
+    }
+    if constexpr (Types::is_weighted) {
+      if (failure.kind == Entry_kind::flip && !topology_.are_weights_equal()) {
+        return decide_inside(edge, failure.changes_sign, bounds, now);
+      }
+    }
+    return {Action::flip};
+  }
+
+  /// The turn of three points just after now(), which is within `bounds`.
+  template <class Now>
+  Sign turn(const Point_2& p, const Point_2& q, const Point_2& r, const Double_interval& bounds,
+            const Now& now) const {
+    const Sign certain = certification_.traits().certain_turn(p, q, r, bounds);
+    if (certain != CGAL::ZERO) return certain;
+    return after(now()).orientation_2_object()(p, q, r);
+  }
+
+ private:
+  auto at(const Time& time) const {
+    return certification_.traits().instantaneous_traits({time, Time_side::at});
+  }
+  auto after(const Time& time) const {
+    return certification_.traits().instantaneous_traits({time, Time_side::after});
+  }
+
+  Decision decide_at_hull(const Two_sided_edge& edge, bool changes_sign, const Time& now) const;
+  template <class Now>
+  Decision decide_inside(const Two_sided_edge& edge, bool changes_sign,
+                         const Double_interval& bounds, const Now& now) const;
+  bool is_touch(Face_handle face, const Time& now) const;
+  bool do_corners_meet(Face_handle face, const Time& now) const;
+  bool may_hide_a_turn(const Edge& hull_triangle, const Time& now) const;
+  bool are_all_collinear(Face_handle face, const Time& now) const;
+  bool can_insert_into_hull(const Edge& hull_triangle, const Time& now) const;
+  Vertex_handle hidden_hull_vertex(Face_handle face, const Time& now) const;
+
+  const Certification<Traits>& certification_;
+  const Topology<Traits>& topology_;
+  const Triangulation& triangulation_;
+};
+
+// The triangle at a hull edge is flat.
+template <class Traits>
+auto Decisions<Traits>::decide_at_hull(const Two_sided_edge& edge, bool changes_sign,
+                                       const Time& now) const -> Decision {
+  const Edge& triangle = topology_.hull_triangle(edge);
+  const Face_handle face = triangle.first;
+  if (may_hide_a_turn(triangle, now)) return {Action::rebuild};
+  if (!changes_sign && is_touch(face, now)) {
+    return {do_corners_meet(face, now) ? Action::rebuild : Action::reschedule};
+  }
+  if constexpr (Types::is_weighted) {
+    if (!topology_.are_weights_equal()) {
+      const Vertex_handle hidden = hidden_hull_vertex(face, now);
+      if (hidden != Vertex_handle()) return {Action::hide, hidden, true};
+    }
+  }
+  const bool can_flip = !are_all_collinear(face, now) && can_insert_into_hull(triangle, now);
+  return {can_flip ? Action::flip : Action::rebuild, {}, true};
+}
+
+// Four points whose weights differ are on one power circle. The edge is flipped if that leaves the
+// triangulation embedded; else the end of the edge at which its quadrilateral is not convex is
+// hidden, if it has degree 3; else another event of this time has to come first.
+//
+//          c                      c
+//        / | \                  /   \                                                      .
+//       /  a  \      ==>       /     \          a is in the triangle b, c, d
+//      / / | \ \              /       \                                                    .
+//     d ---+--- b            d ------- b        (the edge is any of the three at a)
+//
+// The quadrilateral is strictly convex just after now if both its turns are left turns. But c and d
+// may have an edge while several events of one time are executed, as long as another triangle is
+// not yet what it is just after that time.
+template <class Traits>
+template <class Now>
+auto Decisions<Traits>::decide_inside(const Two_sided_edge& edge, bool changes_sign,
+                                      const Double_interval& bounds, const Now& now) const
+    -> Decision {
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
+  if (!changes_sign) {
+    const auto& [p, q, r, s] = certification_.points(edge).points;
+    const auto side = after(now()).power_side_of_oriented_power_circle_2_object();
+    if (side(*p, *q, *r, *s) != CGAL::ON_POSITIVE_SIDE) {
+      // A touch. A triangle whose corners, lifted, are on one line now may turn over.
+      const bool turns_over = !is_touch(face, now()) || !is_touch(neighbor, now());
+      return {turns_over ? Action::rebuild : Action::reschedule};
+    }
+  }
+  const Vertex_handle a = face->vertex(Triangulation::cw(i));
+  const Vertex_handle b = face->vertex(Triangulation::ccw(i));
+  const Vertex_handle c = face->vertex(i);
+  const Vertex_handle d = neighbor->vertex(j);
+  const Sign turn_at_a = turn(d->point(), a->point(), c->point(), bounds, now);
+  const Sign turn_at_b = turn(c->point(), b->point(), d->point(), bounds, now);
+  if (turn_at_a == CGAL::LEFT_TURN && turn_at_b == CGAL::LEFT_TURN &&
+      !triangulation_.is_edge(c, d)) {
+    return {Action::flip};
+  }
+  const auto have_third = [](Face_handle one, Vertex_handle opposite, Face_handle other) {
+    return one->neighbor(one->index(opposite)) == other->neighbor(other->index(opposite));
+  };
+  if (turn_at_a == CGAL::RIGHT_TURN && have_third(face, b, neighbor)) return {Action::hide, a};
+  if (turn_at_b == CGAL::RIGHT_TURN && have_third(face, a, neighbor)) return {Action::hide, b};
+  return {Action::postpone};
+}
+
+// Whether a triangle, flat at this time, makes a left turn just after it.
+template <class Traits>
+bool Decisions<Traits>::is_touch(Face_handle face, const Time& now) const {
+  return after(now).orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
+                                           face->vertex(2)->point()) == CGAL::LEFT_TURN;
+}
+
+// Whether two corners of a triangle, whose weights may differ, are in one place at this time. They
+// may exchange their order along a side of the hull on which all their neighbors are, so that no
+// orientation changes its sign. Points without weights have been taken out.
+template <class Traits>
+bool Decisions<Traits>::do_corners_meet(Face_handle face, const Time& time) const {
+  if (topology_.are_weights_equal()) return false;
+  const auto now = at(time);
+  const auto meet = [&](int i, int j) {
+    const Point_2& p = face->vertex(i)->point();
+    const Point_2& q = face->vertex(j)->point();
+    return now.compare_x_2_object()(p, q) == CGAL::EQUAL &&
+           now.compare_y_2_object()(p, q) == CGAL::EQUAL;
+  };
+  return meet(0, 1) || meet(1, 2) || meet(2, 0);
+}
+
+// Whether the triangle at a hull edge and one beside it are flat at this time and one of the two
+// does not turn over: then others may turn over behind it that no hull edge tells of.
+template <class Traits>
+bool Decisions<Traits>::may_hide_a_turn(const Edge& hull_triangle, const Time& time) const {
+  const auto now = at(time);
+  const auto& [face, i] = hull_triangle;
+  for (const int j : {Triangulation::cw(i), Triangulation::ccw(i)}) {
+    const Face_handle beside = face->neighbor(j);
+    if (!triangulation_.is_infinite(beside) &&
+        now.orientation_2_object()(beside->vertex(0)->point(), beside->vertex(1)->point(),
+                                   beside->vertex(2)->point()) == CGAL::COLLINEAR &&
+        (is_touch(face, time) || is_touch(beside, time))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether all points lie on the line of a triangle that is flat at this time. Usually the first one
+// that is looked at does not.
+template <class Traits>
+bool Decisions<Traits>::are_all_collinear(Face_handle face, const Time& time) const {
+  const auto now = at(time);
+  return std::ranges::all_of(triangulation_.finite_vertex_handles(), [&](Vertex_handle v) {
+    return face->has_vertex(v) ||
+           now.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
+                                      v->point()) == CGAL::COLLINEAR;
+  });
+}
+
+// Whether the triangle at a hull edge, flat at this time, can be taken away: its apex lies between
+// the ends of the edge, and is no hull vertex yet. Otherwise several hull triangles went flat
+// together, possibly all of the triangulation.
+template <class Traits>
+bool Decisions<Traits>::can_insert_into_hull(const Edge& hull_triangle, const Time& time) const {
+  const auto& [face, i] = hull_triangle;
+  const Vertex_handle apex = face->vertex(i);
+  if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
+  return at(time).collinear_are_strictly_ordered_along_line_2_object()(
+      face->vertex(Triangulation::cw(i))->point(), apex->point(),
+      face->vertex(Triangulation::ccw(i))->point());
+}
+
+// The hull vertex that the segment of its hull neighbors hides: of a triangle, flat at this time,
+// that has two hull edges.
+//
+//         v
+//       /   \                                  v reaches the segment from outside and is above
+//      a --- b     ==>     a ----- b           it: it belongs to no other triangle
+//       \   /               \     /
+//         c                    c
+//
+template <class Traits>
+auto Decisions<Traits>::hidden_hull_vertex(Face_handle face, const Time& time) const
+    -> Vertex_handle {
+  const auto now = at(time);
+  for (int i = 0; i < 3; ++i) {
+    const int left = Triangulation::ccw(i);
+    const int right = Triangulation::cw(i);
+    if (triangulation_.is_infinite(face->neighbor(left)) &&
+        triangulation_.is_infinite(face->neighbor(right)) &&
+        !triangulation_.is_infinite(face->neighbor(i)) &&
+        now.collinear_are_strictly_ordered_along_line_2_object()(
+            face->vertex(left)->point(), face->vertex(i)->point(), face->vertex(right)->point())) {
+      return face->vertex(i);
+    }
+  }
+  return {};
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_DECISIONS_H

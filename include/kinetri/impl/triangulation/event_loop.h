@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The events of a kinetic triangulation, in the order of time.
+#ifndef KINETRI_IMPL_TRIANGULATION_EVENT_LOOP_H
+#define KINETRI_IMPL_TRIANGULATION_EVENT_LOOP_H
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "kinetri/impl/triangulation/decisions.h"
+#include "kinetri/impl/triangulation/hidden_events.h"
+#include "kinetri/impl/triangulation/updates.h"
+
+namespace kinetri::detail {
+
+/// Executes events. Between two calls the triangulation is Delaunay (regular) just after the
+/// present time.
+///
+/// One event's way: `run_to` has the schedule settled until a failure comes first; `run_instant`
+/// takes it out; `execute` asks `Decisions` what it leads to, and has `Updates` do it.
+template <class Traits>
+class Event_loop {
+ public:
+  using Types = Topology<Traits>;
+  using Triangulation = typename Types::Triangulation;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Face_handle = typename Types::Face_handle;
+  using Edge = typename Types::Edge;
+  using Two_sided_edge = typename Types::Two_sided_edge;
+  using Time = typename Types::Time;
+  using Entry = Kinetic_entry<Traits>;
+
+  /// The others must outlive this object.
+  Event_loop(Topology<Traits>& topology, const Certification<Traits>& certification,
+             Schedule<Traits>& schedule, Event_reporter<Traits>& reporter, Updates<Traits>& updates)
+      : topology_(topology),
+        certification_(certification),
+        schedule_(schedule),
+        reporter_(reporter),
+        updates_(updates) {}
+
+  /// Executes all events up to `time`, as long as may_go_on() is true before each time at which
+  /// something changes, if it is given. Returns their number.
+  std::size_t run_to(const Time& time, const std::function<bool()>& may_go_on);
+  /// Goes to the next time, up to `until` if that is given, at which something changes, and
+  /// executes its events. Returns their number. (Points may meet, and part, without an event.)
+  std::size_t step(const Time* until);
+  /// Executes every event of the time that is first in the queue. Precondition: the schedule is
+  /// settled, and a failure is first.
+  std::size_t run_instant();
+  /// Executes the failures at the present time, until there is none. Each flip makes the
+  /// triangulation more nearly Delaunay just after that time, and an edge that a flip leaves
+  /// violated then has its event at that time; so the state is Delaunay when none is left.
+  /// docs/MATH.md, section 5, has the argument, and why it ends.
+  void execute_due_events();
+  /// Reconstructs the triangulation just after the present time.
+  void rebuild();
+  /// Lets time run backwards: motions are mirrored, and the events of the present time are undone.
+  void reverse();
+  /// Whether an instant is being executed in which points are taken out for a while.
+  bool has_points_set_aside() const { return !points_set_aside_.empty(); }
+
+ private:
+  static constexpr bool is_weighted = Types::is_weighted;
+
+  struct Point_set_aside {
+    Vertex_handle vertex;
+    Vertex_handle companion;  // where to look for its place: was in the same one
+  };
+
+  void execute(const Entry& failure);
+  bool retry_postponed();
+  void set_coincident_points_aside();
+  void put_points_back();
+  bool has_flat_triangle() const;
+
+  Topology<Traits>& topology_;
+  const Certification<Traits>& certification_;
+  Schedule<Traits>& schedule_;
+  Event_reporter<Traits>& reporter_;
+  Updates<Traits>& updates_;
+  std::vector<Point_set_aside> points_set_aside_;
+  std::vector<Edge_ids> postponed_;  // edges whose certificates fail now, but cannot be flipped yet
+  std::uint64_t changes_before_retry_ = 0;
+  bool is_hull_flat_ = false;  // at the present time
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_EVENT_LOOP_H

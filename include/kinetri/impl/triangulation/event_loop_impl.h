@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Event_loop.
+#ifndef KINETRI_IMPL_TRIANGULATION_EVENT_LOOP_IMPL_H
+#define KINETRI_IMPL_TRIANGULATION_EVENT_LOOP_IMPL_H
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/event_loop.h"
+#include "kinetri/impl/triangulation/updates_impl.h"
+
+namespace kinetri::detail {
+
+template <class Traits>
+std::size_t Event_loop<Traits>::run_to(const Time& time, const std::function<bool()>& may_go_on) {
+  std::size_t events = 0;
+  bool goes_on = true;
+  while (goes_on && schedule_.settle(&time)) {
+    goes_on = may_go_on == nullptr || may_go_on();
+    if (goes_on) events += run_instant();
+  }
+  if (goes_on) schedule_.set_current_time(time);
+  updates_.show_current_time();
+  return events;
+}
+
+template <class Traits>
+std::size_t Event_loop<Traits>::step(const Time* until) {
+  std::size_t events = 0;
+  while (events == 0 && schedule_.settle(until)) {
+    events = run_instant();
+    updates_.show_current_time();
+  }
+  return events;
+}
+
+template <class Traits>
+std::size_t Event_loop<Traits>::run_instant() {
+  auto& queue = schedule_.queue();
+  reporter_.begin_instant();
+  is_hull_flat_ = false;
+  if (queue.top().kind == Entry_kind::coincidence) {
+    schedule_.set_current_time(queue.time(queue.top()));
+    updates_.show_current_time();
+    set_coincident_points_aside();
+  } else {
+    schedule_.set_current_time(queue.top());
+    if (!reporter_.observers().empty()) updates_.show_current_time();
+    execute(queue.pop());
+  }
+  execute_due_events();
+  put_points_back();
+  reporter_.report_edges();
+  reporter_.report_hiding();
+  const std::uint64_t events = reporter_.events_in_instant();
+  Triangulation_counters& counters = reporter_.counters();
+  ++counters.instants;
+  if (events > 1) ++counters.batches;
+  if (is_hull_flat_) ++counters.flat_hulls;
+  counters.largest_instant = std::max(counters.largest_instant, events);
+  return static_cast<std::size_t>(events);
+}
+
+template <class Traits>
+void Event_loop<Traits>::execute_due_events() {
+  do {
+    while (schedule_.settle_now()) execute(schedule_.queue().pop());
+  } while (retry_postponed());
+}
+
+template <class Traits>
+void Event_loop<Traits>::execute(const Entry& failure) {
+  KINETRI_ASSERT(failure.kind >= Entry_kind::hull_insert,
+                 "an event is a failure, and coincident points have been set aside");
+  if constexpr (is_weighted) {
+    if (failure.is_hidden()) {
+      Hidden_events<Traits> hidden(topology_, schedule_, reporter_, updates_);
+      if (!hidden.execute(failure)) rebuild();
+      return;
+    }
+  }
+  const Two_sided_edge edge = topology_.two_sided(failure.edge());
+  const auto now = [this]() -> const Time& { return schedule_.current_time(); };
+  const auto decision =
+      Decisions<Traits>(certification_).decide(failure, edge, schedule_.current_bounds(), now);
+  is_hull_flat_ = is_hull_flat_ || decision.is_hull_flat;
+  switch (decision.action) {
+    case Action::flip:
+      return updates_.flip(edge, event_kind_of(failure.kind));
+    case Action::hide:
+      Types::set_event(edge, no_event);
+      if constexpr (is_weighted) updates_.hide(decision.hidden);
+      return;
+    case Action::reschedule:
+      return schedule_.schedule({&edge, 1}, now());
+    case Action::postpone:
+      Types::set_event(edge, no_event);
+      postponed_.push_back(Types::ids_of(edge.here));
+      return;
+    case Action::rebuild:
+      return rebuild();
+  }
+}
+
+template <class Traits>
+void Event_loop<Traits>::rebuild() {
+  points_set_aside_.clear();
+  postponed_.clear();
+  updates_.rebuild();
+}
+
+// When no event is due: schedules the postponed edges again if something has happened since, and
+// reconstructs the triangulation otherwise. Returns whether there were any.
+template <class Traits>
+bool Event_loop<Traits>::retry_postponed() {
+  if (postponed_.empty()) return false;
+  const bool is_stuck = updates_.number_of_changes() == changes_before_retry_;
+  changes_before_retry_ = updates_.number_of_changes();
+  if (is_stuck) {
+    rebuild();
+    return true;
+  }
+  for (const auto& [a, b] : std::exchange(postponed_, {})) {
+    Edge edge;
+    if (!topology_.contains(a) || !topology_.contains(b) || topology_.is_hidden(a) ||
+        topology_.is_hidden(b) ||
+        !topology_.triangulation().is_edge(topology_.vertex(a), topology_.vertex(b), edge.first,
+                                           edge.second) ||
+        edge.first->event(edge.second) != no_event) {
+      continue;
+    }
+    const Two_sided_edge both = topology_.two_sided(edge);
+    schedule_.schedule({&both, 1}, schedule_.current_time());
+  }
+  return true;
+}
+
+// ---- points that coincide ----
+
+// Takes the points that coincide now out of the triangulation, but for one in each place, as it was
+// just before: all else that happens now happens to distinct points. Points that come together
+// share edges just before, so that each place's points are connected by edges whose ends coincide;
+// these are first in the queue.
+template <class Traits>
+void Event_loop<Traits>::set_coincident_points_aside() {
+  auto& queue = schedule_.queue();
+  reporter_.start_noting();
+  // By point, one that is nearer to the least id in its place, or that one itself.
+  std::map<Point_id, Point_id> parents;
+  const auto least = [&parents](Point_id id) {
+    while (parents.at(id) != id) id = parents.at(id);
+    return id;
+  };
+  while (schedule_.settle_now() && queue.top().kind == Entry_kind::coincidence) {
+    const Edge edge = queue.pop().edge();
+    Types::set_event(topology_.two_sided(edge), no_event);
+    const auto [a, b] = Types::ids_of(edge);
+    parents.emplace(a, a);
+    parents.emplace(b, b);
+    const std::array<Point_id, 2> merged = edge_ids(least(a), least(b));
+    parents[merged[1]] = merged[0];
+  }
+  // Each point that is put back is looked for from where it was, maybe far away.
+  constexpr std::size_t few = 8;
+  const bool are_many = parents.size() > std::max(few, topology_.number_of_points() / few);
+  if (are_many || topology_.triangulation().dimension() < 2 || !topology_.are_weights_equal()) {
+    return rebuild();
+  }
+  topology_.set_instant({schedule_.current_time(), Time_side::before});
+  for (const auto& [id, parent] : parents) {
+    if (id == parent) continue;
+    if (topology_.triangulation().test_dim_down(topology_.vertex(id))) return rebuild();
+    updates_.take_out(topology_.vertex(id));
+    points_set_aside_.push_back({topology_.vertex(id), topology_.vertex(least(id))});
+    ++reporter_.counters().points_set_aside;
+  }
+  updates_.show_current_time();
+}
+
+// Puts the points that were set aside back where they are just after now, one after the other.
+template <class Traits>
+void Event_loop<Traits>::put_points_back() {
+  while (!points_set_aside_.empty()) {
+    const auto [v, companion] = points_set_aside_.back();
+    points_set_aside_.pop_back();
+    updates_.put_in(v, topology_.locate(v->point(), companion->face()));
+    execute_due_events();
+  }
+}
+
+// ---- time that runs backwards ----
+
+// Just before the mirrored time the triangulation is Delaunay; the events of that time are executed
+// as in `run_instant`. A flat triangle, as there is also if points meet, is rebuilt instead.
+template <class Traits>
+void Event_loop<Traits>::reverse() {
+  schedule_.queue().clear();
+  schedule_.set_current_time(-schedule_.current_time());
+  for (const Vertex_handle v : topology_.vertices()) {
+    if (v == Vertex_handle()) continue;
+    topology_.set_point({v->point().id(), mirrored(v->point().motion())});
+  }
+  updates_.show_current_time();
+  if (has_flat_triangle()) {
+    rebuild();
+  } else {
+    schedule_.schedule_all();
+    execute_due_events();
+  }
+  reporter_.report_edges();
+}
+
+// Whether a triangle is flat at the present time, or the points are on a line.
+template <class Traits>
+bool Event_loop<Traits>::has_flat_triangle() const {
+  const Triangulation& triangulation = topology_.triangulation();
+  if (triangulation.dimension() < 2) return true;
+  const auto now =
+      certification_.traits().instantaneous_traits({schedule_.current_time(), Time_side::at});
+  return std::ranges::any_of(triangulation.finite_face_handles(), [&](Face_handle face) {
+    return now.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
+                                      face->vertex(2)->point()) == CGAL::COLLINEAR;
+  });
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_EVENT_LOOP_IMPL_H

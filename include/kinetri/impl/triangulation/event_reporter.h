@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a kinetic triangulation reports to its observers, and counts.
+#ifndef KINETRI_IMPL_TRIANGULATION_EVENT_REPORTER_H
+#define KINETRI_IMPL_TRIANGULATION_EVENT_REPORTER_H
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/error.h"
+#include "kinetri/events/event.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/base/flag_while.h"
+#include "kinetri/impl/events/observer_list.h"
+#include "kinetri/impl/triangulation/edge_changes.h"
+#include "kinetri/impl/triangulation/schedule.h"
+#include "kinetri/triangulation/triangulation_counters.h"
+
+namespace kinetri::detail {
+
+/// What observers are told of a flip, but for its number and time. The infinite vertex has the id
+/// no_point.
+inline Event flip_event(Event_kind kind, const std::pair<Edge_ids, Edge_ids>& removed_and_added) {
+  Event event;
+  event.kind = kind;
+  for (const auto& [ids, edge] : {std::pair(removed_and_added.first, &event.removed),
+                                  {removed_and_added.second, &event.added}}) {
+    // The other end of an infinite edge, whose greater id is that of the infinite vertex.
+    if (ids[1] == no_point) {
+      event.apex = ids[0];
+    } else {
+      *edge = ids;
+    }
+  }
+  return event;
+}
+
+/// Edges that have come and gone, in that order, and hidden points that may have other triangles
+/// since then.
+struct Edge_trail {
+  struct Step {
+    std::optional<Edge_ids> removed;
+    std::optional<Edge_ids> added;
+  };
+  std::vector<Step> edges;
+  std::vector<Point_id> hidden;
+};
+
+/// Observers, counts, and the edges that are noted to be reported together.
+///
+/// While edges are noted, no event is reported: what changes then, in whatever steps, is reported
+/// at the end as the edges that have come and gone, in `rebuild` events.
+template <class Traits>
+class Event_reporter {
+ public:
+  /// The others must outlive this object.
+  Event_reporter(const Topology<Traits>& topology, const Schedule<Traits>& schedule,
+                 Triangulation_counters& counters)
+      : topology_(topology), schedule_(schedule), counters_(counters) {}
+  Event_reporter(const Event_reporter&) = delete;
+  Event_reporter& operator=(const Event_reporter&) = delete;
+
+  // ---- calls within calls ----
+
+  /// Throws Precondition_error within another change, or if an observer has thrown.
+  void check_may_change() const {
+    KINETRI_PRECONDITION(!is_changing_,
+                         "a change of the triangulation within an event, or while another change "
+                         "is made; make it when advance_to, step or the other change has returned");
+    KINETRI_PRECONDITION(!is_in_event_,
+                         "an observer has thrown, and left the triangulation within an event; make "
+                         "another one, or restore a snapshot");
+  }
+  [[nodiscard]] Flag_while start_change() {
+    check_may_change();
+    return Flag_while(is_changing_);
+  }
+  /// Whether an event is reported, or edges are noted.
+  bool is_in_event() const { return is_in_event_ || edges_.has_value(); }
+  /// Observers are called from now on, or no more. It stays so if an observer throws.
+  void set_in_event(bool is_in_event) { is_in_event_ = is_in_event; }
+
+  // ---- events ----
+
+  Observer_list<Event_observer>& observers() { return observers_; }
+  const Observer_list<Event_observer>& observers() const { return observers_; }
+  Triangulation_counters& counters() { return counters_; }
+
+  /// Whether somebody is to know of each event, or edges are noted; else counting is enough.
+  bool has_listeners() const { return edges_ || keeps_trail_ || !observers_.empty(); }
+
+  /// Keeps the edges that come and go from now on, for whoever owns the triangulation.
+  void keep_trail() { keeps_trail_ = true; }
+  /// What has been kept since the last call.
+  Edge_trail take_trail() { return std::exchange(trail_, {}); }
+
+  /// Reports `event`, now, around change(), which makes it happen. While edges are noted, only
+  /// notes the event's edges.
+  template <class Change>
+  void report(Event event, const Change& change) {
+    if (edges_) {
+      if (event.removed) edges_->note(*event.removed, -1);
+      if (event.added) edges_->note(*event.added, 1);
+      return change();
+    }
+    event.number = counters_.number_of_events();
+    if (!observers_.empty()) event.time = schedule_.current_time();
+    is_in_event_ = true;
+    observers_.call([&](Event_observer& observer) { observer.before_event(event); });
+    change();
+    count_event(event.kind);
+    if (keeps_trail_ && (event.removed || event.added)) {
+      trail_.edges.push_back({event.removed, event.added});
+    }
+    observers_.call([&](Event_observer& observer) { observer.after_event(event); });
+    is_in_event_ = false;
+  }
+
+  /// Reports that change() hides or reveals a point, and the edges that come or go with it.
+  template <class Change>
+  void report_point(Event_kind kind, Point_id point, const Change& change) {
+    if (edges_) {
+      note_hidden(point, kind == Event_kind::hide);
+      return change();
+    }
+    Event event;
+    event.kind = kind;
+    event.point_a = point;
+    report(event, [&] {
+      edges_.emplace();
+      change();
+    });
+    report_edges();
+  }
+
+  /// Reports events that have happened already, also while edges are noted.
+  void report_happened(std::span<const Event> events) {
+    auto edges = std::exchange(edges_, std::nullopt);
+    for (const Event& event : events) report(event, [] {});
+    edges_ = std::move(edges);
+  }
+
+  void count_event(Event_kind kind) {
+    ++counters_.events[static_cast<std::size_t>(kind)];
+    ++events_in_instant_;
+  }
+  void begin_instant() { events_in_instant_ = 0; }
+  /// The events since begin_instant().
+  std::uint64_t events_in_instant() const { return events_in_instant_; }
+
+  // ---- edges that are reported together ----
+
+  bool is_noting() const { return edges_.has_value(); }
+  /// Edges are noted from now on, until report_edges().
+  void start_noting() {
+    if (!edges_) edges_.emplace();
+  }
+  /// An edge has come (1) or gone (-1). Precondition: is_noting().
+  void note(const Edge_ids& edge, int change) { edges_->note(edge, change); }
+  /// A point has been hidden or revealed, while edges are noted.
+  void note_hidden(Point_id point, bool is_hidden) { points_.push_back({point, is_hidden}); }
+  /// A hidden point may have another triangle.
+  void note_moved_hidden(Point_id point) { moved_hidden_.push_back(point); }
+
+  /// Ends noting, if edges are noted. Reports the points that are hidden or revealed in the end,
+  /// the edges that have gone and come in the end, then all that have been touched.
+  void report_edges();
+  /// Tells the observers which hidden points may have other triangles.
+  void report_hiding();
+
+ private:
+  void report_points();
+
+  const Topology<Traits>& topology_;
+  const Schedule<Traits>& schedule_;
+  Triangulation_counters& counters_;
+  Observer_list<Event_observer> observers_;
+  std::optional<Edge_changes> edges_;              // while edges are noted
+  std::vector<std::pair<Point_id, bool>> points_;  // meanwhile hidden (true) and revealed
+  std::vector<Point_id> moved_hidden_;
+  Edge_trail trail_;
+  bool keeps_trail_ = false;
+  std::uint64_t events_in_instant_ = 0;
+  bool is_changing_ = false;  // a function that changes the triangulation runs
+  bool is_in_event_ = false;
+};
+
+template <class Traits>
+void Event_reporter<Traits>::report_points() {
+  auto points = std::exchange(points_, {});
+  std::ranges::stable_sort(points, {}, &std::pair<Point_id, bool>::first);
+  for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+    const auto [id, is_first_hidden] = points[first];
+    while (last < points.size() && points[last].first == id) ++last;
+    // Each change is to the other state.
+    if ((last - first) % 2 == 0 || !topology_.contains(id)) continue;
+    Event event;
+    event.kind = is_first_hidden ? Event_kind::hide : Event_kind::reveal;
+    event.point_a = id;
+    report(event, [] {});
+  }
+}
+
+template <class Traits>
+void Event_reporter<Traits>::report_edges() {
+  if (!edges_) return;
+  const auto edges = edges_->take();
+  edges_.reset();
+  report_points();
+  Event event;
+  event.kind = Event_kind::rebuild;
+  for (const int change : {-1, 1}) {
+    for (const auto& [edge, net_change] : edges) {
+      if (net_change != change) continue;
+      event.removed = change < 0 ? std::optional(edge) : std::nullopt;
+      event.added = change > 0 ? std::optional(edge) : std::nullopt;
+      report(event, [] {});
+    }
+  }
+  if (observers_.empty()) return;
+  std::vector<Edge_ids> touched;
+  touched.reserve(edges.size());
+  for (const auto& [edge, net_change] : edges) touched.push_back(edge);
+  is_in_event_ = true;
+  observers_.call(
+      [&](Event_observer& observer) { observer.after_rebuild(schedule_.current_time(), touched); });
+  is_in_event_ = false;
+}
+
+template <class Traits>
+void Event_reporter<Traits>::report_hiding() {
+  if (moved_hidden_.empty()) return;
+  std::vector<Point_id> points = std::exchange(moved_hidden_, {});
+  if (observers_.empty() && !keeps_trail_) return;
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (keeps_trail_) trail_.hidden.insert(trail_.hidden.end(), points.begin(), points.end());
+  is_in_event_ = true;
+  observers_.call(
+      [&](Event_observer& observer) { observer.after_hiding(schedule_.current_time(), points); });
+  is_in_event_ = false;
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_EVENT_REPORTER_H

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What becomes of the hidden points of a kinetic regular triangulation. A hidden point is above the
+// lifted triangle in whose projection it is. Its certificate says so: one in-circle certificate,
+// and one orientation certificate for each side of the triangle. When a side is reached, the point
+// is located anew; when the plane is reached, the point becomes a vertex.
+//
+// The triangle that a hidden point is recorded to be in need not be right while the events of one
+// time are executed: a wrong triangle is a certificate that fails at once, and hidden points come
+// after all edges. docs/MATH.md, section 11.
+#ifndef KINETRI_IMPL_TRIANGULATION_HIDDEN_EVENTS_H
+#define KINETRI_IMPL_TRIANGULATION_HIDDEN_EVENTS_H
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "kinetri/base/error.h"
+#include "kinetri/impl/triangulation/updates.h"
+
+namespace kinetri::detail {
+
+/// Puts hidden points into the right triangles, or makes them vertices. Precondition: points have
+/// weights.
+template <class Traits>
+class Hidden_events {
+ public:
+  using Types = Topology<Traits>;
+  using Triangulation = typename Types::Triangulation;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Face_handle = typename Types::Face_handle;
+  using Edge = typename Types::Edge;
+  using Location = typename Types::Location;
+  using Point_2 = typename Types::Point_2;
+  using Entry = Kinetic_entry<Traits>;
+
+  /// The others must outlive this object.
+  Hidden_events(Topology<Traits>& topology, Schedule<Traits>& schedule,
+                Event_reporter<Traits>& reporter, Updates<Traits>& updates)
+      : topology_(topology),
+        triangulation_(topology.triangulation()),
+        schedule_(schedule),
+        reporter_(reporter),
+        updates_(updates) {}
+
+  /// Finds out what has become of a hidden point whose certificate has failed, and has been taken
+  /// from the queue: it moves to another triangle, or becomes a vertex, or neither. The edges are
+  /// right just after the present time. Returns false if the triangulation is to be rebuilt.
+  [[nodiscard]] bool execute(const Entry& failure) {
+    const Vertex_handle v = failure.hidden;
+    v->set_event(no_event);
+    if (triangulation_.dimension() < 2) return false;
+    const Face_handle face = v->face();
+    triangulation_.take_from_face(v);
+    if (failure.index != plane_condition) {
+      // It passes a side of its triangle.
+      const auto [beyond, i] = topology_.two_sided(Edge(face, failure.index)).there;
+      if (!triangulation_.is_infinite(beyond)) {
+        updates_.hide_in(v, beyond);
+        schedule_.schedule_hidden(
+            v, schedule_.current_time(),
+            reporter_.is_noting() ? no_condition : static_cast<std::uint8_t>(i));
+        return true;
+      }
+    } else if (failure.changes_sign && updates_.is_inside(v->point(), face, true)) {
+      updates_.reveal(v, {face, Triangulation::FACE, 0},
+                      reporter_.is_noting() ? Certificate_state::any : Certificate_state::vanishes);
+      return true;
+    }
+    updates_.show_current_time();
+    return place(v, topology_.locate(v->point(), face));
+  }
+
+  /// Puts a point where it is just after now: a hidden one that is in no list, or one that comes.
+  /// Returns false if the triangulation is to be rebuilt.
+  [[nodiscard]] bool place(Vertex_handle v, const Location& location) {
+    const auto& [face, locus, i] = location;
+    const auto hide_now = [&](Face_handle where) {
+      if (!v->is_hidden()) reporter_.note_hidden(v->point().id(), true);
+      updates_.hide_in(v, where);
+    };
+    if (locus == Triangulation::VERTEX) {
+      // They stay in one place: the heavier one hides the other.
+      const auto side = triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
+      const bool is_heavier = side(face->vertex(i)->point(), v->point()) == CGAL::ON_POSITIVE_SIDE;
+      hide_now(face);
+      if (is_heavier) return false;
+      schedule_.schedule_hidden(v, schedule_.current_time());
+    } else if (is_above(v->point(), location)) {
+      hide_now(locus == Triangulation::EDGE && triangulation_.is_infinite(face) ? face->neighbor(i)
+                                                                                : face);
+      schedule_.schedule_hidden(v, schedule_.current_time());
+    } else if (v->is_hidden()) {
+      updates_.reveal(v, location);
+    } else {
+      updates_.put_in(v, location);
+    }
+    return true;
+  }
+
+  /// Throws if the point would have the trajectory and the weight of another one that does not
+  /// change; `changed` are those that do, sorted.
+  void check_is_new(const Point_2& point, const Location& location,
+                    std::span<const Point_id> changed) const {
+    const auto check = [&](Vertex_handle v) {
+      if (triangulation_.is_infinite(v)) return;
+      const Point_id other = v->point().id();
+      if (other == point.id() || std::ranges::binary_search(changed, other) ||
+          !same_trajectory(v->point().motion(), point.motion())) {
+        return;
+      }
+      throw Coincident_trajectories_error(std::min(other, point.id()), std::max(other, point.id()));
+    };
+    const auto check_in = [&](Face_handle face) {
+      for (const Vertex_handle v : face->vertex_list()) check(v);
+    };
+    const auto& [face, locus, i] = location;
+    check_in(face);
+    if (locus == Triangulation::EDGE) check_in(face->neighbor(i));
+    if (locus != Triangulation::VERTEX) return;
+    check(face->vertex(i));
+    for_each_face_at(triangulation_, face->vertex(i), check_in);
+  }
+
+ private:
+  // Whether the point is not below the lifted triangle in which it is. False beyond the hull.
+  bool is_above(const Point_2& point, const Location& location) const {
+    auto [face, locus, i] = location;
+    if (triangulation_.is_infinite(face)) {
+      if (locus != Triangulation::EDGE) return false;
+      face = face->neighbor(i);
+    }
+    const auto side = triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
+    return side(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+                point) != CGAL::ON_POSITIVE_SIDE;
+  }
+
+  Topology<Traits>& topology_;
+  Triangulation& triangulation_;
+  Schedule<Traits>& schedule_;
+  Event_reporter<Traits>& reporter_;
+  Updates<Traits>& updates_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_HIDDEN_EVENTS_H

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parts of a kinetic triangulation, each of which owns its state, in the order in which they
+// know each other.
+#ifndef KINETRI_IMPL_TRIANGULATION_KINETIC_CORE_H
+#define KINETRI_IMPL_TRIANGULATION_KINETIC_CORE_H
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "kinetri/impl/triangulation/certification.h"
+#include "kinetri/impl/triangulation/event_loop.h"
+#include "kinetri/impl/triangulation/event_reporter.h"
+#include "kinetri/impl/triangulation/point_changes.h"
+#include "kinetri/impl/triangulation/schedule.h"
+#include "kinetri/impl/triangulation/topology.h"
+#include "kinetri/impl/triangulation/updates.h"
+#include "kinetri/triangulation/triangulation_counters.h"
+
+namespace kinetri::detail {
+
+/// | Part | owns | does not know |
+/// |---|---|---|
+/// | topology | CGAL's triangulation, ids | time, the queue |
+/// | certification | the kinetic traits | the queue; it changes nothing |
+/// | schedule | the present time, the queue | how faces change |
+/// | reporter | observers, counts, noted edges | why edges change |
+/// | updates | | which change is right |
+/// | loop | what is put off within an instant | how a change is made |
+/// | changes | | |
+template <class Traits>
+struct Kinetic_core {
+  using Time = Algebraic_number;
+  using Point_2 = typename Traits::Point_2;
+
+  /// No points at `start`.
+  Kinetic_core(const Traits& traits, const Time& start)
+      : topology({start, Time_side::after}),
+        certification(traits, topology),
+        schedule(certification, start, counters),
+        reporter(topology, schedule, counters),
+        updates(topology, certification, schedule, reporter),
+        loop(topology, certification, schedule, reporter, updates),
+        changes(*this) {}
+  Kinetic_core(const Kinetic_core&) = delete;
+  Kinetic_core& operator=(const Kinetic_core&) = delete;
+
+  /// Makes the triangulation of the points, whose ids are less than `ids`, and its queue.
+  void start_with(std::span<const Point_2> points, std::size_t ids);
+
+  /// Executes the events up to `time`, by several threads if that may pay; see Event_loop::run_to.
+  std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
+  /// Puts the queue, which several threads may have left in parts, into one part again, so that
+  /// single events cost what they should.
+  void join_parts();
+
+  Triangulation_counters counters;
+  Topology<Traits> topology;
+  Certification<Traits> certification;
+  Schedule<Traits> schedule;
+  Event_reporter<Traits> reporter;
+  Updates<Traits> updates;
+  Event_loop<Traits> loop;
+  Point_changes<Traits> changes;
+  Construction_seconds construction_seconds;
+  std::size_t threads = 1;  ///< that advance_to may use; 0: those of oneTBB's arena
+};
+
+/// The parts of a triangulation, for audits and for simulations, which execute its events.
+struct Core_access {
+  template <class KineticTriangulation>
+  static auto& core(KineticTriangulation& kinetic) {
+    return kinetic.core_;
+  }
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_KINETIC_CORE_H

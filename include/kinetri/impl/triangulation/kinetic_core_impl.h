@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Kinetic_core.
+#ifndef KINETRI_IMPL_TRIANGULATION_KINETIC_CORE_IMPL_H
+#define KINETRI_IMPL_TRIANGULATION_KINETIC_CORE_IMPL_H
+
+#include <chrono>
+
+#include "kinetri/impl/triangulation/kinetic_core.h"
+#include "kinetri/impl/triangulation/point_changes_impl.h"
+#include "kinetri/impl/triangulation/region_runs.h"
+
+namespace kinetri::detail {
+
+template <class Traits>
+void Kinetic_core<Traits>::start_with(std::span<const Point_2> points, std::size_t ids) {
+  const auto started = std::chrono::steady_clock::now();
+  topology.set_weights_equal(Topology<Traits>::have_equal_weights(points));
+  topology.start(Static_construction<Traits>::build(
+                     points, schedule.current_time(),
+                     certification.traits().instantaneous_traits(topology.clock())),
+                 ids);
+  const auto built = std::chrono::steady_clock::now();
+  schedule.schedule_all();
+  const auto initialized = std::chrono::steady_clock::now();
+  using Seconds = std::chrono::duration<double>;
+  construction_seconds = {Seconds(built - started).count(), Seconds(initialized - built).count()};
+}
+
+template <class Traits>
+std::size_t Kinetic_core<Traits>::advance_to(const Time& time,
+                                             const std::function<bool()>& may_go_on) {
+  if constexpr (has_region_runs<Traits>) {
+    if (may_pay_by_regions(topology.number_of_points(), threads)) {
+      return Region_runs<Traits>::advance_to(*this, time, may_go_on);
+    }
+  }
+  join_parts();
+  return loop.run_to(time, may_go_on);
+}
+
+template <class Traits>
+void Kinetic_core<Traits>::join_parts() {
+  if constexpr (has_region_runs<Traits>) {
+    if (schedule.queue().is_divided()) Region_runs<Traits>::join(*this);
+  }
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_KINETIC_CORE_IMPL_H

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The types that the parts of a kinetic triangulation have in common.
+#ifndef KINETRI_IMPL_TRIANGULATION_KINETIC_TYPES_H
+#define KINETRI_IMPL_TRIANGULATION_KINETIC_TYPES_H
+
+#include <CGAL/Delaunay_triangulation_2.h>
+
+#include <optional>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/impl/triangulation/kinetic_triangulation_data_structure_2.h"
+#include "kinetri/impl/triangulation/regular_triangulation.h"
+#include "kinetri/kinetic/basic_kinetic_traits_2.h"
+
+namespace kinetri::detail {
+
+/// CGAL's triangulation of moving points: regular if they have weights, else Delaunay.
+template <class Traits>
+struct Triangulation_of {
+  using type = CGAL::Delaunay_triangulation_2<
+      typename Traits::Instantaneous_traits,
+      Kinetic_triangulation_data_structure_2<typename Traits::Instantaneous_traits>>;
+};
+template <WeightedKineticTraits_2 Traits>
+struct Triangulation_of<Traits> {
+  using type = Regular_triangulation<typename Traits::Instantaneous_traits>;
+};
+
+/// What an event does to a point: gives it another motion or, with none, erases it.
+template <class Motion>
+struct Point_change {
+  Point_id point;                ///< which one
+  std::optional<Motion> motion;  ///< from then on
+};
+
+/// An edge as its two faces see it. In dimension 1, in which edges have no two sides, `there` is
+/// the same as `here`.
+template <class Edge>
+struct Two_sided_edge {
+  Edge here;
+  Edge there;
+};
+
+/// Types of the traits and of the triangulation.
+template <class Traits>
+struct Kinetic_types {
+  using Triangulation = typename Triangulation_of<Traits>::type;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+  using Edge = typename Triangulation::Edge;
+  using Two_sided_edge = detail::Two_sided_edge<Edge>;
+  using Motion = typename Traits::Motion;
+  using Point_2 = typename Traits::Point_2;
+  using Change = Point_change<Motion>;
+  using Time = Algebraic_number;
+  using Instantaneous_traits = typename Traits::Instantaneous_traits;
+
+  static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_KINETIC_TYPES_H

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Point_changes.
+#ifndef KINETRI_IMPL_TRIANGULATION_POINT_CHANGES_IMPL_H
+#define KINETRI_IMPL_TRIANGULATION_POINT_CHANGES_IMPL_H
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/event_loop_impl.h"
+#include "kinetri/impl/triangulation/point_changes.h"
+#include "kinetri/impl/triangulation/region_runs.h"
+
+namespace kinetri::detail {
+
+template <class Traits>
+void Point_changes<Traits>::change_all(Event_kind kind, std::vector<Change> changes) {
+  if (changes.empty()) return;
+  std::ranges::sort(changes, {}, &Change::point);
+  const auto twice = std::ranges::adjacent_find(changes, {}, &Change::point);
+  KINETRI_PRECONDITION(twice == changes.end(), "point " + std::to_string(twice->point) +
+                                                   " is named twice; expected each point once");
+  std::vector<Event> events(changes.size());
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    events[i].kind = kind;
+    events[i].point_a = changes[i].point;
+  }
+  perform(events, changes);
+}
+
+template <class Traits>
+void Point_changes<Traits>::perform(std::span<const Event> events,
+                                    std::span<const Change> changes) {
+  Plan planned = plan(changes);
+  if constexpr (is_weighted) note_weights(changes);
+  reporter_.report(events.front(), [&] {
+    reporter_.start_noting();
+    make(changes, planned);
+    loop_.execute_due_events();
+  });
+  reporter_.report_happened(events.subspan(1));
+  reporter_.report_edges();
+  reporter_.report_hiding();
+}
+
+// ---- the plan ----
+
+template <class Traits>
+auto Point_changes<Traits>::plan(std::span<const Change> changes) -> Plan {
+  Plan result;
+  find_turns(changes, result);
+  if constexpr (is_weighted) check_turns_are_new(changes, result.turns);
+  if (result.jumps.empty()) return result;
+  constexpr std::size_t few = 8;
+  if (triangulation_.dimension() < 2 ||
+      result.jumps.size() > std::max(few, topology_.number_of_points() / few)) {
+    result.rebuilt = updates_.build_now(points_after(changes));
+  } else {
+    check_are_distinct(changes, result.jumps);
+    locate_jumps(changes, result.jumps);
+  }
+  return result;
+}
+
+// Throws if a point that turns would have the trajectory and the weight of a hidden point, or is
+// hidden itself and would have those of any point. Two points that have edges are in two places.
+template <class Traits>
+void Point_changes<Traits>::check_turns_are_new(std::span<const Change> changes,
+                                                std::span<const Change> turns) const {
+  if constexpr (is_weighted) {
+    if (topology_.number_of_hidden_points() == 0 || turns.empty()) return;
+    std::vector<Point_id> changed;
+    for (const Change& change : changes) changed.push_back(change.point);
+    std::ranges::sort(changed);
+    const Hidden_events<Traits> hidden(topology_, schedule_, reporter_, updates_);
+    for (const Change& change : turns) {
+      const Point_2 point(*change.motion, change.point);
+      const Location location = topology_.locate(point, topology_.vertex(change.point)->face());
+      hidden.check_is_new(point, location, changed);
+    }
+    std::vector<Jump> none;
+    check_are_distinct(changes, none);
+  }
+}
+
+// Whether so many points turn that everything is looked at anew.
+template <class Traits>
+bool Point_changes<Traits>::are_most(std::size_t points) const {
+  constexpr std::size_t few = 16;
+  return points > few && points > topology_.number_of_points() / 4;
+}
+
+// Tells points that turn from those that jump, come or go. The points turn one after the other, for
+// as long as this looks at them.
+template <class Traits>
+void Point_changes<Traits>::find_turns(std::span<const Change> changes, Plan& plan) {
+  std::vector<Point_2> before;
+  const auto turn = [&](const Change& change) {
+    const Vertex_handle v = topology_.vertex(change.point);
+    before.push_back(v->point());
+    v->set_point(Point_2(*change.motion, change.point));
+    plan.turns.push_back(change);
+  };
+  const auto undo_last = [&] {
+    topology_.vertex(plan.turns.back().point)->set_point(before.back());
+    plan.turns.pop_back();
+    before.pop_back();
+  };
+  const auto may_turn = [&](const Change& change) {
+    return change.motion && topology_.contains(change.point) && triangulation_.dimension() == 2;
+  };
+  before.reserve(changes.size());
+  plan.turns.reserve(changes.size());
+  if (are_most(changes.size()) && std::ranges::all_of(changes, may_turn)) {
+    for (const Change& change : changes) turn(change);
+    if (!Static_construction<Traits>::is_embedded(
+            triangulation_, certification_.places(schedule_.current_time()))) {
+      while (!before.empty()) undo_last();
+    }
+  }
+  if (plan.turns.empty()) {
+    for (const Change& change : changes) {
+      if (may_turn(change)) {
+        turn(change);
+        if (topology_.is_hidden(change.point) ||
+            is_embedded_around(topology_.vertex(change.point))) {
+          continue;
+        }
+        undo_last();
+      }
+      plan.jumps.push_back({change});
+    }
+  }
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    topology_.vertex(plan.turns[i].point)->set_point(before[i]);
+  }
+}
+
+template <class Traits>
+bool Point_changes<Traits>::is_embedded_around(Vertex_handle v) const {
+  const auto orientation = triangulation_.geom_traits().orientation_2_object();
+  return certification_.is_embedded_around(
+      v, schedule_.current_bounds(), [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+        return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
+      });
+}
+
+// Throws if two of the points that change would have one trajectory. Puts the jumps into an order
+// in which near ones follow one another: that of the vertices of a triangulation of the points.
+template <class Traits>
+void Point_changes<Traits>::check_are_distinct(std::span<const Change> changes,
+                                               std::vector<Jump>& jumps) const {
+  std::vector<Point_2> changed;
+  for (const Change& change : changes) {
+    if (change.motion) changed.emplace_back(*change.motion, change.point);
+  }
+  if (changed.size() < 2) return;
+  const Triangulation of_changed = updates_.build_now(changed);
+  const auto id = [](const Jump& jump) { return jump.change.point; };
+  std::ranges::sort(jumps, {}, id);
+  std::vector<Jump> in_order;
+  in_order.reserve(jumps.size());
+  std::vector<bool> is_in_order;
+  for (const Jump& jump : jumps) {
+    if (!jump.change.motion) in_order.push_back(jump);
+    is_in_order.push_back(!jump.change.motion);
+  }
+  for (const Vertex_handle v : of_changed.finite_vertex_handles()) {
+    const auto jump = std::ranges::lower_bound(jumps, v->point().id(), {}, id);
+    if (jump == jumps.end() || id(*jump) != v->point().id()) continue;
+    in_order.push_back(*jump);
+    is_in_order[static_cast<std::size_t>(jump - jumps.begin())] = true;
+  }
+  for (std::size_t i = 0; i < jumps.size(); ++i) {  // hidden among those that change
+    if (!is_in_order[i]) in_order.push_back(jumps[i]);
+  }
+  jumps = std::move(in_order);
+}
+
+// Finds where the points come that jump or come. Throws if one would have the trajectory of another
+// point, which does not change. Precondition: dimension 2.
+template <class Traits>
+void Point_changes<Traits>::locate_jumps(std::span<const Change> changes,
+                                         std::span<Jump> jumps) const {
+  std::vector<Point_id> changed;
+  for (const Change& change : changes) changed.push_back(change.point);
+  std::ranges::sort(changed);
+  const auto changes_itself = [&](Vertex_handle v) {
+    return std::ranges::binary_search(changed, v->point().id());
+  };
+  Face_handle near;  // where the point before comes
+  for (Jump& jump : jumps) {
+    const auto& [id, motion] = jump.change;
+    if (!motion) continue;
+    const Point_2 point(*motion, id);
+    const auto face_near = [&] {
+      return topology_.vertex_near(point, schedule_.current_time().to_double())->face();
+    };
+    jump.location = topology_.locate(point, near == Face_handle() ? face_near() : near);
+    near = jump.location.face;
+    const auto& [face, locus, i] = jump.location;
+    if constexpr (is_weighted) {
+      Hidden_events<Traits>(topology_, schedule_, reporter_, updates_)
+          .check_is_new(point, jump.location, changed);
+    } else if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
+      const Point_id other = face->vertex(i)->point().id();
+      throw Coincident_trajectories_error(std::min(id, other), std::max(id, other));
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Vertex_handle v = face->vertex(k);
+      if (!triangulation_.is_infinite(v) && !changes_itself(v)) jump.near = v;
+    }
+  }
+}
+
+// The points that there are after the changes, in the order of their ids.
+template <class Traits>
+auto Point_changes<Traits>::points_after(std::span<const Change> changes) const
+    -> std::vector<Point_2> {
+  std::vector<const Change*> change_of(topology_.vertices().size(), nullptr);
+  for (const Change& change : changes) change_of[change.point] = &change;
+  std::vector<Point_2> result;
+  for (std::size_t id = 0; id < change_of.size(); ++id) {
+    const Vertex_handle v = topology_.vertices()[id];
+    if (const Change* const change = change_of[id]; change != nullptr) {
+      if (change->motion) result.emplace_back(*change->motion, change->point);
+    } else if (v != Vertex_handle()) {
+      result.push_back(v->point());
+    }
+  }
+  return result;
+}
+
+// ---- the changes ----
+
+// Notes whether all weights are still equal after the changes.
+template <class Traits>
+void Point_changes<Traits>::note_weights(std::span<const Change> changes) {
+  if (!topology_.are_weights_equal()) return;
+  std::vector<Point_2> points;
+  for (const Change& change : changes) {
+    if (change.motion) points.emplace_back(*change.motion, change.point);
+  }
+  // One that stays, if there is one.
+  const auto stays = [&](Vertex_handle v) {
+    return v != Vertex_handle() &&
+           std::ranges::find(changes, v->point().id(), &Change::point) == changes.end();
+  };
+  const auto stayer = std::ranges::find_if(topology_.vertices(), stays);
+  if (stayer != topology_.vertices().end()) points.push_back((*stayer)->point());
+  topology_.set_weights_equal(Types::have_equal_weights(points));
+}
+
+template <class Traits>
+void Point_changes<Traits>::make(std::span<const Change> changes, Plan& plan) {
+  if (plan.rebuilt) {
+    const auto set_points = [&] {
+      for (const Change& change : changes) topology_.set_point(change);
+    };
+    return updates_.rebuild(set_points, std::move(plan.rebuilt));
+  }
+  make_turns(plan.turns);
+  if (plan.jumps.empty()) return;
+  loop_.execute_due_events();  // what takes a vertex out needs a triangulation that is Delaunay
+  if (make_jumps(plan.jumps, plan.turns.empty())) return;
+  updates_.rebuild([&] {
+    for (const Jump& jump : plan.jumps) topology_.set_point(jump.change);
+  });
+}
+
+template <class Traits>
+void Point_changes<Traits>::make_turns(std::span<const Change> turns) {
+  if (are_most(turns.size())) {
+    schedule_.queue().clear();
+    for (const Change& change : turns) topology_.set_point(change);
+    return schedule_.schedule_all();
+  }
+  if constexpr (has_region_runs<Traits> && !is_weighted) {
+    constexpr std::size_t turns_per_region = 8;  // fewer are made as fast one by one
+    if (schedule_.queue().is_divided() &&
+        turns.size() >= turns_per_region * schedule_.division().regions) {
+      return Region_runs<Traits>::make_turns(core_, turns);
+    }
+  }
+  // Each edge once, also one that is around several of the points.
+  std::vector<Two_sided_edge> edges;
+  edges.reserve(16 * turns.size());
+  std::vector<Vertex_handle> hidden;
+  for (const Change& change : turns) {
+    const Vertex_handle v = topology_.vertex(change.point);
+    if constexpr (is_weighted) {
+      const auto add = [&](Vertex_handle h) {
+        schedule_.unschedule_hidden(h);
+        hidden.push_back(h);
+      };
+      if (v->is_hidden()) {
+        add(v);
+        continue;
+      }
+      for_each_face_at(triangulation_, v, [&](Face_handle face) {
+        for (const Vertex_handle h : face->vertex_list()) add(h);
+      });
+    }
+    schedule_.unschedule_around(v, edges, reporter_.counters());
+  }
+  for (const Change& change : turns) topology_.set_point(change);
+  schedule_.schedule(edges, schedule_.current_time());
+  if constexpr (is_weighted) {
+    for (const Vertex_handle h : hidden) {
+      if (h->event() == no_event) schedule_.schedule_hidden(h, schedule_.current_time());
+    }
+  }
+}
+
+// Takes out the points that jump or go, then puts in those that jump or come. Returns false if that
+// would leave points on a line: then the points are to be set, and all is to be rebuilt.
+// `are_located` says that nothing has changed since the points were located.
+template <class Traits>
+bool Point_changes<Traits>::make_jumps(std::span<const Jump> jumps, bool are_located) {
+  for (const auto& [change, location, near] : jumps) {
+    const Vertex_handle v = topology_.vertex(change.point);
+    if (v == Vertex_handle()) continue;
+    if (!topology_.is_hidden(change.point) && triangulation_.test_dim_down(v)) return false;
+    updates_.take_out(v);
+    are_located = false;
+    if (!change.motion) topology_.set_point(change);
+  }
+  for (const Jump& jump : jumps) {
+    if (jump.change.motion) topology_.set_point(jump.change);
+  }
+  const std::uint64_t reconstructions = reporter_.counters().reconstructions;
+  for (const auto& [change, location, near] : jumps) {
+    if (!change.motion) continue;
+    const Vertex_handle v = topology_.vertex(change.point);
+    const Face_handle start = near == Vertex_handle() ? Face_handle() : near->face();
+    const Location there = are_located ? location : topology_.locate(v->point(), start);
+    if (!place(v, there)) loop_.rebuild();
+    loop_.execute_due_events();
+    // All points are in a triangulation that has been rebuilt, as if one hides a lighter one in its
+    // place.
+    if (reporter_.counters().reconstructions != reconstructions) return true;
+    are_located = false;
+  }
+  return true;
+}
+
+// Puts a vertex without faces in. Returns false if the triangulation is to be rebuilt.
+template <class Traits>
+bool Point_changes<Traits>::place(Vertex_handle v, const Location& location) {
+  if constexpr (is_weighted) {
+    return Hidden_events<Traits>(topology_, schedule_, reporter_, updates_).place(v, location);
+  } else {
+    updates_.put_in(v, location);
+    return true;
+  }
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_POINT_CHANGES_IMPL_H

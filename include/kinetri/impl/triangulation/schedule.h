@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The schedule of a kinetic triangulation: the present time, and the queue of what comes next.
+#ifndef KINETRI_IMPL_TRIANGULATION_SCHEDULE_H
+#define KINETRI_IMPL_TRIANGULATION_SCHEDULE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "kinetri/events/event.h"
+#include "kinetri/impl/base/compiler.h"
+#include "kinetri/impl/events/divided_scheduler.h"
+#include "kinetri/impl/events/event_scheduler.h"
+#include "kinetri/impl/triangulation/certification.h"
+#include "kinetri/impl/triangulation/prefetch.h"
+#include "kinetri/impl/triangulation/region_division.h"
+#include "kinetri/triangulation/triangulation_counters.h"
+
+namespace kinetri::detail {
+
+/// The kind of the event that a failure of this kind leads to.
+inline Event_kind event_kind_of(Entry_kind failure) {
+  switch (failure) {
+    case Entry_kind::flip:
+      return Event_kind::flip;
+    case Entry_kind::hull_insert:
+      return Event_kind::hull_insert;
+    case Entry_kind::hull_remove:
+      return Event_kind::hull_remove;
+    case Entry_kind::hidden:
+      return Event_kind::reveal;
+    default:
+      return Event_kind::rebuild;
+  }
+}
+
+/// What an entry is about: an edge or, if `hidden` is not null, a hidden point.
+template <class Traits>
+struct Kinetic_subject {
+  struct Nothing {};
+  using Types = Kinetic_types<Traits>;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Hidden_vertex = std::conditional_t<Types::is_weighted, Vertex_handle, Nothing>;
+
+  typename Types::Edge edge;
+  [[no_unique_address]] Hidden_vertex hidden = {};
+
+  bool is_hidden() const {
+    if constexpr (Types::is_weighted) return hidden != Vertex_handle();
+    return false;
+  }
+};
+
+/// An edge and the failure of its certificate; or a hidden point. The exact time is made from the
+/// corners of the edge's two faces, or of the face that hides the point: these must stay what they
+/// were when the entry was made.
+template <class Traits>
+struct Kinetic_entry : Scheduled {
+  using Subject = Kinetic_subject<Traits>;
+  using Edge = typename Kinetic_types<Traits>::Edge;
+
+  std::uint8_t index = 0;  ///< the edge is the one opposite this vertex of the face; or a condition
+  Entry_kind kind = Entry_kind::recheck;
+  bool changes_sign = false;  ///< the polynomial does, certainly, when the certificate fails
+  typename Kinetic_types<Traits>::Face_handle face;
+  [[no_unique_address]] typename Subject::Hidden_vertex hidden = {};
+
+  /// An entry without its subject and its times.
+  struct Kept {
+    std::uint8_t kind : 3 = 0;      ///< the `Entry_kind`
+    std::uint8_t index : 2 = 0;     ///< the condition on a hidden point
+    bool changes_sign : 1 = false;  ///< as in the entry
+  };
+
+  Kinetic_entry() = default;
+  /// The failure of an edge's certificate, which is of the given kind, or the time to check it
+  /// again; without the exact time. Precondition: the certificate may fail.
+  Kinetic_entry(const Edge& edge, Entry_kind failure, const Certificate& certificate)
+      : Scheduled{certificate.bounds},
+        index(static_cast<std::uint8_t>(edge.second)),
+        kind(certificate.kind == Certificate::Kind::holds ? Entry_kind::recheck : failure),
+        changes_sign(certificate.failure == nullptr),
+        face(edge.first) {}
+
+  /// The entry of a subject, without the exact time.
+  Kinetic_entry(const Subject& subject, const Double_interval& times, const Kept& kept)
+      : Scheduled{times},
+        index(subject.is_hidden() ? kept.index : static_cast<std::uint8_t>(subject.edge.second)),
+        kind(static_cast<Entry_kind>(kept.kind)),
+        changes_sign(kept.changes_sign),
+        face(subject.edge.first),
+        hidden(subject.hidden) {}
+
+  Kept kept() const {
+    return {static_cast<std::uint8_t>(static_cast<unsigned>(kind) & 7U),
+            static_cast<std::uint8_t>(index & 3U), changes_sign};
+  }
+  Edge edge() const { return Edge(face, index); }
+  Subject subject() const { return {edge(), hidden}; }
+  bool is_hidden() const { return subject().is_hidden(); }
+};
+
+/// The present time, and the entries of edges and hidden points.
+///
+/// Invariant, but while edges are changed: each edge, and each hidden point, whose certificate may
+/// ever fail again has one entry, either its failure, or a time up to which the certificate
+/// certainly holds. The two faces at the edge, or the hidden vertex, hold the entry's handle.
+template <class Traits>
+class Schedule {
+ public:
+  using Types = Topology<Traits>;
+  using Face_handle = typename Types::Face_handle;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Edge = typename Types::Edge;
+  using Two_sided_edge = typename Types::Two_sided_edge;
+  using Outer_edges = typename Types::Outer_edges;
+  using Time = typename Types::Time;
+  using Certificate_points = typename Certification<Traits>::Certificate_points;
+  using Entry = Kinetic_entry<Traits>;
+  using Subject = Kinetic_subject<Traits>;
+
+  /// What the scheduler asks; see Event_scheduler and Divided_scheduler.
+  class Policy {
+   public:
+    explicit Policy(const Schedule& schedule) : schedule_(schedule) {}
+
+    Time entry_time(const Entry& entry) const;
+    bool precedes(const Entry& a, const Entry& b) const;
+    bool is_recheck(const Entry& entry) const { return entry.kind == Entry_kind::recheck; }
+    KINETRI_ALWAYS_INLINE static void prefetch(const Entry& entry) { detail::prefetch(entry.face); }
+    KINETRI_ALWAYS_INLINE static void prefetch_more(const Entry& entry) {
+      prefetch_around(entry.face);
+    }
+    void prefetch_first(const Entry& entry) const;
+    std::size_t part_of(const Subject& subject) const;
+    Queue_handle handle(const Subject& subject) const;
+    void set_handle(const Subject& subject, Queue_handle handle) const;
+
+   private:
+    const Schedule& schedule_;
+  };
+  using Queue = Divided_scheduler<Entry, Policy>;
+
+  /// The certification and the counters must outlive this object.
+  Schedule(const Certification<Traits>& certification, const Time& start,
+           Triangulation_counters& counters)
+      : certification_(certification),
+        topology_(certification.topology()),
+        counters_(counters),
+        current_time_(start) {}
+  Schedule(const Schedule&) = delete;
+  Schedule& operator=(const Schedule&) = delete;
+
+  // ---- the present time ----
+
+  /// The present time, which is made if it has not been yet.
+  const Time& current_time() const;
+  /// Bounds of the present time. O(1).
+  Double_interval current_bounds() const {
+    return pending_time_ ? pending_time_->second : current_time().interval();
+  }
+  void set_current_time(Time time) {
+    pending_time_.reset();
+    current_time_ = std::move(time);
+  }
+  /// Makes the time of a failure the present one. It need not be made: mostly its bounds are
+  /// enough, until the next event comes.
+  void set_current_time(const Entry& entry) {
+    if (entry.time != Time_pool::none) return set_current_time(queue_.time_of(entry));
+    set_current_time(points(entry), entry.bounds);
+  }
+  /// The same, of a certificate that fails then.
+  void set_current_time(const Certificate_points& failed, const Double_interval& bounds) {
+    pending_time_ = {failed, bounds};
+  }
+
+  // ---- the queue ----
+
+  Queue& queue() { return queue_; }
+  const Queue& queue() const { return queue_; }
+  const Policy& policy() const { return policy_; }
+  /// Of the vertices, while the queue is in parts.
+  Region_division& division() { return division_; }
+  const Region_division& division() const { return division_; }
+  Certificate_counters& certificate_counters() { return certificate_counters_; }
+  const Certificate_counters& certificate_counters() const { return certificate_counters_; }
+
+  /// Rechecks certificates until the first entry is a failure, or is later than `until`, if that is
+  /// given. Returns whether it is a failure, at or before `until`.
+  bool settle(const Time* until);
+  /// The same until the present time.
+  bool settle_now();
+  /// Whether the first failure is before `time`. Rechecks certificates, but keeps nothing of what
+  /// it finds.
+  bool has_failure_before(const Time& time) const;
+  /// What the certificate of an entry is about. Precondition: dimension 2.
+  Certificate_points points(const Entry& entry) const;
+
+  /// Schedules the certificates of edges from `after` on. Precondition: the edges have no entries.
+  void schedule(std::span<const Two_sided_edge> edges, const Time& after,
+                Certificate_state state = Certificate_state::any);
+  /// The same for an edge that has just been flipped, and the outer edges of its quadrilateral, as
+  /// Topology::flip returns them.
+  void schedule_after_flip(const Two_sided_edge& edge, const Outer_edges& outer);
+  /// Schedules every edge and every hidden point, on all threads that oneTBB has. Precondition: the
+  /// queue is empty.
+  void schedule_all();
+  /// Takes the entry of an edge out of the queue, if it has one; the faces keep its handle.
+  KINETRI_ALWAYS_INLINE void unschedule(const Two_sided_edge& edge) { unschedule(edge, counters_); }
+  /// The same for each edge of a face, which loses the handles.
+  void unschedule_face(Face_handle face);
+  /// The same for the edges of the faces at a vertex: the certificates that speak of it are theirs.
+  void unschedule_around(Vertex_handle v);
+  /// The same, and adds those edges to `edges` that are not among them yet, which have the handle
+  /// `listed` until they are scheduled. Counts what is discarded in `counters`.
+  void unschedule_around(Vertex_handle v, std::vector<Two_sided_edge>& edges,
+                         Triangulation_counters& counters);
+  /// Schedules those edges of the faces at a vertex that have no entry. The certificates of edges
+  /// at the vertex are in the given state.
+  void schedule_around(Vertex_handle v, Certificate_state state);
+
+  /// Schedules a hidden point, of whose certificate `vanishing` says what
+  /// Certification::hidden_certificate says. Precondition: it has no entry.
+  void schedule_hidden(Vertex_handle v, const Time& after, std::uint8_t vanishing = no_condition);
+  /// Schedules the points that a face hides and that have no entry.
+  void schedule_hidden_in(Face_handle face);
+  void unschedule_hidden(Vertex_handle v);
+  void unschedule_hidden_in(Face_handle face);
+
+ private:
+  static constexpr bool is_weighted = Types::is_weighted;
+
+  /// Puts the certificates of edges into the queue.
+  struct Put {
+    Schedule& schedule;
+    KINETRI_ALWAYS_INLINE void operator()(const Two_sided_edge& edge, Entry_kind kind,
+                                          Certificate&& certificate) const {
+      schedule.put(edge, kind, std::move(certificate));
+    }
+  };
+
+  /// Faces whose own edges one thread schedules.
+  struct Block {
+    std::span<const Face_handle> faces;
+    Queue_handle next_handle = 0;  // for the next edge
+    Time after;                    // a copy of its own
+    Certificate_counters counters;
+  };
+
+  template <class Is_due>
+  bool settle_while(const Is_due& is_due) {
+    return queue_.settle(is_due, [this](std::span<const Entry> entries) { recheck(entries); });
+  }
+  void recheck(std::span<const Entry> entries);
+  bool fails_before(const Entry& entry, const Time& time) const;
+  std::pair<Certificate_points, Certificate> certificate_of(const Entry& entry,
+                                                            const Time& after) const;
+  KINETRI_ALWAYS_INLINE void put(const Two_sided_edge& edge, Entry_kind kind,
+                                 Certificate&& certificate);
+  KINETRI_ALWAYS_INLINE void unschedule(const Two_sided_edge& edge,
+                                        Triangulation_counters& counters);
+  template <class Put>
+  void schedule_block(Block& block, const Put& put) const;
+
+  const Certification<Traits>& certification_;
+  const Topology<Traits>& topology_;
+  Triangulation_counters& counters_;
+  mutable Time current_time_;
+  /// If the present time has not been made yet: the certificate that failed then, and bounds of the
+  /// time. The points must stay what they are until the time is made or another time comes. None
+  /// when a public function returns or an observer is called: const functions change nothing.
+  mutable std::optional<std::pair<Certificate_points, Double_interval>> pending_time_;
+  Policy policy_{*this};
+  Queue queue_{policy_};
+  Region_division division_;
+  Certificate_counters certificate_counters_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_SCHEDULE_H

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The topology of a kinetic triangulation: CGAL's triangulation, and which vertex is which point.
+// It knows no queue: the handles that faces and hidden vertices hold are for others.
+#ifndef KINETRI_IMPL_TRIANGULATION_TOPOLOGY_H
+#define KINETRI_IMPL_TRIANGULATION_TOPOLOGY_H
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/events/event.h"
+#include "kinetri/impl/base/compiler.h"
+#include "kinetri/impl/events/queue_handle.h"
+#include "kinetri/impl/triangulation/incident.h"
+#include "kinetri/impl/triangulation/kinetic_types.h"
+#include "kinetri/kinetic/instant.h"
+
+namespace kinetri::detail {
+
+/// Vertices, faces, and the points at the vertices.
+///
+/// Invariant: each point that is there has one vertex, which is in faces, or hidden in the list of
+/// one face, or has been taken out to be put back within the same event. Vertices keep their
+/// handles as long as their points are there.
+template <class Traits>
+class Topology : public Kinetic_types<Traits> {
+  using Types = Kinetic_types<Traits>;
+
+ public:
+  using typename Types::Edge;
+  using typename Types::Face_handle;
+  using typename Types::Motion;
+  using typename Types::Point_2;
+  using typename Types::Triangulation;
+  using typename Types::Two_sided_edge;
+  using typename Types::Vertex_handle;
+  using Types::is_weighted;
+
+  /// The outer edges of the quadrilateral of an edge, counterclockwise.
+  using Outer_edges = std::array<Two_sided_edge, 4>;
+
+  /// Where a place is.
+  struct Location {
+    Face_handle face;  ///< infinite beyond the hull
+    typename Triangulation::Locate_type locus = Triangulation::FACE;
+    int index = 0;  ///< of the edge or vertex, if the place is on one
+  };
+
+  /// No points; predicates are those of the given instant.
+  explicit Topology(const Instant& instant) : clock_(instant) {}
+
+  /// Takes over a triangulation of points whose ids are less than `ids`, and whose predicates
+  /// follow clock(). Precondition: there are no points yet.
+  void start(Triangulation made, std::size_t ids);
+
+  // ---- points ----
+
+  const Triangulation& triangulation() const { return triangulation_; }
+  Triangulation& triangulation() { return triangulation_; }
+
+  std::size_t number_of_points() const noexcept { return number_of_points_; }
+  /// By point id; none if the point has been erased, or has not come yet.
+  const std::vector<Vertex_handle>& vertices() const noexcept { return vertices_; }
+  Vertex_handle vertex(Point_id id) const { return vertices_[id]; }
+  bool contains(Point_id id) const noexcept {
+    return id < vertices_.size() && vertices_[id] != Vertex_handle();
+  }
+  bool is_hidden(Point_id id) const {
+    if constexpr (is_weighted) return vertices_[id]->is_hidden();
+    return false;
+  }
+  std::size_t number_of_hidden_points() const {
+    if constexpr (is_weighted) return triangulation_.number_of_hidden_vertices();
+    return 0;
+  }
+  /// Gives out ids for `count` points that come later, and returns the first one. Precondition:
+  /// there are as many left.
+  Point_id give_ids(std::size_t count);
+  /// Takes back the ids from `first` on, which no point has.
+  void take_back_ids(Point_id first) { vertices_.resize(first); }
+  /// Gives a vertex the motion of the change; makes the vertex if the point comes, and deletes it
+  /// if the point goes. The vertex that comes or goes is in no face.
+  void set_point(const typename Types::Change& change);
+
+  /// Whether all weights are equal at all times, as without weights: then the triangulation is the
+  /// Delaunay triangulation, and no point is hidden.
+  bool are_weights_equal() const { return are_weights_equal_; }
+  void set_weights_equal(bool are_equal) { are_weights_equal_ = are_equal; }
+  static bool have_equal_weights(std::span<const Point_2> points);
+
+  /// The points that are there, in the order of their ids.
+  std::vector<Point_2> points() const;
+
+  // ---- the instant of the predicates ----
+
+  /// What the predicates of the triangulation follow.
+  const Instant_clock& clock() const { return clock_; }
+  /// Sets the instant of the predicates. It costs a copy of a time.
+  void set_instant(const Instant& instant) { clock_.set(instant); }
+
+  // ---- edges ----
+
+  /// The ids of the ends. The infinite vertex has the id no_point.
+  static Edge_ids ids_of(const Edge& edge) {
+    return edge_ids(edge.first->vertex(Triangulation::cw(edge.second))->point().id(),
+                    edge.first->vertex(Triangulation::ccw(edge.second))->point().id());
+  }
+  std::vector<Edge_ids> finite_edge_ids() const;
+  Two_sided_edge two_sided(const Edge& edge) const;
+  /// Whether the ids of an edge choose this side of it, and so not the other. Addresses, by which
+  /// an edge is that of one of its faces, are others in each run.
+  static bool is_chosen_side(const Edge& edge) {
+    const auto& [face, i] = edge;
+    return face->vertex(Triangulation::cw(i))->point().id() <
+           face->vertex(Triangulation::ccw(i))->point().id();
+  }
+  /// The same edge from the side that its ids choose: certificates are rounded otherwise from the
+  /// other side.
+  static Two_sided_edge chosen_side(const Two_sided_edge& edge) {
+    return is_chosen_side(edge.here) ? edge : Two_sided_edge{edge.there, edge.here};
+  }
+  /// Faces that have all edges, infinite ones too: in dimension 1, a face for each edge.
+  std::vector<Face_handle> faces() const;
+  /// Calls `function` with each edge that is the face's own: each edge is that of one of its faces.
+  template <class Function>
+  void for_each_own_edge(Face_handle face, Function function) const {
+    if (triangulation_.dimension() == 1) return function(Edge(face, 2));
+    for (int i = 0; i < 3; ++i) {
+      if (face < face->neighbor(i)) function(Edge(face, i));
+    }
+  }
+  /// The outer edges of an edge's quadrilateral, from the corner ccw(i) of the face on.
+  Outer_edges outer_edges(const Two_sided_edge& edge) const;
+  /// The previous hull vertex, the edge's own, and the next one, counterclockwise around the hull,
+  /// for an edge to the infinite vertex.
+  std::array<Vertex_handle, 3> hull_turn(const Two_sided_edge& infinite_edge) const;
+  /// The finite triangle at a hull edge, seen from that edge.
+  const Edge& hull_triangle(const Two_sided_edge& hull_edge) const {
+    return triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there : hull_edge.here;
+  }
+  /// The edge that a flip removes and the one that it adds.
+  static std::pair<Edge_ids, Edge_ids> flipped_edges(const Two_sided_edge& edge) {
+    const auto& [face, i] = edge.here;
+    const auto& [neighbor, j] = edge.there;
+    return {ids_of(edge.here),
+            edge_ids(face->vertex(i)->point().id(), neighbor->vertex(j)->point().id())};
+  }
+
+  /// Both faces hold the same handle.
+  static void set_event(const Two_sided_edge& edge, Queue_handle handle) {
+    edge.here.first->set_event(edge.here.second, handle);
+    edge.there.first->set_event(edge.there.second, handle);
+  }
+
+  // ---- places ----
+
+  /// Where a point stands at the instant of the predicates, searched from `start`, or from
+  /// anywhere. Precondition: dimension 2.
+  Location locate(const Point_2& point, Face_handle start) const {
+    Location result;
+    result.face = triangulation_.locate(point, result.locus, result.index, start);
+    return result;
+  }
+  /// A vertex that is probably near a point at about this time. Precondition: there is a point.
+  Vertex_handle vertex_near(const Point_2& point, double time) const;
+
+  // ---- changes ----
+  //
+  // `note(edge, change)` is called with the ids of each finite edge that comes (1) or goes (-1).
+
+  /// Flips an edge of which `before` are the outer edges. Returns the new edge; makes `before` the
+  /// outer edges seen from outside, the first two those of the face at the new edge.
+  Two_sided_edge flip(const Two_sided_edge& edge, Outer_edges& before);
+  /// Takes an inner or a hull vertex out of its faces. The vertex stays, in no face. The faces in
+  /// the hole are Delaunay (regular) at the instant of the predicates. Returns the edges around the
+  /// hole and those in it, which have the handle `listed` until they get another one; `faces` gets
+  /// the faces in the hole. If memory is missing, faces at the vertex are in disorder.
+  template <class Note>
+  std::vector<Two_sided_edge> remove_from_faces(Vertex_handle v, std::vector<Face_handle>& faces,
+                                                const Note& note);
+  /// Puts a vertex without faces into the triangle or edge of the location.
+  void insert_in_faces(Vertex_handle v, const Location& location);
+  /// Takes a vertex of degree 3 out of its faces. The vertex stays, in no face. Returns the face
+  /// that is left.
+  Face_handle remove_degree_3(Vertex_handle v);
+  /// Takes over the faces of another triangulation of the same points; vertices stay what they are.
+  /// Calls note_hidden(id, was_hidden, is_hidden) with each point that is or was hidden.
+  template <class Note_hidden>
+  void adopt(Triangulation rebuilt, const Note_hidden& note_hidden);
+  /// Hides the vertex in the face or, if that is infinite, in the finite one beside it.
+  void hide_in(Vertex_handle v, Face_handle face);
+  /// Takes the hidden points out of the lists of faces.
+  static std::vector<Vertex_handle> take_hidden(std::span<const Face_handle> faces);
+
+  /// Calls note(ids, change) with the finite edges at a vertex.
+  template <class Note>
+  void note_edges_at(Vertex_handle v, int change, const Note& note) const {
+    for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
+      note(edge_ids(v->point().id(), u->point().id()), change);
+    });
+  }
+
+  /// The handle of edges that have been listed, until they get another one.
+  static constexpr Queue_handle listed = no_event - 1;
+
+ private:
+  template <class Note>
+  std::vector<Two_sided_edge> list_inside(std::span<const Edge> polygon,
+                                          std::vector<Face_handle>& faces, const Note& note) const;
+  void replace_in_faces(Vertex_handle old, Vertex_handle replacement);
+
+  Instant_clock clock_;
+  Triangulation triangulation_;
+  std::vector<Vertex_handle> vertices_;
+  std::size_t number_of_points_ = 0;
+  bool are_weights_equal_ = true;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_TOPOLOGY_H

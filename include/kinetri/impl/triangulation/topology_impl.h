@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Topology.
+#ifndef KINETRI_IMPL_TRIANGULATION_TOPOLOGY_IMPL_H
+#define KINETRI_IMPL_TRIANGULATION_TOPOLOGY_IMPL_H
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/point_problems.h"
+#include "kinetri/impl/triangulation/topology.h"
+
+namespace kinetri::detail {
+
+// ---- points ----
+
+template <class Traits>
+void Topology<Traits>::start(Triangulation made, std::size_t ids) {
+  triangulation_ = std::move(made);
+  vertices_.resize(ids);
+  auto& vertices = triangulation_.tds().vertices();
+  for (Vertex_handle v = vertices.begin(); v != vertices.end(); ++v) {
+    if (triangulation_.is_infinite(v)) continue;
+    vertices_[v->point().id()] = v;
+    ++number_of_points_;
+  }
+}
+
+template <class Traits>
+Point_id Topology<Traits>::give_ids(std::size_t count) {
+  KINETRI_PRECONDITION(count < no_point - vertices_.size(), too_many_points);
+  const auto first = static_cast<Point_id>(vertices_.size());
+  vertices_.resize(vertices_.size() + count);
+  return first;
+}
+
+template <class Traits>
+void Topology<Traits>::set_point(const typename Types::Change& change) {
+  Vertex_handle& v = vertices_[change.point];
+  if (!change.motion) {
+    if (v == Vertex_handle()) return;
+    triangulation_.tds().delete_vertex(v);
+    v = Vertex_handle();
+    --number_of_points_;
+    return;
+  }
+  if (v == Vertex_handle()) {
+    v = triangulation_.tds().create_vertex();
+    ++number_of_points_;
+  }
+  v->set_point(Point_2(*change.motion, change.point));
+}
+
+// Whether the weights of all points are equal at all times.
+template <class Traits>
+bool Topology<Traits>::have_equal_weights(std::span<const Point_2> points) {
+  if constexpr (is_weighted) {
+    return std::ranges::all_of(points, [&](const Point_2& point) {
+      return kinetri::have_equal_weights(points.front().motion(), point.motion());
+    });
+  }
+  return true;
+}
+
+template <class Traits>
+auto Topology<Traits>::points() const -> std::vector<Point_2> {
+  std::vector<Point_2> result;
+  result.reserve(number_of_points_);
+  for (const Vertex_handle v : vertices_) {
+    if (v != Vertex_handle()) result.push_back(v->point());
+  }
+  return result;
+}
+
+// ---- edges ----
+
+template <class Traits>
+std::vector<Edge_ids> Topology<Traits>::finite_edge_ids() const {
+  std::vector<Edge_ids> result;
+  for (const Edge& edge : triangulation_.finite_edges()) result.push_back(ids_of(edge));
+  std::ranges::sort(result);
+  return result;
+}
+
+template <class Traits>
+inline auto Topology<Traits>::two_sided(const Edge& edge) const -> Two_sided_edge {
+  if (triangulation_.dimension() < 2) return {edge, edge};
+  // Without branches, which nothing could predict.
+  const auto& [face, i] = edge;
+  const Face_handle neighbor = face->neighbor(i);
+  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+  return {edge, Edge(neighbor, Triangulation::ccw(index_in(neighbor, right)))};
+}
+
+template <class Traits>
+auto Topology<Traits>::faces() const -> std::vector<Face_handle> {
+  std::vector<Face_handle> result;
+  if (triangulation_.dimension() < 1) return result;
+  if (triangulation_.dimension() == 1) {
+    for (const Edge& edge : triangulation_.all_edges()) result.push_back(edge.first);
+    return result;
+  }
+  result.reserve(2 * number_of_points_);
+  for (const Face_handle face : triangulation_.all_face_handles()) result.push_back(face);
+  return result;
+}
+
+template <class Traits>
+inline auto Topology<Traits>::outer_edges(const Two_sided_edge& edge) const -> Outer_edges {
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
+  return {two_sided(Edge(face, Triangulation::cw(i))),
+          two_sided(Edge(neighbor, Triangulation::ccw(j))),
+          two_sided(Edge(neighbor, Triangulation::cw(j))),
+          two_sided(Edge(face, Triangulation::ccw(i)))};
+}
+
+// In a face that lists (infinite, b, a) counterclockwise the hull runs from a to b.
+template <class Traits>
+auto Topology<Traits>::hull_turn(const Two_sided_edge& infinite_edge) const
+    -> std::array<Vertex_handle, 3> {
+  const auto& [face, i] = infinite_edge.here;
+  const Vertex_handle here = face->vertex(i);
+  const Vertex_handle there = infinite_edge.there.first->vertex(infinite_edge.there.second);
+  const Vertex_handle left = face->vertex(Triangulation::cw(i));
+  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+  if (triangulation_.is_infinite(right)) return {here, left, there};
+  return {there, right, here};
+}
+
+// ---- places ----
+
+// The nearest of some points, about as many as the third root of all, in doubles, if there is a way
+// to round places. The walk from there passes about as many triangles. [Muecke, Saias and Zhu 1996]
+template <class Traits>
+auto Topology<Traits>::vertex_near(const Point_2& point, double time) const -> Vertex_handle {
+  Vertex_handle nearest;
+  if constexpr (HasRoundedPlace<Motion>) {
+    const Vector_2 place = rounded_place(point.motion(), time);
+    const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_points_));
+    const std::size_t step = std::max<std::size_t>(1, vertices_.size() / tries);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t id = point.id() % step; id < vertices_.size(); id += step) {
+      const Vertex_handle v = vertices_[id];
+      if (v == Vertex_handle()) continue;
+      const Vector_2 there = rounded_place(v->point().motion(), time);
+      const double dx = there.x - place.x;
+      const double dy = there.y - place.y;
+      const double distance = dx * dx + dy * dy;
+      if (!(distance < least)) continue;
+      least = distance;
+      nearest = v;
+    }
+  }
+  return nearest != Vertex_handle() ? nearest : *triangulation_.finite_vertex_handles().begin();
+}
+
+// ---- changes ----
+
+//         c                  c
+//       / | \              /   \           The four outer edges keep their place but get a new
+//      a  |  b    ==>     a --- b          opposite vertex, and the diagonal is new.
+//       \ | /              \   /
+//         d                  d
+template <class Traits>
+inline auto Topology<Traits>::flip(const Two_sided_edge& edge, Outer_edges& before)
+    -> Two_sided_edge {
+  const auto [face, i] = edge.here;
+  const auto [neighbor, j] = edge.there;
+  triangulation_.tds().flip(face, i);
+  before = {{{before[0].there, Edge(face, Triangulation::cw(i))},
+             {before[1].there, Edge(face, i)},
+             {before[2].there, Edge(neighbor, Triangulation::cw(j))},
+             {before[3].there, Edge(neighbor, j)}}};
+  return {Edge(face, Triangulation::ccw(i)), Edge(neighbor, Triangulation::ccw(j))};
+}
+
+// CGAL removes another vertex in the place of this one.
+template <class Traits>
+template <class Note>
+auto Topology<Traits>::remove_from_faces(Vertex_handle v, std::vector<Face_handle>& faces,
+                                         const Note& note) -> std::vector<Two_sided_edge> {
+  std::vector<Edge> link;  // as the faces beyond it see it, which stay
+  for_each_face_at(triangulation_, v, [&](Face_handle face) {
+    link.push_back(two_sided(Edge(face, face->index(v))).there);
+  });
+  note_edges_at(v, -1, note);
+  const Vertex_handle stand_in = triangulation_.tds().create_vertex();
+  try {
+    stand_in->set_point(v->point());
+    replace_in_faces(v, stand_in);
+    if constexpr (is_weighted) {
+      if (are_weights_equal_) {
+        triangulation_.as_delaunay([&](auto& delaunay) { delaunay.remove(stand_in); });
+      } else {
+        triangulation_.remove(stand_in);
+      }
+    } else {
+      triangulation_.remove(stand_in);
+    }
+  } catch (...) {
+    triangulation_.tds().delete_vertex(stand_in);
+    throw;
+  }
+  return list_inside(link, faces, note);
+}
+
+// The edges of a polygon and those inside it, which are new; `faces` gets the faces inside it.
+template <class Traits>
+template <class Note>
+auto Topology<Traits>::list_inside(std::span<const Edge> polygon, std::vector<Face_handle>& faces,
+                                   const Note& note) const -> std::vector<Two_sided_edge> {
+  std::vector<Face_handle> beyond;
+  for (const Edge& edge : polygon) beyond.push_back(edge.first);
+  std::ranges::sort(beyond);
+  std::vector<Two_sided_edge> edges;
+  faces = {two_sided(polygon.front()).there.first};
+  for (std::size_t next = 0; next < faces.size(); ++next) {
+    const Face_handle face = faces[next];
+    for (int i = 0; i < 3; ++i) {
+      if (face->event(i) == listed) continue;
+      const Two_sided_edge edge = edges.emplace_back(two_sided(Edge(face, i)));
+      set_event(edge, listed);
+      if (std::ranges::binary_search(beyond, edge.there.first)) continue;
+      faces.push_back(edge.there.first);
+      if (!triangulation_.is_infinite(edge.here)) note(ids_of(edge.here), 1);
+    }
+  }
+  return edges;
+}
+
+template <class Traits>
+void Topology<Traits>::insert_in_faces(Vertex_handle v, const Location& location) {
+  const auto& [face, locus, i] = location;
+  KINETRI_ASSERT(locus != Triangulation::VERTEX, "the point is in the place of no other");
+  auto& tds = triangulation_.tds();
+  const Vertex_handle created =
+      locus == Triangulation::EDGE ? tds.insert_in_edge(face, i) : tds.insert_in_face(face);
+  replace_in_faces(created, v);
+  tds.delete_vertex(created);
+}
+
+template <class Traits>
+auto Topology<Traits>::remove_degree_3(Vertex_handle v) -> Face_handle {
+  const Face_handle face = v->face();
+  const Vertex_handle stand_in = triangulation_.tds().create_vertex();
+  replace_in_faces(v, stand_in);
+  triangulation_.tds().remove_degree_3(stand_in, face);
+  return face;
+}
+
+// Gives the faces at `old` the vertex `replacement`, which has none.
+template <class Traits>
+void Topology<Traits>::replace_in_faces(Vertex_handle old, Vertex_handle replacement) {
+  std::vector<Face_handle> faces;
+  for_each_face_at(triangulation_, old, [&](Face_handle f) { faces.push_back(f); });
+  for (const Face_handle f : faces) f->set_vertex(f->index(old), replacement);
+  replacement->set_face(faces.front());
+}
+
+template <class Traits>
+template <class Note_hidden>
+void Topology<Traits>::adopt(Triangulation rebuilt,
+                             [[maybe_unused]] const Note_hidden& note_hidden) {
+  auto& tds = triangulation_.tds();
+  const auto vertex_here = [&](Vertex_handle there) {
+    return rebuilt.is_infinite(there) ? triangulation_.infinite_vertex()
+                                      : vertices_[there->point().id()];
+  };
+  tds.faces().clear();
+  tds.faces().swap(rebuilt.tds().faces());
+  tds.set_dimension(rebuilt.dimension());
+  // A face of a triangulation of dimension d has d + 1 vertices, but for that of the lone infinite
+  // vertex, which has dimension -1.
+  const int corners = std::max(rebuilt.dimension(), 0) + 1;
+  for (Face_handle face = tds.faces().begin(); face != tds.faces().end(); ++face) {
+    for (int i = 0; i < corners; ++i) face->set_vertex(i, vertex_here(face->vertex(i)));
+  }
+  auto& vertices = rebuilt.tds().vertices();
+  for (Vertex_handle there = vertices.begin(); there != vertices.end(); ++there) {
+    vertex_here(there)->set_face(there->face());
+  }
+  if constexpr (is_weighted) {
+    for (Face_handle face = tds.faces().begin(); face != tds.faces().end(); ++face) {
+      face->vertex_list().clear();
+    }
+    for (Vertex_handle there = vertices.begin(); there != vertices.end(); ++there) {
+      if (rebuilt.is_infinite(there)) continue;
+      const Vertex_handle here = vertex_here(there);
+      const bool was_hidden = here->is_hidden();
+      here->set_hidden(there->is_hidden());
+      here->set_event(no_event);
+      if (here->is_hidden()) here->face()->vertex_list().push_back(here);
+      if (was_hidden || here->is_hidden()) {
+        note_hidden(here->point().id(), was_hidden, here->is_hidden());
+      }
+    }
+    triangulation_.count_hidden_vertices();
+  }
+}
+
+template <class Traits>
+void Topology<Traits>::hide_in(Vertex_handle v, Face_handle face) {
+  if constexpr (is_weighted) {
+    if (triangulation_.dimension() > 0 && triangulation_.is_infinite(face)) {
+      face = face->neighbor(face->index(triangulation_.infinite_vertex()));
+    }
+    triangulation_.hide(v, face);
+  }
+}
+
+template <class Traits>
+auto Topology<Traits>::take_hidden(std::span<const Face_handle> faces)
+    -> std::vector<Vertex_handle> {
+  std::vector<Vertex_handle> result;
+  if constexpr (is_weighted) {
+    for (const Face_handle face : faces) {
+      auto& list = face->vertex_list();
+      result.insert(result.end(), list.begin(), list.end());
+      list.clear();
+    }
+  }
+  return result;
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_TOPOLOGY_IMPL_H

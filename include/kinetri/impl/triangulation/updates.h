@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Changes of a kinetic triangulation that keep its schedule right: a flip, a vertex that comes or
+// goes, all anew. Each belongs to the present time.
+#ifndef KINETRI_IMPL_TRIANGULATION_UPDATES_H
+#define KINETRI_IMPL_TRIANGULATION_UPDATES_H
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinetri/impl/triangulation/certification.h"
+#include "kinetri/impl/triangulation/decisions.h"
+#include "kinetri/impl/triangulation/event_reporter.h"
+#include "kinetri/impl/triangulation/schedule.h"
+#include "kinetri/impl/triangulation/topology.h"
+
+namespace kinetri::detail {
+
+/// Changes faces, and makes the entries of their edges and hidden points anew. Which change is
+/// right is for others to decide; edges that a change leaves violated just after the present time
+/// have their entries at that time.
+template <class Traits>
+class Updates {
+ public:
+  using Types = Topology<Traits>;
+  using Triangulation = typename Types::Triangulation;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Face_handle = typename Types::Face_handle;
+  using Edge = typename Types::Edge;
+  using Two_sided_edge = typename Types::Two_sided_edge;
+  using Location = typename Types::Location;
+  using Point_2 = typename Types::Point_2;
+
+  /// The others must outlive this object.
+  Updates(Topology<Traits>& topology, const Certification<Traits>& certification,
+          Schedule<Traits>& schedule, Event_reporter<Traits>& reporter)
+      : topology_(topology),
+        certification_(certification),
+        schedule_(schedule),
+        reporter_(reporter),
+        triangulation_(topology.triangulation()) {}
+
+  /// Lets the predicates of the triangulation be those of the instant just after the present time.
+  void show_current_time() { topology_.set_instant({schedule_.current_time(), Time_side::after}); }
+
+  /// Flips an edge, finite or infinite, whose entry has left the queue, and reports the event.
+  void flip(const Two_sided_edge& edge, Event_kind kind);
+
+  /// Takes a vertex out of the triangulation, which stays Delaunay at the instant of its
+  /// predicates. The vertex stays, without faces. What it has hidden is hidden by others then, or
+  /// revealed. Precondition: edges are noted.
+  void take_out(Vertex_handle v);
+  /// Puts a vertex without faces in at its place: it splits the triangle or edge that it is in.
+  /// Inside the hull edges are flipped as in a static triangulation, before any certificate is
+  /// made. The certificates of its edges are in the given state. Precondition: edges are noted.
+  void put_in(Vertex_handle v, const Location& location,
+              Certificate_state state = Certificate_state::any);
+
+  /// Makes a hidden point, which is in no list, a vertex: event `reveal`. The certificates of its
+  /// edges are in the given state.
+  void reveal(Vertex_handle v, const Location& location,
+              Certificate_state state = Certificate_state::any);
+  /// Hides a vertex of degree 3, of which one neighbor may be the infinite vertex: event `hide`.
+  void hide(Vertex_handle v);
+  /// Hides the vertex in the face or, if that is infinite, in the finite one beside it.
+  void hide_in(Vertex_handle v, Face_handle face) {
+    topology_.hide_in(v, face);
+    reporter_.note_moved_hidden(v->point().id());
+  }
+  /// Whether a point is in a face just after the present time.
+  bool is_inside(const Point_2& point, Face_handle face, bool strictly = false) const;
+
+  /// Reconstructs the triangulation just after the present time. Right at any instant, however
+  /// degenerate.
+  void rebuild() {
+    ++reporter_.counters().reconstructions;
+    rebuild([] {});
+  }
+  /// The same, if points change meanwhile: change_vertices() inserts, erases or moves them;
+  /// `rebuilt` is the triangulation of the points after that, if it has been made already.
+  template <class Change_vertices>
+  void rebuild(const Change_vertices& change_vertices,
+               std::optional<Triangulation> rebuilt = std::nullopt);
+  /// The triangulation of points just after the present time.
+  Triangulation build_now(std::span<const Point_2> points) const;
+
+  /// How many changes there have been, to see that something has happened.
+  std::uint64_t number_of_changes() const { return changes_; }
+
+ private:
+  static constexpr bool is_weighted = Types::is_weighted;
+
+  void flip_link(Vertex_handle v);
+  std::vector<Vertex_handle> take_hidden(std::span<const Face_handle> faces);
+  void put_hidden(std::span<const Vertex_handle> hidden, std::span<const Face_handle> faces);
+  void note_edge(const Edge& edge, int change) { reporter_.note(Types::ids_of(edge), change); }
+  auto note() {
+    return [this](const Edge_ids& edge, int change) { reporter_.note(edge, change); };
+  }
+
+  Topology<Traits>& topology_;
+  const Certification<Traits>& certification_;
+  Schedule<Traits>& schedule_;
+  Event_reporter<Traits>& reporter_;
+  Triangulation& triangulation_;
+  std::uint64_t changes_ = 0;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_UPDATES_H

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Updates.
+#ifndef KINETRI_IMPL_TRIANGULATION_UPDATES_IMPL_H
+#define KINETRI_IMPL_TRIANGULATION_UPDATES_IMPL_H
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/prefetch.h"
+#include "kinetri/impl/triangulation/schedule_impl.h"
+#include "kinetri/impl/triangulation/static_construction.h"
+#include "kinetri/impl/triangulation/updates.h"
+
+namespace kinetri::detail {
+
+// The entries of the outer edges leave the queue first, while the corners that they speak of are
+// there.
+template <class Traits>
+void Updates<Traits>::flip(const Two_sided_edge& edge, Event_kind kind) {
+  auto outer = topology_.outer_edges(edge);
+  for (const auto& [here, there] : outer) {
+    prefetch(there.first->vertex(there.second));
+    schedule_.queue().prefetch(there.first->event(there.second));
+  }
+  ++changes_;
+  std::array<Face_handle, 2> faces = {edge.here.first, edge.there.first};
+  if constexpr (is_weighted) {
+    // A hidden point on the new edge is in both faces: which one comes first must not depend on the
+    // side of the edge that its entry names.
+    if (!Types::is_chosen_side(edge.here)) std::swap(faces[0], faces[1]);
+  }
+  const auto make = [&] {
+    for (const Two_sided_edge& side : outer) schedule_.unschedule(side);
+    std::vector<Vertex_handle> hidden;
+    if constexpr (is_weighted) hidden = take_hidden(faces);
+    const Two_sided_edge added = topology_.flip(edge, outer);
+    if (reporter_.is_noting()) {  // of several changes: no polynomial need vanish now
+      schedule_.schedule({&added, 1}, schedule_.current_time());
+      schedule_.schedule(outer, schedule_.current_time());
+    } else {
+      schedule_.schedule_after_flip(added, outer);
+    }
+    if constexpr (is_weighted) put_hidden(hidden, faces);
+  };
+  if (reporter_.has_listeners()) {
+    reporter_.report(flip_event(kind, Types::flipped_edges(edge)), make);
+  } else {
+    make();
+    reporter_.count_event(kind);
+  }
+}
+
+template <class Traits>
+void Updates<Traits>::take_out(Vertex_handle v) {
+  ++changes_;
+  std::vector<Vertex_handle> hidden;
+  if constexpr (is_weighted) {
+    if (v->is_hidden()) {
+      schedule_.unschedule_hidden(v);
+      triangulation_.take_from_face(v);
+      reporter_.note_hidden(v->point().id(), false);
+      reporter_.note_moved_hidden(v->point().id());
+      return triangulation_.show(v);
+    }
+    for_each_face_at(triangulation_, v, [&](Face_handle face) {
+      schedule_.unschedule_hidden_in(face);
+      hidden.insert(hidden.end(), face->vertex_list().begin(), face->vertex_list().end());
+    });
+  }
+  schedule_.unschedule_around(v);
+  std::vector<Face_handle> faces;
+  const std::vector<Two_sided_edge> edges = topology_.remove_from_faces(v, faces, note());
+  if constexpr (is_weighted) {
+    for (const Vertex_handle h : hidden) {
+      if (!h->is_hidden()) reporter_.note_hidden(h->point().id(), false);
+      reporter_.note_moved_hidden(h->point().id());
+    }
+  }
+  schedule_.schedule(edges, schedule_.current_time());
+  if constexpr (is_weighted) {
+    for (const Face_handle face : faces) schedule_.schedule_hidden_in(face);
+    // At a vertex, a point may be in any face of the vertex, also beyond the link.
+    for (const Vertex_handle h : hidden) {
+      if (h->is_hidden() && h->event() == no_event) {
+        schedule_.schedule_hidden(h, schedule_.current_time());
+      }
+    }
+  }
+}
+
+// What violates its certificate at the hull has its event at the present time.
+template <class Traits>
+void Updates<Traits>::put_in(Vertex_handle v, const Location& location, Certificate_state state) {
+  const auto& [face, locus, i] = location;
+  const bool is_on_edge = locus == Triangulation::EDGE;
+  const bool is_inside_hull = !triangulation_.is_infinite(face) &&
+                              !(is_on_edge && triangulation_.is_infinite(face->neighbor(i)));
+  ++changes_;
+  std::vector<Vertex_handle> hidden;
+  if constexpr (is_weighted) {
+    hidden = take_hidden({&face, 1});
+    if (is_on_edge) {
+      const std::array beside = {face->neighbor(i)};
+      const std::vector<Vertex_handle> more = take_hidden(beside);
+      hidden.insert(hidden.end(), more.begin(), more.end());
+    }
+  }
+  schedule_.unschedule_face(face);
+  if (is_on_edge) {
+    schedule_.unschedule_face(face->neighbor(i));
+    note_edge(Edge(face, i), -1);
+  }
+  topology_.insert_in_faces(v, location);
+  topology_.note_edges_at(v, 1, note());
+  if (is_inside_hull && topology_.are_weights_equal()) flip_link(v);
+  schedule_.schedule_around(v, state);
+  if constexpr (is_weighted) {
+    std::vector<Face_handle> around;
+    for_each_face_at(triangulation_, v, [&](Face_handle f) { around.push_back(f); });
+    put_hidden(hidden, around);
+  }
+}
+
+// Flips the edges opposite `v`, which is new and whose edges have no events, until the
+// triangulation is Delaunay at the instant of its traits; it was so without `v`. [Lawson 1977]
+template <class Traits>
+void Updates<Traits>::flip_link(Vertex_handle v) {
+  const auto side = triangulation_.geom_traits().side_of_oriented_circle_2_object();
+  std::vector<Edge> link;
+  for_each_face_at(triangulation_, v, [&](Face_handle face, int i) { link.emplace_back(face, i); });
+  while (!link.empty()) {
+    const auto [face, i] = link.back();
+    link.pop_back();
+    const Face_handle beyond = face->neighbor(i);
+    if (triangulation_.is_infinite(beyond)) continue;
+    if (side(beyond->vertex(0)->point(), beyond->vertex(1)->point(), beyond->vertex(2)->point(),
+             v->point()) != CGAL::ON_POSITIVE_SIDE) {
+      continue;
+    }
+    schedule_.unschedule_face(beyond);
+    note_edge(Edge(face, i), -1);
+    triangulation_.tds().flip(face, i);
+    note_edge(Edge(face, Triangulation::ccw(i)), 1);
+    link.emplace_back(face, face->index(v));
+    link.emplace_back(beyond, beyond->index(v));
+  }
+}
+
+// ---- hidden points ----
+
+template <class Traits>
+void Updates<Traits>::reveal(Vertex_handle v, const Location& location, Certificate_state state) {
+  ++changes_;
+  reporter_.report_point(Event_kind::reveal, v->point().id(), [&] {
+    triangulation_.show(v);
+    reporter_.note_moved_hidden(v->point().id());
+    put_in(v, location, state);
+  });
+}
+
+template <class Traits>
+void Updates<Traits>::hide(Vertex_handle v) {
+  ++changes_;
+  const bool was_noting = reporter_.is_noting();
+  reporter_.report_point(Event_kind::hide, v->point().id(), [&] {
+    std::vector<Face_handle> faces;
+    for_each_face_at(triangulation_, v, [&](Face_handle face) { faces.push_back(face); });
+    const std::vector<Vertex_handle> hidden = take_hidden(faces);
+    for (const Face_handle face : faces) schedule_.unschedule_face(face);
+    topology_.note_edges_at(v, -1, note());
+    const Face_handle face = topology_.remove_degree_3(v);
+    const std::array<Two_sided_edge, 3> edges = {topology_.two_sided(Edge(face, 0)),
+                                                 topology_.two_sided(Edge(face, 1)),
+                                                 topology_.two_sided(Edge(face, 2))};
+    schedule_.schedule(edges, schedule_.current_time());
+    put_hidden(hidden, {&face, 1});
+    // Beyond the hull the sign of its certificate is another one.
+    const bool is_inner = !triangulation_.is_infinite(face);
+    hide_in(v, face);
+    schedule_.schedule_hidden(v, schedule_.current_time(),
+                              is_inner && !was_noting ? plane_condition : no_condition);
+  });
+}
+
+// Takes the hidden points out of faces that are about to change, and unschedules them.
+template <class Traits>
+auto Updates<Traits>::take_hidden(std::span<const Face_handle> faces)
+    -> std::vector<Vertex_handle> {
+  for (const Face_handle face : faces) {
+    if (!face->vertex_list().empty()) schedule_.unschedule_hidden_in(face);
+  }
+  return topology_.take_hidden(faces);
+}
+
+// Puts them into one of the faces each, and schedules them: into the one in which they are, if the
+// faces are where they should be.
+template <class Traits>
+void Updates<Traits>::put_hidden(std::span<const Vertex_handle> hidden,
+                                 std::span<const Face_handle> faces) {
+  for (const Vertex_handle v : hidden) {
+    const auto around =
+        std::ranges::find_if(faces, [&](Face_handle face) { return is_inside(v->point(), face); });
+    hide_in(v, around == faces.end() ? faces.front() : *around);
+    schedule_.schedule_hidden(v, schedule_.current_time());
+  }
+}
+
+template <class Traits>
+bool Updates<Traits>::is_inside(const Point_2& point, Face_handle face, bool strictly) const {
+  if (triangulation_.is_infinite(face)) return false;
+  const Decisions<Traits> decisions(certification_);
+  const auto now = [this]() -> const auto& {
+    return schedule_.current_time();
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Sign side = decisions.turn(face->vertex(Triangulation::ccw(i))->point(),
+                                     face->vertex(Triangulation::cw(i))->point(), point,
+                                     schedule_.current_bounds(), now);
+    if (side == CGAL::NEGATIVE || (strictly && side == CGAL::ZERO)) return false;
+  }
+  return true;
+}
+
+// ---- all anew ----
+
+template <class Traits>
+auto Updates<Traits>::build_now(std::span<const Point_2> points) const -> Triangulation {
+  const auto& now = schedule_.current_time();
+  return Static_construction<Traits>::build(
+      points, now, certification_.traits().instantaneous_traits({now, Time_side::after}));
+}
+
+template <class Traits>
+template <class Change_vertices>
+void Updates<Traits>::rebuild(const Change_vertices& change_vertices,
+                              std::optional<Triangulation> rebuilt) {
+  reporter_.start_noting();
+  for (const Edge_ids& edge : topology_.finite_edge_ids()) reporter_.note(edge, -1);
+  show_current_time();
+  schedule_.queue().clear();
+  change_vertices();
+  const std::vector<Point_2> points = topology_.points();
+  topology_.adopt(rebuilt ? std::move(*rebuilt) : build_now(points),
+                  [this](Point_id hidden, bool was_hidden, bool is_hidden) {
+                    if (was_hidden != is_hidden) reporter_.note_hidden(hidden, is_hidden);
+                    reporter_.note_moved_hidden(hidden);
+                  });
+  topology_.set_weights_equal(Types::have_equal_weights(points));
+  schedule_.schedule_all();
+  for (const Edge_ids& edge : topology_.finite_edge_ids()) reporter_.note(edge, 1);
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_UPDATES_IMPL_H

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a simulation refuses.
+#ifndef KINETRI_SIMULATION_SIMULATION_ERRORS_H
+#define KINETRI_SIMULATION_SIMULATION_ERRORS_H
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/base/error.h"
+#include "kinetri/base/ids.h"
+#include "kinetri/events/event.h"
+
+namespace kinetri {
+
+/// A contact that no response can deal with.
+class Contact_error : public Error {
+ public:
+  /// About the contact of the point, with the message that what() gives.
+  Contact_error(Point_id point, const std::string& message) : Error(message), point_(point) {}
+  /// The point; of two, the one with the smaller id.
+  Point_id point() const noexcept { return point_; }
+
+ private:
+  Point_id point_;
+};
+
+/// Contacts that do not end: more at one time than allowed; or a point that is pressed against a
+/// wall or another point, so that no new velocity separates them. The contact has not been executed
+/// and is still to come, at the present time: until it is, the simulation is as between two events,
+/// and its snapshot too. Other motions of its points may let the run go on.
+class Endless_contacts_error : public Contact_error {
+ public:
+  using Contact_error::Contact_error;
+};
+
+/// After a contact, a place, velocity or acceleration is beyond the range of binary64.
+class Contact_overflow_error : public Contact_error {
+ public:
+  using Contact_error::Contact_error;
+};
+
+/// Discs overlap at the start, or where one is inserted, and the options refuse that.
+class Overlapping_discs_error : public Error {
+ public:
+  /// About the pairs, with the message that what() gives.
+  Overlapping_discs_error(std::vector<Edge_ids> pairs, const std::string& message)
+      : Error(message), pairs_(std::move(pairs)) {}
+  /// All pairs that overlap, sorted. The id of an inserted point is the one that it would have got.
+  const std::vector<Edge_ids>& pairs() const noexcept { return pairs_; }
+
+ private:
+  std::vector<Edge_ids> pairs_;
+};
+
+/// The radius of a disc is negative at the start, or where it is inserted or gets another motion;
+/// or it shrinks, and would be negative after a time that the simulation was to pass.
+class Negative_radius_error : public Error {
+ public:
+  /// About the radius of the point after the time, with the message that what() gives.
+  Negative_radius_error(Point_id point, Algebraic_number time, const std::string& message)
+      : Error(message), point_(point), time_(std::move(time)) {}
+  /// The id that the point has, or would have got.
+  Point_id point() const noexcept { return point_; }
+  /// The time, exactly: at or just after it the radius is negative.
+  const Algebraic_number& time() const noexcept { return time_; }
+
+ private:
+  Point_id point_;
+  Algebraic_number time_;
+};
+
+/// A point is outside of the box at the start, or when it is inserted or given another motion.
+class Outside_box_error : public Error {
+ public:
+  /// About the point, with the message that what() gives.
+  Outside_box_error(Point_id point, const std::string& message) : Error(message), point_(point) {}
+  /// The id that the point has, or would have got.
+  Point_id point() const noexcept { return point_; }
+
+ private:
+  Point_id point_;
+};
+
+}  // namespace kinetri
+
+#endif  // KINETRI_SIMULATION_SIMULATION_ERRORS_H
