@@ -159,7 +159,7 @@ bool Contact_turns<Traits>::certify(const std::array<Point_id, 2>& points, Point
   });
   if (!has_pairs()) return true;
   if constexpr (has_radii) {
-    // Discs that have a place of this one in their power cells; see Simulation_2::owners_in.
+    // Discs that have a place of this one in their power cells; see Disc_geometry::owners_in.
     for (const Point_id id : turned) {
       for (const Point_id partner : points) {
         if (partner == id || partner == no_point) continue;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <random>
 
@@ -315,37 +317,45 @@ TEST(Changes, of_one_event_are_made_together_or_not_at_all) {
   EXPECT_EQ(test::audited_run(kinetic, Algebraic_number(1.0), Audit_level::links), "");
 }
 
-TEST(Changes, may_insert_under_an_id_that_was_reserved) {
-  Kinetic_delaunay kinetic(test::random_motions(5, 10, 5, 1));
-  const Point_id later = kinetic.reserve_id();
-  EXPECT_FALSE(kinetic.contains(later));
-  EXPECT_EQ(kinetic.insert({{1, 2}, {0, 0}, 0}), later + 1);
-  kinetic.insert({{2, 1}, {0, 0}, 0}, later);
-  EXPECT_EQ(kinetic.vertex(later)->point().id(), later);
-  EXPECT_EQ(kinetic.number_of_points(), 7u);
-  EXPECT_PRECONDITION_ERROR(
-      kinetic.insert({{5, 5}, {0, 0}, 0}, later),
-      "the id 5 is not one that waits for its point; take one that reserve_id gives");
-  EXPECT_PRECONDITION_ERROR(
-      kinetic.insert({{5, 5}, {0, 0}, 0}, later + 2),
-      "the id 7 is not one that waits for its point; take one that reserve_id gives");
+TEST(Changes, of_one_event_return_the_edges_that_have_changed) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Kinetic_delaunay kinetic(test::random_motions(30, 50, 5, seed));
+    kinetic.advance_to(1.0);
+    const std::vector<Edge_ids> before = kinetic.finite_edge_ids();
+    const Linear_motion_2 elsewhere = {{25, 25.5}, {1, seed * 0.5}, 1.0};
+    const std::array<Kinetic_delaunay::Change, 2> changes = {{{3, elsewhere}, {4, std::nullopt}}};
+    const Changed_edges changed = kinetic.apply(Event_kind::collision, 3, 4, changes);
+    const std::vector<Edge_ids> after = kinetic.finite_edge_ids();
+    std::vector<Edge_ids> removed;
+    std::ranges::set_difference(before, after, std::back_inserter(removed));
+    std::vector<Edge_ids> added;
+    std::ranges::set_difference(after, before, std::back_inserter(added));
+    EXPECT_EQ(changed.removed, removed);
+    EXPECT_EQ(changed.added, added);
+    EXPECT_FALSE(removed.empty());
+    EXPECT_FALSE(added.empty());
+  }
 }
 
 // Of two points both are looked at; of one, or where the ids of most points are erased, any will
 // do.
+Kinetic_delaunay::Vertex_handle vertex_near(const Kinetic_delaunay& kinetic,
+                                            const Moving_point_2& place) {
+  return detail::Core_access::core(kinetic).topology.vertex_near(
+      place, kinetic.current_time().to_double());
+}
+
 TEST(Vertex_near, is_the_nearer_of_two_points_at_the_current_time) {
   Kinetic_delaunay kinetic({{{0, 0}, {1, 0}, 0}, {{10, 0}, {-1, 0}, 0}});
   const Moving_point_2 place({{2, 1}, {0, 0}, 0});
-  EXPECT_EQ(kinetic.vertex_near(place), kinetic.vertex(0));
+  EXPECT_EQ(vertex_near(kinetic, place), kinetic.vertex(0));
   kinetic.advance_to(8.0);
-  EXPECT_EQ(kinetic.vertex_near(place), kinetic.vertex(1));
+  EXPECT_EQ(vertex_near(kinetic, place), kinetic.vertex(1));
   kinetic.erase(1);
-  EXPECT_EQ(kinetic.vertex_near(place), kinetic.vertex(0));
-  kinetic.erase(0);
-  EXPECT_PRECONDITION_ERROR(kinetic.vertex_near(place), "there is no point, and so none is near");
+  EXPECT_EQ(vertex_near(kinetic, place), kinetic.vertex(0));
   Kinetic_delaunay sparse(test::random_motions(100, 10, 5, 1));
   for (Point_id id = 0; id < 99; ++id) sparse.erase(id);
-  EXPECT_EQ(sparse.vertex_near(place), sparse.vertex(99));
+  EXPECT_EQ(vertex_near(sparse, place), sparse.vertex(99));
 }
 
 TEST(Changes, are_events_with_their_points) {

@@ -45,8 +45,6 @@ std::map<std::string, Call> all_changes() {
       {"set_motions", [=](auto& kinetic) { kinetic.set_motions(ids, motions); }},
       {"insert", [](auto& kinetic) { kinetic.insert(motion); }},
       {"insert many", [=](auto& kinetic) { kinetic.insert(motions); }},
-      {"insert reserved", [](auto& kinetic) { kinetic.insert(motion, 30); }},
-      {"reserve_id", [](auto& kinetic) { kinetic.reserve_id(); }},
       {"erase", [](auto& kinetic) { kinetic.erase(0); }},
       {"erase many", [=](auto& kinetic) { kinetic.erase(ids); }},
       {"apply",
@@ -84,8 +82,6 @@ TEST(Changes_within_events, are_refused_and_the_run_goes_on) {
   const auto motions = test::random_motions(30, 100, 5, 1);
   Kinetic_delaunay plain(motions);
   Kinetic_delaunay kinetic(motions);
-  plain.reserve_id();
-  kinetic.reserve_id();
   Changer changer(kinetic);
   kinetic.add_observer(changer);
   kinetic.advance_to(2.0);
@@ -105,7 +101,6 @@ TEST(Changes_within_events, are_refused_while_a_run_asks_whether_it_may_go_on) {
   for (const auto& change : all_changes()) {
     SCOPED_TRACE(change.first);
     Kinetic_delaunay kinetic(motions);
-    kinetic.reserve_id();
     kinetic.advance_to(2.0, [&] {
       EXPECT_PRECONDITION_ERROR(change.second(kinetic), within);
       return true;

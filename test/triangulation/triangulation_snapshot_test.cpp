@@ -174,7 +174,7 @@ TEST(Triangulation_snapshot, is_restored_to_the_same_snapshot) {
   Kinetic_delaunay original(test::random_motions(50, 70, 5, 3));
   for (int i = 0; i < 30; ++i) original.step();
   original.erase(17);
-  original.reserve_id();
+  original.erase(original.insert({{1, 2}, {0, 0}, 0}));
   const Snapshot first = original.snapshot();
   const Snapshot second = Kinetic_delaunay::restore(first).snapshot();
   EXPECT_EQ(second.time, first.time);

@@ -185,8 +185,8 @@ class Simulation_2 {
   /// changes within an event if it looks at the triangulation
   /// (Event_observer::looks_at_triangulation; checked by advance_to); so may a response that is not
   /// pure (Simulation_options::response_is_pure). Precondition: time >= current_time(); the motion
-  /// is finite; the id has been given or reserved; the mass is positive and finite. schedule_insert
-  /// returns the id that the point will have.
+  /// is finite; the id has been given, by schedule_insert too; the mass is positive and finite.
+  /// schedule_insert returns the id that the point will have.
   Point_id schedule_insert(const Time& time, const Motion& motion, double mass = 1);
   void schedule_motion(const Time& time, Point_id id, const Motion& motion);
   void schedule_erase(const Time& time, Point_id id);

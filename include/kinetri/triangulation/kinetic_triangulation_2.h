@@ -105,11 +105,6 @@ class Kinetic_triangulation_2 {
   /// is the object itself, valid until the next call that advances time.
   const Triangulation& triangulation() const { return core_.topology.triangulation(); }
 
-  /// A vertex that is probably near the place of a point at the current time, which need not be
-  /// one of the triangulation: where a search for the place may begin. O(n^(1/3)). Precondition:
-  /// there is a point.
-  Vertex_handle vertex_near(const Point_2& point) const;
-
   /// What decides about the points: certificates, and the predicates at an instant.
   const Traits& traits() const { return core_.certification.traits(); }
 
@@ -122,7 +117,7 @@ class Kinetic_triangulation_2 {
     return static_cast<Point_id>(core_.topology.vertices().size());
   }
 
-  /// Whether the point `id` is there: has been given, and not been erased.
+  /// Whether the point `id` is there: has been inserted, and not been erased.
   bool contains(Point_id id) const noexcept { return core_.topology.contains(id); }
 
   /// Whether the point `id` has no power cell, and so no edges. Never without weights.
@@ -219,15 +214,6 @@ class Kinetic_triangulation_2 {
   /// set_motion throws. Precondition: the motion is finite, and there is an id left.
   Point_id insert(const Motion& motion);
 
-  /// Gives out the id next_id(), for a point that is to be inserted later, or never. Precondition:
-  /// there is an id left.
-  Point_id reserve_id();
-
-  /// Inserts a point with a reserved id: event `insert`. Throws what set_motion throws.
-  /// Precondition: the motion is finite; the id has been reserved, and has had no point (checked is
-  /// that no point has it now).
-  void insert(const Motion& motion, Point_id id);
-
   /// Erases the point `id`; the handle of its vertex is not valid from then on: event `erase`.
   /// Precondition: contains(id).
   void erase(Point_id id);
@@ -263,12 +249,12 @@ class Kinetic_triangulation_2 {
   /// What an event does to a point: gives it another motion or, with none, erases it.
   using Change = detail::Point_change<Motion>;
 
-  /// Makes the changes as one event of the given kind that concerns the given points. For events
-  /// that are not failures of this triangulation's certificates, such as collisions. Throws what
-  /// set_motion throws, and changes nothing then. Precondition: each point that is named in
-  /// `changes` is there, and named once.
-  void apply(Event_kind kind, std::optional<Point_id> point_a, std::optional<Point_id> point_b,
-             std::span<const Change> changes);
+  /// Makes the changes as one event of the given kind that concerns the given points: for events
+  /// that are not failures of this triangulation's certificates, such as collisions. Returns the
+  /// edges that this has removed and added. Throws what set_motion throws, and changes nothing
+  /// then. Precondition: each point that is named in `changes` is there, and named once.
+  Changed_edges apply(Event_kind kind, std::optional<Point_id> point_a,
+                      std::optional<Point_id> point_b, std::span<const Change> changes);
 
   // ---- watching ----
 

@@ -82,12 +82,6 @@ auto Kinetic_triangulation_2<Traits>::vertex(Point_id id) const -> Vertex_handle
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_triangulation_2<Traits>::vertex_near(const Point_2& point) const -> Vertex_handle {
-  KINETRI_PRECONDITION(number_of_points() > 0, "there is no point, and so none is near");
-  return core_.topology.vertex_near(point, current_time().to_double());
-}
-
-template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::is_hidden(Point_id id) const {
   KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
   return core_.topology.is_hidden(id);
@@ -170,9 +164,10 @@ void Kinetic_triangulation_2<Traits>::erase(Point_id id) {
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::apply(Event_kind kind, std::optional<Point_id> point_a,
-                                            std::optional<Point_id> point_b,
-                                            std::span<const Change> changes) {
+Changed_edges Kinetic_triangulation_2<Traits>::apply(Event_kind kind,
+                                                     std::optional<Point_id> point_a,
+                                                     std::optional<Point_id> point_b,
+                                                     std::span<const Change> changes) {
   const detail::Flag_while changing = core_.reporter.start_change();
   for (const auto& [id, motion] : changes) {
     KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
@@ -182,23 +177,7 @@ void Kinetic_triangulation_2<Traits>::apply(Event_kind kind, std::optional<Point
   event.kind = kind;
   event.point_a = point_a;
   event.point_b = point_b;
-  core_.changes.perform({&event, 1}, changes);
-}
-
-template <KineticTraits_2 Traits>
-Point_id Kinetic_triangulation_2<Traits>::reserve_id() {
-  const detail::Flag_while changing = core_.reporter.start_change();
-  return core_.topology.give_ids(1);
-}
-
-template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::insert(const Motion& motion, Point_id id) {
-  const detail::Flag_while changing = core_.reporter.start_change();
-  KINETRI_PRECONDITION(id < next_id() && !contains(id),
-                       "the id " + std::to_string(id) +
-                           " is not one that waits for its point; take one that reserve_id gives");
-  KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(id));
-  core_.changes.change_all(Event_kind::insert, {{id, motion}});
+  return core_.changes.perform({&event, 1}, changes);
 }
 
 template <KineticTraits_2 Traits>

@@ -125,7 +125,8 @@ auto Kinetic_queries_2<Traits>::connected_or_hidden(Vertex_handle v, Belongs bel
 // A vertex that is not hidden, and probably near the place. Precondition: there is a point.
 template <KineticTraits_2 Traits>
 auto Kinetic_queries_2<Traits>::visible_near(const Point_2& place) const -> Vertex_handle {
-  const Vertex_handle v = kinetic_.vertex_near(place);
+  const Vertex_handle v = detail::Core_access::core(kinetic_).topology.vertex_near(
+      place, kinetic_.current_time().to_double());
   if constexpr (is_weighted) {
     if (v->is_hidden()) {
       return topology().dimension() < 1 ? topology().finite_vertex() : v->face()->vertex(0);

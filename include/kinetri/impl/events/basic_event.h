@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "kinetri/base/ids.h"
 
@@ -47,6 +48,12 @@ using Edge_ids = std::array<Point_id, 2>;
 constexpr Edge_ids edge_ids(Point_id a, Point_id b) {
   return a < b ? Edge_ids{a, b} : Edge_ids{b, a};
 }
+
+/// The edges that a change has removed and added in the end, each sorted.
+struct Changed_edges {
+  std::vector<Edge_ids> removed;  ///< that were there before
+  std::vector<Edge_ids> added;    ///< that are there now
+};
 
 /// What happened at one time, in terms of point ids. `removed` and `added` are finite edges. These
 /// fields are present; the others are empty:

@@ -167,8 +167,9 @@ class Event_reporter {
   void note_moved_hidden(Point_id point) { moved_hidden_.push_back(point); }
 
   /// Ends noting, if edges are noted. Reports the points that are hidden or revealed in the end,
-  /// the edges that have gone and come in the end, then all that have been touched.
-  void report_edges();
+  /// the edges that have gone and come in the end, then all that have been touched. Returns the
+  /// former.
+  Changed_edges report_edges();
   /// Tells the observers which hidden points may have other triangles.
   void report_hiding();
 
@@ -206,29 +207,33 @@ void Event_reporter<Traits>::report_points() {
 }
 
 template <class Traits>
-void Event_reporter<Traits>::report_edges() {
-  if (!edges_) return;
-  const auto edges = edges_->take();
+Changed_edges Event_reporter<Traits>::report_edges() {
+  Changed_edges result;
+  if (!edges_) return result;
+  std::vector<Edge_ids> touched;
+  for (const auto& [edge, net_change] : edges_->take()) {
+    touched.push_back(edge);
+    if (net_change != 0) (net_change < 0 ? result.removed : result.added).push_back(edge);
+  }
   edges_.reset();
   report_points();
   Event event;
   event.kind = Event_kind::rebuild;
-  for (const int change : {-1, 1}) {
-    for (const auto& [edge, net_change] : edges) {
-      if (net_change != change) continue;
-      event.removed = change < 0 ? std::optional(edge) : std::nullopt;
-      event.added = change > 0 ? std::optional(edge) : std::nullopt;
-      report(event, [] {});
-    }
+  for (const Edge_ids& edge : result.removed) {
+    event.removed = edge;
+    report(event, [] {});
   }
-  if (observers_.empty()) return;
-  std::vector<Edge_ids> touched;
-  touched.reserve(edges.size());
-  for (const auto& [edge, net_change] : edges) touched.push_back(edge);
+  event.removed.reset();
+  for (const Edge_ids& edge : result.added) {
+    event.added = edge;
+    report(event, [] {});
+  }
+  if (observers_.empty()) return result;
   is_in_event_ = true;
   observers_.call(
       [&](Event_observer& observer) { observer.after_rebuild(schedule_.current_time(), touched); });
   is_in_event_ = false;
+  return result;
 }
 
 template <class Traits>

@@ -50,9 +50,9 @@ class Point_changes {
 
   /// Makes the changes and the flips that they make necessary, and reports the events, then the
   /// edges that have changed. Throws Coincident_trajectories_error, before anything is reported or
-  /// changed, if two points would have one trajectory (and weight). Precondition: each point is
-  /// named once.
-  void perform(std::span<const Event> events, std::span<const Change> changes);
+  /// changed, if two points would have one trajectory (and weight). Returns the edges that have
+  /// changed. Precondition: each point is named once.
+  Changed_edges perform(std::span<const Event> events, std::span<const Change> changes);
 
  private:
   static constexpr bool is_weighted = Types::is_weighted;

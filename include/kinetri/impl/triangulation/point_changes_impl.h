@@ -35,8 +35,8 @@ void Point_changes<Traits>::change_all(Event_kind kind, std::vector<Change> chan
 }
 
 template <class Traits>
-void Point_changes<Traits>::perform(std::span<const Event> events,
-                                    std::span<const Change> changes) {
+Changed_edges Point_changes<Traits>::perform(std::span<const Event> events,
+                                             std::span<const Change> changes) {
   Plan planned = plan(changes);
   if constexpr (is_weighted) note_weights(changes);
   reporter_.report(events.front(), [&] {
@@ -45,8 +45,9 @@ void Point_changes<Traits>::perform(std::span<const Event> events,
     loop_.execute_due_events();
   });
   reporter_.report_happened(events.subspan(1));
-  reporter_.report_edges();
+  Changed_edges result = reporter_.report_edges();
   reporter_.report_hiding();
+  return result;
 }
 
 // ---- the plan ----
