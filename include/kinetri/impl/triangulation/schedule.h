@@ -236,7 +236,7 @@ class Schedule {
   static constexpr bool is_weighted = Types::is_weighted;
 
   /// Puts the certificates of edges into the queue.
-  struct Put {
+  struct Put_certificate {
     Schedule& schedule;
     KINETRI_ALWAYS_INLINE void operator()(const Two_sided_edge& edge, Entry_kind kind,
                                           Certificate&& certificate) const {

@@ -188,14 +188,14 @@ KINETRI_ALWAYS_INLINE void Schedule<Traits>::put(const Two_sided_edge& edge, Ent
 template <class Traits>
 void Schedule<Traits>::schedule(std::span<const Two_sided_edge> edges, const Time& after,
                                 Certificate_state state) {
-  certification_.certify(edges, after, state, certificate_counters_, Put{*this});
+  certification_.certify(edges, after, state, certificate_counters_, Put_certificate{*this});
 }
 
 template <class Traits>
 void Schedule<Traits>::schedule_after_flip(const Two_sided_edge& edge, const Outer_edges& outer) {
   const auto now = [this]() -> const Time& { return current_time(); };
   certification_.certify_after_flip(edge, outer, current_bounds(), now, certificate_counters_,
-                                    Put{*this});
+                                    Put_certificate{*this});
 }
 
 template <class Traits>
