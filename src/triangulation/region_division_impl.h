@@ -36,6 +36,7 @@ void Region_run<Traits, Turns>::divide() {
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::go_on_with_division() {
   regions_ = division().regions;
+  log_.go_on_with_division();
   lanes_.resize(division().nodes());
   const auto most = static_cast<double>(options_.most_flips);
   for (std::size_t node = 0; node < lanes_.size(); ++node) {
@@ -45,17 +46,15 @@ void Region_run<Traits, Turns>::go_on_with_division() {
     const std::size_t from = lane.is_region() ? node : due_part(node);
     lane.part = &queue().part(from);
     lane.first_handle = queue().named(from, 0);
-    lane.flips_before = division().flips[node];
-    lane.first_number = division().numbers.first(node);
-    lane.numbers = division().numbers.size(node);
+    lane.log = &log_.node(node);
     if constexpr (has_turns) lane.turn_part = &turns_.queue().part(from);
     const double share = 4 * division().share(node) * events_in_window();
     lane.most_flips = static_cast<std::size_t>(std::min(share + 64, most));
     if (lane.is_region()) {
       // Somewhat more than its share of a window.
       const auto expected = static_cast<std::size_t>(1.2 * share / 16) + 64;
-      lane.flips.reserve(std::min(expected, lane.most_flips));
-      lane.keys.reserve(std::min(expected, lane.most_flips));
+      lane.log->flips.reserve(std::min(expected, lane.most_flips));
+      lane.log->keys.reserve(std::min(expected, lane.most_flips));
     }
   }
 }
@@ -63,10 +62,8 @@ void Region_run<Traits, Turns>::go_on_with_division() {
 // Whether the numbers of a node may not be enough for a window.
 template <class Traits, class Turns>
 bool Region_run<Traits, Turns>::are_stamps_spent() const {
-  return std::ranges::any_of(lanes_, [](const Lane& lane) {
-    const std::size_t left = lane.numbers - lane.flips_before;
-    return left < lane.most_flips && left < lane.numbers / 2;
-  });
+  return std::ranges::any_of(
+      lanes_, [](const Lane& lane) { return Log::are_numbers_spent(*lane.log, lane.most_flips); });
 }
 
 template <class Traits, class Turns>
@@ -76,10 +73,7 @@ void Region_run<Traits, Turns>::clear_stamps() {
   for_each(blocks, [](std::span<const Face_handle> block) {
     for (const Face_handle face : block) face->set_stamp(0);
   });
-  for (Lane& lane : lanes_) {
-    lane.flips_before = 0;
-    division().flips[lane.number] = 0;
-  }
+  log_.start_numbers();
 }
 
 template <class Traits, class Turns>

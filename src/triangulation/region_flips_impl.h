@@ -24,33 +24,6 @@ auto Region_run<Traits, Turns>::moment_of(const Entry& entry, const Two_sided_ed
   return result;
 }
 
-template <class Traits, class Turns>
-auto Region_run<Traits, Turns>::time(Moment& moment) const -> const Time& {
-  if (!moment.exact) moment.exact = certification_.failure_time(moment.points, moment.bounds);
-  return *moment.exact;
-}
-
-// The time of a flip. At the hull it has been made when the flip was executed.
-template <class Traits, class Turns>
-auto Region_run<Traits, Turns>::time(const Key& key) -> const Time& {
-  Flip& f = flip(key);
-  if (!f.exact) {
-    f.exact =
-        std::make_unique<Time>(certification_.failure_time(certificate_points(key), key.bounds));
-  }
-  return *f.exact;
-}
-
-// What failed when an edge was flipped, as Certification::points says it.
-// Precondition: the corners are finite.
-template <class Traits, class Turns>
-auto Region_run<Traits, Turns>::certificate_points(const Key& key) -> Certificate_points {
-  const Stamp number = stamp(lanes_[key.lane], key.index);
-  const Flip& f = flip(key);
-  const auto point = [&](std::size_t k) { return &point_at(f.corners[k], number); };
-  return {Entry_kind::flip, {point(0), point(1), point(2), point(3)}};
-}
-
 // ---- before a flip ----
 
 // Whether all four vertices are in the node, of whose entries this is one.
@@ -124,7 +97,7 @@ bool Region_run<Traits, Turns>::is_flip(const Entry& entry, const Two_sided_edge
         Types::is_weighted && !topology_.are_weights_equal() && !entry.changes_sign;
     return !may_touch && is_convex(edge, moment);
   }
-  const auto now = [&]() -> const Time& { return time(moment); };
+  const auto now = [&]() -> const Time& { return log_.time(moment); };
   return Decisions<Traits>(certification_).decide(entry, edge, moment.bounds, now).action ==
          Action::flip;
 }
@@ -159,11 +132,11 @@ template <class Traits, class Turns>
 void Region_run<Traits, Turns>::undo_later(Lane& lane, const Two_sided_edge& edge, Moment& moment) {
   for (const Edge& side : {edge.here, edge.there}) {
     const auto& [face, i] = side;
-    KINETRI_ASSERT(!is_later(face->stamp(), moment),
+    KINETRI_ASSERT(!log_.is_later(face->stamp(), moment),
                    "a flip at a face whose edge has an entry before it");
     for (const int k : {Triangulation::cw(i), Triangulation::ccw(i)}) {
       // Another face may be beside it then.
-      while (is_later(face->neighbor(k)->stamp(), moment)) {
+      while (log_.is_later(face->neighbor(k)->stamp(), moment)) {
         undo(lane, face->neighbor(k)->stamp());
       }
     }
@@ -197,44 +170,26 @@ KINETRI_ALWAYS_INLINE void Region_run<Traits, Turns>::put(const Lane& lane,
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::execute(Lane& lane, const Entry& entry, const Two_sided_edge& edge,
                                         Moment& moment) {
-  const auto [face, i] = edge.here;
-  const auto [neighbor, j] = edge.there;
   Outer_edges outer = topology_.outer_edges(edge);
   for (const auto& [here, there] : outer) {
     detail::prefetch(there.first->vertex(there.second));
     queue().prefetch(there.first->event(there.second));
   }
-  const std::size_t index = lane.flips.size();
-  Flip& f = lane.flips.emplace_back();
-  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
-  const Vertex_handle left = face->vertex(Triangulation::cw(i));
-  f.corners = {right->point().id(), left->point().id(), face->vertex(i)->point().id(),
-               neighbor->vertex(j)->point().id()};
-  f.face = face;
-  f.neighbor = neighbor;
-  f.i = static_cast<std::uint8_t>(i & 3);
-  f.j = static_cast<std::uint8_t>(j & 3);
-  f.left_had_face = left->face() == face;
-  f.right_had_neighbor = right->face() == neighbor;
+  Flip& f = log_.start_flip(*lane.log, edge);
   for (const auto& [here, there] : outer) discard(lane, here.first->event(here.second));
-  f.previous = {face->stamp(), neighbor->stamp()};
-  // Nothing throws from here to the flip: a record that has a key is that of a flip (go_back).
-  const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
-  lane.keys.push_back({moment.bounds, std::max(reached, moment.bounds.lower),
-                       static_cast<std::uint32_t>(index), static_cast<std::uint16_t>(lane.number),
-                       event_kind_of(entry.kind)});
-  const Stamp number = stamp(lane, index);
-  face->set_stamp(number);
-  neighbor->set_stamp(number);
+  // Nothing throws from here to the flip.
+  const Stamp number = log_.add_key(*lane.log, moment.bounds, event_kind_of(entry.kind));
+  f.face->set_stamp(number);
+  f.neighbor->set_stamp(number);
   const Two_sided_edge added = topology_.flip(edge, outer);
-  const auto now = [&]() -> const Time& { return time(moment); };
+  const auto now = [&]() -> const Time& { return log_.time(moment); };
   const auto put_entry = [&](const Two_sided_edge& e, Entry_kind kind, Certificate&& known) {
     put(lane, e, kind, std::move(known));
   };
   const Double_interval bounds = moment.exact ? moment.exact->interval() : moment.bounds;
   certification_.certify_after_flip(added, outer, bounds, now, lane.certificates, put_entry);
   if constexpr (has_turns) follow_flip(lane, f, moment);
-  if (entry.kind != Entry_kind::flip) time(moment);
+  if (entry.kind != Entry_kind::flip) log_.time(moment);
   if (moment.exact) f.exact = std::make_unique<Time>(std::move(*moment.exact));
 }
 
@@ -255,15 +210,15 @@ void Region_run<Traits, Turns>::undo(Lane& lane, Stamp number) {
   const auto last_at = [&](Face_handle face) {
     Stamp last = 0;
     for (const Face_handle f : {face, face->neighbor(0), face->neighbor(1), face->neighbor(2)}) {
-      if (is_of_window(f->stamp())) last = std::max(last, f->stamp());
+      if (log_.is_of_window(f->stamp())) last = std::max(last, f->stamp());
     }
     return last;
   };
   std::vector<Stamp> waiting = {number};  // each for the one after it
   while (!waiting.empty()) {
-    const Flip& f = flip(waiting.back());
+    const Flip& f = log_.flip(waiting.back());
     Stamp last = 0;
-    for_each_written_face(f, [&](Face_handle face) { last = std::max(last, last_at(face)); });
+    log_.for_each_written_face(f, [&](Face_handle face) { last = std::max(last, last_at(face)); });
     if (last > waiting.back()) {
       waiting.push_back(last);
     } else {
@@ -277,15 +232,15 @@ void Region_run<Traits, Turns>::undo(Lane& lane, Stamp number) {
 // just before it.
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::undo_last(Lane& lane, Stamp number) {
-  const Key& flipped = key(number);
-  Flip& f = flip(flipped);
+  const Key& flipped = log_.key(number);
+  Flip& f = log_.flip(flipped);
   ++lane.undone;
-  lane_of(number).has_undone = true;
-  for_each_written_face(f, [&](Face_handle face) {
+  log_.node_of(number).has_undone = true;
+  log_.for_each_written_face(f, [&](Face_handle face) {
     KINETRI_ASSERT(face->stamp() == number, "the last flip of its faces");
   });
   if constexpr (has_turns) {
-    const Time& now = time(flipped);  // made from motions of then
+    const Time& now = log_.time(flipped);  // made from motions of then
     if (f.turn) return undo_turn(lane, f, now);
     unfollow_flip(lane, f, now);
   }
@@ -297,7 +252,7 @@ void Region_run<Traits, Turns>::undo_last(Lane& lane, Stamp number) {
   for (int k = 0; k < 3; ++k) erase(f.face, k);
   erase(f.neighbor, j);
   erase(f.neighbor, Triangulation::cw(j));
-  take_back(f);
+  log_.roll_back(f);
   const Two_sided_edge edge = {Edge(f.face, i), Edge(f.neighbor, j)};
   const Outer_edges outer = topology_.outer_edges(edge);
   certify_again(lane, std::array{edge, outer[0], outer[1], outer[2], outer[3]});
@@ -320,42 +275,11 @@ template <class Traits, class Turns>
 auto Region_run<Traits, Turns>::birth(const Two_sided_edge& edge) -> const Time& {
   const Time* result = &schedule_.current_time();
   for (const Face_handle face : {edge.here.first, edge.there.first}) {
-    if (!is_of_window(face->stamp())) continue;
-    const Time& last = time(key(face->stamp()));
+    if (!log_.is_of_window(face->stamp())) continue;
+    const Time& last = log_.time(log_.key(face->stamp()));
     if (last > *result) result = &last;
   }
   return *result;
-}
-
-// Makes faces, motions and stamps what they were just before a flip, or a turn, that is the last
-// one of its faces. Leaves the queue as it is, and takes no memory.
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::take_back(Flip& f) {
-  f.is_undone = true;
-  if constexpr (has_turns) {
-    if (f.turn) {
-      set_motions(*f.turn, false);
-      for (const auto& [face, stamp] : f.turn->faces) face->set_stamp(stamp);
-      return;
-    }
-  }
-  // The flip in reverse. It has left neighbors around as CGAL's flip has them.
-  const int i = f.i;
-  const int j = f.j;
-  const Vertex_handle left = f.neighbor->vertex(Triangulation::ccw(j));
-  const Vertex_handle right = f.face->vertex(Triangulation::ccw(i));
-  const Edge at_bottom = topology_.two_sided(Edge(f.face, i)).there;
-  const Edge at_top = topology_.two_sided(Edge(f.neighbor, j)).there;
-  auto& tds = triangulation_.tds();
-  f.face->set_vertex(Triangulation::cw(i), left);
-  f.neighbor->set_vertex(Triangulation::cw(j), right);
-  tds.set_adjacency(f.face, i, f.neighbor, j);
-  tds.set_adjacency(f.face, Triangulation::ccw(i), at_top.first, at_top.second);
-  tds.set_adjacency(f.neighbor, Triangulation::ccw(j), at_bottom.first, at_bottom.second);
-  if (f.left_had_face) left->set_face(f.face);
-  if (f.right_had_neighbor) right->set_face(f.neighbor);
-  f.face->set_stamp(f.previous[0]);
-  f.neighbor->set_stamp(f.previous[1]);
 }
 
 }  // namespace kinetri::detail

@@ -35,7 +35,7 @@ double Region_run<Traits, Turns>::gather_due_turns(Lane& lane, double end) {
       recheck_turn(lane, entry);
       continue;
     }
-    move_turn(lane.number, due_part(lane.number));
+    turns_.queue().move_first(lane.number, due_part(lane.number));
     if (!turns_.is_contact(entry)) return std::min(end, entry.bounds.lower);
   }
   return end;
@@ -66,27 +66,12 @@ bool Region_run<Traits, Turns>::is_turn_first(Lane& lane, bool is_flip_due) {
   return lane.turn_part->time(turn) < lane.part->time(flip);
 }
 
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::move_turn(std::size_t from, std::size_t to) {
-  auto& turns = turns_.queue();
-  Turn_part& part = turns.part(from);
-  const Turn_entry entry = part.top();
-  const Queue_handle handle = turns.put(to, entry, part);
-  part.pop();
-  turns_.set_handle(entry, handle);
-}
-
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::move_turns_home(std::size_t from) {
-  Turn_part& part = turns_.queue().part(from);
-  while (!part.empty()) move_turn(from, turns_.part_of(part.top()));
-}
-
 // Leaves the first turn of a node to the node above.
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::leave_turn(Lane& lane) {
   stall(lane, lane.turn_part->top());
-  move_turn(lane.is_region() ? lane.number : due_part(lane.number), deferred_part(lane.number));
+  turns_.queue().move_first(lane.is_region() ? lane.number : due_part(lane.number),
+                            deferred_part(lane.number));
 }
 
 // Notes that a turn waits for a node above. This saves undoing, and decides nothing.
@@ -182,8 +167,8 @@ template <class Traits, class Turns>
 bool Region_run<Traits, Turns>::do_ends_meet(const Two_sided_edge& edge, Moment& moment) {
   if (!turns_.keep_edges()) return false;
   const auto [a, b] = Topology<Traits>::ids_of(edge.here);
-  return a != no_point && b != no_point && (turned_[a] != 0 || turned_[b] != 0) &&
-         turns_.do_meet(a, b, time(moment));
+  return a != no_point && b != no_point && (log_.has_turned(a) || log_.has_turned(b)) &&
+         turns_.do_meet(a, b, log_.time(moment));
 }
 
 // Whether a turn that waits is before a flip and near it: of the edge's pair, or else of one of the
@@ -207,7 +192,7 @@ bool Region_run<Traits, Turns>::is_pair_blocked(Lane& lane, const Two_sided_edge
 // first of the lane's part.
 template <class Traits, class Turns>
 bool Region_run<Traits, Turns>::is_turn_blocked(Lane& lane, Points points, Moment& moment) {
-  const auto exact = [&]() -> const Time& { return time(moment); };
+  const auto exact = [&]() -> const Time& { return log_.time(moment); };
   const auto is_blocked = [&](Face_handle face) {
     return waits_before(face, lane.part, moment.bounds, exact);
   };
@@ -232,7 +217,7 @@ void Region_run<Traits, Turns>::undo_later_around(Lane& lane, Points points, Mom
   const auto find_later = [&] {
     Stamp later = 0;
     const auto look_at = [&](Face_handle face) {
-      if (later == 0 && is_later(face->stamp(), moment)) later = face->stamp();
+      if (later == 0 && log_.is_later(face->stamp(), moment)) later = face->stamp();
     };
     for (const Point_id id : points) {
       for_each_face_at(triangulation_, topology_.vertex(id), [&](Face_handle face, int i) {
@@ -255,7 +240,8 @@ bool Region_run<Traits, Turns>::execute_turn(Lane& lane) {
   const Turn_entry entry = lane.turn_part->top();
   const Time& time = lane.turn_part->time(lane.turn_part->top());
   Moment moment = {{}, time.interval(), time};
-  if (turns_.is_contact(entry) && lane.flips.size() < lane.capacity && turn(lane, entry, moment)) {
+  if (turns_.is_contact(entry) && lane.log->flips.size() < lane.capacity &&
+      turn(lane, entry, moment)) {
     return true;
   }
   if (!is_root(lane)) {
@@ -264,11 +250,6 @@ bool Region_run<Traits, Turns>::execute_turn(Lane& lane) {
   }
   cut_ = *moment.exact;
   return false;
-}
-
-template <class Traits, class Turns>
-auto Region_run<Traits, Turns>::turned(const Turn& turn) -> Points {
-  return Points(turn.turned).first(turn.turned[1] == no_point ? 1 : 2);
 }
 
 // Executes a turn, the first one of the node. Returns false, with the triangulation as it was,
@@ -293,15 +274,16 @@ bool Region_run<Traits, Turns>::turn(Lane& lane, const Turn_entry& entry, Moment
   if (changes.empty()) return false;
   Turn& turn = *made;
   try {
-    if (set_points(turn, changes, moment) && certify_turn(lane, turn, turned(turn), moment)) {
+    if (set_points(turn, changes, moment) &&
+        certify_turn(lane, turn, turn.turned_points(), moment)) {
       record_turn(lane, entry, std::move(made), moment);
       return true;
     }
   } catch (...) {
-    set_motions(turn, false);
+    log_.set_motions(turn, false);
     throw;
   }
-  set_motions(turn, false);
+  log_.set_motions(turn, false);
   return false;
 }
 
@@ -377,41 +359,13 @@ bool Region_run<Traits, Turns>::certify_turn(Lane& lane, const Turn& turn, Point
   return !fails_now;
 }
 
-// Makes a record of a turn, and takes it; if something throws before, the caller still has it.
-template <class Traits, class Turns>
-auto Region_run<Traits, Turns>::add_record(Lane& lane, const Turn_entry& entry,
-                                           std::unique_ptr<Turn>&& made, const Moment& moment)
-    -> Stamp {
-  const std::size_t index = lane.flips.size();
-  Flip& f = lane.flips.emplace_back();
-  f.exact = std::make_unique<Time>(*moment.exact);
-  f.turn = std::move(made);
-  const double reached = index > 0 ? lane.keys.back().reached : moment.bounds.lower;
-  lane.keys.push_back({moment.bounds, std::max(reached, moment.bounds.lower),
-                       static_cast<std::uint32_t>(index), static_cast<std::uint16_t>(lane.number),
-                       turns_.event_kind(entry)});
-  return stamp(lane, index);
-}
-
-// Notes that points have turned.
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::note_turn(Turn& turn, Stamp number) {
-  const Points turned = this->turned(turn);
-  for (std::size_t k = 0; k < turned.size(); ++k) {
-    turn.previous[k] = std::exchange(turned_[turned[k]], number);
-  }
-  for (const Point_id id : turn.points) {
-    if (id != no_point) stalls_[id] = std::numeric_limits<double>::infinity();
-  }
-}
-
 // Executes a turn whose certificates have been made.
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
                                             std::unique_ptr<Turn>&& made, const Moment& moment) {
   Turn* const turn = made.get();
-  const Points turned = this->turned(*turn);
-  const Stamp number = add_record(lane, entry, std::move(made), moment);
+  const Points turned = turn->turned_points();
+  const Stamp number = log_.add_turn(*lane.log, std::move(made), moment, turns_.event_kind(entry));
   std::size_t faces = 0;
   for_each_face_around(turned, [&](Face_handle /*face*/) { ++faces; });
   turn->faces.reserve(faces);
@@ -421,21 +375,24 @@ void Region_run<Traits, Turns>::record_turn(Lane& lane, const Turn_entry& entry,
   });
   // The entries leave the queue while the motions that they speak of are there: those that stay are
   // compared.
-  set_motions(*turn, false);
+  log_.set_motions(*turn, false);
   take_turn_entries(lane, turned, [&](const Turn_entry& taken) {
     if (!turns_.are_same(taken, entry)) lane.discarded_turns.count(taken);
   });
   for (const auto& [edge, kind, known] : lane.buffers.edge_certificates) {
     discard(lane, edge.here.first->event(edge.here.second));
   }
-  set_motions(*turn, true);
+  log_.set_motions(*turn, true);
   for (auto& [edge, kind, known] : lane.buffers.edge_certificates) {
     put(lane, edge, kind, std::move(known));
   }
   for (auto& [turn_entry, known] : lane.buffers.turn_certificates) {
     put_turn(lane, turn_entry, std::move(known));
   }
-  note_turn(*turn, number);
+  log_.note_turn(*turn, number);
+  for (const Point_id id : turn->points) {
+    if (id != no_point) stalls_[id] = std::numeric_limits<double>::infinity();
+  }
 }
 
 // Calls `function` with each face at the points, which are one or two.
@@ -480,15 +437,15 @@ auto Region_run<Traits, Turns>::edges_around(Lane& lane, Points points) const
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::undo_turn(Lane& lane, Flip& flip, const Time& now) {
   const Turn& turn = *flip.turn;
-  const Points points = turned(turn);
+  const Points points = turn.turned_points();
   const std::span<const Two_sided_edge> edges = edges_around(lane, points);
   for (const Two_sided_edge& edge : edges) {
     const Queue_handle handle = edge.here.first->event(edge.here.second);
     if (handle != no_event) queue().erase(handle);
   }
   take_turn_entries(lane, points, [](const Turn_entry&) {});
-  take_back(flip);
-  for (std::size_t k = 0; k < points.size(); ++k) turned_[points[k]] = turn.previous[k];
+  log_.roll_back(flip);
+  log_.forget_turn(turn);
   certify_again(lane, edges);
   turns_.for_each_contact(points, now, lane.turn_certificates,
                           [&](const Turn_entry& entry, Certificate&& known) {
@@ -513,7 +470,7 @@ void Region_run<Traits, Turns>::follow_flip(Lane& lane, const Flip& flip, Moment
   auto [entry, known] = turns_.certificate(pair, Time(moment.bounds.lower), lane.turn_certificates);
   if (known.may_vanish ||
       (known.kind != Certificate::Kind::never_fails && known.bounds.lower <= moment.bounds.upper)) {
-    known = turns_.certificate(pair, time(moment), lane.turn_certificates).second;
+    known = turns_.certificate(pair, log_.time(moment), lane.turn_certificates).second;
   }
   put_turn(lane, entry, std::move(known));
 }
@@ -534,64 +491,13 @@ void Region_run<Traits, Turns>::unfollow_flip(Lane& lane, const Flip& flip, cons
   put_turn(lane, entry, std::move(known));
 }
 
-// ---- motions of other times ----
-
-// A point with the motion that it had at a flip of the window.
-template <class Traits, class Turns>
-auto Region_run<Traits, Turns>::point_at(Point_id id, Stamp flip) -> const Point_2& {
-  if constexpr (has_turns) {
-    const Point_2* result = nullptr;
-    for (Stamp number = turned_[id]; number != 0;) {
-      const Turn& turn = *this->flip(number).turn;
-      const std::size_t k = turn.turned[0] == id ? 0 : 1;
-      if (number < flip) return result == nullptr ? turn.after[k] : *result;
-      result = &turn.before[k];
-      number = turn.previous[k];
-    }
-    if (result != nullptr) return *result;
-  }
-  return topology_.vertex(id)->point();
-}
-
-// Gives the points of a turn the motions after it, or before it.
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::set_motions(const Turn& turn, bool are_after) {
-  for (std::size_t k = 0; k < 2 && turn.turned[k] != no_point; ++k) {
-    topology_.vertex(turn.turned[k])->set_point(are_after ? turn.after[k] : turn.before[k]);
-  }
-}
-
-// Gives the points the motions that they had when the window began: observers are told of turns one
-// after the other.
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::go_back_in_turns() {
-  if constexpr (has_turns) {
-    for (auto key = order_.rbegin(); key != order_.rend(); ++key) {
-      if (is_turn(*key)) set_motions(*flip(*key).turn, false);
-    }
-  }
-}
-
-// Gives the points of a turn the motions after it.
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::go_through(const Key& key) {
-  if constexpr (has_turns) set_motions(*flip(key).turn, true);
-}
-
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::go_through_turns() {
-  for (auto key = order_.begin(); has_turns && key != order_.end(); ++key) {
-    if (is_turn(*key)) go_through(*key);
-  }
-}
-
 // What observers are told of a turn, but for its number and time.
 template <class Traits, class Turns>
 Event Region_run<Traits, Turns>::turn_event(const Key& key) {
   Event event;
   event.kind = key.kind;
   if constexpr (has_turns) {
-    const auto& [a, b] = flip(key).turn->points;
+    const auto& [a, b] = log_.flip(key).turn->points;
     event.point_a = a;
     if (b != no_point) event.point_b = b;
   }
@@ -601,14 +507,11 @@ Event Region_run<Traits, Turns>::turn_event(const Key& key) {
 // Notes what the turns of a window leave to the plain loop, and forgets the turns.
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::settle_turns_of_window() {
-  for (const Key& key : order_) {
-    if (is_turn(key)) turns_.end_turn(flip(key).turn->points);
+  for (const Key& key : log_.order()) {
+    if (Log::is_turn(key)) turns_.end_turn(log_.flip(key).turn->points);
   }
+  log_.end_turns();
   for (Lane& lane : lanes_) {
-    for (const Flip& f : lane.flips) {
-      if (!f.turn) continue;
-      for (const Point_id id : turned(*f.turn)) turned_[id] = 0;
-    }
     for (const Point_id id : lane.stalled) stalls_[id] = std::numeric_limits<double>::infinity();
     lane.stalled.clear();
     turns_.count(std::exchange(lane.turn_certificates, {}));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Events on several threads, by optimistic parallel discrete-event simulation: the events of a window
-// of time are executed region by region, each region in its own order, by several threads; then, in
-// unions of two regions, of four, and so on, those that concern several regions; and then all are
-// reported in the order of time. What has come too early is rolled back. docs/PARALLEL.md has the
-// terms, the contract and the invariants; docs/MATH.md, section 17, proves that the result is that
-// of the sequential loop.
+// Events on several threads, by optimistic parallel discrete-event simulation: the events of a
+// window of time are executed region by region, each region in its own order, by several threads;
+// then, in unions of two regions, of four, and so on, those that concern several regions; and then
+// all are reported in the order of time. What has come too early is rolled back. docs/PARALLEL.md
+// has the terms, the contract and the invariants; docs/MATH.md, section 17, proves that the result
+// is that of the sequential loop.
 #ifndef KINETRI_SRC_TRIANGULATION_REGIONS_H
 #define KINETRI_SRC_TRIANGULATION_REGIONS_H
 
@@ -26,6 +26,7 @@
 #include "kinetri/impl/triangulation/region_effort.h"
 #include "kinetri/impl/triangulation/region_runs.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
+#include "triangulation/window_log.h"
 
 namespace kinetri::detail {
 
@@ -125,7 +126,6 @@ class Region_run {
   using Triangulation = typename Types::Triangulation;
   using Queue = typename Schedule::Queue;
   using Part = typename Queue::Part;
-  using Stamp = std::uint32_t;
   using Point_2 = typename Types::Point_2;
   using Turn_entry = typename Turns::Entry;
   using Turn_part = typename Turns::Part;
@@ -133,57 +133,14 @@ class Region_run {
 
   static constexpr bool has_turns = Turns::exist;
 
-  /// When an entry that is no coincidence fails.
-  struct Moment {
-    Certificate_points points = {};
-    Double_interval bounds = {};
-    std::optional<Time> exact = std::nullopt;  // made when it is needed
-  };
-
-  // A face that an event has written.
-  struct Written_face {
-    Face_handle face;
-    Stamp stamp;  // before
-  };
-
-  /// A turn of the window: the rest of its record.
-  struct Turn {
-    std::array<Point_id, 2> points = {no_point, no_point};  // as the event names them
-    std::array<Point_id, 2> turned = {no_point, no_point};
-    std::array<Point_2, 2> before = {};  // of those turned
-    std::array<Point_2, 2> after = {};   // of those turned
-    std::array<Stamp, 2> previous = {};  // their turns before this one
-    std::vector<Written_face> faces;     // that it has written
-  };
+  using Log = Window_log<Traits, has_turns>;
+  using Stamp = typename Log::Stamp;
+  using Moment = typename Log::Moment;
+  using Turn = typename Log::Turn;
+  using Flip = typename Log::Flip;
+  using Key = typename Log::Key;
+  using Points = typename Log::Points;
   struct Nothing {};
-
-  /// A flip of the window, or a turn: the record.
-  struct Flip {
-    /// The ends of the edge, right and left as `face` has them, and the corners opposite it, of
-    /// `face` and of `neighbor`; no_point is the infinite vertex.
-    std::array<Point_id, 4> corners;
-    /// The edge, before the flip.
-    Face_handle face;
-    Face_handle neighbor;
-    std::array<Stamp, 2> previous;  // of the two faces
-    std::unique_ptr<Time> exact;    // the time, if it has been made
-    std::uint8_t i : 2;             // the index of the edge in `face`
-    std::uint8_t j : 2;             // and in `neighbor`
-    bool left_had_face : 1;         // `face` was the one that CGAL keeps at the left end
-    bool right_had_neighbor : 1;    // `neighbor` was the one at the right end
-    bool is_undone : 1;
-    /// If it is no flip, but a turn.
-    [[no_unique_address]] std::conditional_t<has_turns, std::unique_ptr<Turn>, Nothing> turn;
-  };
-
-  // What the order of flips needs to know of one.
-  struct Key {
-    Double_interval bounds;  // of the time
-    double reached;          // the greatest lower bound so far in its lane
-    std::uint32_t index;     // in its lane
-    std::uint16_t lane;
-    Event_kind kind;
-  };
 
   // Where a turn is made: memory that is used again for each.
   struct Buffers {
@@ -194,19 +151,14 @@ class Region_run {
   };
 
   struct alignas(64) Lane {
-    std::size_t number = 0;          // of the node
-    unsigned level = 0;              // of the node
-    Part* part = nullptr;            // whose entries it executes
-    Queue_handle first_handle = 0;   // of the part, as the queue names it
-    Turn_part* turn_part = nullptr;  // the same of turns
-    std::uint32_t first_number = 0;  // of its flips
-    std::size_t numbers = 0;         // how many there are for its flips
-    std::size_t flips_before = 0;    // in windows before this one, since stamps were cleared
-    std::size_t most_flips = 0;      // how many it may have in a window, if there are numbers
-    std::size_t capacity = 0;        // how many it may have in this window
-    std::vector<Flip> flips = {};
-    std::vector<Key> keys = {};  // of the flips
-    bool has_undone = false;     // whether one of them is undone
+    std::size_t number = 0;             // of the node
+    unsigned level = 0;                 // of the node
+    Part* part = nullptr;               // whose entries it executes
+    Queue_handle first_handle = 0;      // of the part, as the queue names it
+    Turn_part* turn_part = nullptr;     // the same of turns
+    typename Log::Node* log = nullptr;  // of its events
+    std::size_t most_flips = 0;         // how many it may have in a window, if there are numbers
+    std::size_t capacity = 0;           // how many it may have in this window
     Certificate_counters certificates = {};
     Certificate_counters turn_certificates = {};
     Triangulation_counters counters = {};
@@ -302,9 +254,6 @@ class Region_run {
   bool is_owned(const Lane& lane, const Two_sided_edge& edge) const;
   bool is_blocked(Lane& lane, const Entry& entry, const Two_sided_edge& edge);
   void recheck(Lane& lane, std::span<const Entry> entries);
-  bool is_later(Stamp stamp, Moment& moment) {
-    return is_of_window(stamp) && compare(key(stamp), moment) > 0;
-  }
   bool is_flip(const Entry& entry, const Two_sided_edge& edge, Moment& moment);
   static bool hides_points(Face_handle face);
   bool is_convex(const Two_sided_edge& edge, const Moment& moment) const;
@@ -316,17 +265,10 @@ class Region_run {
   void discard(Lane& lane, Queue_handle handle);
   void undo(Lane& lane, Stamp stamp);
   void undo_last(Lane& lane, Stamp stamp);
-  void take_back(Flip& flip);
   const Time& birth(const Two_sided_edge& edge);
   void certify_again(Lane& lane, std::span<const Two_sided_edge> edges);
-  void move(std::size_t from, std::size_t to);
-  void move_home(std::size_t from);
 
   // Turns.
-  using Points = std::span<const Point_id>;
-  static bool is_turn(const Key& key) {
-    return key.kind == Event_kind::wall || key.kind == Event_kind::collision;
-  }
   double gather_due_turns(Lane& lane, double end);
   bool settle_turns(Lane& lane, const Time& last);
   bool is_turn_first(Lane& lane, bool is_flip_due);
@@ -337,15 +279,10 @@ class Region_run {
   static bool fails_at(const Certificate& known, const Moment& moment) {
     return known.kind == Certificate::Kind::fails && known.bounds.lower <= moment.bounds.upper;
   }
-  Stamp add_record(Lane& lane, const Turn_entry& entry, std::unique_ptr<Turn>&& made,
-                   const Moment& moment);
   void record_turn(Lane& lane, const Turn_entry& entry, std::unique_ptr<Turn>&& made,
                    const Moment& moment);
-  void note_turn(Turn& turn, Stamp number);
   void leave_turn(Lane& lane);
   void stall(Lane& lane, const Turn_entry& entry);
-  void move_turn(std::size_t from, std::size_t to);
-  void move_turns_home(std::size_t from);
   bool owns_star(const Lane& lane, Point_id id) const;
   bool is_turn_blocked(Lane& lane, Points points, Moment& moment);
   bool do_faces_hide_points(Points points) const;
@@ -367,44 +304,13 @@ class Region_run {
   void follow_flip(Lane& lane, const Flip& flip, Moment& moment);
   void unfollow_flip(Lane& lane, const Flip& flip, const Time& now);
   void undo_turn(Lane& lane, Flip& flip, const Time& now);
-  static Points turned(const Turn& turn);
   template <class Function>
   void for_each_face_around(Points points, const Function& function) const;
   std::span<const Two_sided_edge> edges_around(Lane& lane, Points points) const;
   bool do_ends_meet(const Two_sided_edge& edge, Moment& moment);
-  const Point_2& point_at(Point_id id, Stamp flip);
-  void set_motions(const Turn& turn, bool are_after);
-  void go_back_in_turns();
-  void go_through(const Key& key);
-  void go_through_turns();
   Event turn_event(const Key& key);
   void settle_turns_of_window();
 
-  template <class Function>
-  void for_each_written_face(const Flip& flip, const Function& function) const {
-    if constexpr (has_turns) {
-      if (flip.turn) {
-        for (const auto& [face, stamp] : flip.turn->faces) function(face);
-        return;
-      }
-    }
-    function(flip.face);
-    function(flip.neighbor);
-  }
-  void put_in_order();
-  // The flips whose keys reach from one time on, but not another one.
-  struct Slice {
-    double least;
-    double end;
-    std::size_t size = 0;   // how many are not undone
-    std::size_t first = 0;  // of these in order_
-    bool is_in_order = false;
-  };
-  static std::span<const Key> keys_in(const Lane& lane, const Slice& slice);
-  std::size_t count_keys(const Slice& slice) const;
-  void distribute(const Slice& slice, double width, std::span<Key> keys) const;
-  bool insert_in_order(std::span<Key> keys);
-  std::size_t insert_in_order(std::span<Key> keys, std::size_t k);
   void cut_off();
   void count_window();
   void report();
@@ -413,39 +319,6 @@ class Region_run {
 
   Queue& queue() { return schedule_.queue(); }
   Region_division& division() { return schedule_.division(); }
-  Lane& lane_of(Stamp stamp) { return lanes_[division().numbers.node(stamp - 1)]; }
-  // Of a flip in its lane since stamps were cleared.
-  std::size_t index_of(Stamp stamp) { return stamp - 1 - lane_of(stamp).first_number; }
-  bool is_of_window(Stamp stamp) {
-    return stamp != 0 && index_of(stamp) >= lane_of(stamp).flips_before;
-  }
-  static Stamp stamp(const Lane& lane, std::size_t index) {
-    return static_cast<Stamp>(lane.first_number + lane.flips_before + index + 1);
-  }
-  // Preconditions: is_of_window(stamp).
-  const Key& key(Stamp stamp) {
-    const Lane& lane = lane_of(stamp);
-    return lane.keys[index_of(stamp) - lane.flips_before];
-  }
-  Flip& flip(Stamp stamp) { return flip(key(stamp)); }
-  Flip& flip(const Key& key) { return lanes_[key.lane].flips[key.index]; }
-
-  // When something happens: a moment, or the flip of a key.
-  static const Double_interval& bounds(const Moment& moment) { return moment.bounds; }
-  static const Double_interval& bounds(const Key& key) { return key.bounds; }
-  const Time& time(Moment& moment) const;
-  const Time& time(const Key& key);
-  Certificate_points certificate_points(const Key& key);
-
-  // The order of two times: negative, zero or positive.
-  template <class A, class B>
-  int compare(A& a, B& b) {
-    if (bounds(a).upper < bounds(b).lower) return -1;
-    if (bounds(b).upper < bounds(a).lower) return 1;
-    const auto order = time(a) <=> time(b);
-    return order < 0 ? -1 : (order > 0 ? 1 : 0);
-  }
-
   // The first window after the loop has so much of the events of one.
   static constexpr double first_share = 0.125;
   // For which several threads make what is then reported; and for one thread of these.
@@ -463,8 +336,8 @@ class Region_run {
   Region_options options_;
   std::size_t regions_;
   std::size_t threads_;
+  Log log_;
   std::vector<Lane> lanes_;  // of the nodes
-  std::vector<Key> order_;   // of the flips of a window
   std::optional<Time> cut_;  // where the window ends early
   // Entries whose bounds begin at or before this are put where the node that executes now takes its
   // entries from; minus infinity where none does, and while regions do.
@@ -473,9 +346,7 @@ class Region_run {
   std::size_t done_ = 0;              // flips that the last window reported
   Window_work work_ = {};             // of the last window
   Region_pause pause_ = {};           // before the next window
-  // Of each point, where there are turns: the last turn of the window, or 0, and a time up to which
-  // no turn of it waits for a node above.
-  std::vector<Stamp> turned_;
+  // Of each point, with turns: a time up to which no turn of it waits for a node above.
   std::vector<double> stalls_;
   Region_counters counters_;
 };

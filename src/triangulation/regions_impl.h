@@ -19,6 +19,7 @@
 #include "triangulation/region_order_impl.h"
 #include "triangulation/region_turns_impl.h"
 #include "triangulation/regions.h"
+#include "triangulation/window_log_impl.h"
 
 namespace kinetri::detail {
 
@@ -50,7 +51,8 @@ Region_run<Traits, Turns>::Region_run(Kinetic_core<Traits>& core, const Region_o
       turns_(std::move(turns)),
       options_(options),
       regions_(number_of_regions(options, core.topology.number_of_points())),
-      threads_(usable_threads(options.threads)) {
+      threads_(usable_threads(options.threads)),
+      log_(topology_, certification_, schedule_.division()) {
   bool is_in_use = queue().is_divided();
   if constexpr (has_turns) is_in_use = is_in_use || turns_.queue().is_divided();
   if (!is_in_use) division().clear();
@@ -315,14 +317,14 @@ bool Region_run<Traits, Turns>::run_window(double end) {
 template <class Traits, class Turns>
 Window_work Region_run<Traits, Turns>::work_of_nodes() const {
   Window_work work;
-  work.reported = static_cast<double>(order_.size());
+  work.reported = static_cast<double>(log_.order().size());
   work.serial = cost_of_window();
   for (unsigned level = 0; level <= lanes_.back().level; ++level) {
     double most = 0;
     double sum = 0;
     for (const Lane& lane : lanes_) {
       if (lane.level != level) continue;
-      const auto executed = static_cast<double>(lane.flips.size());
+      const auto executed = static_cast<double>(lane.log->flips.size());
       most = std::max(most, executed);
       sum += executed;
       work.undone += static_cast<double>(lane.undone);
@@ -339,11 +341,11 @@ double Region_run<Traits, Turns>::execute_window(double end) {
   updates_.show_current_time();  // made from motions of now, by one thread
   forget_first();
   if constexpr (has_turns) {
-    turned_.resize(topology_.vertices().size(), 0);
+    log_.make_room(topology_.vertices().size());
     stalls_.resize(topology_.vertices().size(), std::numeric_limits<double>::infinity());
   }
   for (Lane& lane : lanes_) {
-    lane.capacity = std::min(lane.most_flips, lane.numbers - lane.flips_before);
+    lane.capacity = std::min(lane.most_flips, lane.log->numbers - lane.log->before);
   }
   end = gather_due(end);
   for (unsigned level = 0; level <= lanes_.back().level; ++level) {
@@ -374,13 +376,7 @@ void Region_run<Traits, Turns>::or_go_back(const Work& work) {
 // not conflict. Entries of the queues are lost.
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::go_back() {
-  const auto go_back_in = [this](Lane& lane) {
-    // The record of an event that has not been executed has no key.
-    for (std::size_t k = std::min(lane.flips.size(), lane.keys.size()); k-- > 0;) {
-      if (!lane.flips[k].is_undone) take_back(lane.flips[k]);
-    }
-  };
-  std::for_each(lanes_.rbegin(), lanes_.rend(), go_back_in);
+  log_.roll_back_all();
   start_anew();
 }
 
@@ -391,8 +387,7 @@ void Region_run<Traits, Turns>::start_anew() {
     Lane cleared;
     std::swap(lane, cleared);
   }
-  order_.clear();
-  std::ranges::fill(turned_, 0);
+  log_.reset();
   std::ranges::fill(stalls_, std::numeric_limits<double>::infinity());
   due_until_ = -std::numeric_limits<double>::infinity();
   division().clear();
@@ -446,7 +441,7 @@ double Region_run<Traits, Turns>::gather_due(Lane& lane, double end) {
       recheck(lane, {&entry, 1});
       continue;
     }
-    move(lane.number, due_part(lane.number));
+    queue().move_first(lane.number, due_part(lane.number));
     if (is_for_loop(entry)) {
       end = std::min(end, entry.bounds.lower);
       break;
@@ -518,10 +513,12 @@ void Region_run<Traits, Turns>::run_union(Lane& lane, double end) {
   const std::size_t from = due_part(lane.number);
   for (std::size_t below = 0; below < lane.number; ++below) {
     if (division().above(below) != lane.number) continue;
-    while (!queue().part(deferred_part(below)).empty()) move(deferred_part(below), from);
+    while (!queue().part(deferred_part(below)).empty())
+      queue().move_first(deferred_part(below), from);
     if constexpr (has_turns) {
       auto& turns = turns_.queue();
-      while (!turns.part(deferred_part(below)).empty()) move_turn(deferred_part(below), from);
+      while (!turns.part(deferred_part(below)).empty())
+        turns.move_first(deferred_part(below), from);
     }
   }
   Part& due = *lane.part;
@@ -552,7 +549,7 @@ void Region_run<Traits, Turns>::run_union(Lane& lane, double end) {
       defer(lane, from);
       continue;
     }
-    if (is_for_loop(entry) || lane.flips.size() >= lane.capacity) {
+    if (is_for_loop(entry) || lane.log->flips.size() >= lane.capacity) {
       cut_ = due.time_of(due.top());
       break;
     }
@@ -567,7 +564,7 @@ void Region_run<Traits, Turns>::run_union(Lane& lane, double end) {
         defer(lane, from);
         continue;
       }
-      cut_ = time(moment);
+      cut_ = log_.time(moment);
       break;
     }
     due.pop();
@@ -579,31 +576,14 @@ void Region_run<Traits, Turns>::run_union(Lane& lane, double end) {
 template <class Traits, class Turns>
 bool Region_run<Traits, Turns>::may_execute(Lane& lane, const Entry& entry,
                                             const Two_sided_edge& edge) {
-  return entry.kind == Entry_kind::flip && lane.flips.size() < lane.capacity &&
+  return entry.kind == Entry_kind::flip && lane.log->flips.size() < lane.capacity &&
          is_owned(lane, edge) && !is_blocked(lane, entry, edge);
 }
 
 // Leaves the first entry of a part to the node above.
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::defer(Lane& lane, std::size_t from) {
-  move(from, deferred_part(lane.number));
-}
-
-// Moves the first entry of a part to another one.
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::move(std::size_t from, std::size_t to) {
-  Part& part = queue().part(from);
-  const Entry entry = part.top();
-  const Queue_handle handle = queue().put(to, entry, part);
-  part.pop();
-  schedule_.policy().set_handle(entry.subject(), handle);
-}
-
-// Moves the entries of a part to where they belong between two windows.
-template <class Traits, class Turns>
-void Region_run<Traits, Turns>::move_home(std::size_t from) {
-  Part& part = queue().part(from);
-  while (!part.empty()) move(from, schedule_.policy().part_of(part.top().subject()));
+  queue().move_first(from, deferred_part(lane.number));
 }
 
 }  // namespace kinetri::detail

@@ -87,12 +87,20 @@ class Divided_scheduler {
     return static_cast<std::size_t>(std::uint64_t{handle} >> shift_);
   }
 
-  /// Schedules an entry in a part. Its exact time is that of the same entry in `from`, if it has
-  /// been made there.
-  Queue_handle put(std::size_t to, Entry entry, const Part& from) {
-    if (entry.time == Time_pool::none) return named(to, part(to).emplace(entry));
-    Algebraic_number time = from.time_of(entry);
-    return named(to, part(to).push(entry, std::move(time)));
+  /// Moves the first entry of a part to another one, with its exact time if that has been made.
+  void move_first(std::size_t from, std::size_t to) {
+    Part& source = part(from);
+    const Entry entry = source.top();
+    const Queue_handle handle = entry.time == Time_pool::none
+                                    ? part(to).emplace(entry)
+                                    : part(to).push(entry, source.time_of(entry));
+    source.pop();
+    policy_.set_handle(entry.subject(), named(to, handle));
+  }
+  /// Moves the entries of a part to where they belong.
+  void move_home(std::size_t from) {
+    Part& source = part(from);
+    while (!source.empty()) move_first(from, policy_.part_of(source.top().subject()));
   }
 
   /// The handle here of what has this handle in its part.

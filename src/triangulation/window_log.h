@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What has been executed in a window of time, by which node, and how it is rolled back; see
+// docs/PARALLEL.md.
+#ifndef KINETRI_SRC_TRIANGULATION_WINDOW_LOG_H
+#define KINETRI_SRC_TRIANGULATION_WINDOW_LOG_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/triangulation/certification.h"
+#include "kinetri/impl/triangulation/region_division.h"
+#include "kinetri/impl/triangulation/topology.h"
+
+namespace kinetri::detail {
+
+/// The records of the events of a window, and their order. With turns, some of them are changes of
+/// motions.
+///
+/// Invariants: a record that has a key is that of an event that has been executed; the stamp of a
+/// face is the number of its last event, of those that have not been rolled back; numbers grow with
+/// execution among events that conflict. Several threads may add records for different nodes.
+template <class Traits, bool has_turns>
+class Window_log {
+ public:
+  using Types = Topology<Traits>;
+  using Time = typename Types::Time;
+  using Edge = typename Types::Edge;
+  using Two_sided_edge = typename Types::Two_sided_edge;
+  using Face_handle = typename Types::Face_handle;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Point_2 = typename Types::Point_2;
+  using Certificate_points = typename Certification<Traits>::Certificate_points;
+  using Stamp = std::uint32_t;
+  using Points = std::span<const Point_id>;
+
+  /// When an entry that is no coincidence fails.
+  struct Moment {
+    Certificate_points points = {};
+    Double_interval bounds = {};
+    std::optional<Time> exact = std::nullopt;  ///< made when it is needed
+  };
+
+  /// A face that an event has written.
+  struct Written_face {
+    Face_handle face;
+    Stamp stamp;  ///< before
+  };
+
+  /// A turn of the window: the rest of its record.
+  struct Turn {
+    std::array<Point_id, 2> points = {no_point, no_point};  ///< as the event names them
+    std::array<Point_id, 2> turned = {no_point, no_point};
+    std::array<Point_2, 2> before = {};  ///< of those turned
+    std::array<Point_2, 2> after = {};   ///< of those turned
+    std::array<Stamp, 2> previous = {};  ///< their turns before this one
+    std::vector<Written_face> faces;     ///< that it has written
+
+    Points turned_points() const { return Points(turned).first(turned[1] == no_point ? 1 : 2); }
+  };
+  struct Nothing {};
+
+  /// A flip of the window, or a turn: the record.
+  struct Flip {
+    /// The ends of the edge, right and left as `face` has them, and the corners opposite it, of
+    /// `face` and of `neighbor`; no_point is the infinite vertex.
+    std::array<Point_id, 4> corners;
+    /// The edge, before the flip.
+    Face_handle face;
+    Face_handle neighbor;
+    std::array<Stamp, 2> previous;  ///< of the two faces
+    std::unique_ptr<Time> exact;    ///< the time, if it has been made
+    std::uint8_t i : 2;             ///< the index of the edge in `face`
+    std::uint8_t j : 2;             ///< and in `neighbor`
+    bool left_had_face : 1;         ///< `face` was the one that CGAL keeps at the left end
+    bool right_had_neighbor : 1;    ///< `neighbor` was the one at the right end
+    bool is_undone : 1;
+    /// If it is no flip, but a turn.
+    [[no_unique_address]] std::conditional_t<has_turns, std::unique_ptr<Turn>, Nothing> turn;
+  };
+
+  /// What the order of events needs to know of one.
+  struct Key {
+    Double_interval bounds;  ///< of the time
+    double reached;          ///< the greatest lower bound so far of its node
+    std::uint32_t index;     ///< among the records of its node
+    std::uint16_t node;
+    Event_kind kind;
+  };
+
+  /// The records of one node, which one thread writes.
+  struct alignas(64) Node {
+    std::uint16_t number = 0;
+    std::uint32_t first_number = 0;  ///< of its events
+    std::size_t numbers = 0;         ///< how many there are for its events
+    std::size_t before = 0;          ///< events in windows before, since stamps were cleared
+    std::vector<Flip> flips = {};
+    std::vector<Key> keys = {};  ///< of the flips
+    bool has_undone = false;     ///< whether one of them is rolled back
+  };
+
+  /// The others must outlive this object.
+  Window_log(Topology<Traits>& topology, const Certification<Traits>& certification,
+             Region_division& division)
+      : topology_(topology), certification_(certification), division_(division) {}
+
+  // ---- nodes ----
+
+  /// Takes up the nodes of the division. Stamps of its windows are in the faces.
+  void go_on_with_division();
+  Node& node(std::size_t number) { return nodes_[number]; }
+  std::vector<Node>& nodes() { return nodes_; }
+  /// Makes room for turns of points whose ids are less than `ids`.
+  void make_room(std::size_t ids) { last_turns_.resize(ids, 0); }
+  /// Whether the numbers of a node, of at most so many events in a window, may not be enough.
+  static bool are_numbers_spent(const Node& node, std::size_t most) {
+    const std::size_t left = node.numbers - node.before;
+    return left < most && left < node.numbers / 2;
+  }
+  /// All stamps have been cleared.
+  void start_numbers();
+  /// Forgets which points have turned.
+  void end_turns();
+  /// Forgets the events of a node, whose numbers are used, when its window has been closed.
+  void clear(Node& node);
+  /// Forgets everything.
+  void reset();
+
+  // ---- numbers ----
+
+  Node& node_of(Stamp stamp) { return nodes_[division_.numbers.node(stamp - 1)]; }
+  bool is_of_window(Stamp stamp) { return stamp != 0 && index_of(stamp) >= node_of(stamp).before; }
+  static Stamp stamp(const Node& node, std::size_t index) {
+    return static_cast<Stamp>(node.first_number + node.before + index + 1);
+  }
+  /// Precondition: is_of_window(stamp).
+  const Key& key(Stamp stamp) {
+    const Node& node = node_of(stamp);
+    return node.keys[index_of(stamp) - node.before];
+  }
+  Flip& flip(Stamp stamp) { return flip(key(stamp)); }
+  Flip& flip(const Key& key) { return nodes_[key.node].flips[key.index]; }
+  static bool is_turn(const Key& key) {
+    return key.kind == Event_kind::wall || key.kind == Event_kind::collision;
+  }
+
+  // ---- records ----
+
+  /// Makes the record of a flip that is about to be executed.
+  Flip& start_flip(Node& node, const Two_sided_edge& edge);
+  /// Gives the last record of the node its key, and returns its number. If this does not throw, the
+  /// event must be executed.
+  Stamp add_key(Node& node, const Double_interval& bounds, Event_kind kind);
+  /// Makes the record of a turn, and takes it; if something throws before, the caller still has it.
+  Stamp add_turn(Node& node, std::unique_ptr<Turn>&& turn, const Moment& moment, Event_kind kind);
+  /// Notes that the points of a turn have turned.
+  void note_turn(Turn& turn, Stamp number);
+  /// Notes that a turn has been rolled back.
+  void forget_turn(const Turn& turn);
+  /// Whether a point has turned in this window.
+  bool has_turned(Point_id id) const { return last_turns_[id] != 0; }
+
+  /// Makes faces, motions and stamps what they were just before a flip, or a turn, that is the last
+  /// one of its faces. Leaves the queue as it is, and takes no memory.
+  void roll_back(Flip& flip);
+  /// Rolls everything back, the last events first.
+  void roll_back_all();
+
+  // ---- times ----
+
+  const Time& time(Moment& moment) const {
+    if (!moment.exact) moment.exact = certification_.failure_time(moment.points, moment.bounds);
+    return *moment.exact;
+  }
+  /// The time of an event. That of a flip at the hull has been made when it was executed.
+  const Time& time(const Key& key);
+  /// What failed when an edge was flipped. Precondition: the corners are finite.
+  Certificate_points certificate_points(const Key& key);
+  /// The order of two times, of moments or keys: negative, zero or positive.
+  template <class A, class B>
+  int compare(A& a, B& b) {
+    if (a.bounds.upper < b.bounds.lower) return -1;
+    if (b.bounds.upper < a.bounds.lower) return 1;
+    const auto order = time(a) <=> time(b);
+    return order < 0 ? -1 : (order > 0 ? 1 : 0);
+  }
+  /// Whether an event of the window is later than the moment.
+  bool is_later(Stamp stamp, Moment& moment) {
+    return is_of_window(stamp) && compare(key(stamp), moment) > 0;
+  }
+
+  // ---- motions of other times ----
+
+  /// Gives the points of a turn the motions after it, or before it.
+  void set_motions(const Turn& turn, bool are_after);
+  /// Gives the points the motions that they had when the window began: observers are told of turns
+  /// one after the other.
+  void go_back_in_turns();
+  /// Gives the points of an event the motions after it.
+  void go_through(const Key& key) {
+    if constexpr (has_turns) {
+      if (is_turn(key)) set_motions(*flip(key).turn, true);
+    }
+  }
+
+  // ---- the order of time ----
+
+  /// Puts the events that are not rolled back in the order of time; so many are a slice, which one
+  /// thread puts in order. for_each(vector, work) calls work with each element, by several threads.
+  template <class For_each>
+  void put_in_order(std::size_t per_slice, const For_each& for_each);
+  /// These events, in the order of time.
+  std::vector<Key>& order() { return order_; }
+  const std::vector<Key>& order() const { return order_; }
+
+  /// Calls `function` with each face that an event has written.
+  template <class Function>
+  static void for_each_written_face(const Flip& flip, const Function& function) {
+    if constexpr (has_turns) {
+      if (flip.turn) {
+        for (const auto& [face, stamp] : flip.turn->faces) function(face);
+        return;
+      }
+    }
+    function(flip.face);
+    function(flip.neighbor);
+  }
+
+ private:
+  using Triangulation = typename Types::Triangulation;
+
+  // The events whose keys reach from one time on, but not another one.
+  struct Slice {
+    double least;
+    double end;
+    std::size_t size = 0;   // how many are not rolled back
+    std::size_t first = 0;  // of these in order_
+    bool is_in_order = false;
+  };
+
+  // Of an event of its node since stamps were cleared.
+  std::size_t index_of(Stamp stamp) { return stamp - 1 - node_of(stamp).first_number; }
+  const Point_2& point_at(Point_id id, Stamp flip);
+  static std::span<const Key> keys_in(const Node& node, const Slice& slice);
+  std::size_t count_keys(const Slice& slice) const;
+  void distribute(const Slice& slice, double width, std::span<Key> keys) const;
+  bool insert_in_order(std::span<Key> keys);
+  std::size_t insert_in_order(std::span<Key> keys, std::size_t k);
+
+  Topology<Traits>& topology_;
+  const Certification<Traits>& certification_;
+  Region_division& division_;
+  std::vector<Node> nodes_;
+  std::vector<Key> order_;
+  std::vector<Stamp> last_turns_;  // by point: the last turn of the window, or 0
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_TRIANGULATION_WINDOW_LOG_H

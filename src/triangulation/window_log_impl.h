@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Window_log.
+#ifndef KINETRI_SRC_TRIANGULATION_WINDOW_LOG_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_WINDOW_LOG_IMPL_H
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "kinetri/impl/base/check.h"
+#include "triangulation/window_log.h"
+
+namespace kinetri::detail {
+
+// ---- nodes ----
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::go_on_with_division() {
+  nodes_.resize(division_.nodes());
+  for (std::size_t number = 0; number < nodes_.size(); ++number) {
+    Node& node = nodes_[number];
+    node.number = static_cast<std::uint16_t>(number);
+    node.before = division_.flips[number];
+    node.first_number = division_.numbers.first(number);
+    node.numbers = division_.numbers.size(number);
+  }
+}
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::start_numbers() {
+  for (Node& node : nodes_) division_.flips[node.number] = node.before = 0;
+}
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::end_turns() {
+  if constexpr (has_turns) {
+    for (const Node& node : nodes_) {
+      for (const Flip& flip : node.flips) {
+        if (!flip.turn) continue;
+        for (const Point_id id : flip.turn->turned_points()) last_turns_[id] = 0;
+      }
+    }
+  }
+}
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::clear(Node& node) {
+  node.before += node.flips.size();
+  division_.flips[node.number] = node.before;
+  node.flips.clear();
+  node.keys.clear();
+  node.has_undone = false;
+}
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::reset() {
+  nodes_.clear();
+  order_.clear();
+  std::ranges::fill(last_turns_, 0);
+}
+
+// ---- records ----
+
+template <class Traits, bool has_turns>
+auto Window_log<Traits, has_turns>::start_flip(Node& node, const Two_sided_edge& edge) -> Flip& {
+  const auto [face, i] = edge.here;
+  const auto [neighbor, j] = edge.there;
+  Flip& f = node.flips.emplace_back();
+  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+  const Vertex_handle left = face->vertex(Triangulation::cw(i));
+  f.corners = {right->point().id(), left->point().id(), face->vertex(i)->point().id(),
+               neighbor->vertex(j)->point().id()};
+  f.face = face;
+  f.neighbor = neighbor;
+  f.i = static_cast<std::uint8_t>(i & 3);
+  f.j = static_cast<std::uint8_t>(j & 3);
+  f.left_had_face = left->face() == face;
+  f.right_had_neighbor = right->face() == neighbor;
+  f.previous = {face->stamp(), neighbor->stamp()};
+  return f;
+}
+
+template <class Traits, bool has_turns>
+auto Window_log<Traits, has_turns>::add_key(Node& node, const Double_interval& bounds,
+                                            Event_kind kind) -> Stamp {
+  const std::size_t index = node.flips.size() - 1;
+  const double reached = index > 0 ? node.keys.back().reached : bounds.lower;
+  node.keys.push_back({bounds, std::max(reached, bounds.lower), static_cast<std::uint32_t>(index),
+                       node.number, kind});
+  return stamp(node, index);
+}
+
+template <class Traits, bool has_turns>
+auto Window_log<Traits, has_turns>::add_turn(Node& node, std::unique_ptr<Turn>&& turn,
+                                             const Moment& moment, Event_kind kind) -> Stamp {
+  Flip& f = node.flips.emplace_back();
+  f.exact = std::make_unique<Time>(*moment.exact);
+  f.turn = std::move(turn);
+  return add_key(node, moment.bounds, kind);
+}
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::note_turn(Turn& turn, Stamp number) {
+  const Points turned = turn.turned_points();
+  for (std::size_t k = 0; k < turned.size(); ++k) {
+    turn.previous[k] = std::exchange(last_turns_[turned[k]], number);
+  }
+}
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::forget_turn(const Turn& turn) {
+  const Points turned = turn.turned_points();
+  for (std::size_t k = 0; k < turned.size(); ++k) last_turns_[turned[k]] = turn.previous[k];
+}
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::roll_back(Flip& f) {
+  f.is_undone = true;
+  if constexpr (has_turns) {
+    if (f.turn) {
+      set_motions(*f.turn, false);
+      for (const auto& [face, stamp] : f.turn->faces) face->set_stamp(stamp);
+      return;
+    }
+  }
+  // The flip in reverse. It has left neighbors around as CGAL's flip has them.
+  const int i = f.i;
+  const int j = f.j;
+  const Vertex_handle left = f.neighbor->vertex(Triangulation::ccw(j));
+  const Vertex_handle right = f.face->vertex(Triangulation::ccw(i));
+  const Edge at_bottom = topology_.two_sided(Edge(f.face, i)).there;
+  const Edge at_top = topology_.two_sided(Edge(f.neighbor, j)).there;
+  auto& tds = topology_.triangulation().tds();
+  f.face->set_vertex(Triangulation::cw(i), left);
+  f.neighbor->set_vertex(Triangulation::cw(j), right);
+  tds.set_adjacency(f.face, i, f.neighbor, j);
+  tds.set_adjacency(f.face, Triangulation::ccw(i), at_top.first, at_top.second);
+  tds.set_adjacency(f.neighbor, Triangulation::ccw(j), at_bottom.first, at_bottom.second);
+  if (f.left_had_face) left->set_face(f.face);
+  if (f.right_had_neighbor) right->set_face(f.neighbor);
+  f.face->set_stamp(f.previous[0]);
+  f.neighbor->set_stamp(f.previous[1]);
+}
+
+// Events of nodes of one level do not conflict. The record of an event that has not been executed
+// has no key.
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::roll_back_all() {
+  const auto roll_back_in = [this](Node& node) {
+    for (std::size_t k = std::min(node.flips.size(), node.keys.size()); k-- > 0;) {
+      if (!node.flips[k].is_undone) roll_back(node.flips[k]);
+    }
+  };
+  std::for_each(nodes_.rbegin(), nodes_.rend(), roll_back_in);
+}
+
+// ---- times ----
+
+template <class Traits, bool has_turns>
+auto Window_log<Traits, has_turns>::time(const Key& key) -> const Time& {
+  Flip& f = flip(key);
+  if (!f.exact) {
+    f.exact =
+        std::make_unique<Time>(certification_.failure_time(certificate_points(key), key.bounds));
+  }
+  return *f.exact;
+}
+
+// As Certification::points said it then.
+template <class Traits, bool has_turns>
+auto Window_log<Traits, has_turns>::certificate_points(const Key& key) -> Certificate_points {
+  const Stamp number = stamp(nodes_[key.node], key.index);
+  const Flip& f = flip(key);
+  const auto point = [&](std::size_t k) { return &point_at(f.corners[k], number); };
+  return {Entry_kind::flip, {point(0), point(1), point(2), point(3)}};
+}
+
+// ---- motions of other times ----
+
+// A point with the motion that it had at a flip of the window.
+template <class Traits, bool has_turns>
+auto Window_log<Traits, has_turns>::point_at(Point_id id, Stamp flip) -> const Point_2& {
+  if constexpr (has_turns) {
+    const Point_2* result = nullptr;
+    for (Stamp number = last_turns_[id]; number != 0;) {
+      const Turn& turn = *this->flip(number).turn;
+      const std::size_t k = turn.turned[0] == id ? 0 : 1;
+      if (number < flip) return result == nullptr ? turn.after[k] : *result;
+      result = &turn.before[k];
+      number = turn.previous[k];
+    }
+    if (result != nullptr) return *result;
+  }
+  return topology_.vertex(id)->point();
+}
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::set_motions(const Turn& turn, bool are_after) {
+  for (std::size_t k = 0; k < 2 && turn.turned[k] != no_point; ++k) {
+    topology_.vertex(turn.turned[k])->set_point(are_after ? turn.after[k] : turn.before[k]);
+  }
+}
+
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::go_back_in_turns() {
+  if constexpr (has_turns) {
+    for (auto key = order_.rbegin(); key != order_.rend(); ++key) {
+      if (is_turn(*key)) set_motions(*flip(*key).turn, false);
+    }
+  }
+}
+
+// ---- the order of time ----
+
+// Slices are made by lower bounds; since bounds may overlap, the first events of a slice may then
+// go further to the front.
+template <class Traits, bool has_turns>
+template <class For_each>
+void Window_log<Traits, has_turns>::put_in_order(std::size_t per_slice, const For_each& for_each) {
+  order_.clear();
+  std::size_t size = 0;
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const Node& node : nodes_) {
+    if (node.keys.empty()) continue;
+    size += node.keys.size();
+    least = std::min(least, node.keys.front().reached);
+    greatest = std::max(greatest, node.keys.back().reached);
+  }
+  if (size == 0) return;
+  const std::size_t number = size / per_slice + 1;
+  std::vector<Slice> slices;
+  for (std::size_t k = 0; k < number; ++k) {
+    const double share = static_cast<double>(k + 1) / static_cast<double>(number);
+    const double end = k + 1 == number ? std::numeric_limits<double>::infinity()
+                                       : least + share * (greatest - least);
+    slices.push_back({k == 0 ? least : slices.back().end, end});
+  }
+  for_each(slices, [this](Slice& slice) { slice.size = count_keys(slice); });
+  std::size_t first = 0;
+  for (Slice& slice : slices) slice.first = std::exchange(first, first + slice.size);
+  order_.resize(first);
+  for_each(slices, [&](Slice& slice) {
+    const std::span<Key> keys = std::span(order_).subspan(slice.first, slice.size);
+    distribute(slice, (greatest - least) / static_cast<double>(number), keys);
+    slice.is_in_order = insert_in_order(keys);
+  });
+  bool are_in_order = true;
+  for (const Slice& slice : slices) {
+    are_in_order = are_in_order && slice.is_in_order;
+    // Where one stays, those after it in its slice do.
+    std::size_t k = slice.first;
+    while (are_in_order && k < slice.first + slice.size && insert_in_order(order_, k) > 0) ++k;
+  }
+  if (are_in_order) return;
+  std::ranges::sort(order_, [this](const Key& a, const Key& b) { return compare(a, b) < 0; });
+}
+
+// The keys of a node that reach from the beginning of a slice on, but not its end.
+template <class Traits, bool has_turns>
+auto Window_log<Traits, has_turns>::keys_in(const Node& node, const Slice& slice)
+    -> std::span<const Key> {
+  const auto first = std::ranges::lower_bound(node.keys, slice.least, {}, &Key::reached);
+  const auto last = std::ranges::lower_bound(first, node.keys.end(), slice.end, {}, &Key::reached);
+  return {first, last};
+}
+
+// How many events of a slice are not rolled back.
+template <class Traits, bool has_turns>
+std::size_t Window_log<Traits, has_turns>::count_keys(const Slice& slice) const {
+  std::size_t result = 0;
+  for (const Node& node : nodes_) {
+    const std::span<const Key> keys = keys_in(node, slice);
+    result += keys.size();
+    if (!node.has_undone) continue;
+    const auto is_undone = [&](const Key& key) { return node.flips[key.index].is_undone; };
+    result -= static_cast<std::size_t>(std::ranges::count_if(keys, is_undone));
+  }
+  return result;
+}
+
+// Writes the keys of a slice of events that are not rolled back to `keys`, nearly in order: through
+// as many buckets, of equal shares of the slice's width.
+template <class Traits, bool has_turns>
+void Window_log<Traits, has_turns>::distribute(const Slice& slice, double width,
+                                               std::span<Key> keys) const {
+  const auto count = static_cast<double>(keys.size());
+  const auto bucket_of = [&](const Key& key) {
+    const double bucket = (key.reached - slice.least) / width * count;
+    return bucket < count ? static_cast<std::size_t>(bucket) : keys.size();
+  };
+  const auto for_each_key = [&](const auto& function) {
+    for (const Node& node : nodes_) {
+      for (const Key& key : keys_in(node, slice)) {
+        if (!node.has_undone || !node.flips[key.index].is_undone) function(key);
+      }
+    }
+  };
+  std::vector<std::size_t> first(keys.size() + 2, 0);  // of each bucket
+  for_each_key([&](const Key& key) { ++first[bucket_of(key) + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  for_each_key([&](const Key& key) { keys[first[bucket_of(key)]++] = key; });
+}
+
+// Puts each key after those that it does not precede. Gives up, and returns false, where too many
+// are in the way.
+template <class Traits, bool has_turns>
+bool Window_log<Traits, has_turns>::insert_in_order(std::span<Key> keys) {
+  std::size_t steps = 8 * keys.size();
+  for (std::size_t k = 1; k < keys.size(); ++k) {
+    const std::size_t moved = insert_in_order(keys, k);
+    if (moved > steps) return false;
+    steps -= moved;
+  }
+  return true;
+}
+
+// Puts a key after those of the keys before it, which are in order, that it does not precede.
+// Returns how many it precedes.
+template <class Traits, bool has_turns>
+inline std::size_t Window_log<Traits, has_turns>::insert_in_order(std::span<Key> keys,
+                                                                  std::size_t k) {
+  if (k == 0 || keys[k - 1].bounds.upper < keys[k].bounds.lower) return 0;
+  const Key key = keys[k];
+  std::size_t to = k;
+  for (; to > 0 && compare(key, keys[to - 1]) < 0; --to) keys[to] = keys[to - 1];
+  keys[to] = key;
+  return k - to;
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_TRIANGULATION_WINDOW_LOG_IMPL_H
