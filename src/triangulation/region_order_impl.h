@@ -7,9 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <limits>
-#include <numeric>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>

@@ -96,5 +96,22 @@ TEST(Simulation, tells_the_present_length_of_its_queue) {
   EXPECT_EQ(simulation.queue_size(), 0u);
 }
 
+TEST(Simulation, is_as_before_when_it_refuses_to_change_a_point_twice) {
+  Simulation simulation({{{1, 1}, {1, 0.25}, 0}, {{5, 5}, {0, 0.5}, 0}, {{8, 2}, {0, 0}, 0}},
+                        in_box({0, 0, 10, 10}));
+  const std::size_t entries = simulation.queue_size();
+  const std::vector<Point_id> ids = {0, 0};
+  const Linear_motion_2 motion = {{1, 1}, {1, 0}, 0};
+  const std::vector<Linear_motion_2> motions = {motion, motion};
+  EXPECT_PRECONDITION_ERROR(simulation.set_motions(ids, motions),
+                            "point 0 is named twice; expected each point once");
+  EXPECT_PRECONDITION_ERROR(simulation.set_velocities(ids, std::vector<Vector_2>{{1, 0}, {0, 1}}),
+                            "point 0 is named twice; expected each point once");
+  EXPECT_EQ(simulation.queue_size(), entries);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+  EXPECT_EQ(simulation.advance_to(12.0), 2u);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+}
+
 }  // namespace
 }  // namespace kinetri::simulation_2_test

@@ -188,5 +188,20 @@ TEST(Changes_within_events, may_remove_observers) {
   EXPECT_EQ(observers[2].after, events);
 }
 
+// The point is there, of which the observer has been told.
+TEST(Changes_within_events, leave_the_point_whose_insertion_an_observer_has_interrupted) {
+  Kinetic_delaunay kinetic(test::random_motions(30, 100, 5, 1));
+  struct Stepper : Event_observer {
+    Kinetic_delaunay* kinetic = nullptr;
+    void after_event(const Event& /*event*/) override { kinetic->step(); }
+  } stepper;
+  stepper.kinetic = &kinetic;
+  kinetic.add_observer(stepper);
+  EXPECT_THROW(kinetic.insert({{50, 50.5}, {0, 0}, 0}), Precondition_error);
+  EXPECT_TRUE(kinetic.contains(30));
+  EXPECT_EQ(kinetic.next_id(), 31u);
+  EXPECT_EQ(kinetic.number_of_points(), 31u);
+}
+
 }  // namespace
 }  // namespace kinetri::changes_within_events_test

@@ -434,5 +434,19 @@ TEST(Kinetic_regular_triangulation, refuses_two_discs_that_are_alike_also_when_t
   EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
 }
 
+// Certificates of growing discs that only touch zero are decided by predicates just after the time.
+TEST(Kinetic_regular_triangulation, sees_where_certificates_of_growing_discs_touch) {
+  std::vector<Disc_motion_2> discs = {disc(5, -6, 0, 1, 0.2), disc(-3, -6, 0, 0, 0.1),
+                                      disc(-5, -2, -1, 1, 0.3), disc(-5, -1, -1, -1, 0.3),
+                                      disc(-5, -5, -1, -1, 0.2)};
+  const std::array<double, 5> growths = {1, 0.5, 0.5, 1, 0.5};
+  for (std::size_t i = 0; i < discs.size(); ++i) discs[i].growth = growths[i];
+  Kinetic kinetic(discs);
+  for (const double time : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
+    kinetic.advance_to(Algebraic_number(time));
+    EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  }
+}
+
 }  // namespace
 }  // namespace kinetri::kinetic_regular_triangulation_2_test

@@ -197,6 +197,8 @@ class Simulation_2 {
   /// @{
   /// The functions of the triangulation of these names. Contacts are events of the kinds wall and
   /// collision; the motions change between `before_event` and `after_event`.
+  /// The queue of contacts follows the edges when all events of the triangulation at one time have
+  /// happened, so within an event it is that of before.
   void add_observer(Observer& observer) {
     check_may_change();
     core_.triangulation.add_observer(observer);

@@ -188,19 +188,17 @@ Point_id Kinetic_triangulation_2<Traits>::insert(const Motion& motion) {
 template <KineticTraits_2 Traits>
 Point_id Kinetic_triangulation_2<Traits>::insert(std::span<const Motion> motions) {
   const detail::Flag_while changing = core_.reporter.start_change();
-  const Point_id first = core_.topology.give_ids(motions.size());
+  const Point_id first = next_id();
+  std::vector<Change> changes;
+  changes.reserve(motions.size());
+  for (const Motion& motion : motions) {
+    const auto id = static_cast<Point_id>(first + changes.size());
+    KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(id));
+    changes.push_back({id, motion});
+  }
+  core_.topology.give_ids(motions.size());
   try {
-    std::vector<Change> changes;
-    changes.reserve(motions.size());
-    for (const Motion& motion : motions) {
-      const auto id = static_cast<Point_id>(first + changes.size());
-      KINETRI_PRECONDITION(is_finite(motion), detail::not_finite_problem(id));
-      changes.push_back({id, motion});
-    }
     core_.changes.change_all(Event_kind::insert, std::move(changes));
-  } catch (const Precondition_error&) {
-    core_.topology.take_back_ids(first);
-    throw;
   } catch (const Coincident_trajectories_error&) {
     core_.topology.take_back_ids(first);
     throw;

@@ -69,7 +69,7 @@ class Contact_loop {
   void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
   void erase(Point_id id);
 
-  /// Throws if a change was left within a contact by an error.
+  /// Whether an error has left the simulation within a contact, or within an instant.
   bool is_within_contact() const { return is_within_contact_; }
   bool is_within_instant() const { return is_within_instant_; }
 

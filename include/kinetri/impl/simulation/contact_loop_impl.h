@@ -5,9 +5,11 @@
 #define KINETRI_IMPL_SIMULATION_CONTACT_LOOP_IMPL_H
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/simulation/contact_loop.h"
@@ -23,9 +25,7 @@ std::size_t Contact_loop<Traits>::step(const Time* until) {
   schedule_.settle();
   auto& queue = schedule_.queue();
   const auto step_triangulation = [this](const Time* end) {
-    const std::size_t events = core_.loop.step(end);
-    tracker_.follow(core_.reporter.take_trail(), {});
-    return events;
+    return core_.loop.step(end, [this] { tracker_.follow(core_.reporter.take_trail(), {}); });
   };
   if (queue.empty()) {  // it need not be after a flip
     const std::size_t events = step_triangulation(until);
@@ -308,6 +308,8 @@ void Contact_loop<Traits>::set_motions(std::span<const Point_id> ids,
   }
   std::vector<Point_id> points(ids.begin(), ids.end());
   std::ranges::sort(points);
+  const auto twice = std::ranges::adjacent_find(points);
+  KINETRI_PRECONDITION(twice == points.end(), named_twice_problem(*twice));
   change(points, [&] {
     const Flag_while changing = core_.reporter.start_change();
     core_.changes.change_all(Event_kind::trajectory, changes);

@@ -5,7 +5,6 @@
 #define KINETRI_IMPL_SIMULATION_SIMULATION_AUDITOR_H
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>

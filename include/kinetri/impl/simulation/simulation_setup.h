@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/simulation/disc_numbers.h"

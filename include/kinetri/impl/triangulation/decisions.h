@@ -140,8 +140,9 @@ auto Decisions<Traits>::decide_inside(const Two_sided_edge& edge, bool changes_s
   const auto& [neighbor, j] = edge.there;
   if (!changes_sign) {
     const auto& [p, q, r, s] = certification_.points(edge).points;
-    const auto side = after(now()).power_side_of_oriented_power_circle_2_object();
-    if (side(*p, *q, *r, *s) != CGAL::ON_POSITIVE_SIDE) {
+    const auto just_after = after(now());
+    if (just_after.power_side_of_oriented_power_circle_2_object()(*p, *q, *r, *s) !=
+        CGAL::ON_POSITIVE_SIDE) {
       // A touch. A triangle whose corners, lifted, are on one line now may turn over.
       const bool turns_over = !is_touch(face, now()) || !is_touch(neighbor, now());
       return {turns_over ? Action::rebuild : Action::reschedule};

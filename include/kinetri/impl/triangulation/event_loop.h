@@ -45,8 +45,13 @@ class Event_loop {
   /// something changes, if it is given. Returns their number.
   std::size_t run_to(const Time& time, const std::function<bool()>& may_go_on);
   /// Goes to the next time, up to `until` if that is given, at which something changes, and
-  /// executes its events. Returns their number. (Points may meet, and part, without an event.)
-  std::size_t step(const Time* until);
+  /// executes its events. Returns their number. Points may meet, and part, without an event: so
+  /// several times may be passed; after_instant() is called after each.
+  template <class After_instant>
+  std::size_t step(const Time* until, const After_instant& after_instant);
+  std::size_t step(const Time* until) {
+    return step(until, [] {});
+  }
   /// Executes every event of the time that is first in the queue. Precondition: the schedule is
   /// settled, and a failure is first.
   std::size_t run_instant();

@@ -8,7 +8,6 @@
 #include <array>
 #include <map>
 #include <utility>
-#include <vector>
 
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/event_loop.h"
@@ -30,11 +29,13 @@ std::size_t Event_loop<Traits>::run_to(const Time& time, const std::function<boo
 }
 
 template <class Traits>
-std::size_t Event_loop<Traits>::step(const Time* until) {
+template <class After_instant>
+std::size_t Event_loop<Traits>::step(const Time* until, const After_instant& after_instant) {
   std::size_t events = 0;
   while (events == 0 && schedule_.settle(until)) {
     events = run_instant();
     updates_.show_current_time();
+    after_instant();
   }
   return events;
 }

@@ -24,8 +24,7 @@ void Point_changes<Traits>::change_all(Event_kind kind, std::vector<Change> chan
   if (changes.empty()) return;
   std::ranges::sort(changes, {}, &Change::point);
   const auto twice = std::ranges::adjacent_find(changes, {}, &Change::point);
-  KINETRI_PRECONDITION(twice == changes.end(), "point " + std::to_string(twice->point) +
-                                                   " is named twice; expected each point once");
+  KINETRI_PRECONDITION(twice == changes.end(), named_twice_problem(twice->point));
   std::vector<Event> events(changes.size());
   for (std::size_t i = 0; i < changes.size(); ++i) {
     events[i].kind = kind;

@@ -21,6 +21,10 @@ inline std::string not_finite_problem(std::size_t id) {
   return "the motion of point " + std::to_string(id) + " has a number that is not finite";
 }
 
+inline std::string named_twice_problem(std::size_t id) {
+  return "point " + std::to_string(id) + " is named twice; expected each point once";
+}
+
 // Apart from where it is used, which is small and often inlined.
 inline std::string unknown_id_problem(std::size_t id) {
   return "no point has the id " + std::to_string(id) + "; ask contains(id) first";
