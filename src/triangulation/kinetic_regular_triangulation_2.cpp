@@ -18,8 +18,10 @@ template class Point_changes<Disc_kinetic_traits_2>;
 template class Point_changes<Polynomial_disc_kinetic_traits_2>;
 template struct Kinetic_core<Disc_kinetic_traits_2>;
 template class Schedule<Disc_kinetic_traits_2>::Policy;
+template bool Schedule<Disc_kinetic_traits_2>::settle(const Algebraic_number*);
 template struct Kinetic_core<Polynomial_disc_kinetic_traits_2>;
 template class Schedule<Polynomial_disc_kinetic_traits_2>::Policy;
+template bool Schedule<Polynomial_disc_kinetic_traits_2>::settle(const Algebraic_number*);
 }  // namespace detail
 
 }  // namespace kinetri

@@ -29,8 +29,10 @@ template class Point_changes<Linear_kinetic_traits_2>;
 template class Point_changes<Polynomial_kinetic_traits_2>;
 template struct Kinetic_core<Linear_kinetic_traits_2>;
 template class Schedule<Linear_kinetic_traits_2>::Policy;
+template bool Schedule<Linear_kinetic_traits_2>::settle(const Algebraic_number*);
 template struct Kinetic_core<Polynomial_kinetic_traits_2>;
 template class Schedule<Polynomial_kinetic_traits_2>::Policy;
+template bool Schedule<Polynomial_kinetic_traits_2>::settle(const Algebraic_number*);
 }  // namespace detail
 
 }  // namespace kinetri

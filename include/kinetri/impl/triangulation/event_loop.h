@@ -48,7 +48,15 @@ class Event_loop {
   /// executes its events. Returns their number. Points may meet, and part, without an event: so
   /// several times may be passed; after_instant() is called after each.
   template <class After_instant>
-  std::size_t step(const Time* until, const After_instant& after_instant);
+  std::size_t step(const Time* until, const After_instant& after_instant) {
+    std::size_t events = 0;
+    while (events == 0 && schedule_.settle(until)) {
+      events = run_instant();
+      updates_.show_current_time();
+      after_instant();
+    }
+    return events;
+  }
   std::size_t step(const Time* until) {
     return step(until, [] {});
   }

@@ -29,18 +29,6 @@ std::size_t Event_loop<Traits>::run_to(const Time& time, const std::function<boo
 }
 
 template <class Traits>
-template <class After_instant>
-std::size_t Event_loop<Traits>::step(const Time* until, const After_instant& after_instant) {
-  std::size_t events = 0;
-  while (events == 0 && schedule_.settle(until)) {
-    events = run_instant();
-    updates_.show_current_time();
-    after_instant();
-  }
-  return events;
-}
-
-template <class Traits>
 std::size_t Event_loop<Traits>::run_instant() {
   auto& queue = schedule_.queue();
   reporter_.begin_instant();
