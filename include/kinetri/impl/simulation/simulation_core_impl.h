@@ -12,6 +12,7 @@ namespace kinetri::detail {
 
 template <class Traits>
 void Simulation_core<Traits>::start() {
+  records.make_room(geometry.number_of_ids());
   if (setup.has_response()) kinetic().reporter.keep_trail();
   tracker.find_all();
 }
