@@ -22,7 +22,7 @@ namespace kinetri::detail {
 template <class Traits, class Turns>
 void Region_run<Traits, Turns>::settle_order() {
   log_.put_in_order(options_.flips_per_slice,
-                    [this](auto& slices, const auto& work) { for_each(slices, work); });
+                    [this](auto& slices, const auto& work) { this->for_each(slices, work); });
   const std::vector<Key>& order = log_.order();
   for (std::size_t k = 1; k < order.size(); ++k) {
     if (order[k - 1].bounds.upper < order[k].bounds.lower) continue;

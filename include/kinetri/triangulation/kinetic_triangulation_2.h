@@ -234,8 +234,8 @@ class Kinetic_triangulation_2 {
   /// place at the binary64 number nearest to current_time(), rounded as `with_velocity_at` says.
   /// Throws what set_motions throws. Precondition: as many velocities as ids; each id is contained,
   /// and named once; velocities and places are finite.
-  void set_velocities(std::span<const Point_id> ids,
-                      std::span<const Vector_2> velocities) requires MotionWithVelocity_2<Motion>;
+  void set_velocities(std::span<const Point_id> ids, std::span<const Vector_2> velocities) requires
+      MotionWithVelocity_2<typename Traits::Motion>;
 
   /// Inserts points, which get consecutive ids, and returns the first id: an event `insert` for
   /// each point. Throws what set_motions throws. Precondition: the motions are finite, and there

@@ -226,7 +226,7 @@ void Kinetic_triangulation_2<Traits>::set_motions(std::span<const Point_id> ids,
 template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
                                                      std::span<const Vector_2> velocities) requires
-    MotionWithVelocity_2<Motion> {
+    MotionWithVelocity_2<typename Traits::Motion> {
   detail::check_velocities(ids, velocities);
   const double now = current_time().to_double();
   std::vector<Motion> motions;
