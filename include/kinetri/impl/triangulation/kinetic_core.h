@@ -25,10 +25,10 @@ namespace kinetri::detail {
 /// | topology | CGAL's triangulation, ids | time, the queue |
 /// | certification | the kinetic traits | the queue; it changes nothing |
 /// | schedule | the present time, the queue | how faces change |
-/// | reporter | observers, counts, noted edges | why edges change |
-/// | updates | | which change is right |
+/// | reporter | observers, noted edges, the trail | why edges change |
+/// | updates | a count of changes | which change is right |
 /// | loop | what is put off within an instant | how a change is made |
-/// | changes | | |
+/// | changes | | how events follow each other |
 template <class Traits>
 struct Kinetic_core {
   using Time = Algebraic_number;

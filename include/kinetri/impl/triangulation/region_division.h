@@ -91,7 +91,7 @@ struct Region_division {
 
   /// How many nodes the tree has.
   std::size_t nodes() const { return std::max<std::size_t>(2 * regions - 1, 2); }
-  /// How many parts a queue has, as regions.h says.
+  /// How many parts a queue has, as docs/PARALLEL.md says.
   std::size_t parts() const { return 3 * nodes() - 1 - regions; }
   /// The first node of a level; regions are the level 0.
   std::size_t first_node(unsigned level) const { return 2 * regions - ((2 * regions) >> level); }
